@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What the core is built on, each as one target with SYSTEM includes.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(urdfdom REQUIRED)
+find_package(fcl REQUIRED)
+find_package(CGAL REQUIRED)
+find_package(Threads REQUIRED)
+
+# orocos_kdl's config sets variables only.
+find_package(orocos_kdl REQUIRED)
+if(NOT TARGET graspless_kdl)
+  add_library(graspless_kdl INTERFACE)
+  target_include_directories(graspless_kdl SYSTEM INTERFACE ${orocos_kdl_INCLUDE_DIRS})
+  target_link_libraries(graspless_kdl INTERFACE ${orocos_kdl_LIBRARIES})
+endif()
+
+# OMPL_LIBRARIES drags in ODE and most of Boost; the planners need libompl alone.
+find_package(ompl REQUIRED)
+find_library(GRASPLESS_OMPL_LIBRARY ompl REQUIRED)

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "graspless/export.hpp"
+
+namespace graspless::geometry {
+
+/// A simple polygon in the plane, counter-clockwise, convex or not.
+class GRASPLESS_API Polygon {
+ public:
+  /// The edge nearest to a point: the line through `a` and `b`, with the unit normal that points inside.
+  struct Edge {
+    int index;
+    Eigen::Vector2d a, b;
+    Eigen::Vector2d inward;
+  };
+
+  /// `vertices` is 2 x n [m]; a clockwise list is reversed. Throws std::invalid_argument, naming `what`, on
+  /// fewer than three vertices, a value that is not finite, a repeated vertex, or a boundary that crosses
+  /// or touches itself.
+  explicit Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what = "polygon");
+
+  const Eigen::Matrix2Xd& vertices() const { return vertices_; }
+  int size() const { return static_cast<int>(vertices_.cols()); }
+  double area() const;               ///< [m^2], positive
+  Eigen::Vector2d centroid() const;  ///< of the area
+  bool is_convex() const;
+
+  /// Whether `p` lies inside; a point on the boundary may count either way.
+  bool contains(const Eigen::Vector2d& p) const;
+  /// Distance from `p` to the boundary [m], positive inside and negative outside.
+  double depth(const Eigen::Vector2d& p) const;
+  Edge edge(int index) const;  ///< from vertex `index` to the next
+  Edge nearest_edge(const Eigen::Vector2d& p) const;
+
+  /// Convex polygons that cover this one without overlap (CGAL).
+  std::vector<Polygon> convex_parts() const;
+
+ private:
+  Eigen::Matrix2Xd vertices_;
+  Eigen::Vector2d lower_, upper_;  // bounding box: most queries end here
+};
+
+}  // namespace graspless::geometry

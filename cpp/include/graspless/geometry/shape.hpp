@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "graspless/export.hpp"
+
+namespace graspless::geometry {
+
+/// Centred at its frame's origin, sides along the axes.
+struct Box {
+  Eigen::Vector3d size;  ///< side lengths [m]
+};
+
+/// Centred at its frame's origin.
+struct Sphere {
+  double radius;  ///< [m]
+};
+
+/// All points within `radius` of the segment from (0, 0, -length/2) to (0, 0, length/2).
+struct Capsule {
+  double radius;  ///< [m]
+  double length;  ///< of the segment, without the two half spheres [m]
+};
+
+/// The convex hull of a set of points.
+struct Convex {
+  Eigen::Matrix3Xd vertices;  ///< one point a column [m]
+};
+
+/// A triangle surface. Only the surface collides: a body wholly inside does not touch it.
+struct Mesh {
+  Eigen::Matrix3Xd vertices;   ///< one point a column [m]
+  Eigen::Matrix3Xi triangles;  ///< columns of vertex indices
+};
+
+using Shape = std::variant<Box, Sphere, Capsule, Convex, Mesh>;
+
+/// A shape fixed in the frame of a body B.
+struct PlacedShape {
+  Shape shape;
+  Eigen::Isometry3d X_BG = Eigen::Isometry3d::Identity();  ///< pose of the shape's frame G in B
+};
+
+/// Throws std::invalid_argument, naming `what`, unless every length is finite and positive, a hull has
+/// four points that span a volume, and every triangle index is one of the mesh's vertices.
+GRASPLESS_API void validate(const Shape& shape, const std::string& what);
+
+/// Reads a triangle mesh (.stl, .obj, .off, .ply; polygons are triangulated) and scales it per axis.
+/// Throws std::invalid_argument that names the path when it is missing, unreadable or empty.
+GRASPLESS_API Mesh read_mesh(const std::string& path,
+                             const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
+
+}  // namespace graspless::geometry

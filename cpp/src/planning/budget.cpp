@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/planning/budget.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace graspless::planning {
+namespace {
+
+constexpr std::chrono::milliseconds kPollInterval{10};
+
+}  // namespace
+
+Clock::Clock(const Budget& budget)
+    : budget_(budget), start_(Steady::now()), next_poll_(start_ + kPollInterval) {
+  if (!(budget.seconds > 0)) {
+    throw std::invalid_argument("budget.seconds must be positive, not " +
+                                std::to_string(budget.seconds));
+  }
+  if (budget.iterations < 0) {
+    throw std::invalid_argument("budget.iterations must not be negative, not " +
+                                std::to_string(budget.iterations));
+  }
+}
+
+bool Clock::spend() {
+  if (iterations_ >= budget_.iterations || is_out()) return false;
+  ++iterations_;
+  return true;
+}
+
+bool Clock::is_out() {
+  if (interrupted_) return true;
+  const auto now = Steady::now();
+  if (budget_.interrupted && now >= next_poll_) {
+    next_poll_ = now + kPollInterval;
+    interrupted_ = budget_.interrupted();
+  }
+  return interrupted_ || std::chrono::duration<double>(now - start_).count() >= budget_.seconds;
+}
+
+double Clock::seconds() const {
+  return std::chrono::duration<double>(Steady::now() - start_).count();
+}
+
+}  // namespace graspless::planning
