@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graspless/export.hpp"
+#include "graspless/planning/budget.hpp"
+#include "graspless/slide/problem.hpp"
+
+namespace graspless::slide {
+
+enum class Search {
+  paper,  ///< Algorithm 1 as written
+  fast,   ///< the same, with goals drawn to fit a start and connected directly first
+};
+
+/// How to search. The paper's values where it gives one.
+struct Options {
+  Search search = Search::fast;
+  double pitch = 0.7853981633974483;  ///< beta_0: between the finger and the surface [rad]
+  double pitch_tolerance = 0.1;       ///< Delta_beta [rad]
+  double min_depth = 0.005;           ///< Delta_Z^-: least press of the commanded tip below the top face [m]
+  double max_depth = 0.025;           ///< Delta_Z^+: deepest press below the top face [m]
+  double roll_tolerance = 1e-3;       ///< tilt of the line contact out of the surface [rad]
+  double root_scale = 100;            ///< N* in Eq. (5): larger adds roots more freely
+  double min_overhang = 0.02;         ///< u*: how far the object must stick out to be grasped [m]
+  double com_margin = 0.010;  ///< how far the centre of mass stays inside the edge [m]; at 2 mm the lift tips some
+                              ///< objects, at 10 mm none did in simulation
+  double tip_margin = 0.010;  ///< how far the effective tip stays inside the edge [m]
+  double lift_height = 0.08;  ///< clearance above the object before reaching for it [m]
+  double grasp_approach = 0.06;  ///< straight final motion of the hand [m]
+  double range = 0.1;            ///< longest step of ConstrainedExtend, Euclidean in the joints [rad]
+  double resolution = 0.01;      ///< largest joint step between checked configurations [rad]
+  bool shortcut = true;          ///< shorten the motions that came from a tree
+};
+
+/// Throws std::invalid_argument that names the field, its value and what it may be.
+GRASPLESS_API void validate(const Options& options);
+
+enum class Status {
+  solved,
+  start_in_collision,  ///< the robot at home touches something
+  no_start_root,       ///< no configuration presses on the object
+  no_goal_root,        ///< no configuration presses near an edge
+  no_valid_pair,       ///< starts and goals were connected, or drawn, but no pair was valid
+  not_connected,       ///< no valid pair could be connected in time
+  interrupted,
+};
+GRASPLESS_API std::string to_string(Status status);
+
+/// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
+struct Segment {
+  std::string name;  ///< approach, press, slide, lift, reach, grasp or close
+  std::vector<Eigen::VectorXd> positions;         ///< all joints [rad or m]
+  std::vector<Eigen::Isometry3d> object_poses;    ///< X_WO at each row
+};
+
+/// What the search did.
+struct Statistics {
+  double seconds = 0;
+  std::int64_t iterations = 0;
+  std::int64_t nodes = 0;             ///< in both forests
+  std::int64_t start_roots = 0;       ///< N_s
+  std::int64_t goal_roots = 0;        ///< N_g
+  std::int64_t collision_checks = 0;  ///< configurations
+  std::int64_t projections = 0;
+  std::int64_t ik_calls = 0;
+  std::int64_t pairs = 0;  ///< start-goal pairs validated
+  /// Why roots and pairs were refused: "start: reach", "start: collision", "start: home", "goal: reach",
+  /// "goal: collision", "pair: overhang", "pair: center of mass", "pair: grasp reach", "pair: grasp motion", ...
+  std::map<std::string, std::int64_t> refusals;
+};
+
+/// What was found, or why not.
+struct Plan {
+  Status status = Status::not_connected;
+  std::string reason;  ///< one sentence, for people
+  std::vector<std::string> joint_names;
+  std::vector<Segment> segments;
+  Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();    ///< kappa_g
+  Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();   ///< H_g
+  double overhang = 0;                                            ///< u at the goal [m]
+  Statistics statistics;
+  explicit operator bool() const { return status == Status::solved; }
+};
+
+/// Plans approach, press, slide, lift, reach, grasp and close. Throws std::invalid_argument on a bad problem,
+/// options or budget; not finding a plan is a status. Same seed and iterations: the same plan, bit by bit.
+GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
+                        const planning::Budget& budget = {});
+
+/// Replays a plan against its problem at steps of 0.01 rad with none of the search's code. Each entry says which
+/// segment and row fails and how; an empty list means the plan holds.
+GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                             const Options& options = {});
+
+}  // namespace graspless::slide

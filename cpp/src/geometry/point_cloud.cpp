@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/geometry/point_cloud.hpp"
+
+#include <CGAL/Alpha_shape_2.h>
+#include <CGAL/Alpha_shape_face_base_2.h>
+#include <CGAL/Alpha_shape_vertex_base_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace graspless::geometry {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Alpha_shape_vertex_base_2<Kernel>;
+using Face = CGAL::Alpha_shape_face_base_2<Kernel>;
+using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
+using AlphaShape = CGAL::Alpha_shape_2<Delaunay>;
+using Loop = std::vector<Eigen::Vector2d>;
+
+/// The directed boundary edges of the shape, interior on the left.
+std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> boundary(const AlphaShape& shape) {
+  std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> next;
+  for (auto e = shape.alpha_shape_edges_begin(); e != shape.alpha_shape_edges_end(); ++e) {
+    auto [face, i] = *e;
+    if (shape.classify(*e) != AlphaShape::REGULAR) continue;
+    if (shape.classify(face) != AlphaShape::INTERIOR) {
+      i = face->neighbor(i)->index(face);
+      face = e->first->neighbor(e->second);
+    }
+    next.emplace(face->vertex(AlphaShape::ccw(i)), face->vertex(AlphaShape::cw(i)));
+  }
+  return next;
+}
+
+std::vector<Loop> loops(const AlphaShape& shape) {
+  auto next = boundary(shape);
+  std::vector<Loop> all;
+  while (!next.empty()) {
+    Loop loop;
+    for (auto at = next.begin(); at != next.end();) {
+      loop.emplace_back(at->first->point().x(), at->first->point().y());
+      const auto to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+    all.push_back(std::move(loop));
+  }
+  return all;
+}
+
+double twice_area(const Loop& loop) {
+  double sum = 0;
+  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+    sum += loop[j].x() * loop[i].y() - loop[j].y() * loop[i].x();
+  }
+  return sum;
+}
+
+/// Drops vertices nearer than `tolerance` to the chord of the vertices kept around them.
+Eigen::Matrix2Xd simplified(const Loop& loop, double tolerance) {
+  Loop kept;
+  const std::size_t n = loop.size();
+  std::size_t anchor = 0;
+  kept.push_back(loop[0]);
+  for (std::size_t end = 2; end <= n; ++end) {
+    const Eigen::Vector2d a = loop[anchor], d = (loop[end % n] - a);
+    double worst = 0;
+    for (std::size_t i = anchor + 1; i < end; ++i) {
+      const Eigen::Vector2d p = loop[i] - a;
+      worst = std::max(worst, d.norm() > 0 ? std::abs(p.x() * d.y() - p.y() * d.x()) / d.norm() : p.norm());
+    }
+    if (worst <= tolerance) continue;
+    anchor = end - 1;
+    kept.push_back(loop[anchor]);
+  }
+  Eigen::Matrix2Xd out(2, static_cast<Eigen::Index>(kept.size()));
+  for (std::size_t i = 0; i < kept.size(); ++i) out.col(static_cast<Eigen::Index>(i)) = kept[i];
+  return out;
+}
+
+/// The polygon of the largest loop, if it and its simplification are simple.
+std::optional<Polygon> outer_polygon(const AlphaShape& shape, double tolerance) {
+  const Loop* outer = nullptr;
+  const std::vector<Loop> all = loops(shape);
+  for (const Loop& loop : all) {
+    if (!outer || twice_area(loop) > twice_area(*outer)) outer = &loop;
+  }
+  if (!outer || outer->size() < 3) return std::nullopt;
+  try {
+    return Polygon(simplified(*outer, tolerance));
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // the boundary touches itself in a vertex: a larger alpha mends that
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
+  if (!(spacing > 0)) {
+    throw std::invalid_argument("spacing must be positive, not " + std::to_string(spacing));
+  }
+  const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
+  const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
+  std::vector<Eigen::Vector2d> inside;
+  for (double x = lower.x() + spacing / 2; x < upper.x(); x += spacing) {
+    for (double y = lower.y() + spacing / 2; y < upper.y(); y += spacing) {
+      if (polygon.contains({x, y})) inside.emplace_back(x, y);
+    }
+  }
+  if (inside.empty()) inside.push_back(polygon.vertices().col(0));
+  return Eigen::Map<Eigen::Matrix2Xd>(inside.data()->data(), 2, static_cast<Eigen::Index>(inside.size()));
+}
+
+Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
+  if (!points.allFinite()) throw std::invalid_argument(what + " has a value that is not finite");
+  std::vector<Kernel::Point_2> cloud;
+  for (const auto& p : points.colwise()) cloud.emplace_back(p.x(), p.y());
+  AlphaShape shape(cloud.begin(), cloud.end(), 0, AlphaShape::REGULARIZED);
+  if (shape.dimension() < 2) {
+    throw std::invalid_argument(what + " must span an area; got " + std::to_string(points.cols()) +
+                                " points on a line or fewer than three");
+  }
+  double alpha = *shape.find_optimal_alpha(1);
+  const double spacing = std::sqrt(alpha);  // the radius of the largest empty disc
+  for (int attempt = 0; attempt < 60; ++attempt, alpha *= 1.5) {
+    shape.set_alpha(alpha);
+    if (auto polygon = outer_polygon(shape, spacing / 4)) return *polygon;
+  }
+  throw std::invalid_argument(what + " have no simple outline");
+}
+
+}  // namespace graspless::geometry
