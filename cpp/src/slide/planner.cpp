@@ -22,7 +22,7 @@ namespace {
 constexpr int kShortcutRounds = 30;
 
 /// Everything OMPL needs for one query.
-struct Search {
+struct Setup {
   ob::SpaceInformationPtr si;
   std::shared_ptr<ob::ProblemDefinition> problem;
   std::shared_ptr<StartRegion> start_region;
@@ -30,9 +30,9 @@ struct Search {
   std::shared_ptr<planning::ForestCBiRRT> planner;
 };
 
-Search make_search(Query& query, Motions& motions) {
+Setup make_setup(Query& query, Motions& motions) {
   const int n = query.arm.dof();
-  Search s;
+  Setup s;
   s.si = std::make_shared<ob::SpaceInformation>(planning::make_box(query.arm.lower(), query.arm.upper()));
   s.si->setStateValidityChecker(
       [&query, n](const ob::State* q) { return query.contact.is_valid(vector(q, n), std::nullopt); });
@@ -106,7 +106,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   if (!is_home_free(query, plan)) return plan;
 
   Motions motions(query);
-  Search search = make_search(query, motions);
+  Setup search = make_setup(query, motions);
   const ob::PlannerStatus status =
       search.planner->solve(ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
