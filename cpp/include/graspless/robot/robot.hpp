@@ -95,6 +95,8 @@ class GRASPLESS_API Robot {
 
   struct Model;  // the KDL tree and the tables made from it; not part of the interface
   const Model& model() const { return *model_; }
+  /// Equal for copies, unequal for robots read apart; expires with the last copy.
+  std::weak_ptr<const void> identity() const { return model_; }
 
  private:
   explicit Robot(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
