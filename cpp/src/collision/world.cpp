@@ -55,9 +55,7 @@ const std::string& World::name(int body) const {
 
 void World::set_pose(int body, const Eigen::Isometry3d& X_WB) {
   impl_->require_body(body, "body");
-  if (!X_WB.matrix().allFinite()) {
-    throw std::invalid_argument("pose of body '" + name(body) + "' must be finite");
-  }
+  if (!is_pose(X_WB)) require_pose(X_WB, "pose of body '" + name(body) + "'");
   impl_->poses[body] = X_WB;
   impl_->place(body);
 }
@@ -95,9 +93,10 @@ void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double 
   if (pair < 0) {
     throw std::invalid_argument("bodies '" + name(a) + "' and '" + name(b) + "' are not tested");
   }
-  if (!(depth >= 0) || !std::isfinite(depth)) {
-    throw std::invalid_argument("depth must be finite and not negative, not " +
-                                std::to_string(depth));
+  if (!(depth >= 0 && depth <= geometry::kMaxLength)) {
+    std::ostringstream fault;
+    fault << "depth must be in [0, " << geometry::kMaxLength << "] m, not " << depth;
+    throw std::invalid_argument(fault.str());
   }
   const double length = normal_W.norm();
   if (!(length > 0) || !std::isfinite(length)) {

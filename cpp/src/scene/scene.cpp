@@ -106,9 +106,8 @@ void Scene::attach(int body, int link, const Eigen::Isometry3d& X_LO,
     throw std::invalid_argument("body '" + name +
                                 "' is a link of the robot and cannot be attached");
   }
-  if (!X_LO.matrix().allFinite()) {
-    throw std::invalid_argument("X_LO of body '" + name + "' must be finite");
-  }
+  world_.set_pose(body,
+                  X_WL_[link] * X_LO);  // refuses a pose that is none, before anything changes
   detach(body);
   Attachment attachment{body, link, X_LO, {}};
   const auto pairs = world_.pairs();
@@ -120,7 +119,6 @@ void Scene::attach(int body, int link, const Eigen::Isometry3d& X_LO,
   }
   attachments_.push_back(attachment);
   motion_revision_ = -1;
-  world_.set_pose(body, X_WL_[link] * X_LO);
 }
 
 void Scene::detach(int body) {
