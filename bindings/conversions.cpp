@@ -14,7 +14,7 @@ std::string shape_of(const T& array) {
   for (py::ssize_t i = 0; i < array.ndim(); ++i) {
     text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
   }
-  return text + ")";
+  return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
 template <class T>
