@@ -3,146 +3,26 @@
 #include "graspless/collision/world.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-#include "collision/bounds.hpp"
-#include "collision/fcl_shape.hpp"
+#include "collision/world_impl.hpp"
 
 namespace graspless::collision {
 namespace {
 
-// Boxes this near are given to FCL, so that rounding in our bounds never hides a contact FCL would
-// see [m].
-constexpr double kMargin = 1e-9;
-
-struct Body {
-  std::string name;
-  std::vector<CollisionShape> shapes;
-};
-
-/// An axis-aligned box in the world.
-struct WorldBox {
-  Eigen::Vector3d middle, half;
-};
-
-/// Bodies a < b; b is tested moved by `shift_W`.
-struct Pair {
-  int a, b;
-  Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
-};
-
-bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W) {
-  const Eigen::Array3d gap = (b.middle + shift_W - a.middle).cwiseAbs() - a.half - b.half;
-  return (gap <= kMargin).all();
+/// The largest distance of a point of the shape from the body's origin, or a little more.
+double shape_radius(const CollisionShape& shape) {
+  double farthest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    farthest = std::max(farthest, (shape.X_BC * shape.core.half.cwiseProduct(sign)).norm());
+  }
+  return farthest + shape.core.radius;
 }
 
 }  // namespace
-
-struct World::Impl {
-  std::vector<std::shared_ptr<const Body>> bodies;
-  std::vector<Eigen::Isometry3d> poses;
-  std::vector<WorldBox> boxes;        // one a body
-  std::vector<int> first_placement;   // of each body
-  std::vector<Placement> placements;  // one a shape
-  std::vector<Pair> pairs;
-  std::vector<double> bounds;
-  FclTest test;
-  int checks = 0;
-  int failures = 0;
-
-  void require_body(int body, const char* what) const;
-  int find(int a, int b) const;
-  void place(int body);
-  /// Calls visit(shape a, placement a, shape b, placement b) until it says true; returns whether it
-  /// did.
-  template <typename Visit>
-  bool any_shapes(const Pair& pair, Visit visit) const;
-  bool fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
-                 const Placement& at_b, const Eigen::Vector3d& shift_W);
-  bool touch(const Pair& pair);
-  bool touch_by_fcl(const Pair& pair);
-  double bound(const Pair& pair) const;
-};
-
-void World::Impl::require_body(int body, const char* what) const {
-  if (body >= 0 && body < static_cast<int>(bodies.size())) return;
-  throw std::invalid_argument(std::string(what) + " must be the index of one of the " +
-                              std::to_string(bodies.size()) + " bodies, not " +
-                              std::to_string(body));
-}
-
-int World::Impl::find(int a, int b) const {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pairs[i].a == std::min(a, b) && pairs[i].b == std::max(a, b)) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-void World::Impl::place(int body) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d high = -low;
-  Placement* at = &placements[first_placement[body]];
-  for (const CollisionShape& shape : bodies[body]->shapes) {
-    at->X_WC = poses[body] * shape.X_BC;
-    at->half_W = half_in_world(shape.core, at->X_WC.linear());
-    low = low.cwiseMin(at->X_WC.translation() - at->half_W);
-    high = high.cwiseMax(at->X_WC.translation() + at->half_W);
-    ++at;
-  }
-  boxes[body] = {(low + high) / 2, (high - low) / 2};
-}
-
-template <typename Visit>
-bool World::Impl::any_shapes(const Pair& pair, Visit visit) const {
-  const Placement* at_a = &placements[first_placement[pair.a]];
-  for (const CollisionShape& a : bodies[pair.a]->shapes) {
-    const Placement* at_b = &placements[first_placement[pair.b]];
-    for (const CollisionShape& b : bodies[pair.b]->shapes) {
-      if (visit(a, *at_a, b, *at_b)) return true;
-      ++at_b;
-    }
-    ++at_a;
-  }
-  return false;
-}
-
-bool World::Impl::fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
-                            const Placement& at_b, const Eigen::Vector3d& shift_W) {
-  Eigen::Isometry3d X_WC_b = at_b.X_WC;
-  X_WC_b.translation() += shift_W;
-  const Touch touch = test(a, at_a.X_WC, b, X_WC_b);
-  failures += touch == Touch::failed;
-  return touch != Touch::no;
-}
-
-bool World::Impl::touch(const Pair& pair) {
-  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
-  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
-    const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
-    const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
-    if (!overlap(box_a, box_b, pair.shift_W)) return false;
-    if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > kMargin) return false;
-    if (a.core.is_exact_segment && b.core.is_exact_segment) return true;
-    return fcl_touch(a, at_a, b, at_b, pair.shift_W);
-  });
-}
-
-bool World::Impl::touch_by_fcl(const Pair& pair) {
-  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
-    return fcl_touch(a, at_a, b, at_b, pair.shift_W);
-  });
-}
-
-double World::Impl::bound(const Pair& pair) const {
-  double least = std::numeric_limits<double>::infinity();
-  any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
-    least = std::min(least, shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W));
-    return least <= 0;
-  });
-  return least;
-}
 
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
@@ -159,10 +39,12 @@ int World::add_body(const std::string& name, const std::vector<geometry::PlacedS
     if (body->name == name) throw std::invalid_argument("body '" + name + "' is already there");
   }
   if (shapes.empty()) throw std::invalid_argument("body '" + name + "' must have a shape");
-  Body body{name, {}};
+  Body body;
+  body.name = name;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const std::string what = "body '" + name + "' shapes[" + std::to_string(i) + "]";
     body.shapes.push_back(make_collision_shape(shapes[i], what));
+    body.radius = std::max(body.radius, shape_radius(body.shapes.back()));
   }
   impl_->first_placement.push_back(static_cast<int>(impl_->placements.size()));
   impl_->placements.resize(impl_->placements.size() + shapes.size());
@@ -170,6 +52,7 @@ int World::add_body(const std::string& name, const std::vector<geometry::PlacedS
   impl_->poses.push_back(Eigen::Isometry3d::Identity());
   impl_->boxes.emplace_back();
   impl_->place(num_bodies() - 1);
+  ++impl_->revision;
   return num_bodies() - 1;
 }
 
@@ -203,16 +86,25 @@ const Eigen::Isometry3d& World::pose(int body) const {
   return impl_->poses[body];
 }
 
+double World::radius(int body) const {
+  impl_->require_body(body, "body");
+  return impl_->bodies[body]->radius;
+}
+
 void World::add_pair(int a, int b) {
   impl_->require_body(a, "a");
   impl_->require_body(b, "b");
   if (a == b) throw std::invalid_argument("body '" + name(a) + "' cannot be tested against itself");
-  if (impl_->find(a, b) < 0) impl_->pairs.push_back({std::min(a, b), std::max(a, b)});
+  if (impl_->find(a, b) >= 0) return;
+  impl_->pairs.push_back({std::min(a, b), std::max(a, b)});
+  ++impl_->revision;
 }
 
 void World::remove_pair(int a, int b) {
   const int pair = impl_->find(a, b);
-  if (pair >= 0) impl_->pairs.erase(impl_->pairs.begin() + pair);
+  if (pair < 0) return;
+  impl_->pairs.erase(impl_->pairs.begin() + pair);
+  ++impl_->revision;
 }
 
 void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double depth) {
@@ -234,7 +126,9 @@ void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double 
   }
   // Moving the first of a pair is moving the second the other way.
   const double sign = a < b ? -1 : 1;
-  impl_->pairs[pair].shift_W = sign * depth / length * normal_W;
+  Eigen::Vector3d& shift_W = impl_->pairs[pair].shift_W;
+  if (shift_W.isZero(0) != (depth == 0)) ++impl_->revision;
+  shift_W = sign * depth / length * normal_W;
 }
 
 int World::num_pairs() const { return static_cast<int>(impl_->pairs.size()); }
@@ -243,6 +137,10 @@ std::pair<int, int> World::pair(int index) const {
   const Pair& pair = impl_->pairs[index];
   return {pair.a, pair.b};
 }
+
+const Eigen::Vector3d& World::shift(int pair) const { return impl_->pairs[pair].shift_W; }
+
+int World::revision() const { return impl_->revision; }
 
 std::vector<std::pair<int, int>> World::pairs() const {
   std::vector<std::pair<int, int>> all;

@@ -40,6 +40,7 @@ class GRASPLESS_API World {
   const std::string& name(int body) const;
   void set_pose(int body, const Eigen::Isometry3d& X_WB);
   const Eigen::Isometry3d& pose(int body) const;
+  double radius(int body) const;  ///< no point of the body is farther from its origin [m]
 
   /// Tests bodies a and b against each other from now on (no effect when they already are).
   void add_pair(int a, int b);
@@ -52,6 +53,10 @@ class GRASPLESS_API World {
   int num_pairs() const;
   std::pair<int, int> pair(int index) const;  ///< the smaller body index first
   std::vector<std::pair<int, int>> pairs() const;
+  /// How far the second body of a pair is moved in its tests [m]: the allowance.
+  const Eigen::Vector3d& shift(int pair) const;
+  int revision()
+      const;  ///< grows whenever a body, a pair or an allowance comes or goes, not with its depth
 
   /// Whether any tested pair touches.
   bool collides();
