@@ -8,6 +8,9 @@ find_package(fcl REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(Threads REQUIRED)
 
+# The SRDF is read with TinyXML, which urdfdom 3 links but urdfdom 4 does not.
+find_library(GRASPLESS_TINYXML_LIBRARY tinyxml REQUIRED)
+
 # orocos_kdl's config sets variables only.
 find_package(orocos_kdl REQUIRED)
 if(NOT TARGET graspless_kdl)

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <kdl/segment.hpp>
+
+#include "graspless/robot/robot.hpp"
+
+namespace graspless::robot {
+
+/// A link L with the joint that carries it on its parent P.
+struct Link {
+  int parent = -1;         // index of P; -1 for the root
+  std::string joint_name;  // empty for the root
+  int joint = -1;  // index in q of the joint that moves it, its own or the one it mimics; -1: fixed
+  bool is_mimic = false;  // the joint has no value of its own
+  bool prismatic = false;
+  double multiplier = 1;  // joint value = multiplier * q[joint] + offset
+  double offset = 0;      // [rad or m]
+  Eigen::Vector3d axis_L = Eigen::Vector3d::UnitZ();
+  Eigen::Isometry3d X_PJ =
+      Eigen::Isometry3d::Identity();  // of the joint; of L itself where it is fixed
+  KDL::Segment segment;  // X_JL as a function of q[joint]: multiplier and offset are folded into it
+};
+
+struct Robot::Model {
+  std::string name;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  std::vector<Link> links;  // depth first, so that a parent comes before its children
+  std::vector<std::string> frame_names;
+  std::vector<std::string> joint_names;
+  Eigen::VectorXd lower, upper, max_velocity, max_effort;
+
+  std::vector<std::vector<int>>
+      paths;  // the links from the root (left out) to each link (included)
+  std::vector<std::vector<int>> movers;  // those links of the path that a joint moves
+
+  std::vector<LinkShape> shapes;
+  std::set<std::pair<int, int>> ignored_pairs;
+  std::vector<Eigen::VectorXd> reach;
+  std::map<std::string, std::vector<int>> groups;
+  std::map<std::string, Eigen::VectorXd> states;
+};
+
+/// Reads names, links, joints, limits and shapes; throws as Robot::from_urdf() does.
+Robot::Model read_urdf(const std::string& xml, const Robot::Options& options);
+
+/// Reads groups, group states and disabled collisions into a model that read_urdf() made.
+void read_srdf(const std::string& xml, Robot::Model& model);
+
+/// Robot::ignored_pairs() as far as the tree alone tells.
+std::set<std::pair<int, int>> neighbours(const Robot::Model& model);
+
+/// Robot::reach() of every link.
+std::vector<Eigen::VectorXd> reach_bounds(const Robot::Model& model);
+
+}  // namespace graspless::robot

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/robot/robot.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "robot/model.hpp"
+#include "robot/names.hpp"
+
+namespace graspless::robot {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// X_AC = X_AB * X_BC for a frame of KDL, whose matrix lies row by row. The columns are those of 4
+/// x 4 matrices, so that they fill whole vector registers.
+void multiply(const Isometry3d& X_AB, const KDL::Frame& X_BC, Isometry3d& X_AC) {
+  const auto& A = X_AB.matrix();
+  const double* R = X_BC.M.data;
+  const double* p = X_BC.p.data;
+  auto& C = X_AC.matrix();
+  for (int j = 0; j < 3; ++j) {
+    C.col(j) = A.col(0) * R[j] + A.col(1) * R[3 + j] + A.col(2) * R[6 + j];
+  }
+  C.col(3) = A.col(0) * p[0] + A.col(1) * p[1] + A.col(2) * p[2] + A.col(3);
+}
+
+/// Places a link on its parent.
+void place(const Link& link, const VectorXd& q, const Isometry3d& X_WP, Isometry3d& X_WL) {
+  if (link.joint < 0) {
+    X_WL.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
+    return;
+  }
+  Isometry3d X_WJ;
+  X_WJ.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
+  multiply(X_WJ, link.segment.pose(q[link.joint]), X_WL);
+}
+
+void check_size(const VectorXd& q, const Robot::Model& model) {
+  if (q.size() == model.lower.size()) return;
+  throw std::invalid_argument("q must have " + std::to_string(model.lower.size()) +
+                              " values, one for each independent joint, not " +
+                              std::to_string(q.size()));
+}
+
+void check_frame(int frame, const Robot::Model& model) {
+  if (frame >= 0 && frame < static_cast<int>(model.links.size())) return;
+  throw std::invalid_argument("frame must be in [0, " + std::to_string(model.links.size()) +
+                              "), not " + std::to_string(frame));
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::invalid_argument("cannot read '" + path + "'");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool exists(const std::string& path) { return std::ifstream(path).good(); }
+
+}  // namespace
+
+Robot Robot::from_urdf(const std::string& xml, const Options& options) {
+  if (!options.X_WB.matrix().allFinite()) {
+    throw std::invalid_argument("X_WB must be finite");
+  }
+  auto model = std::make_shared<Model>(read_urdf(xml, options));
+  model->ignored_pairs = neighbours(*model);
+  model->reach = reach_bounds(*model);
+  if (!options.srdf.empty()) read_srdf(options.srdf, *model);
+  return Robot(std::move(model));
+}
+
+Robot Robot::from_urdf_file(const std::string& path, Options options) {
+  const std::string xml = read_text(path);
+  const std::string stem = path.substr(0, path.rfind(".urdf"));
+  const std::size_t slash = path.rfind('/');
+  if (options.directory.empty()) {
+    options.directory = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  }
+  if (options.srdf.empty() && exists(stem + ".srdf")) options.srdf = read_text(stem + ".srdf");
+  try {
+    return from_urdf(xml, options);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
+}
+
+Robot Robot::from_urdf_file(const std::string& path) { return from_urdf_file(path, Options{}); }
+
+const std::string& Robot::name() const { return model_->name; }
+int Robot::dof() const { return static_cast<int>(model_->joint_names.size()); }
+const std::vector<std::string>& Robot::joint_names() const { return model_->joint_names; }
+const VectorXd& Robot::lower() const { return model_->lower; }
+const VectorXd& Robot::upper() const { return model_->upper; }
+const VectorXd& Robot::max_velocity() const { return model_->max_velocity; }
+const VectorXd& Robot::max_effort() const { return model_->max_effort; }
+const Isometry3d& Robot::X_WB() const { return model_->X_WB; }
+const std::vector<std::string>& Robot::frame_names() const { return model_->frame_names; }
+const std::vector<LinkShape>& Robot::shapes() const { return model_->shapes; }
+const std::set<std::pair<int, int>>& Robot::ignored_pairs() const { return model_->ignored_pairs; }
+std::vector<std::string> Robot::group_names() const { return keys(model_->groups); }
+std::vector<std::string> Robot::state_names() const { return keys(model_->states); }
+
+int Robot::frame(const std::string& link) const {
+  return index_of(link, model_->frame_names, "link");
+}
+
+int Robot::parent(int frame) const {
+  check_frame(frame, *model_);
+  return model_->links[frame].parent;
+}
+
+int Robot::joint(const std::string& name) const {
+  return index_of(name, model_->joint_names, "joint");
+}
+
+const std::vector<int>& Robot::group(const std::string& name) const {
+  return at(model_->groups, name, "group");
+}
+
+const VectorXd& Robot::state(const std::string& name) const {
+  return at(model_->states, name, "state");
+}
+
+const VectorXd& Robot::reach(int link) const {
+  check_frame(link, *model_);
+  return model_->reach[link];
+}
+
+void Robot::forward(const VectorXd& q, Poses& X_WL) const {
+  check_size(q, *model_);
+  const std::vector<Link>& links = model_->links;
+  X_WL.resize(links.size());
+  X_WL[0] = model_->X_WB;
+  for (std::size_t i = 1; i < links.size(); ++i) place(links[i], q, X_WL[links[i].parent], X_WL[i]);
+}
+
+void Robot::forward_to(int frame, const VectorXd& q, Poses& X_WL) const {
+  check_size(q, *model_);
+  check_frame(frame, *model_);
+  const std::vector<Link>& links = model_->links;
+  X_WL.resize(links.size());
+  X_WL[0] = model_->X_WB;
+  for (const int i : model_->paths[frame]) place(links[i], q, X_WL[links[i].parent], X_WL[i]);
+}
+
+Isometry3d Robot::pose(int frame, const VectorXd& q) const {
+  check_size(q, *model_);
+  check_frame(frame, *model_);
+  Isometry3d X_WP = model_->X_WB, X_WL = X_WP;
+  for (const int i : model_->paths[frame]) {
+    place(model_->links[i], q, X_WP, X_WL);
+    X_WP = X_WL;
+  }
+  return X_WL;
+}
+
+void Robot::jacobian(int frame, const Poses& X_WL,
+                     Eigen::Matrix<double, 6, Eigen::Dynamic>& J) const {
+  check_frame(frame, *model_);
+  J.setZero(6, dof());
+  const Vector3d p_WF = X_WL[frame].translation();
+  for (const int i : model_->movers[frame]) {
+    const Link& link = model_->links[i];
+    const Vector3d axis_W = X_WL[i].linear() * (link.multiplier * link.axis_L);
+    auto column = J.col(link.joint);  // added up: several joints may follow one
+    if (link.prismatic) {
+      column.head<3>() += axis_W;
+    } else {
+      column.head<3>() += axis_W.cross(p_WF - X_WL[i].translation());
+      column.tail<3>() += axis_W;
+    }
+  }
+}
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> Robot::jacobian(int frame, const VectorXd& q) const {
+  Poses X_WL;
+  forward_to(frame, q, X_WL);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> J;
+  jacobian(frame, X_WL, J);
+  return J;
+}
+
+VectorXd Robot::clamp(const VectorXd& q) const {
+  check_size(q, *model_);
+  return q.cwiseMax(model_->lower).cwiseMin(model_->upper);
+}
+
+bool Robot::is_within(const VectorXd& q, double tolerance) const {
+  check_size(q, *model_);
+  return (q.array() >= model_->lower.array() - tolerance).all() &&
+         (q.array() <= model_->upper.array() + tolerance).all();
+}
+
+}  // namespace graspless::robot

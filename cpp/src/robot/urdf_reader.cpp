@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// URDF to the tables of Robot::Model. Joints are always looked up by name: urdfdom keeps them in a
+// map, where joint10 comes before joint2.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+
+#include <console_bridge/console.h>
+#include <kdl/joint.hpp>
+#include <urdf_parser/urdf_parser.h>
+
+#include "robot/link_shapes.hpp"
+#include "robot/model.hpp"
+#include "robot/names.hpp"
+#include "robot/urdf_tree.hpp"
+
+namespace graspless::robot {
+namespace {
+
+using Eigen::Vector3d;
+
+/// urdfdom says what is wrong only on the console, and at times goes on without the element at
+/// fault. While one of these lives, its complaints are collected instead.
+class Complaints : public console_bridge::OutputHandler {
+ public:
+  Complaints() : lock_(mutex()) { console_bridge::useOutputHandler(this); }
+  ~Complaints() override { console_bridge::restorePreviousOutputHandler(); }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    text_ += (text_.empty() ? "" : "; ") + text;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex instance;  // the handler is one for the whole process
+    return instance;
+  }
+  std::lock_guard<std::mutex> lock_;
+  std::string text_;
+};
+
+urdf::ModelInterfaceSharedPtr parse(const std::string& xml) {
+  Complaints complaints;
+  const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(xml);
+  if (!complaints.text().empty()) throw std::invalid_argument("URDF: " + complaints.text());
+  if (!urdf) throw std::invalid_argument("URDF: urdfdom refuses it and does not say why");
+  return urdf;
+}
+
+bool is_movable(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+bool is_independent(const urdf::Joint& joint) { return is_movable(joint) && !joint.mimic; }
+
+void check_finite(double value, const std::string& joint, const std::string& what) {
+  if (std::isfinite(value)) return;
+  throw std::invalid_argument("joint '" + joint + "': " + what + " must be finite, not " +
+                              std::to_string(value));
+}
+
+/// Lower and upper bound [rad or m].
+std::pair<double, double> bounds(const urdf::Joint& joint) {
+  if (joint.type == urdf::Joint::CONTINUOUS) return {-M_PI, M_PI};
+  const double lower = joint.limits->lower, upper = joint.limits->upper;
+  check_finite(lower, joint.name, "lower");
+  check_finite(upper, joint.name, "upper");
+  if (lower > upper) {
+    throw std::invalid_argument("joint '" + joint.name + "': lower " + std::to_string(lower) +
+                                " is above upper " + std::to_string(upper));
+  }
+  return {lower, upper};
+}
+
+/// A limit of 0, which many files hold for "not known", is none.
+double positive_or_infinity(double value) {
+  return value > 0 ? value : std::numeric_limits<double>::infinity();
+}
+
+void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Model& model) {
+  const auto n = static_cast<Eigen::Index>(joints.size());
+  for (auto* field : {&model.lower, &model.upper, &model.max_velocity, &model.max_effort}) {
+    field->setConstant(n, std::numeric_limits<double>::infinity());
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const urdf::Joint& joint = *joints[static_cast<std::size_t>(i)];
+    std::tie(model.lower(i), model.upper(i)) = bounds(joint);
+    if (!joint.limits) continue;
+    model.max_velocity(i) = positive_or_infinity(joint.limits->velocity);
+    model.max_effort(i) = positive_or_infinity(joint.limits->effort);
+  }
+}
+
+/// What moves a joint: value = multiplier * value of `joint` + offset. Follows mimics of mimics.
+struct Source {
+  std::string joint;
+  double multiplier = 1;
+  double offset = 0;
+};
+
+Source find_source(const urdf::ModelInterface& urdf, const urdf::Joint& joint) {
+  Source source{joint.name};
+  std::size_t steps = 0;
+  for (const urdf::Joint* j = &joint; j->mimic;) {
+    const urdf::JointMimic& mimic = *j->mimic;
+    const auto target = urdf.joints_.find(mimic.joint_name);
+    const std::string where = "joint '" + joint.name + "': mimicked joint";
+    if (target == urdf.joints_.end()) throw_unknown(mimic.joint_name, keys(urdf.joints_), where);
+    if (++steps > urdf.joints_.size()) {
+      throw std::invalid_argument("joint '" + joint.name + "' mimics itself");
+    }
+    check_finite(mimic.multiplier, j->name, "mimic multiplier");
+    check_finite(mimic.offset, j->name, "mimic offset");
+    source.offset += source.multiplier * mimic.offset;
+    source.multiplier *= mimic.multiplier;
+    j = target->second.get();
+    source.joint = j->name;
+  }
+  if (!is_movable(*urdf.joints_.at(source.joint))) {
+    throw std::invalid_argument("joint '" + joint.name + "' mimics '" + source.joint +
+                                "', which is fixed");
+  }
+  return source;
+}
+
+Vector3d unit_axis(const urdf::Joint& joint) {
+  const Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  const double norm = axis.norm();
+  if (!std::isfinite(norm) || norm < 1e-9) {
+    throw std::invalid_argument("joint '" + joint.name + "': its axis has no direction");
+  }
+  return axis / norm;
+}
+
+/// Index of the coordinate axis that `axis` is parallel to; -1 when there is none.
+int principal_axis(const Vector3d& axis) {
+  for (int i = 0; i < 3; ++i) {
+    if (axis.cwiseAbs() == Vector3d::Unit(i)) return i;
+  }
+  return -1;
+}
+
+KDL::Frame to_kdl(const Eigen::Matrix3d& R) {
+  return KDL::Frame(KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0),
+                                  R(2, 1), R(2, 2)));
+}
+
+/// Sets X_PJ and the segment. KDL's joint about a free axis keeps its last pose in a mutable
+/// member, which is a race between threads; those about x, y and z do not. Any other axis is turned
+/// onto z.
+void set_motion(Link& link) {
+  using KDL::Joint;
+  static constexpr Joint::JointType kRotation[] = {Joint::RotX, Joint::RotY, Joint::RotZ};
+  static constexpr Joint::JointType kTranslation[] = {Joint::TransX, Joint::TransY, Joint::TransZ};
+  const int principal = principal_axis(link.axis_L);
+  const int axis = principal < 0 ? 2 : principal;
+  const double sign = principal < 0 ? 1 : link.axis_L[axis];
+  const auto type = link.prismatic ? kTranslation[axis] : kRotation[axis];
+  const Joint joint(link.joint_name, type, sign * link.multiplier, sign * link.offset);
+  KDL::Frame X_tip = KDL::Frame::Identity();
+  if (principal < 0) {
+    const Eigen::Matrix3d R_LZ =
+        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), link.axis_L).toRotationMatrix();
+    link.X_PJ.linear() *= R_LZ;
+    X_tip = to_kdl(R_LZ.transpose());
+  }
+  link.segment = KDL::Segment(link.joint_name, joint, X_tip);
+}
+
+Link read_link(const urdf::ModelInterface& urdf, const urdf::Joint& joint,
+               const Robot::Model& model) {
+  Link link;
+  link.parent = index_of(joint.parent_link_name, model.frame_names, "link");
+  link.joint_name = joint.name;
+  link.X_PJ = to_isometry(joint.parent_to_joint_origin_transform);
+  if (!link.X_PJ.matrix().allFinite()) {
+    throw std::invalid_argument("joint '" + joint.name + "': its origin is not finite");
+  }
+  if (!is_movable(joint)) return link;
+  const Source source = find_source(urdf, joint);
+  link.joint = index_of(source.joint, model.joint_names, "joint");
+  link.is_mimic = joint.mimic != nullptr;
+  link.prismatic = joint.type == urdf::Joint::PRISMATIC;
+  link.multiplier = source.multiplier;
+  link.offset = source.offset;
+  link.axis_L = unit_axis(joint);
+  set_motion(link);
+  return link;
+}
+
+void read_joints(const urdf::ModelInterface& urdf, const UrdfTree& tree, Robot::Model& model) {
+  std::vector<urdf::JointConstSharedPtr> independent;
+  for (const std::string& name : tree.joints) {
+    const urdf::JointConstSharedPtr joint = urdf.getJoint(name);
+    if (!is_independent(*joint)) continue;
+    independent.push_back(joint);
+    model.joint_names.push_back(name);
+  }
+  read_limits(independent, model);
+}
+
+void read_links(const urdf::ModelInterface& urdf, const UrdfTree& tree, Robot::Model& model) {
+  model.links.emplace_back();
+  model.frame_names.push_back(tree.root);
+  for (const std::string& name : tree.joints) {
+    const urdf::JointConstSharedPtr joint = urdf.getJoint(name);
+    model.links.push_back(read_link(urdf, *joint, model));
+    model.frame_names.push_back(joint->child_link_name);
+  }
+}
+
+void make_paths(Robot::Model& model) {
+  model.paths.resize(model.links.size());
+  model.movers.resize(model.links.size());
+  for (std::size_t i = 1; i < model.links.size(); ++i) {
+    const Link& link = model.links[i];
+    model.paths[i] = model.paths[static_cast<std::size_t>(link.parent)];
+    model.movers[i] = model.movers[static_cast<std::size_t>(link.parent)];
+    model.paths[i].push_back(static_cast<int>(i));
+    if (link.joint >= 0) model.movers[i].push_back(static_cast<int>(i));
+  }
+}
+
+void read_shapes(const urdf::ModelInterface& urdf, const Robot::Options& options,
+                 Robot::Model& model) {
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const urdf::LinkConstSharedPtr link = urdf.getLink(model.frame_names[i]);
+    for (geometry::PlacedShape& placed : link_shapes(*link, options)) {
+      model.shapes.push_back({static_cast<int>(i), std::move(placed)});
+    }
+  }
+}
+
+}  // namespace
+
+Robot::Model read_urdf(const std::string& xml, const Robot::Options& options) {
+  const UrdfTree tree = read_urdf_tree(xml);
+  const urdf::ModelInterfaceSharedPtr urdf = parse(xml);
+  Robot::Model model;
+  model.name = urdf->getName();
+  model.X_WB = options.X_WB;
+  read_joints(*urdf, tree, model);
+  read_links(*urdf, tree, model);
+  make_paths(model);
+  read_shapes(*urdf, options, model);
+  return model;
+}
+
+}  // namespace graspless::robot

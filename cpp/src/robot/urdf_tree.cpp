@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/urdf_tree.hpp"
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include <tinyxml.h>
+
+namespace graspless::robot {
+namespace {
+
+struct Edge {
+  std::string joint, parent, child;
+};
+
+[[noreturn]] void fail(const TiXmlElement& element, const std::string& message) {
+  throw std::invalid_argument("URDF line " + std::to_string(element.Row()) + ": " + message);
+}
+
+std::string attribute(const TiXmlElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  if (!value || !*value) {
+    fail(element, "<" + element.ValueStr() + "> has no attribute '" + name + "'");
+  }
+  return value;
+}
+
+/// The attribute 'link' of the joint's <parent> or <child>, which must be one of the links.
+std::string link_of(const TiXmlElement& joint, const char* role,
+                    const std::set<std::string>& links) {
+  const TiXmlElement* element = joint.FirstChildElement(role);
+  const std::string where = "joint '" + attribute(joint, "name") + "'";
+  if (!element) fail(joint, where + " has no <" + role + ">");
+  const std::string link = attribute(*element, "link");
+  if (links.count(link) == 0)
+    fail(*element, where + ": its " + role + " '" + link + "' is no link");
+  return link;
+}
+
+void check_limit(const TiXmlElement& joint, const std::string& type) {
+  if (type != "revolute" && type != "prismatic") return;
+  const TiXmlElement* limit = joint.FirstChildElement("limit");
+  // urdfdom would take 0 for a missing bound; a joint with neither cannot move, which nobody means.
+  if (!limit || (!limit->Attribute("lower") && !limit->Attribute("upper"))) {
+    fail(joint, type + " joint '" + attribute(joint, "name") +
+                    "' has no limits; give <limit lower=... upper=...> or make it continuous");
+  }
+}
+
+void check_type(const TiXmlElement& joint) {
+  static const std::set<std::string> kTypes = {"revolute", "continuous", "prismatic", "fixed"};
+  const std::string type = attribute(joint, "type");
+  if (kTypes.count(type) == 0) {
+    fail(joint, "joint '" + attribute(joint, "name") + "' is of type '" + type +
+                    "'; choose from revolute, continuous, prismatic, fixed");
+  }
+  check_limit(joint, type);
+}
+
+std::set<std::string> read_links(const TiXmlElement& robot) {
+  std::set<std::string> links;
+  for (auto* e = robot.FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
+    const std::string name = attribute(*e, "name");
+    if (!links.insert(name).second) fail(*e, "link '" + name + "' is there twice");
+  }
+  if (links.empty()) fail(robot, "the robot has no links");
+  return links;
+}
+
+std::vector<Edge> read_edges(const TiXmlElement& robot, const std::set<std::string>& links) {
+  std::vector<Edge> edges;
+  std::set<std::string> names;
+  std::map<std::string, std::string> carrier;  // the joint that carries a link
+  for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+    const Edge edge{attribute(*e, "name"), link_of(*e, "parent", links),
+                    link_of(*e, "child", links)};
+    if (!names.insert(edge.joint).second) fail(*e, "joint '" + edge.joint + "' is there twice");
+    const auto [other, is_first] = carrier.emplace(edge.child, edge.joint);
+    if (!is_first) {
+      fail(*e, "link '" + edge.child + "' has two parents, by joints '" + other->second +
+                   "' and '" + edge.joint + "'");
+    }
+    check_type(*e);
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+std::string find_root(const TiXmlElement& robot, std::set<std::string> links,
+                      const std::vector<Edge>& edges) {
+  for (const Edge& edge : edges) links.erase(edge.child);
+  if (links.empty()) fail(robot, "no link is the root: the joints form a cycle");
+  if (links.size() > 1) {
+    fail(robot, "two links are roots, '" + *links.begin() + "' and '" + *std::next(links.begin()) +
+                    "'; join them by a joint");
+  }
+  return *links.begin();
+}
+
+/// Appends the joints below `link`. An explicit stack: a chain may be long.
+std::vector<std::string> depth_first(const std::string& root, const std::vector<Edge>& edges) {
+  std::multimap<std::string, const Edge*> below;  // keeps the order of the file among equals
+  for (const Edge& edge : edges) below.emplace(edge.parent, &edge);
+  std::vector<std::string> order;
+  std::vector<const Edge*> stack;
+  const auto push_children = [&](const std::string& link) {
+    const auto [first, last] = below.equal_range(link);
+    for (auto it = last; it != first;) stack.push_back((--it)->second);
+  };
+  push_children(root);
+  while (!stack.empty()) {
+    const Edge* edge = stack.back();
+    stack.pop_back();
+    order.push_back(edge->joint);
+    push_children(edge->child);
+  }
+  return order;
+}
+
+}  // namespace
+
+UrdfTree read_urdf_tree(const std::string& xml) {
+  TiXmlDocument document;
+  document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document.Error()) {
+    throw std::invalid_argument("URDF line " + std::to_string(document.ErrorRow()) +
+                                ": not XML: " + document.ErrorDesc());
+  }
+  const TiXmlElement* robot = document.FirstChildElement("robot");
+  if (!robot) throw std::invalid_argument("URDF: there is no <robot> element");
+  const std::set<std::string> links = read_links(*robot);
+  const std::vector<Edge> edges = read_edges(*robot, links);
+  UrdfTree tree;
+  tree.root = find_root(*robot, links, edges);
+  tree.joints = depth_first(tree.root, edges);
+  // Every link has one parent and there is one root: what was not reached goes round in a cycle.
+  if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
+  return tree;
+}
+
+}  // namespace graspless::robot
