@@ -1,0 +1,37 @@
+"""Plans a slide with the installed package alone, and says which libraries that loaded from where."""
+
+from __future__ import annotations
+
+import pathlib
+import sys
+
+import graspless
+from graspless import planning, robot, slide
+from graspless._data import directory
+
+def main() -> int:
+    package = pathlib.Path(graspless.__file__).parent
+    wam = robot.Robot.from_urdf_file(str(directory("urdf") / "wam_t42.urdf"))
+    square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+    place = [[1, 0, 0, 0.65], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    q_home = wam.state("open").copy()
+    q_home[3] = 1.5708
+    scaled = [[[x * s for x in row] for row in square] for s in (0.05, 0.35)]
+    card = slide.Object.from_polygon("card", scaled[0], thickness=0.004)
+    table = slide.Support(scaled[1], place)
+    problem = slide.Problem(wam, slide.Hand(), card, table, place, q_home)
+    plan = slide.plan(problem, budget=planning.Budget(seconds=20))
+    faults = slide.check(problem, plan) if plan else [plan.reason]
+    for fault in faults[:5]:
+        print(fault)
+    maps = pathlib.Path("/proc/self/maps").read_text().split()
+    libraries = sorted({name for name in maps if ".so" in name})
+    own = [name for name in libraries if name.startswith(str(package.parent))]
+    print(f"{plan.status.name} in {plan.statistics.seconds:.3f} s by {package}")
+    print(f"{len(own)} libraries from the wheel and its requirements; from elsewhere:")
+    print(*(name for name in libraries if name not in own), sep="\n")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
