@@ -108,6 +108,7 @@ struct ClosedForm::Search {
   Vector3d p_SW;   // unit, from the shoulder to where the wrist must be
   double reach;    // its distance [m]
   Vector3d a7, b;  // where axis 7 and the vector across it must point
+  Turn turn3;
   double q[7];
 
   double free(int i) const { return seed[wraps.group()[i]]; }
@@ -140,7 +141,6 @@ struct ClosedForm::Search {
   }
 
   void shoulder(const Turn& turn4) {
-    const Turn turn3 = Turn::by(q[2]);
     const Vector3d p_SE = arm.elbow_ - arm.shoulder_;
     const Vector3d p_SW4 = p_SE + turn4.apply(arm.axis_[3], arm.wrist_ - arm.elbow_);
     const Vector3d u = turn3.apply(arm.axis_[2], p_SW4) / reach;
@@ -199,8 +199,8 @@ int ClosedForm::solve(const Eigen::Isometry3d& X_P7, double q3, const Eigen::Vec
   const double reach = p_SW.norm();
   if (!(reach > kMeet) || !std::isfinite(reach) || !wraps.fits(2, q3)) return count;
   const Matrix3d R = X_P7.linear() * R_7P_;
-  Search search{*this,        q,     wraps,        count,       solutions,
-                p_SW / reach, reach, R * axis_[6], R * across_, {}};
+  Search search{*this,        q,           wraps,        count, solutions, p_SW / reach, reach,
+                R * axis_[6], R * across_, Turn::by(q3), {}};
   search.q[2] = q3;
   search.elbow();
   return search.count;
