@@ -50,6 +50,9 @@ struct PlacedShape {
 /// four points that span a volume, and every triangle index is one of the mesh's vertices.
 GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 
+/// How far a shape reaches along a unit direction of B, seen from B's origin (its support function) [m].
+GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
+
 /// Reads a triangle mesh (.stl, .obj, .off, .ply; polygons are triangulated) and scales it per axis.
 /// Throws std::invalid_argument that names the path when it is missing, unreadable or empty.
 GRASPLESS_API Mesh read_mesh(const std::string& path,

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <optional>
 #include <random>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "graspless/export.hpp"
@@ -37,9 +38,14 @@ class GRASPLESS_API Ik {
   bool is_closed_form() const;
   const std::vector<int>& group() const;
 
-  /// All solutions within the limits for one value of the free joint (closed form; at most 8). `q` gives the
-  /// values of the joints outside the group; each answer is a whole configuration. Appends to `solutions`.
-  /// Throws std::logic_error for a chain without closed form.
+  /// All solutions within the limits for one value of the free joint, the third of the group: closed form, at
+  /// most 8 and their copies a whole turn of a joint away. `q` gives the values of the joints outside the
+  /// group and decides where an angle is arbitrary; each answer is a whole configuration. Writes them to the
+  /// first columns of `solutions` and returns how many; a matrix kept between calls is only ever grown, so
+  /// that nothing is allocated. Throws std::logic_error for a chain without closed form.
+  int solve_free(const Eigen::Isometry3d& X_WF, double free_joint, const Eigen::VectorXd& q,
+                 Eigen::MatrixXd& solutions) const;
+  /// The same, appended.
   void solve_free(const Eigen::Isometry3d& X_WF, double free_joint, const Eigen::VectorXd& q,
                   std::vector<Eigen::VectorXd>& solutions) const;
 

@@ -52,7 +52,7 @@ class GRASPLESS_API Object {
   geometry::Polygon outline_;
   double thickness_;
   Eigen::Vector3d com_;
-  double mass_;
+  double mass_ = 0.05;
   std::vector<geometry::PlacedShape> shapes_;
 };
 

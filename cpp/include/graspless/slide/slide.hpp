@@ -25,6 +25,7 @@ struct Options {
   double pitch_tolerance = 0.1;       ///< Delta_beta [rad]
   double min_depth = 0.005;           ///< Delta_Z^-: least press of the commanded tip below the top face [m]
   double max_depth = 0.025;           ///< Delta_Z^+: deepest press below the top face [m]
+  double height_tolerance = 5e-4;     ///< numerical play of the depth band, for motions between rows [m]
   double roll_tolerance = 1e-3;       ///< tilt of the line contact out of the surface [rad]
   double root_scale = 100;            ///< N* in Eq. (5): larger adds roots more freely
   double min_overhang = 0.02;         ///< u*: how far the object must stick out to be grasped [m]

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ompl/base/Planner.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "graspless/export.hpp"
+#include "graspless/planning/sampleable_region.hpp"
+
+namespace graspless::planning {
+
+class Forest;
+class RootComponents;
+
+/// CBiRRT with sampleable start and goal regions: Algorithm 1 of Hang, Morgan and Dollar 2019.
+///
+/// Grows a forest of trees rooted in drawn starts and another rooted in drawn goals, and connects them over a
+/// constraint until a connected pair of roots is valid by `Goal::isStartGoalPairValid`. It runs on any state
+/// space: without a projector it is RRT-Connect over forests; without a start region the problem's start states
+/// are the roots. The goal must be an `ompl::base::GoalSampleableRegion`.
+///
+/// With set_connect_first(true) it is Algorithm 1 with a shortcut in front: each new root is paired with a
+/// partner (SampleableRegion::try_sample_partner) and the two are connected straight away; and all starts and
+/// goals joined through any chain of connections count as connected (union-find over the roots).
+///
+/// Repeatable for one seed where set_random_config is given (OMPL's samplers share a global seed).
+class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
+ public:
+  using State = ompl::base::State;
+  /// Brings a state onto the constraint; false when it cannot. A state on it must be left as it is.
+  using Projector = std::function<bool(State*)>;
+  /// Whether the motion between two near states is valid. `start` is the start root of the tree it belongs to,
+  /// null where that is not known (in the goal forest; asked again with the root once connected).
+  using MotionCheck = std::function<bool(const State* start, const State* from, const State* to)>;
+  /// RandomConfig() of the algorithm.
+  using RandomConfig = std::function<void(std::mt19937_64&, State*)>;
+
+  explicit ForestCBiRRT(const ompl::base::SpaceInformationPtr& si);
+  ~ForestCBiRRT() override;
+
+  void set_start_region(std::shared_ptr<const ompl::base::GoalSampleableRegion> region);
+  void set_projector(Projector projector) { project_ = std::move(projector); }
+  void set_motion_check(MotionCheck check) { motion_check_ = std::move(check); }
+  void set_random_config(RandomConfig draw) { random_config_ = std::move(draw); }
+  void set_seed(std::uint64_t seed) { rng_.seed(seed); }
+  void set_root_scale(double root_scale);  ///< N* of Eq. (5), positive; 100
+  double root_scale() const { return root_scale_; }
+  void set_range(double range);  ///< longest step of an extension; 0 lets setup() choose
+  double range() const { return range_; }
+  void set_connect_first(bool on) { connect_first_ = on; }
+
+  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
+  void clear() override;
+  void setup() override;
+  void getPlannerData(ompl::base::PlannerData& data) const override;
+
+  /// The states of every root, for whoever wants to know what was drawn.
+  std::size_t num_start_roots() const;
+  std::size_t num_goal_roots() const;
+  std::size_t num_nodes() const;
+  std::size_t num_pairs() const { return num_pairs_; }            ///< pairs validated
+  std::size_t num_connections() const { return num_connections_; }  ///< trees joined, valid pair or not
+
+ private:
+  struct Meeting {  // a node of either forest, at the same state
+    int start_node, goal_node;
+  };
+
+  void check_problem() const;
+  void add_given_starts();
+  bool can_add_root();
+  int add_from_region(Forest& forest);
+  bool connect_partners(const ompl::base::PlannerTerminationCondition& ptc);
+  bool connects_partner(const Forest& forest, int root, Meeting& meeting);
+  bool draw(const ompl::base::GoalSampleableRegion& region, State* state) const;
+  int extend(Forest& forest, int from, const State* target);
+  bool is_motion_valid(const State* start, const State* from, const State* to) const;
+  bool solves(const Meeting& meeting);
+  bool is_pair_valid(int start_root, int goal_root);
+  bool accept(int start_root, int goal_root, const std::vector<Meeting>& route);
+
+  std::shared_ptr<const ompl::base::GoalSampleableRegion> start_region_;
+  Projector project_;
+  MotionCheck motion_check_;
+  RandomConfig random_config_;
+  ompl::base::StateSamplerPtr sampler_;
+  std::mt19937_64 rng_{1};
+  double root_scale_ = 100;
+  double range_ = 0;
+  bool connect_first_ = false;
+
+  std::unique_ptr<Forest> start_forest_, goal_forest_;
+  std::unique_ptr<RootComponents> components_;
+  std::set<std::pair<int, int>> refused_;  // pairs of roots; most connections repeat one
+  Forest* next_ = nullptr;                 // the forest to grow next: Pi_a
+  std::size_t num_pairs_ = 0, num_connections_ = 0;
+};
+
+}  // namespace graspless::planning

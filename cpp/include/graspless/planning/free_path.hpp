@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <random>
+
+#include "graspless/export.hpp"
+#include "graspless/planning/path.hpp"
+
+namespace graspless::planning {
+
+/// A box of configurations with an obstacle test, for motions without a constraint.
+struct FreeSpace {
+  Eigen::VectorXd lower, upper;
+  std::function<bool(const Eigen::VectorXd&)> is_free;
+  std::function<bool(const Eigen::VectorXd&, const Eigen::VectorXd&)> is_motion_free;  ///< straight
+  std::function<bool()> is_out;  ///< ends the search; asked once an iteration
+};
+
+/// A free path: the straight motion where that is free, else ForestCBiRRT with one start, one goal and no
+/// constraint (RRT-Connect), shortened. Nothing when an end is not free or `iterations` found none.
+GRASPLESS_API std::optional<Path> find_free_path(const FreeSpace& space, const Eigen::VectorXd& from,
+                                                 const Eigen::VectorXd& to, int iterations,
+                                                 std::mt19937_64& rng);
+
+}  // namespace graspless::planning

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// FCL behind one door: shapes turned into its geometry, and its boolean test.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "graspless/geometry/shape.hpp"
+
+#include "collision/bounds.hpp"
+
+namespace fcl {
+template <typename S>
+class CollisionGeometry;
+}
+
+namespace graspless::collision {
+
+/// A shape as the queries need it. Immutable and shared between copies of a World.
+struct CollisionShape {
+  std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;  ///< in the core's frame
+  Core core;
+  Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< the core's frame in the body
+};
+
+/// Throws std::invalid_argument naming `what` on a shape that geometry::validate refuses or a pose
+/// that is not finite.
+CollisionShape make_collision_shape(const geometry::PlacedShape& placed, const std::string& what);
+
+enum class Touch { no, yes, failed };
+
+/// FCL's boolean test, with scratch memory. `failed` when FCL gave up with an exception.
+class FclTest {
+ public:
+  FclTest();
+  FclTest(const FclTest& other);
+  FclTest& operator=(const FclTest&) = delete;
+  ~FclTest();
+  Touch operator()(const CollisionShape& a, const Eigen::Isometry3d& X_WA, const CollisionShape& b,
+                   const Eigen::Isometry3d& X_WB);
+
+ private:
+  struct Scratch;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace graspless::collision

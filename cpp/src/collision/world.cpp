@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/collision/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "collision/world_impl.hpp"
+
+namespace graspless::collision {
+namespace {
+
+/// The largest distance of a point of the shape from the body's origin, or a little more.
+double shape_radius(const CollisionShape& shape) {
+  double farthest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    farthest = std::max(farthest, (shape.X_BC * shape.core.half.cwiseProduct(sign)).norm());
+  }
+  return farthest + shape.core.radius;
+}
+
+}  // namespace
+
+World::World() : impl_(std::make_unique<Impl>()) {}
+World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World& World::operator=(const World& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+int World::add_body(const std::string& name, const std::vector<geometry::PlacedShape>& shapes) {
+  for (const auto& body : impl_->bodies) {
+    if (body->name == name) throw std::invalid_argument("body '" + name + "' is already there");
+  }
+  if (shapes.empty()) throw std::invalid_argument("body '" + name + "' must have a shape");
+  Body body;
+  body.name = name;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string what = "body '" + name + "' shapes[" + std::to_string(i) + "]";
+    body.shapes.push_back(make_collision_shape(shapes[i], what));
+    body.radius = std::max(body.radius, shape_radius(body.shapes.back()));
+  }
+  impl_->first_placement.push_back(static_cast<int>(impl_->placements.size()));
+  impl_->placements.resize(impl_->placements.size() + shapes.size());
+  impl_->bodies.push_back(std::make_shared<const Body>(std::move(body)));
+  impl_->poses.push_back(Eigen::Isometry3d::Identity());
+  impl_->boxes.emplace_back();
+  impl_->place(num_bodies() - 1);
+  ++impl_->revision;
+  return num_bodies() - 1;
+}
+
+int World::num_bodies() const { return static_cast<int>(impl_->bodies.size()); }
+
+int World::body(const std::string& name) const {
+  std::string names;
+  for (int i = 0; i < num_bodies(); ++i) {
+    if (impl_->bodies[i]->name == name) return i;
+    names += (i == 0 ? "" : ", ") + impl_->bodies[i]->name;
+  }
+  throw std::invalid_argument("no body '" + name + "'; choose from: " + names);
+}
+
+const std::string& World::name(int body) const {
+  impl_->require_body(body, "body");
+  return impl_->bodies[body]->name;
+}
+
+void World::set_pose(int body, const Eigen::Isometry3d& X_WB) {
+  impl_->require_body(body, "body");
+  if (!X_WB.matrix().allFinite()) {
+    throw std::invalid_argument("pose of body '" + name(body) + "' must be finite");
+  }
+  impl_->poses[body] = X_WB;
+  impl_->place(body);
+}
+
+const Eigen::Isometry3d& World::pose(int body) const {
+  impl_->require_body(body, "body");
+  return impl_->poses[body];
+}
+
+double World::radius(int body) const {
+  impl_->require_body(body, "body");
+  return impl_->bodies[body]->radius;
+}
+
+void World::add_pair(int a, int b) {
+  impl_->require_body(a, "a");
+  impl_->require_body(b, "b");
+  if (a == b) throw std::invalid_argument("body '" + name(a) + "' cannot be tested against itself");
+  if (impl_->find(a, b) >= 0) return;
+  impl_->pairs.push_back({std::min(a, b), std::max(a, b)});
+  ++impl_->revision;
+}
+
+void World::remove_pair(int a, int b) {
+  const int pair = impl_->find(a, b);
+  if (pair < 0) return;
+  impl_->pairs.erase(impl_->pairs.begin() + pair);
+  ++impl_->revision;
+}
+
+void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double depth) {
+  impl_->require_body(a, "a");
+  impl_->require_body(b, "b");
+  const int pair = impl_->find(a, b);
+  if (pair < 0) {
+    throw std::invalid_argument("bodies '" + name(a) + "' and '" + name(b) + "' are not tested");
+  }
+  if (!(depth >= 0) || !std::isfinite(depth)) {
+    throw std::invalid_argument("depth must be finite and not negative, not " +
+                                std::to_string(depth));
+  }
+  const double length = normal_W.norm();
+  if (!(length > 0) || !std::isfinite(length)) {
+    std::ostringstream fault;
+    fault << "normal_W must be finite and not zero, not (" << normal_W.transpose() << ")";
+    throw std::invalid_argument(fault.str());
+  }
+  // Moving the first of a pair is moving the second the other way.
+  const double sign = a < b ? -1 : 1;
+  Eigen::Vector3d& shift_W = impl_->pairs[pair].shift_W;
+  if (shift_W.isZero(0) != (depth == 0)) ++impl_->revision;
+  shift_W = sign * depth / length * normal_W;
+}
+
+int World::num_pairs() const { return static_cast<int>(impl_->pairs.size()); }
+
+std::pair<int, int> World::pair(int index) const {
+  const Pair& pair = impl_->pairs[index];
+  return {pair.a, pair.b};
+}
+
+const Eigen::Vector3d& World::shift(int pair) const { return impl_->pairs[pair].shift_W; }
+
+int World::revision() const { return impl_->revision; }
+
+std::vector<std::pair<int, int>> World::pairs() const {
+  std::vector<std::pair<int, int>> all;
+  for (const Pair& pair : impl_->pairs) all.emplace_back(pair.a, pair.b);
+  return all;
+}
+
+bool World::collides() { return first_collision().has_value(); }
+
+std::optional<std::pair<int, int>> World::first_collision() {
+  ++impl_->checks;
+  for (const Pair& pair : impl_->pairs) {
+    if (impl_->touch(pair)) return std::make_pair(pair.a, pair.b);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::pair<int, int>> World::all_collisions() {
+  std::vector<std::pair<int, int>> touching;
+  for (const Pair& pair : impl_->pairs) {
+    if (impl_->touch_by_fcl(pair)) touching.emplace_back(pair.a, pair.b);
+  }
+  return touching;
+}
+
+bool World::touches(int pair) { return impl_->touch(impl_->pairs[pair]); }
+
+double World::distance_bound(int pair) const { return impl_->bound(impl_->pairs[pair]); }
+
+const std::vector<double>& World::distance_bounds() {
+  impl_->bounds.resize(impl_->pairs.size());
+  for (int i = 0; i < num_pairs(); ++i) impl_->bounds[i] = distance_bound(i);
+  return impl_->bounds;
+}
+
+int World::num_checks() const { return impl_->checks; }
+
+int World::num_failures() const { return impl_->failures; }
+
+}  // namespace graspless::collision

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision/world_impl.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace graspless::collision {
+namespace {
+
+// Boxes this near are given to FCL, so that rounding in our bounds never hides a contact FCL would
+// see [m].
+constexpr double kMargin = 1e-9;
+
+bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W) {
+  const Eigen::Array3d gap = (b.middle + shift_W - a.middle).cwiseAbs() - a.half - b.half;
+  return (gap <= kMargin).all();
+}
+
+}  // namespace
+
+void World::Impl::require_body(int body, const char* what) const {
+  if (body >= 0 && body < static_cast<int>(bodies.size())) return;
+  throw std::invalid_argument(std::string(what) + " must be the index of one of the " +
+                              std::to_string(bodies.size()) + " bodies, not " +
+                              std::to_string(body));
+}
+
+int World::Impl::find(int a, int b) const {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].a == std::min(a, b) && pairs[i].b == std::max(a, b)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void World::Impl::place(int body) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d high = -low;
+  Placement* at = &placements[first_placement[body]];
+  for (const CollisionShape& shape : bodies[body]->shapes) {
+    at->X_WC = poses[body] * shape.X_BC;
+    at->half_W = half_in_world(shape.core, at->X_WC.linear());
+    low = low.cwiseMin(at->X_WC.translation() - at->half_W);
+    high = high.cwiseMax(at->X_WC.translation() + at->half_W);
+    ++at;
+  }
+  boxes[body] = {(low + high) / 2, (high - low) / 2};
+}
+
+template <typename Visit>
+bool World::Impl::any_shapes(const Pair& pair, Visit visit) const {
+  const Placement* at_a = &placements[first_placement[pair.a]];
+  for (const CollisionShape& a : bodies[pair.a]->shapes) {
+    const Placement* at_b = &placements[first_placement[pair.b]];
+    for (const CollisionShape& b : bodies[pair.b]->shapes) {
+      if (visit(a, *at_a, b, *at_b)) return true;
+      ++at_b;
+    }
+    ++at_a;
+  }
+  return false;
+}
+
+bool World::Impl::fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
+                            const Placement& at_b, const Eigen::Vector3d& shift_W) {
+  Eigen::Isometry3d X_WC_b = at_b.X_WC;
+  X_WC_b.translation() += shift_W;
+  const Touch touch = test(a, at_a.X_WC, b, X_WC_b);
+  failures += touch == Touch::failed;
+  return touch != Touch::no;
+}
+
+bool World::Impl::touch(const Pair& pair) {
+  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
+    const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
+    const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
+    if (!overlap(box_a, box_b, pair.shift_W)) return false;
+    if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > kMargin) return false;
+    if (a.core.is_exact_segment && b.core.is_exact_segment) return true;
+    return fcl_touch(a, at_a, b, at_b, pair.shift_W);
+  });
+}
+
+bool World::Impl::touch_by_fcl(const Pair& pair) {
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
+    return fcl_touch(a, at_a, b, at_b, pair.shift_W);
+  });
+}
+
+double World::Impl::bound(const Pair& pair) const {
+  double least = std::numeric_limits<double>::infinity();
+  any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
+    least = std::min(least, shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W));
+    return least <= 0;
+  });
+  return least;
+}
+
+}  // namespace graspless::collision

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a World holds, and its tests of one pair; world.cpp is the face that checks what callers
+// give.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "graspless/collision/world.hpp"
+
+#include "collision/bounds.hpp"
+#include "collision/fcl_shape.hpp"
+
+namespace graspless::collision {
+
+struct Body {
+  std::string name;
+  std::vector<CollisionShape> shapes;
+  double radius = 0;  ///< largest distance of a point from the body's origin [m]
+};
+
+/// An axis-aligned box in the world.
+struct WorldBox {
+  Eigen::Vector3d middle, half;
+};
+
+/// Bodies a < b; b is tested moved by `shift_W`.
+struct Pair {
+  int a, b;
+  Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
+};
+
+struct World::Impl {
+  std::vector<std::shared_ptr<const Body>> bodies;
+  std::vector<Eigen::Isometry3d> poses;
+  std::vector<WorldBox> boxes;        // one a body
+  std::vector<int> first_placement;   // of each body
+  std::vector<Placement> placements;  // one a shape
+  std::vector<Pair> pairs;
+  std::vector<double> bounds;
+  FclTest test;
+  int checks = 0;
+  int failures = 0;
+  int revision = 0;
+
+  void require_body(int body, const char* what) const;
+  int find(int a, int b) const;
+  void place(int body);
+  /// Calls visit(shape a, placement a, shape b, placement b) until it says true; returns whether it
+  /// did.
+  template <typename Visit>
+  bool any_shapes(const Pair& pair, Visit visit) const;
+  bool fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
+                 const Placement& at_b, const Eigen::Vector3d& shift_W);
+  bool touch(const Pair& pair);
+  bool touch_by_fcl(const Pair& pair);
+  double bound(const Pair& pair) const;
+};
+
+}  // namespace graspless::collision

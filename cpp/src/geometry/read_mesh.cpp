@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Alone in its file: CGAL's readers are heavy to compile.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include "graspless/geometry/shape.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+
+struct Soup {
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+};
+
+constexpr std::array<const char*, 4> kExtensions{".stl", ".obj", ".off", ".ply"};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& fault) {
+  throw std::invalid_argument("mesh '" + path + "' " + fault);
+}
+
+void require_scale(const Eigen::Vector3d& scale) {
+  if (scale.allFinite() && scale.cwiseAbs().minCoeff() > 0) return;
+  std::ostringstream fault;
+  fault << "scale must be finite and not zero, not (" << scale.transpose() << ")";
+  throw std::invalid_argument(fault.str());
+}
+
+void require_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
+  refuse(path, "has extension '" + extension + "'; choose from .stl, .obj, .off, .ply");
+}
+
+Soup read_soup(const std::string& path) {
+  Soup soup;
+  try {
+    // A file may promise more than memory holds, which the readers take at its word.
+    if (CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons)) return soup;
+  } catch (const std::exception& error) {
+    refuse(path, std::string("cannot be read: ") + error.what());
+  }
+  refuse(path, "cannot be read: it is damaged or not in the format its name says");
+}
+
+/// Fans of the polygons; corners that repeat a vertex make no triangle.
+Eigen::Matrix3Xi triangulate(const Soup& soup, const std::string& path) {
+  std::vector<Eigen::Vector3i> triangles;
+  for (const auto& polygon : soup.polygons) {
+    for (const std::size_t corner : polygon) {
+      if (corner >= soup.points.size()) {
+        refuse(path, "names vertex " + std::to_string(corner) + " of " +
+                         std::to_string(soup.points.size()));
+      }
+    }
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const Eigen::Vector3i t(static_cast<int>(polygon[0]), static_cast<int>(polygon[i - 1]),
+                              static_cast<int>(polygon[i]));
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+    }
+  }
+  Eigen::Matrix3Xi columns(3, static_cast<Eigen::Index>(triangles.size()));
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    columns.col(static_cast<Eigen::Index>(i)) = triangles[i];
+  return columns;
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
+  require_scale(scale);
+  require_extension(path);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) refuse(path, "is missing");
+
+  const Soup soup = read_soup(path);
+  Mesh mesh;
+  mesh.vertices.resize(3, static_cast<Eigen::Index>(soup.points.size()));
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Point& p = soup.points[i];
+    mesh.vertices.col(static_cast<Eigen::Index>(i)) =
+        scale.cwiseProduct(Eigen::Vector3d(p.x(), p.y(), p.z()));
+  }
+  mesh.triangles = triangulate(soup, path);
+  if (mesh.triangles.cols() == 0) refuse(path, "is empty: it has no triangle");
+  if (scale.prod() < 0) mesh.triangles.row(1).swap(mesh.triangles.row(2));  // keep outward outward
+  if (!mesh.vertices.allFinite()) refuse(path, "has coordinates that are not finite");
+  return mesh;
+}
+
+}  // namespace graspless::geometry

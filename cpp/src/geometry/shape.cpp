@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/geometry/shape.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <Eigen/Eigenvalues>
+
+namespace graspless::geometry {
+namespace {
+
+// A hull thinner than this part of its width spans no volume that a collision checker could trust.
+constexpr double kMinThinness = 1e-9;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& fault) {
+  throw std::invalid_argument(what + " " + fault);
+}
+
+void require_length(double value, const std::string& what) {
+  if (std::isfinite(value) && value > 0) return;
+  std::ostringstream fault;
+  fault << "must be finite and positive, not " << value;
+  refuse(what, fault.str());
+}
+
+void require_finite(const Eigen::Matrix3Xd& vertices, const std::string& what) {
+  for (Eigen::Index i = 0; i < vertices.cols(); ++i) {
+    if (vertices.col(i).allFinite()) continue;
+    std::ostringstream fault;
+    fault << "must be finite, but column " << i << " is (" << vertices.col(i).transpose() << ")";
+    refuse(what, fault.str());
+  }
+}
+
+/// Whether the points span a volume: their smallest extent in any direction against their largest.
+bool spans_volume(const Eigen::Matrix3Xd& vertices) {
+  const Eigen::Matrix3Xd centred = vertices.colwise() - vertices.rowwise().mean().eval();
+  const double width = centred.cwiseAbs().maxCoeff();
+  if (!(width > 0)) return false;
+  // By size first, so that squares of tiny lengths do not underflow.
+  const Eigen::Matrix3d moments = (centred / width) * (centred / width).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
+  const Eigen::VectorXd along = (axes.eigenvectors().col(0).transpose() * centred).transpose();
+  return along.maxCoeff() - along.minCoeff() > kMinThinness * width;
+}
+
+void check(const Box& box, const std::string& what) {
+  for (int axis = 0; axis < 3; ++axis) {
+    require_length(box.size[axis], what + ".size[" + std::to_string(axis) + "]");
+  }
+}
+
+void check(const Sphere& sphere, const std::string& what) {
+  require_length(sphere.radius, what + ".radius");
+}
+
+void check(const Capsule& capsule, const std::string& what) {
+  require_length(capsule.radius, what + ".radius");
+  require_length(capsule.length, what + ".length");
+}
+
+void check(const Convex& convex, const std::string& what) {
+  if (convex.vertices.cols() < 4) {
+    refuse(what + ".vertices",
+           "must be four points or more, not " + std::to_string(convex.vertices.cols()));
+  }
+  require_finite(convex.vertices, what + ".vertices");
+  if (!spans_volume(convex.vertices)) {
+    refuse(what + ".vertices", "must span a volume, but lie in a plane");
+  }
+}
+
+void check(const Mesh& mesh, const std::string& what) {
+  const Eigen::Index count = mesh.vertices.cols();
+  if (mesh.triangles.cols() == 0) refuse(what + ".triangles", "must not be empty");
+  require_finite(mesh.vertices, what + ".vertices");
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    const auto triangle = mesh.triangles.col(i);
+    if (triangle.minCoeff() >= 0 && triangle.maxCoeff() < count) continue;
+    std::ostringstream fault;
+    fault << "must be indices of the " << count << " vertices, but column " << i << " is ("
+          << triangle.transpose() << ")";
+    refuse(what + ".triangles", fault.str());
+  }
+}
+
+}  // namespace
+
+void validate(const Shape& shape, const std::string& what) {
+  std::visit([&](const auto& kind) { check(kind, what); }, shape);
+}
+
+}  // namespace graspless::geometry

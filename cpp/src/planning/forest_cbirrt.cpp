@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/planning/forest_cbirrt.hpp"
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/tools/config/SelfConfig.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "planning/forest.hpp"
+#include "planning/root_components.hpp"
+
+namespace graspless::planning {
+
+namespace ob = ompl::base;
+
+namespace {
+
+/// A state that is freed with its scope.
+class OwnedState {
+ public:
+  explicit OwnedState(const ob::SpaceInformationPtr& si) : si_(si), state_(si->allocState()) {}
+  ~OwnedState() { si_->freeState(state_); }
+  OwnedState(const OwnedState&) = delete;
+  OwnedState& operator=(const OwnedState&) = delete;
+  operator ob::State*() const { return state_; }
+
+ private:
+  const ob::SpaceInformationPtr& si_;
+  ob::State* state_;
+};
+
+double uniform(std::mt19937_64& rng) { return std::uniform_real_distribution<double>(0, 1)(rng); }
+
+}  // namespace
+
+ForestCBiRRT::ForestCBiRRT(const ob::SpaceInformationPtr& si) : ob::Planner(si, "ForestCBiRRT") {
+  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+  specs_.directed = true;
+  declareParam<double>("range", this, &ForestCBiRRT::set_range, &ForestCBiRRT::range, "0.:1.:10000.");
+  declareParam<double>("root_scale", this, &ForestCBiRRT::set_root_scale, &ForestCBiRRT::root_scale,
+                       "1:10000");
+}
+
+ForestCBiRRT::~ForestCBiRRT() = default;
+
+void ForestCBiRRT::set_start_region(std::shared_ptr<const ob::GoalSampleableRegion> region) {
+  start_region_ = std::move(region);
+}
+
+void ForestCBiRRT::set_root_scale(double root_scale) {
+  if (!(root_scale > 0)) {
+    throw std::invalid_argument("root_scale must be positive, not " + std::to_string(root_scale));
+  }
+  root_scale_ = root_scale;
+}
+
+void ForestCBiRRT::set_range(double range) {
+  if (!(range >= 0)) throw std::invalid_argument("range must not be negative, not " + std::to_string(range));
+  range_ = range;
+}
+
+void ForestCBiRRT::setup() {
+  ob::Planner::setup();
+  if (range_ == 0) ompl::tools::SelfConfig(si_, getName()).configurePlannerRange(range_);
+  if (!sampler_) sampler_ = si_->allocStateSampler();
+  if (start_forest_) return;
+  start_forest_ = std::make_unique<Forest>(si_);
+  goal_forest_ = std::make_unique<Forest>(si_);
+  components_ = std::make_unique<RootComponents>();
+  next_ = start_forest_.get();
+}
+
+void ForestCBiRRT::clear() {
+  ob::Planner::clear();
+  start_forest_.reset();
+  goal_forest_.reset();
+  components_.reset();
+  refused_.clear();
+  num_pairs_ = num_connections_ = 0;
+  setup_ = false;
+}
+
+// Planner::checkValidity() asks for a start state; here a start region does as well.
+void ForestCBiRRT::check_problem() const {
+  if (!pdef_) throw ompl::Exception(getName(), "no problem definition set");
+  if (!dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get())) {
+    throw ompl::Exception(getName(), "the goal must be a GoalSampleableRegion");
+  }
+  if (!start_region_ && pdef_->getStartStateCount() == 0) {
+    throw ompl::Exception(getName(), "give a start region or at least one start state");
+  }
+}
+
+void ForestCBiRRT::add_given_starts() {
+  while (const State* state = pis_.nextStart()) start_forest_->add_root(state);
+}
+
+ob::PlannerStatus ForestCBiRRT::solve(const ob::PlannerTerminationCondition& ptc) {
+  if (!isSetup()) setup();
+  check_problem();
+  add_given_starts();
+  if (connect_first_ && connect_partners(ptc)) return ob::PlannerStatus::EXACT_SOLUTION;
+  const OwnedState q_rand(si_);
+  Meeting meeting;
+  Forest *a = next_, *b = a == start_forest_.get() ? goal_forest_.get() : start_forest_.get();
+  for (; !ptc; std::swap(a, b)) {                                        // 2, 18
+    if (can_add_root()) {                                                // 3, Eq. (5)
+      const int root = add_from_region(*a);                              // 4
+      if (root >= 0 && connect_first_ && connects_partner(*a, root, meeting) && solves(meeting)) {
+        return ob::PlannerStatus::EXACT_SOLUTION;
+      }
+    }
+    if (a->size() == 0 || b->size() == 0) continue;
+    random_config_ ? random_config_(rng_, q_rand) : sampler_->sampleUniform(q_rand);  // 6
+    const int near_a = a->nearest(q_rand);                               // 7
+    const int new_a = extend(*a, near_a, q_rand);                        // 8
+    const int near_b = b->nearest(a->state(new_a));                      // 9
+    const int new_b = extend(*b, near_b, a->state(new_a));               // 10
+    if (!si_->equalStates(a->state(new_a), b->state(new_b))) continue;   // 11
+    meeting = a == start_forest_.get() ? Meeting{new_a, new_b} : Meeting{new_b, new_a};
+    if (solves(meeting)) return ob::PlannerStatus::EXACT_SOLUTION;       // 12 - 15
+  }
+  next_ = a;
+  if (start_forest_->size() == 0) return ob::PlannerStatus::INVALID_START;
+  if (goal_forest_->size() == 0) return ob::PlannerStatus::INVALID_GOAL;
+  return ob::PlannerStatus::TIMEOUT;
+}
+
+bool ForestCBiRRT::can_add_root() {
+  const double num_roots = static_cast<double>(num_start_roots() + num_goal_roots());
+  return std::exp(-num_roots / root_scale_) > uniform(rng_);
+}
+
+int ForestCBiRRT::add_from_region(Forest& forest) {
+  const auto* region = &forest == start_forest_.get()
+                           ? start_region_.get()
+                           : dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get());
+  if (!region || forest.roots().size() >= region->maxSampleCount()) return -1;
+  const OwnedState state(si_);
+  return draw(*region, state) ? forest.add_root(state) : -1;
+}
+
+bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) const {
+  if (const auto* ours = dynamic_cast<const SampleableRegion*>(&region)) return ours->try_sample(state);
+  if (!region.canSample()) return false;
+  region.sampleGoal(state);
+  return si_->isValid(state);
+}
+
+// What stands in front of Algorithm 1: most queries end here, before a tree has grown.
+bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
+  constexpr int kRounds = 64;
+  Meeting meeting;
+  for (int i = 0; i < kRounds && !ptc; ++i) {
+    const int root = add_from_region(*start_forest_);
+    if (root >= 0 && connects_partner(*start_forest_, root, meeting) && solves(meeting)) return true;
+  }
+  return false;
+}
+
+// A new start draws its partner; a new goal's partner is drawn anew for some start there is, because the goal
+// that fits a start is not the one that was drawn.
+bool ForestCBiRRT::connects_partner(const Forest& forest, int root, Meeting& meeting) {
+  const auto* region = dynamic_cast<const SampleableRegion*>(pdef_->getGoal().get());
+  if (!region || start_forest_->size() == 0) return false;
+  const auto& starts = start_forest_->roots();
+  const int start = &forest == start_forest_.get()
+                        ? root
+                        : starts[static_cast<std::size_t>(uniform(rng_) * static_cast<double>(starts.size()))];
+  const OwnedState state(si_);
+  if (!region->try_sample_partner(start_forest_->state(start), state)) return false;
+  const int goal = goal_forest_->add_root(state);
+  meeting = {extend(*start_forest_, start, state), goal};
+  return si_->equalStates(start_forest_->state(meeting.start_node), state);
+}
+
+// ConstrainedExtend() of CBiRRT: steps towards the target, each brought onto the constraint, until the target is
+// reached or a step fails. Returns the last node.
+int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
+  const State* start = &forest == start_forest_.get() ? forest.state(forest.root(from)) : nullptr;
+  const OwnedState next(si_);
+  int last = from;
+  double left = si_->distance(forest.state(last), target);
+  while (left > 0) {
+    const State* current = forest.state(last);
+    si_->getStateSpace()->interpolate(current, target, std::min(1.0, range_ / left), next);
+    if (project_ && !project_(next)) break;
+    const double now_left = si_->distance(next, target);
+    constexpr double kProgress = 1e-6;  // a projection may pull back all that a step gained
+    if (now_left > left - kProgress * range_ || si_->distance(current, next) > 2 * range_) break;
+    if (!is_motion_valid(start, current, next)) break;
+    last = forest.add(next, last);
+    left = now_left;
+  }
+  return last;
+}
+
+bool ForestCBiRRT::is_motion_valid(const State* start, const State* from, const State* to) const {
+  return motion_check_ ? motion_check_(start, from, to) : si_->checkMotion(from, to);
+}
+
+bool ForestCBiRRT::solves(const Meeting& meeting) {
+  ++num_connections_;
+  const int start = start_forest_->root(meeting.start_node);
+  const int goal = goal_forest_->root(meeting.goal_node);             // 12
+  if (!connect_first_) return is_pair_valid(start, goal) && accept(start, goal, {meeting});  // 13
+  auto connected = components_->join({meeting.start_node, meeting.goal_node, start, goal});
+  if (connected.empty()) connected.emplace_back(start, goal);  // connected before, now by another path
+  for (const auto& [s, g] : connected) {
+    if (!is_pair_valid(s, g)) continue;
+    std::vector<Meeting> route{meeting};
+    if (s != start || g != goal) {
+      route.clear();
+      for (const Bridge& bridge : components_->route(s, g)) {
+        route.push_back({bridge.start_node, bridge.goal_node});
+      }
+    }
+    if (accept(s, g, route)) return true;
+  }
+  return false;
+}
+
+bool ForestCBiRRT::is_pair_valid(int start_root, int goal_root) {
+  if (refused_.count({start_root, goal_root})) return false;
+  ++num_pairs_;
+  const bool valid = pdef_->getGoal()->isStartGoalPairValid(start_forest_->state(start_root),
+                                                            goal_forest_->state(goal_root));
+  if (!valid) refused_.emplace(start_root, goal_root);
+  return valid;
+}
+
+// Extracts the path over the meetings; what lies outside the start's own tree is checked again, now that the
+// start is known.
+bool ForestCBiRRT::accept(int start_root, int goal_root, const std::vector<Meeting>& route) {
+  const State* start = start_forest_->state(start_root);
+  auto path = std::make_shared<ompl::geometric::PathGeometric>(si_);
+  const auto append = [&](const Forest& forest, int from, int to) {
+    for (int node : forest.path(from, to)) {
+      const bool repeats =
+          path->getStateCount() > 0 && si_->equalStates(path->getStates().back(), forest.state(node));
+      if (!repeats) path->append(forest.state(node));
+    }
+    return path->getStateCount();
+  };
+  bool in_start = true;
+  int at = start_root;
+  std::size_t known = 0;
+  for (const Meeting& meeting : route) {
+    const std::size_t count = in_start ? append(*start_forest_, at, meeting.start_node)
+                                       : append(*goal_forest_, at, meeting.goal_node);
+    if (known == 0) known = count;
+    in_start = !in_start;
+    at = in_start ? meeting.start_node : meeting.goal_node;
+  }
+  append(*goal_forest_, at, goal_root);
+  if (motion_check_) {
+    for (std::size_t i = known; i < path->getStateCount(); ++i) {
+      if (!motion_check_(start, path->getState(static_cast<unsigned>(i - 1)),
+                         path->getState(static_cast<unsigned>(i)))) {
+        return false;
+      }
+    }
+  }
+  pdef_->addSolutionPath(path, false, 0.0, getName());
+  return true;
+}
+
+std::size_t ForestCBiRRT::num_start_roots() const { return start_forest_ ? start_forest_->roots().size() : 0; }
+std::size_t ForestCBiRRT::num_goal_roots() const { return goal_forest_ ? goal_forest_->roots().size() : 0; }
+std::size_t ForestCBiRRT::num_nodes() const {
+  return start_forest_ ? static_cast<std::size_t>(start_forest_->size() + goal_forest_->size()) : 0;
+}
+
+void ForestCBiRRT::getPlannerData(ob::PlannerData& data) const {
+  ob::Planner::getPlannerData(data);
+  if (!start_forest_) return;
+  for (const Forest* forest : {start_forest_.get(), goal_forest_.get()}) {
+    const bool is_start = forest == start_forest_.get();
+    for (int i = 0; i < forest->size(); ++i) {
+      const ob::PlannerDataVertex vertex(forest->state(i)), parent(forest->state(forest->parent(i)));
+      if (forest->parent(i) == i) {
+        is_start ? data.addStartVertex(vertex) : data.addGoalVertex(vertex);
+      } else {
+        is_start ? data.addEdge(parent, vertex) : data.addEdge(vertex, parent);
+      }
+    }
+  }
+}
+
+}  // namespace graspless::planning

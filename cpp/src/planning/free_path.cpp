@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/planning/free_path.hpp"
+
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
+
+#include "graspless/planning/forest_cbirrt.hpp"
+#include "graspless/planning/vector_states.hpp"
+
+namespace graspless::planning {
+
+namespace ob = ompl::base;
+
+namespace {
+
+constexpr double kRange = 0.6;  // longest extension; the motion check looks between its ends
+constexpr int kShortcuts = 40;
+
+std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                         int iterations, std::mt19937_64& rng) {
+  const Eigen::Index n = from.size();
+  const auto box = make_box(space.lower, space.upper);
+  const auto si = std::make_shared<ob::SpaceInformation>(box);
+  si->setStateValidityChecker([&](const ob::State* s) { return space.is_free(vector(s, n)); });
+  si->setup();
+  const auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  ob::ScopedState<ob::RealVectorStateSpace> start(box), goal(box);
+  vector(start.get(), n) = from;
+  vector(goal.get(), n) = to;
+  problem->setStartAndGoalStates(start, goal);
+
+  ForestCBiRRT planner(si);
+  planner.setProblemDefinition(problem);
+  planner.set_range(kRange);
+  planner.set_seed(rng());
+  planner.set_random_config(
+      [&](std::mt19937_64& g, ob::State* s) { draw_uniform(g, space.lower, space.upper, s); });
+  planner.set_motion_check([&](const ob::State*, const ob::State* a, const ob::State* b) {
+    return space.is_motion_free(vector(a, n), vector(b, n));
+  });
+  int left = iterations;
+  if (!planner.solve(ob::PlannerTerminationCondition([&] { return left-- <= 0 || space.is_out(); }))) {
+    return std::nullopt;
+  }
+  return to_path(problem->getSolutionPath(), n);
+}
+
+}  // namespace
+
+std::optional<Path> find_free_path(const FreeSpace& space, const Eigen::VectorXd& from,
+                                   const Eigen::VectorXd& to, int iterations, std::mt19937_64& rng) {
+  if (space.is_motion_free(from, to)) return Path{from, to};
+  if (iterations <= 0 || !space.is_free(from) || !space.is_free(to)) return std::nullopt;
+  const auto path = grow(space, from, to, iterations, rng);
+  if (!path) return std::nullopt;
+  const Connect straight = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) -> std::optional<Path> {
+    if (!space.is_motion_free(a, b)) return std::nullopt;
+    return Path{a, b};
+  };
+  return shortcut(*path, straight, kShortcuts, rng);
+}
+
+}  // namespace graspless::planning

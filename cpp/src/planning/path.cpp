@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/planning/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspless::planning {
+
+double length(const Path& path) {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) sum += (path[i] - path[i - 1]).norm();
+  return sum;
+}
+
+Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng) {
+  for (int round = 0; round < rounds && path.size() > 2; ++round) {
+    std::uniform_int_distribution<std::size_t> draw(0, path.size() - 1);
+    std::size_t i = draw(rng), j = draw(rng);
+    if (i > j) std::swap(i, j);
+    if (j - i < 2) continue;
+    const auto first = path.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto last = path.begin() + static_cast<std::ptrdiff_t>(j);
+    const auto detour = connect(path[i], path[j]);
+    if (!detour || length(*detour) >= length(Path(first, last + 1)) - 1e-9) continue;
+    Path shorter(path.begin(), first);
+    shorter.insert(shorter.end(), detour->begin(), detour->end());
+    shorter.insert(shorter.end(), last + 1, path.end());
+    path = std::move(shorter);
+  }
+  return path;
+}
+
+Path subdivided(const Path& path, double step) {
+  Path fine;
+  for (const Eigen::VectorXd& q : path) {
+    if (!fine.empty()) {
+      const Eigen::VectorXd from = fine.back();
+      const int pieces = static_cast<int>(std::ceil((q - from).lpNorm<Eigen::Infinity>() / step));
+      for (int i = 1; i < pieces; ++i) fine.push_back(from + (q - from) * i / pieces);
+    }
+    fine.push_back(q);
+  }
+  return fine;
+}
+
+}  // namespace graspless::planning

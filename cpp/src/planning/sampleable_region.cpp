@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/planning/sampleable_region.hpp"
+
+#include <limits>
+
+namespace graspless::planning {
+
+SampleableRegion::~SampleableRegion() = default;
+
+bool SampleableRegion::try_sample_partner(const ompl::base::State*, ompl::base::State*) const {
+  return false;
+}
+
+void SampleableRegion::sampleGoal(ompl::base::State* state) const {
+  constexpr int kAttempts = 1000;
+  for (int i = 0; i < kAttempts; ++i) {
+    if (try_sample(state)) return;
+  }
+}
+
+unsigned int SampleableRegion::maxSampleCount() const { return std::numeric_limits<unsigned int>::max(); }
+
+double SampleableRegion::distanceGoal(const ompl::base::State*) const {
+  return std::numeric_limits<double>::infinity();  // a region of draws has no distance
+}
+
+}  // namespace graspless::planning

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Seen from the last link C that two links hang from in common, a joint between the root and C
+// moves neither. A joint beyond C on the way to a moves the points of a at most as far, seen from
+// C, as Robot::reach(a) says: that bound adds up the lever arms of the joints on the way, and a
+// lever arm is the same in C as in the world. A point at most `lever` from the origin of a link is
+// moved by each revolute joint that much farther than the origin is.
+#include "scene/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "robot/model.hpp"
+
+namespace graspless::scene {
+namespace {
+
+/// Adds the bounds of the joints on the way to the carrier, from its n-th link on.
+void add_reach(const robot::Robot& robot, const Carrier& carrier, std::size_t n,
+               Eigen::VectorXd& bound) {
+  if (carrier.link < 0) return;
+  const auto& model = robot.model();
+  const auto& path = model.paths[carrier.link];
+  std::vector<bool> counted(static_cast<std::size_t>(robot.dof()), false);
+  for (; n < path.size(); ++n) {
+    const auto& link = model.links[path[n]];
+    if (link.joint < 0) continue;
+    if (!counted[link.joint]) bound[link.joint] += robot.reach(carrier.link)[link.joint];
+    counted[link.joint] = true;
+    if (!link.prismatic) bound[link.joint] += std::abs(link.multiplier) * carrier.lever;
+  }
+}
+
+std::size_t common_length(const std::vector<int>& a, const std::vector<int>& b) {
+  const auto shorter = std::min(a.size(), b.size());
+  return std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shorter), b.begin())
+             .first -
+         a.begin();
+}
+
+}  // namespace
+
+Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, const Carrier& b,
+                               bool in_world) {
+  const auto& paths = robot.model().paths;
+  const bool both_move = a.link >= 0 && b.link >= 0;
+  const std::size_t common =
+      both_move && !in_world ? common_length(paths[a.link], paths[b.link]) : 0;
+  Eigen::VectorXd bound = Eigen::VectorXd::Zero(robot.dof());
+  add_reach(robot, a, common, bound);
+  add_reach(robot, b, common, bound);
+  return bound;
+}
+
+}  // namespace graspless::scene

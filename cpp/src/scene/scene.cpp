@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/scene/scene.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace graspless::scene {
+namespace {
+
+using geometry::PlacedShape;
+
+bool is_rigid_with_root(const robot::Robot& robot, int link) { return robot.reach(link).isZero(0); }
+
+std::vector<PlacedShape> shapes_of(const robot::Robot& robot, int link) {
+  std::vector<PlacedShape> shapes;
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    if (shape.link == link) shapes.push_back(shape.placed);
+  }
+  return shapes;
+}
+
+void require_link(const robot::Robot& robot, int link, const char* what) {
+  const auto count = static_cast<int>(robot.frame_names().size());
+  if (link >= 0 && link < count) return;
+  throw std::invalid_argument(std::string(what) + " must be the index of one of the " +
+                              std::to_string(count) + " links, not " + std::to_string(link));
+}
+
+}  // namespace
+
+Scene::Scene(const robot::Robot& robot)
+    : robot_(robot), link_body_(robot.frame_names().size(), -1) {
+  robot_.forward(robot_.clamp(Eigen::VectorXd::Zero(robot_.dof())), X_WL_);
+  std::vector<int> links;
+  for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
+    const auto shapes = shapes_of(robot_, link);
+    if (shapes.empty()) continue;
+    link_body_[link] = world_.add_body(robot_.frame_names()[link], shapes);
+    world_.set_pose(link_body_[link], X_WL_[link]);
+    for (const int other : links) {
+      if (robot_.ignored_pairs().count({other, link}) == 0) {
+        world_.add_pair(link_body_[other], link_body_[link]);
+      }
+    }
+    links.push_back(link);
+    if (!is_rigid_with_root(robot_, link)) moving_links_.push_back(link);
+  }
+}
+
+int Scene::add_obstacle(const std::string& name, const std::vector<PlacedShape>& shapes,
+                        const Eigen::Isometry3d& X_WB, bool touches_base) {
+  const int body = world_.add_body(name, shapes);
+  world_.set_pose(body, X_WB);
+  for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
+    if (link_body_[link] < 0 || (touches_base && is_rigid_with_root(robot_, link))) continue;
+    world_.add_pair(link_body_[link], body);
+  }
+  return body;
+}
+
+int Scene::add_object(const std::string& name, const std::vector<PlacedShape>& shapes) {
+  return add_obstacle(name, shapes, Eigen::Isometry3d::Identity(), false);
+}
+
+void Scene::move_object(int body, const Eigen::Isometry3d& X_WO) {
+  detach(body);
+  world_.set_pose(body, X_WO);
+}
+
+void Scene::attach(int body, int link, const Eigen::Isometry3d& X_LO,
+                   const std::vector<int>& touching) {
+  require_link(robot_, link, "link");
+  for (const int other : touching) require_link(robot_, other, "touching");
+  const std::string& name = world_.name(body);
+  if (std::find(link_body_.begin(), link_body_.end(), body) != link_body_.end()) {
+    throw std::invalid_argument("body '" + name +
+                                "' is a link of the robot and cannot be attached");
+  }
+  if (!X_LO.matrix().allFinite()) {
+    throw std::invalid_argument("X_LO of body '" + name + "' must be finite");
+  }
+  detach(body);
+  Attachment attachment{body, link, X_LO, {}};
+  const auto pairs = world_.pairs();
+  for (const int other : touching) {
+    const std::pair<int, int> pair = std::minmax(link_body_[other], body);
+    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) continue;
+    world_.remove_pair(pair.first, pair.second);
+    attachment.suspended.push_back(pair);
+  }
+  attachments_.push_back(attachment);
+  motion_revision_ = -1;
+  world_.set_pose(body, X_WL_[link] * X_LO);
+}
+
+void Scene::detach(int body) {
+  const auto found = std::find_if(attachments_.begin(), attachments_.end(),
+                                  [&](const Attachment& other) { return other.body == body; });
+  if (found == attachments_.end()) return;
+  for (const auto& [a, b] : found->suspended) world_.add_pair(a, b);
+  attachments_.erase(found);
+  motion_revision_ = -1;
+}
+
+void Scene::place(const robot::Poses& X_WL) {
+  for (const int link : moving_links_) world_.set_pose(link_body_[link], X_WL[link]);
+  for (const Attachment& attachment : attachments_) {
+    world_.set_pose(attachment.body, X_WL[attachment.link] * attachment.X_LO);
+  }
+}
+
+void Scene::place(const Eigen::VectorXd& q) {
+  robot_.forward(q, X_WL_);
+  place(X_WL_);
+}
+
+bool Scene::is_free(const Eigen::VectorXd& q) {
+  if (!robot_.is_within(q)) return false;
+  place(q);
+  return !world_.collides();
+}
+
+bool Scene::is_free(const robot::Poses& X_WL) {
+  if (X_WL.size() != link_body_.size()) {
+    throw std::invalid_argument("X_WL must have " + std::to_string(link_body_.size()) +
+                                " poses, one for each link, not " + std::to_string(X_WL.size()));
+  }
+  place(X_WL);
+  return !world_.collides();
+}
+
+std::pair<std::string, std::string> Scene::collision(const Eigen::VectorXd& q) {
+  if (!q.allFinite()) throw std::invalid_argument("q must be finite");
+  place(q);
+  const auto pair = world_.first_collision();
+  if (!pair) return {};
+  return {world_.name(pair->first), world_.name(pair->second)};
+}
+
+}  // namespace graspless::scene

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Conservative checking of a motion q(t) = q1 + t (q2 - q1) on the grid t = 0, 1/n, ..., 1.
+//
+// Let two bodies be at least d1 apart at t1 and d2 at t2, and let them move towards one another by
+// at most M on the way. At any t between, a part s of M lies behind and M - s ahead, so that they
+// are at least max(d1 - s, d2 - (M - s)) apart, which is at least (d1 + d2 - M) / 2. Where d1 + d2
+// > M they stay apart all the way; where not, the grid point in the middle is tested, for that pair
+// alone, and each half looked at in turn until no grid point is left.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "graspless/scene/scene.hpp"
+
+#include "scene/motion.hpp"
+
+namespace graspless::scene {
+namespace {
+
+// What must be left of a distance for a stretch to count as free: more than rounding and FCL's
+// errors [m].
+constexpr double kMargin = 1e-7;
+
+// More grid points than any motion needs; a resolution that asks for more is a mistake.
+constexpr double kMaxSteps = 1e8;
+
+int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
+  if (!(resolution > 0)) {
+    throw std::invalid_argument("resolution must be positive, not " + std::to_string(resolution));
+  }
+  const double span = q1.size() == 0 ? 0 : (q2 - q1).cwiseAbs().maxCoeff();
+  const double steps = std::ceil(span / resolution);
+  if (steps > kMaxSteps) {
+    throw std::invalid_argument("resolution " + std::to_string(resolution) +
+                                " is too small for a motion of " + std::to_string(span));
+  }
+  return std::max(1, static_cast<int>(steps));
+}
+
+}  // namespace
+
+bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
+  if (!robot_.is_within(q1) || !robot_.is_within(q2)) return false;
+  const int steps = num_steps(q1, q2, resolution);
+  const Eigen::VectorXd step = (q2 - q1) / steps;
+  update_motion_bounds();
+  open_.clear();
+  return open_pairs(q1, q2, steps) && is_stretch_free(q1, step, 0, steps, 0);
+}
+
+void Scene::update_motion_bounds() {
+  if (motion_revision_ == world_.revision()) return;
+  std::vector<Carrier> carriers(static_cast<std::size_t>(world_.num_bodies()));
+  for (const int link : moving_links_) carriers[link_body_[link]].link = link;
+  for (const Attachment& attachment : attachments_) {
+    const double lever = attachment.X_LO.translation().norm() + world_.radius(attachment.body);
+    carriers[attachment.body] = {attachment.link, lever};
+  }
+  motion_bounds_.resize(robot_.dof(), world_.num_pairs());
+  for (int i = 0; i < world_.num_pairs(); ++i) {
+    const auto [a, b] = world_.pair(i);
+    // An allowance moves a body along an axis of the world, which turns as seen from a link.
+    const bool in_world = !world_.shift(i).isZero(0);
+    motion_bounds_.col(i) = relative_reach(robot_, carriers[a], carriers[b], in_world);
+  }
+  motion_revision_ = world_.revision();
+}
+
+/// Tests both ends and opens the pairs that may touch between them.
+bool Scene::open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps) {
+  place(q1);
+  if (world_.collides()) return false;
+  const std::vector<double> first = world_.distance_bounds();
+  if (steps == 1 && q1 == q2) return true;
+  place(q2);
+  if (world_.collides()) return false;
+  const std::vector<double>& last = world_.distance_bounds();
+  const Eigen::VectorXd motion = motion_bounds_.transpose() * (q2 - q1).cwiseAbs() / steps;
+  for (int i = 0; i < world_.num_pairs(); ++i) keep_open({i, motion[i], first[i], last[i]}, steps);
+  return true;
+}
+
+void Scene::keep_open(const OpenPair& pair, int steps) {
+  if (pair.bound_first + pair.bound_last <= pair.motion * steps + kMargin) open_.push_back(pair);
+}
+
+/// Whether the open pairs from `begin` on stay apart on the grid points between `first` and `last`.
+bool Scene::is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first,
+                            int last, std::size_t begin) {
+  const std::size_t end = open_.size();
+  if (begin == end || last - first < 2) return true;
+  const int middle = (first + last) / 2;
+  place(q1 + middle * step);
+  for (std::size_t i = begin; i < end; ++i) {
+    if (world_.touches(open_[i].index)) return false;
+    open_[i].bound_middle = world_.distance_bound(open_[i].index);
+  }
+  const auto open_half = [&](bool second) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const OpenPair pair = open_[i];  // a copy: keep_open may move the stack
+      const double bound_first = second ? pair.bound_middle : pair.bound_first;
+      const double bound_last = second ? pair.bound_last : pair.bound_middle;
+      keep_open({pair.index, pair.motion, bound_first, bound_last},
+                second ? last - middle : middle - first);
+    }
+  };
+  open_half(true);
+  const std::size_t first_half = open_.size();
+  open_half(false);
+  if (!is_stretch_free(q1, step, first, middle, first_half)) return false;
+  open_.resize(first_half);
+  return is_stretch_free(q1, step, middle, last, end);
+}
+
+}  // namespace graspless::scene

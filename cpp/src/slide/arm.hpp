@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "graspless/slide/slide.hpp"
+
+namespace graspless::slide {
+
+/// The joints that the search moves: those of the hand's arm, all others as at home with the hand open.
+class Arm {
+ public:
+  explicit Arm(const Problem& problem);
+
+  int dof() const { return static_cast<int>(joints_.size()); }
+  const std::vector<int>& joints() const { return joints_; }
+  const Eigen::VectorXd& lower() const { return lower_; }
+  const Eigen::VectorXd& upper() const { return upper_; }
+  const Eigen::VectorXd& open() const { return q_open_; }  ///< home, with the hand open
+  const Eigen::VectorXd& closed() const { return q_closed_; }  ///< home, with the hand closed
+
+  void write(const Eigen::Ref<const Eigen::VectorXd>& arm, Eigen::VectorXd& q) const {
+    for (int i = 0; i < dof(); ++i) q[joints_[static_cast<std::size_t>(i)]] = arm[i];
+  }
+  Eigen::VectorXd full(const Eigen::Ref<const Eigen::VectorXd>& arm) const {
+    Eigen::VectorXd q = q_open_;
+    write(arm, q);
+    return q;
+  }
+  Eigen::VectorXd part(const Eigen::VectorXd& q) const {
+    Eigen::VectorXd arm(dof());
+    for (int i = 0; i < dof(); ++i) arm[i] = q[joints_[static_cast<std::size_t>(i)]];
+    return arm;
+  }
+
+ private:
+  std::vector<int> joints_;
+  Eigen::VectorXd lower_, upper_, q_open_, q_closed_;
+};
+
+}  // namespace graspless::slide

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/assemble.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace graspless::slide {
+
+using planning::Path;
+
+namespace {
+
+constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
+
+Path whole(const Query& query, const Path& arm_path) {
+  Path path;
+  for (const Eigen::VectorXd& arm : arm_path) path.push_back(query.arm.full(arm));
+  return path;
+}
+
+void append(Plan& plan, const std::string& name, const Path& path, const Eigen::Isometry3d& X_WO) {
+  const Path rows = planning::subdivided(path, kRowStep);
+  plan.segments.push_back({name, rows, std::vector<Eigen::Isometry3d>(rows.size(), X_WO)});
+}
+
+/// The opening of the hand at home, if it is not open there.
+Path with_home(const Query& query, Path approach) {
+  if (query.problem.q_home != approach.front()) approach.insert(approach.begin(), query.problem.q_home);
+  return approach;
+}
+
+void append_slide(Query& query, const Path& slide, Plan& plan) {
+  const ContactSpace::Carried carried = query.carried_from(slide.front());
+  Segment segment{"slide", {}, {}};
+  for (const Eigen::VectorXd& arm : planning::subdivided(slide, kRowStep)) {
+    segment.positions.push_back(query.arm.full(arm));
+    segment.object_poses.push_back(query.X_WS * spatial(query.contact.carry(carried, arm)));
+  }
+  plan.segments.push_back(std::move(segment));
+}
+
+std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
+  std::vector<std::pair<std::int64_t, std::string>> sorted;
+  for (const auto& [why, times] : refusals) sorted.emplace_back(times, why);
+  std::sort(sorted.rbegin(), sorted.rend());
+  std::ostringstream out;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, sorted.size()); ++i) {
+    out << (i ? ", " : "") << sorted[i].second << " (" << sorted[i].first << ")";
+  }
+  return out.str();
+}
+
+}  // namespace
+
+bool is_home_free(Query& query, Plan& plan) {
+  std::string a, b;
+  for (const Eigen::VectorXd& q : {query.problem.q_home, query.arm.open()}) {
+    std::tie(a, b) = query.free.collision(q);
+    if (!a.empty()) break;
+  }
+  if (a.empty()) return true;
+  plan.status = Status::start_in_collision;
+  plan.reason = "at home, '" + a + "' touches '" + b + "'";
+  return false;
+}
+
+void assemble(Query& query, const Motions& motions, const Path& slide, Plan& plan) {
+  const Approach& approach = motions.approach();
+  const Handling& handling = motions.handling();
+  const Eigen::Isometry3d X_WO_start = query.X_WS * spatial(query.object_start);
+  const Eigen::Isometry3d X_WO_goal = query.X_WS * spatial(handling.object_goal);
+  append(plan, "approach", with_home(query, whole(query, approach.free)), X_WO_start);
+  append(plan, "press", whole(query, approach.press), X_WO_start);
+  append_slide(query, slide, plan);
+  append(plan, "lift", whole(query, handling.lift), X_WO_goal);
+  append(plan, "reach", whole(query, handling.reach), X_WO_goal);
+  append(plan, "grasp", whole(query, handling.grasp), X_WO_goal);
+  append(plan, "close", handling.close, X_WO_goal);
+  plan.status = Status::solved;
+  plan.X_WO_goal = X_WO_goal;
+  plan.X_WH_grasp = handling.X_WH;
+  plan.overhang = handling.placement.overhang;
+}
+
+std::string reason(const Plan& plan) {
+  const std::string refused = plan.statistics.refusals.empty()
+                                  ? ""
+                                  : "; refused most often: " + most_frequent(plan.statistics.refusals);
+  switch (plan.status) {
+    case Status::solved: return "solved";
+    case Status::start_in_collision: return plan.reason;
+    case Status::no_start_root: return "no configuration presses on the object" + refused;
+    case Status::no_goal_root: return "no configuration presses near an edge" + refused;
+    case Status::no_valid_pair:
+      return "starts and goals were connected, but no pair was valid" + refused;
+    case Status::not_connected: return "no start and goal were connected" + refused;
+    case Status::interrupted: return "interrupted" + refused;
+  }
+  return "";
+}
+
+}  // namespace graspless::slide

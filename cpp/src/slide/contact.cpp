@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspless::slide {
+
+Tip tip(const Eigen::Isometry3d& X_SF) {
+  const Eigen::Vector3d x = X_SF.linear().col(0), y = X_SF.linear().col(1), z = X_SF.linear().col(2);
+  const Eigen::Vector2d across = x.head<2>().normalized();
+  return {X_SF.translation().head<2>(),
+          X_SF.translation().z(),
+          {across.y(), -across.x()},  // X_F x z
+          std::asin(std::clamp(-z.z(), -1.0, 1.0)),
+          x.z(),
+          y.z() > 0};
+}
+
+Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height, const Eigen::Vector2d& h,
+                           double pitch) {
+  const double c = std::cos(pitch), s = std::sin(pitch);
+  Eigen::Isometry3d X_SF = Eigen::Isometry3d::Identity();
+  X_SF.linear().col(0) << -h.y(), h.x(), 0;
+  X_SF.linear().col(1) << s * h.x(), s * h.y(), c;
+  X_SF.linear().col(2) << c * h.x(), c * h.y(), -s;
+  X_SF.translation() << position.x(), position.y(), height;
+  return X_SF;
+}
+
+double contact_shift(const Hand& hand, double depth, double pitch, double touch_pitch) {
+  if (hand.finger_model == FingerModel::none) return 0;
+  const double L = hand.flexure_length, r = hand.tip_radius;
+  const double flexed = std::asin(std::clamp(std::sin(pitch) - depth / L, -1.0, 1.0));
+  return L * (std::cos(flexed) - std::cos(pitch)) + r * (touch_pitch - flexed);
+}
+
+Planar effective_tip(const Hand& hand, const Tip& tip, double top, double touch_pitch) {
+  const double shift = contact_shift(hand, top - tip.height, tip.pitch, touch_pitch);
+  Planar X = Planar::Identity();
+  X.linear() << tip.heading.x(), -tip.heading.y(), tip.heading.y(), tip.heading.x();
+  X.translation() = tip.position + shift * tip.heading;
+  return X;
+}
+
+Planar planar(const Eigen::Isometry3d& X) {
+  const double yaw = std::atan2(X.linear()(1, 0), X.linear()(0, 0));
+  Planar p = Planar::Identity();
+  p.linear() = Eigen::Rotation2Dd(yaw).toRotationMatrix();
+  p.translation() = X.translation().head<2>();
+  return p;
+}
+
+Eigen::Isometry3d spatial(const Planar& X) {
+  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+  out.linear().topLeftCorner<2, 2>() = X.linear();
+  out.translation().head<2>() = X.translation();
+  return out;
+}
+
+}  // namespace graspless::slide

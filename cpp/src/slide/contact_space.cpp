@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/contact_space.hpp"
+
+#include <cmath>
+
+#include "slide/scenes.hpp"
+
+namespace graspless::slide {
+
+using planning::BandProjection;
+
+namespace {
+
+// Parts of the tolerances are kept for the straight motions between projected configurations.
+constexpr double kPitchPlay = 2e-3;  // [rad]
+
+}  // namespace
+
+ContactSpace::ContactSpace(const Problem& problem, const Options& options, const Arm& arm)
+    : problem_(problem),
+      options_(options),
+      arm_(arm),
+      X_SW_(problem.support.X_WS().inverse()),
+      normal_W_(problem.support.normal_W()),
+      top_(problem.object.thickness()),
+      fingertip_(problem.robot.frame(problem.hand.fingertip)),
+      scene_(make_scene(problem)),
+      object_body_(scene_.world().body(kObjectBody)),
+      q_(arm.open()),
+      projection_(make_projection()) {
+  // The bands hold the sliding finger at the very depth that its allowances would (press_depths), so the pairs
+  // need no test of their own here; check() tests them.
+  for (const std::string& link : problem.hand.sliding_finger) {
+    const int body = scene_.link_body(problem.robot.frame(link));
+    if (body < 0) continue;
+    scene_.world().remove_pair(body, object_body_);
+    scene_.world().remove_pair(body, scene_.world().body(kSupportBody));
+  }
+  scene_.move_object(object_body_, parked());
+}
+
+BandProjection ContactSpace::make_projection() {
+  const double play = std::min(kPitchPlay, options_.pitch_tolerance / 4);
+  const double tolerance = options_.pitch_tolerance - play;
+  BandProjection::Bands bands{BandProjection::Values(3), BandProjection::Values(3), BandProjection::Values(3)};
+  bands.lower << top_ - options_.max_depth, std::sin(options_.pitch - tolerance), -options_.roll_tolerance / 2;
+  bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance), options_.roll_tolerance / 2;
+  bands.slack << options_.height_tolerance,
+      play * std::cos(options_.pitch + options_.pitch_tolerance), options_.roll_tolerance / 2;
+  return BandProjection([this](const auto& arm, auto& value, auto* J) { rows(arm, value, J); }, bands,
+                        {arm_.lower(), arm_.upper()});
+}
+
+void ContactSpace::rows(const Eigen::VectorXd& arm, BandProjection::Values& value,
+                        BandProjection::Jacobian* J) {
+  arm_.write(arm, q_);
+  problem_.robot.forward_to(fingertip_, q_, X_WL_);
+  const Eigen::Isometry3d& X_WF = X_WL_[static_cast<std::size_t>(fingertip_)];
+  const Eigen::Vector3d x = X_WF.linear().col(0), z = X_WF.linear().col(2);
+  value << normal_W_.dot(X_WF.translation() - problem_.support.X_WS().translation()), -z.dot(normal_W_),
+      x.dot(normal_W_);
+  if (!J) return;
+  problem_.robot.jacobian(fingertip_, X_WL_, J_);
+  const Eigen::Vector3d dpitch = -z.cross(normal_W_), droll = x.cross(normal_W_);  // (w x z).n = w.(z x n)
+  for (int i = 0; i < arm_.dof(); ++i) {
+    const auto column = J_.col(arm_.joints()[static_cast<std::size_t>(i)]);
+    J->col(i) << normal_W_.dot(column.head<3>()), dpitch.dot(column.tail<3>()), droll.dot(column.tail<3>());
+  }
+}
+
+Tip ContactSpace::tip_at(const Eigen::VectorXd& arm) {
+  arm_.write(arm, q_);
+  problem_.robot.forward_to(fingertip_, q_, X_WL_);
+  return tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
+}
+
+Planar ContactSpace::effective_tip_at(const Eigen::VectorXd& arm) {
+  return effective_tip(problem_.hand, tip_at(arm), top_, options_.pitch);
+}
+
+bool ContactSpace::keeps_contact(const Eigen::VectorXd& arm, Planar& effective) {
+  BandProjection::Values value(3);
+  rows(arm, value, nullptr);
+  if (!projection_.is_satisfied(value)) return false;
+  const Tip now = tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
+  if (!now.other_finger_up) return false;
+  effective = effective_tip(problem_.hand, now, top_, options_.pitch);
+  const geometry::Polygon& Q = problem_.support.polygon();
+  return Q.contains(now.position) && Q.contains(effective.translation()) &&
+         (options_.tip_margin == 0 || Q.depth(effective.translation()) >= options_.tip_margin);
+}
+
+scene::Scene& ContactSpace::scene_with_object_at(const Planar& object_S) {
+  scene_.move_object(object_body_, problem_.support.X_WS() * spatial(object_S));
+  object_parked_ = false;
+  return scene_;
+}
+
+void ContactSpace::place_object(const std::optional<Carried>& carried, const Planar& effective) {
+  if (carried) {
+    scene_with_object_at(object_pose(effective, carried->tip_start, carried->object_start));
+  } else if (!object_parked_) {
+    scene_.move_object(object_body_, parked());
+    object_parked_ = true;
+  }
+}
+
+bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried) {
+  Planar effective;
+  if (!keeps_contact(arm, effective)) return false;
+  place_object(carried, effective);
+  arm_.write(arm, q_);
+  return scene_.is_free(q_);
+}
+
+bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                   const std::optional<Carried>& carried) {
+  const Eigen::VectorXd step = to - from;
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / options_.resolution)));
+  // Ends first, then inwards: what is wrong shows earliest at the far end.
+  for (int i = pieces; i >= 1; --i) {
+    if (!is_valid(from + step * i / pieces, carried)) return false;
+  }
+  return true;
+}
+
+std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                                    const std::optional<Carried>& carried) {
+  planning::Path path{from};
+  for (double left = (to - from).norm(); left > 0;) {
+    Eigen::VectorXd next = path.back() + std::min(1.0, options_.range / left) * (to - path.back());
+    if (left <= options_.range) next = to;
+    if (!project(next)) return std::nullopt;
+    const double now_left = (to - next).norm();
+    if (now_left > left - 1e-3 * options_.range || !is_motion_valid(path.back(), next, carried)) {
+      return std::nullopt;
+    }
+    path.push_back(next);
+    left = now_left;
+  }
+  return path;
+}
+
+}  // namespace graspless::slide

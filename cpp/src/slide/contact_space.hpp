@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "graspless/planning/path.hpp"
+#include "graspless/planning/projection.hpp"
+#include "graspless/scene/scene.hpp"
+#include "slide/arm.hpp"
+#include "slide/contact.hpp"
+
+namespace graspless::slide {
+
+/// The arm while its fingertip presses on the object: the relaxed constraint of Section IV-C.3.
+///
+/// Three rows over the arm's joints: height of the tip over S, sine of its pitch, roll. Beside them, what has no
+/// gradient: the tip and its effective contact stay over the support, and nothing collides.
+class ContactSpace {
+ public:
+  /// Where an object travels: the start tip it is carried by. Absent while the start is not known.
+  struct Carried {
+    Planar tip_start, object_start;
+  };
+
+  ContactSpace(const Problem& problem, const Options& options, const Arm& arm);
+
+  /// Brings the arm's joints onto the constraint.
+  bool project(Eigen::VectorXd& arm) {
+    ++num_projections_;
+    return projection_.project(arm);
+  }
+
+  /// Whether the motion between two near configurations keeps the constraint, free of collision, at steps of
+  /// options.resolution. With `carried`, the object moves along and must not collide either.
+  bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                       const std::optional<Carried>& carried);
+  bool is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried);
+  /// The straight motion, projected at steps of options.range; nothing when it is lost on the way.
+  std::optional<planning::Path> connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                        const std::optional<Carried>& carried);
+
+  /// The tip at a configuration.
+  Tip tip_at(const Eigen::VectorXd& arm);
+  Planar effective_tip_at(const Eigen::VectorXd& arm);
+  /// Where the object is when the arm carries it.
+  Planar carry(const Carried& carried, const Eigen::VectorXd& arm) {
+    return object_pose(effective_tip_at(arm), carried.tip_start, carried.object_start);
+  }
+
+  /// The scene without the sliding finger's contacts, the object standing still at a pose in S: for pressing and
+  /// lifting, which stay within the depths that the bands allow.
+  scene::Scene& scene_with_object_at(const Planar& object_S);
+  int num_checks() const { return scene_.world().num_checks(); }
+  int num_projections() const { return num_projections_; }
+
+ private:
+  void rows(const Eigen::VectorXd& arm, planning::BandProjection::Values& value,
+            planning::BandProjection::Jacobian* J);
+  bool keeps_contact(const Eigen::VectorXd& arm, Planar& effective);
+  void place_object(const std::optional<Carried>& carried, const Planar& effective);
+  planning::BandProjection make_projection();
+
+  const Problem& problem_;
+  const Options& options_;
+  const Arm& arm_;
+  Eigen::Isometry3d X_SW_;
+  Eigen::Vector3d normal_W_;
+  double top_;  // height of the object's top face over S: z_s
+  int fingertip_;
+  scene::Scene scene_;
+  int object_body_;
+  bool object_parked_ = true;
+  int num_projections_ = 0;
+  Eigen::VectorXd q_;      // scratch: all joints
+  robot::Poses X_WL_;      // scratch: frames up to the fingertip
+  Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
+  planning::BandProjection projection_;
+};
+
+}  // namespace graspless::slide

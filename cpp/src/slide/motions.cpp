@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/planning/free_path.hpp"
+
+namespace graspless::slide {
+
+using planning::Path;
+
+namespace {
+
+constexpr double kPressStep = 0.005;  // between waypoints along the retreat line [m]
+constexpr double kLineStep = 0.02;    // between waypoints of other straight motions [m]
+constexpr int kSearchIterations = 300;
+constexpr std::size_t kGraspCandidates = 6;
+
+int pieces(double length, double step) { return std::max(1, static_cast<int>(std::ceil(length / step))); }
+
+}  // namespace
+
+bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal) {
+  const ContactSpace::Carried carried = query_.carried_from(start);
+  Handling handling;
+  handling.object_goal = query_.contact.carry(carried, goal);
+  handling.placement = placement(query_.problem, query_.options, handling.object_goal);
+  if (handling.placement.overhang < query_.options.min_overhang) {  // condition 1
+    query_.refuse("pair: overhang");
+    return false;
+  }
+  if (!handling.placement.com_inside) {  // condition 2
+    query_.refuse("pair: center of mass");
+    return false;
+  }
+  const std::optional<Approach>& approach = approach_to(start);
+  if (!approach) {
+    query_.refuse("pair: start cannot be reached from home");
+    return false;
+  }
+  if (!find_handling(handling, goal)) return false;  // condition 3
+  valid_approach_ = approach;
+  handling_ = std::move(handling);
+  return true;
+}
+
+bool Motions::is_graspable(const Planar& object_S) {
+  const Placement place = placement(query_.problem, query_.options, object_S);
+  if (place.overhang < query_.options.min_overhang || !place.com_inside) {
+    query_.refuse("goal: overhang");  // at a corner, say, where another edge is nearer
+    return false;
+  }
+  place_object(object_S);
+  return !grasp_configurations(place, 1).empty();
+}
+
+void Motions::place_object(const Planar& object_S) {
+  query_.free.move_object(query_.object_body, query_.X_WS * spatial(object_S));
+}
+
+const std::optional<Approach>& Motions::approach_to(const Eigen::VectorXd& start) {
+  const std::vector<double> key(start.begin(), start.end());
+  const auto known = approaches_.find(key);
+  if (known != approaches_.end()) return known->second;
+  return approaches_.emplace(key, find_approach(start)).first->second;
+}
+
+std::optional<Approach> Motions::find_approach(const Eigen::VectorXd& start) {
+  const auto lift = lift_from(start, query_.object_start);
+  if (!lift) return std::nullopt;
+  place_object(query_.object_start);
+  const auto free = free_path(query_.arm.part(query_.problem.q_home), lift->back(), kSearchIterations);
+  if (!free) return std::nullopt;
+  return Approach{*free, Path(lift->rbegin(), lift->rend())};
+}
+
+// Off the object along the retreat line, on which the effective contact stands still, then straight up.
+std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Planar& object_S) {
+  const Tip tip = query_.contact.tip_at(pressed);
+  const Planar contact = query_.contact.effective_tip_at(pressed);
+  const double depth = query_.top - tip.height;
+  std::vector<Eigen::Isometry3d> poses;
+  const int press_steps = pieces(depth, kPressStep), lift_steps = pieces(query_.options.lift_height, kLineStep);
+  for (int i = press_steps - 1; i >= 0; --i) {
+    poses.push_back(query_.pressed_tip(contact, depth * i / press_steps, tip.pitch));
+  }
+  const Eigen::Vector3d up_W = query_.problem.support.normal_W();
+  const Eigen::Isometry3d touch = poses.back();
+  for (int i = 1; i <= lift_steps; ++i) {
+    poses.push_back(Eigen::Translation3d(up_W * (query_.options.lift_height * i / lift_steps)) * touch);
+  }
+  return track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
+}
+
+std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& from,
+                                   const std::vector<Eigen::Isometry3d>& poses, scene::Scene& scene) {
+  constexpr double kJump = 0.3;  // [rad]; a larger one has left the branch
+  Path path{from};
+  Eigen::VectorXd q = query_.arm.full(from);
+  for (const Eigen::Isometry3d& pose : poses) {
+    ++query_.statistics.ik_calls;
+    const auto next = ik.solve_near(pose, q);
+    if (!next || (*next - q).lpNorm<Eigen::Infinity>() > kJump) return std::nullopt;
+    if (!scene.is_free(q, *next, query_.options.resolution)) return std::nullopt;
+    q = *next;
+    path.push_back(query_.arm.part(q));
+  }
+  return path;
+}
+
+std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                       int iterations) {
+  planning::FreeSpace space;
+  space.lower = query_.arm.lower();
+  space.upper = query_.arm.upper();
+  space.is_free = [&](const Eigen::VectorXd& arm) { return query_.free.is_free(query_.arm.full(arm)); };
+  space.is_motion_free = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return query_.free.is_free(query_.arm.full(a), query_.arm.full(b), query_.options.resolution);
+  };
+  space.is_out = [&] { return query_.clock.is_out(); };
+  return planning::find_free_path(space, from, to, iterations, query_.rng);
+}
+
+// Condition 3: H_g can be reached by a motion from the goal.
+bool Motions::find_handling(Handling& handling, const Eigen::VectorXd& goal) {
+  const auto lift = lift_from(goal, handling.object_goal);
+  if (!lift) {
+    query_.refuse("pair: lift");
+    return false;
+  }
+  handling.lift = *lift;
+  place_object(handling.object_goal);
+  return find_reach(handling);
+}
+
+bool Motions::find_reach(Handling& handling) {
+  auto candidates = grasp_configurations(handling.placement, kGraspCandidates);
+  if (candidates.empty()) {
+    query_.refuse("pair: grasp reach");
+    return false;
+  }
+  const Eigen::VectorXd& from = handling.lift.back();
+  std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+    return (a.arm - from).squaredNorm() < (b.arm - from).squaredNorm();
+  });
+  for (const int iterations : {0, kSearchIterations}) {
+    for (const auto& candidate : candidates) {
+      if (query_.clock.is_out()) return false;
+      if (try_grasp(candidate, iterations, handling)) return true;
+    }
+  }
+  query_.refuse("pair: grasp motion");
+  return false;
+}
+
+std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Placement& place,
+                                                                       std::size_t enough) {
+  constexpr int kDraws = 12;
+  std::vector<GraspConfiguration> found;
+  for (int i = 0; i < kDraws && found.size() < enough; ++i) {
+    const int roll = i % 2;
+    const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
+    for (const Eigen::VectorXd& q :
+         query_.draw_ik(query_.grasp_ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
+      if (query_.free.is_free(q)) found.push_back({query_.arm.part(q), roll});
+    }
+  }
+  if (found.empty()) query_.refuse("goal: grasp reach");
+  return found;
+}
+
+bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling) {
+  const double back = query_.options.grasp_approach;
+  std::vector<Eigen::Isometry3d> outwards;
+  const int steps = pieces(back, kLineStep);
+  for (int i = 1; i <= steps; ++i) {
+    outwards.push_back(grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
+  }
+  const auto out = track(query_.grasp_ik, grasp.arm, outwards, query_.free);
+  if (!out) return false;
+  const auto reach = free_path(handling.lift.back(), out->back(), iterations);
+  if (!reach) return false;
+  const auto close = close_hand(grasp.arm);
+  if (!close) return false;
+  handling.reach = *reach;
+  handling.grasp = Path(out->rbegin(), out->rend());
+  handling.close = *close;
+  handling.X_WH = grasp_pose(query_.problem, handling.placement, grasp.roll);
+  return true;
+}
+
+// Closes until the fingers touch the object; nothing when they touch something else first, or nothing at all.
+std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
+  constexpr double kStep = 0.02, kPrecision = 1e-4;  // of a hand joint [rad or m]
+  const Eigen::VectorXd open = query_.arm.full(arm);
+  Eigen::VectorXd closed = query_.arm.closed();
+  query_.arm.write(arm, closed);
+  const double travel = (closed - open).lpNorm<Eigen::Infinity>();
+  const int steps = pieces(travel, kStep);
+  std::vector<Eigen::VectorXd> rows{open};
+  for (int i = 1; i <= steps; ++i) {
+    double apart = (i - 1.0) / steps, touching = 1.0 * i / steps;
+    if (query_.free.is_free(open + touching * (closed - open))) {
+      rows.push_back(open + touching * (closed - open));
+      continue;
+    }
+    while ((touching - apart) * travel > kPrecision) {
+      const double middle = (apart + touching) / 2;
+      (query_.free.is_free(open + middle * (closed - open)) ? apart : touching) = middle;
+    }
+    rows.push_back(open + touching * (closed - open));
+    return is_finger_on_object(rows.back()) ? std::optional(rows) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+bool Motions::is_finger_on_object(const Eigen::VectorXd& q) {
+  const auto [a, b] = query_.free.collision(q);
+  const std::vector<std::string>& fingers = query_.problem.hand.fingers;
+  const auto is_finger = [&](const std::string& name) {
+    return std::find(fingers.begin(), fingers.end(), name) != fingers.end();
+  };
+  const std::string object = query_.free.world().name(query_.object_body);
+  return (a == object && is_finger(b)) || (b == object && is_finger(a));
+}
+
+}  // namespace graspless::slide

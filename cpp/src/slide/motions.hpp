@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "graspless/planning/path.hpp"
+#include "slide/query.hpp"
+
+namespace graspless::slide {
+
+/// Getting onto the object: rows are arm configurations.
+struct Approach {
+  planning::Path free;   ///< home to above the contact
+  planning::Path press;  ///< down to the touch, then on along the retreat line to the start configuration
+};
+
+/// Getting off the object and grasping it.
+struct Handling {
+  planning::Path lift;   ///< off along the retreat line, then up
+  planning::Path reach;  ///< free motion to before the grasp
+  planning::Path grasp;  ///< straight in
+  std::vector<Eigen::VectorXd> close;  ///< whole configurations; the last one touches the object
+  Placement placement;
+  Planar object_goal;     ///< kappa_g in S
+  Eigen::Isometry3d X_WH;  ///< H_g
+};
+
+/// The motions around the slide, and with them IsPairValid.
+class Motions {
+ public:
+  explicit Motions(Query& query) : query_(query) {}
+
+  /// IsPairValid: the overhang, the centre of mass, and motions onto the start and from the goal to the grasp.
+  bool is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal);
+  /// Whether some configuration free of collision grasps an object there.
+  bool is_graspable(const Planar& object_S);
+
+  /// Of the pair that was last found valid.
+  const Approach& approach() const { return *valid_approach_; }
+  const Handling& handling() const { return *handling_; }
+
+ private:
+  struct GraspConfiguration {
+    Eigen::VectorXd arm;
+    int roll;
+  };
+
+  const std::optional<Approach>& approach_to(const Eigen::VectorXd& start);
+  std::optional<Approach> find_approach(const Eigen::VectorXd& start);
+  std::optional<planning::Path> lift_from(const Eigen::VectorXd& pressed, const Planar& object_S);
+  std::vector<GraspConfiguration> grasp_configurations(const Placement& placement, std::size_t enough);
+  bool find_handling(Handling& handling, const Eigen::VectorXd& goal);
+  bool find_reach(Handling& handling);
+  bool try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling);
+  std::optional<planning::Path> track(const robot::Ik& ik, const Eigen::VectorXd& from,
+                                      const std::vector<Eigen::Isometry3d>& poses, scene::Scene& scene);
+  std::optional<planning::Path> free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                          int iterations);
+  std::optional<std::vector<Eigen::VectorXd>> close_hand(const Eigen::VectorXd& arm);
+  bool is_finger_on_object(const Eigen::VectorXd& q);
+  void place_object(const Planar& object_S);
+
+  Query& query_;
+  std::map<std::vector<double>, std::optional<Approach>> approaches_;  // by start
+  std::optional<Approach> valid_approach_;
+  std::optional<Handling> handling_;
+};
+
+}  // namespace graspless::slide

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/placement.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace graspless::slide {
+namespace {
+
+geometry::Polygon::Edge draw_edge(const geometry::Polygon& Q, std::mt19937_64& rng) {
+  std::vector<double> lengths;
+  for (int i = 0; i < Q.size(); ++i) lengths.push_back((Q.edge(i).b - Q.edge(i).a).norm());
+  return Q.edge(std::discrete_distribution<int>(lengths.begin(), lengths.end())(rng));
+}
+
+}  // namespace
+
+bool is_com_inside(const Problem& problem, const Planar& object_S, double margin) {
+  const Eigen::Vector3d com_S = spatial(object_S) * problem.object.com();
+  const Eigen::Vector3d down_S = -problem.support.X_WS().linear().row(2).transpose();
+  const Eigen::Vector3d foot = com_S + down_S * (com_S.z() / -down_S.z());
+  return problem.support.polygon().depth(foot.head<2>()) >= margin;
+}
+
+Placement placement(const Problem& problem, const Options& options, const Planar& object_S) {
+  const geometry::Polygon& Q = problem.support.polygon();
+  Placement result;
+  std::vector<Eigen::Vector2d> out;  // P_out
+  for (const auto& p_O : problem.object.points().colwise()) {
+    const Eigen::Vector2d p = object_S * Eigen::Vector2d(p_O);
+    if (!Q.contains(p)) out.push_back(p);
+  }
+  result.sticks_out = !out.empty();
+  if (!result.sticks_out) return result;
+  result.out_center.setZero();
+  for (const auto& p : out) result.out_center += p / static_cast<double>(out.size());
+  result.edge = Q.nearest_edge(result.out_center);
+  for (const auto& p : out) {
+    result.overhang = std::max(result.overhang, -result.edge.inward.dot(p - result.edge.a));
+  }
+  result.com_inside = is_com_inside(problem, object_S, options.com_margin);
+  return result;
+}
+
+Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll, double back) {
+  const Eigen::Vector2d in = placement.edge.inward;
+  const double up = roll == 0 ? 1 : -1;
+  Eigen::Isometry3d X_SH = Eigen::Isometry3d::Identity();
+  X_SH.linear().col(2) << in.x(), in.y(), 0;
+  X_SH.linear().col(1) << 0, 0, up;
+  X_SH.linear().col(0) = X_SH.linear().col(1).cross(X_SH.linear().col(2));
+  X_SH.translation().head<2>() = placement.out_center - back * in;
+  X_SH.translation().z() = problem.object.thickness() / 2;
+  return problem.support.X_WS() * X_SH;
+}
+
+std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
+                                          std::mt19937_64& rng) {
+  constexpr double kTwoPi = 6.28318530717958647692;
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(rng); };
+  const geometry::Polygon::Edge edge = draw_edge(problem.support.polygon(), rng);
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(uniform(0, kTwoPi)).toRotationMatrix();
+  const Eigen::RowVector2d inward_O = edge.inward.transpose() * R;
+  const double farthest = -(inward_O * problem.object.points()).minCoeff();  // outwards of O's origin
+  const double com_in = inward_O * problem.object.com().head<2>();           // inwards of O's origin
+  const double max_overhang = farthest + com_in - options.com_margin;
+  if (max_overhang < options.min_overhang) return std::nullopt;
+  const double overhang = uniform(options.min_overhang, max_overhang);
+  Planar object_S = Planar::Identity();
+  object_S.linear() = R;
+  object_S.translation() =
+      edge.a + uniform(0, 1) * (edge.b - edge.a) + (farthest - overhang) * edge.inward;
+  return object_S;
+}
+
+}  // namespace graspless::slide

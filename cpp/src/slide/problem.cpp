@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "graspless/geometry/point_cloud.hpp"
+#include "graspless/slide/problem.hpp"
+
+namespace graspless::slide {
+namespace {
+
+constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5 to 95 % [m]
+
+void check_positive(const std::string& what, double value) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw std::invalid_argument(what + " must be positive, not " + std::to_string(value));
+  }
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+std::vector<double> heights(const std::string& what, const Eigen::Matrix3Xd& p_OP) {
+  if (p_OP.cols() < 3) {
+    throw std::invalid_argument(what + " needs at least 3 points, not " + std::to_string(p_OP.cols()));
+  }
+  const auto bad = p_OP.cols() - p_OP.array().isFinite().colwise().all().count();
+  if (bad > 0) {
+    throw std::invalid_argument(what + " has " + std::to_string(bad) + " points that are not finite, of " +
+                                std::to_string(p_OP.cols()));
+  }
+  return {p_OP.row(2).begin(), p_OP.row(2).end()};
+}
+
+void check_thin(const std::string& what, const std::vector<double>& z, double thickness, double width) {
+  const double spread = quantile(z, 0.95) - quantile(z, 0.05);
+  if (spread > kMaxHeightSpread) {
+    throw std::invalid_argument(what + " is not the top of a thin object: its heights spread over " +
+                                std::to_string(spread) + " m (5 to 95 %), at most " +
+                                std::to_string(kMaxHeightSpread) + " allowed");
+  }
+  check_positive(what + " thickness", thickness);
+  if (thickness > width / 2) {
+    throw std::invalid_argument(what + " is not thin: thickness " + std::to_string(thickness) +
+                                " m, over half its width of " + std::to_string(width) + " m");
+  }
+}
+
+double least_width(const geometry::Polygon& outline) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < outline.size(); ++i) {
+    const Eigen::RowVectorXd across = outline.edge(i).inward.transpose() * outline.vertices();
+    least = std::min(least, across.maxCoeff() - across.minCoeff());
+  }
+  return least;
+}
+
+/// The slab between two heights over a polygon, as convex prisms.
+std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom, double top) {
+  std::vector<geometry::PlacedShape> shapes;
+  for (const geometry::Polygon& part : polygon.convex_parts()) {
+    Eigen::Matrix3Xd vertices(3, 2 * part.size());
+    vertices.topRows<2>() << part.vertices(), part.vertices();
+    vertices.row(2) << Eigen::RowVectorXd::Constant(part.size(), bottom),
+        Eigen::RowVectorXd::Constant(part.size(), top);
+    shapes.push_back({geometry::Convex{vertices}, Eigen::Isometry3d::Identity()});
+  }
+  return shapes;
+}
+
+}  // namespace
+
+Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline, double thickness,
+               const Eigen::Vector2d& com)
+    : name_(std::move(name)),
+      points_(std::move(points)),
+      outline_(std::move(outline)),
+      thickness_(thickness),
+      com_(com.x(), com.y(), thickness / 2),
+      shapes_(prisms(outline_, 0, thickness)) {}
+
+Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline, double thickness,
+                            double spacing) {
+  check_thin("object '" + name + "'", {0}, thickness, least_width(outline));
+  return Object(name, geometry::sample_grid(outline, spacing), outline, thickness, outline.centroid());
+}
+
+Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP, double thickness) {
+  const std::string what = "object '" + name + "' cloud";
+  const std::vector<double> z = heights(what, p_OP);
+  if (thickness == 0) thickness = quantile(z, 0.5);
+  const geometry::Polygon outline = geometry::outline(p_OP.topRows<2>(), what);
+  check_thin(what, z, thickness, least_width(outline));
+  return Object(name, p_OP.topRows<2>(), outline, thickness, p_OP.topRows<2>().rowwise().mean());
+}
+
+Object Object::with_com(const Eigen::Vector3d& com_O) const {
+  const Eigen::Vector2d lower = outline_.vertices().rowwise().minCoeff();
+  const Eigen::Vector2d upper = outline_.vertices().rowwise().maxCoeff();
+  const bool within = com_O.allFinite() && (com_O.head<2>().array() >= lower.array()).all() &&
+                      (com_O.head<2>().array() <= upper.array()).all() && com_O.z() >= 0 &&
+                      com_O.z() <= thickness_;
+  if (!within) {
+    throw std::invalid_argument("com (" + std::to_string(com_O.x()) + ", " + std::to_string(com_O.y()) + ", " +
+                                std::to_string(com_O.z()) + ") must lie within the bounding box of object '" +
+                                name_ + "'");
+  }
+  Object other = *this;
+  other.com_ = com_O;
+  return other;
+}
+
+Object Object::with_mass(double mass) const {
+  check_positive("object '" + name_ + "' mass", mass);
+  Object other = *this;
+  other.mass_ = mass;
+  return other;
+}
+
+Object Object::scaled(double scale) const {
+  check_positive("object '" + name_ + "' scale", scale);
+  Object other(name_, scale * points_, geometry::Polygon(scale * outline_.vertices()), thickness_,
+               scale * com_.head<2>());
+  other.com_.z() = com_.z();
+  other.mass_ = mass_;
+  return other;
+}
+
+Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& masses) {
+  if (masses.size() != points.cols()) {
+    throw std::invalid_argument("masses has " + std::to_string(masses.size()) + " entries for " +
+                                std::to_string(points.cols()) + " points");
+  }
+  if (!masses.allFinite() || !points.allFinite() || (masses.array() < 0).any() || !(masses.sum() > 0)) {
+    throw std::invalid_argument("masses must be finite, not negative, and positive in sum");
+  }
+  return points * masses / masses.sum();
+}
+
+Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab,
+                 double band_width)
+    : goal_band_(polygon, band_width), X_WS_(X_WS), slab_(slab), shapes_(prisms(polygon, -slab, 0)) {
+  check_positive("support slab", slab);
+  const Eigen::Matrix3d R = X_WS.linear();
+  if (!X_WS.matrix().allFinite() || !(R * R.transpose()).isIdentity(1e-6) || R.determinant() < 0) {
+    throw std::invalid_argument("support X_WS must be a rigid pose");
+  }
+  const double tilt = std::acos(std::min(1.0, std::max(-1.0, R(2, 2))));
+  constexpr double kMaxTilt = 1.0471975511965976;
+  if (tilt > kMaxTilt) {
+    throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad, at most " +
+                                std::to_string(kMaxTilt) + " allowed");
+  }
+}
+
+}  // namespace graspless::slide

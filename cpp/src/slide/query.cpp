@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/query.hpp"
+
+#include <cmath>
+
+#include "slide/scenes.hpp"
+
+namespace graspless::slide {
+
+Query::Query(const Problem& problem, const Options& options, const planning::Budget& budget)
+    : problem(problem),
+      options(options),
+      clock(budget),
+      rng(budget.seed),
+      arm(problem),
+      tip_ik(problem.robot, problem.robot.frame(problem.hand.fingertip), arm.joints()),
+      grasp_ik(problem.robot, problem.robot.frame(problem.hand.grasp_frame), arm.joints()),
+      contact(problem, options, arm),
+      free(make_scene(problem)),
+      object_body(free.world().body(kObjectBody)),
+      object_start(planar(problem.support.X_WS().inverse() * problem.X_WO_start)),
+      top(problem.object.thickness()),
+      X_WS(problem.support.X_WS()) {}
+
+Eigen::Isometry3d Query::pressed_tip(const Planar& contact, double depth, double pitch) const {
+  const Eigen::Vector2d heading = contact.linear().col(0);
+  const double shift = contact_shift(problem.hand, depth, pitch, pitch);
+  return X_WS * tip_pose(contact.translation() - shift * heading, top - depth, heading, pitch);
+}
+
+Eigen::VectorXd Query::draw_seed() {
+  if (tip_ik.is_closed_form() || uniform(0, 1) < 0.5) return arm.open();
+  Eigen::VectorXd q(arm.dof());
+  for (int i = 0; i < q.size(); ++i) q[i] = uniform(arm.lower()[i], arm.upper()[i]);
+  return arm.full(q);
+}
+
+double Query::draw_free_joint() {
+  return arm.dof() > kFree ? uniform(arm.lower()[kFree], arm.upper()[kFree]) : 0;
+}
+
+std::vector<Eigen::VectorXd> Query::draw_ik(const robot::Ik& ik, const Eigen::Isometry3d& X_WF,
+                                            const Eigen::VectorXd& near, double free_joint) {
+  ++statistics.ik_calls;
+  std::vector<Eigen::VectorXd> solutions;
+  if (ik.is_closed_form()) {
+    ik.solve_free(X_WF, free_joint, near, solutions);
+  } else if (auto q = ik.solve_near(X_WF, near)) {
+    solutions.push_back(*q);
+  }
+  return solutions;
+}
+
+}  // namespace graspless::slide

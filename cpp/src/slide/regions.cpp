@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "graspless/planning/vector_states.hpp"
+
+namespace graspless::slide {
+
+namespace ob = ompl::base;
+using planning::vector;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+Planar contact_at(const Eigen::Vector2d& point, double yaw) {
+  Planar contact = Planar::Identity();
+  contact.linear() = Eigen::Rotation2Dd(yaw).toRotationMatrix();
+  contact.translation() = point;
+  return contact;
+}
+
+/// A configuration that presses at `contact`; the nearest to `near` of those that one draw gives.
+std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, double depth,
+                                        const Eigen::VectorXd& near, double free_joint) {
+  const Eigen::Isometry3d X_WF = query.pressed_tip(contact, depth, query.options.pitch);
+  std::optional<Eigen::VectorXd> best;
+  double least = std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd near_arm = query.arm.part(near);
+  for (const Eigen::VectorXd& q : query.draw_ik(query.tip_ik, X_WF, near, free_joint)) {
+    const Eigen::VectorXd arm = query.arm.part(q);
+    const double distance = (arm - near_arm).norm();
+    if (distance >= least) continue;
+    least = distance;
+    best = arm;
+  }
+  return best;
+}
+
+double draw_depth(Query& query) { return query.uniform(query.options.min_depth, query.options.max_depth); }
+
+}  // namespace
+
+StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
+    : planning::SampleableRegion(si), query_(query) {}
+
+// Eq. (3): a contact anywhere on the object's top, any yaw, the given pitch, a depth in the band.
+bool StartRegion::try_sample(ob::State* state) const {
+  const auto& points = query_.problem.object.points();
+  const auto i = static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(points.cols()));
+  const Planar contact =
+      contact_at(query_.object_start * Eigen::Vector2d(points.col(i)), query_.uniform(0, 2 * kPi));
+  if (!query_.problem.support.polygon().contains(contact.translation())) {
+    query_.refuse("start: off the support");
+    return false;
+  }
+  const auto arm = press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  if (!arm) {
+    query_.refuse("start: reach");
+    return false;
+  }
+  if (!query_.contact.is_valid(*arm, ContactSpace::Carried{contact, query_.object_start})) {
+    query_.refuse("start: collision");
+    return false;
+  }
+  vector(state, query_.arm.dof()) = *arm;
+  return true;
+}
+
+GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions& motions)
+    : planning::SampleableRegion(si), query_(query), motions_(motions) {}
+
+// Eq. (4): a contact anywhere near the edges, any yaw, the given pitch, a depth in the band.
+bool GoalRegion::try_sample(ob::State* state) const {
+  const auto point = query_.problem.support.goal_band().sample(query_.rng, query_.options.tip_margin);
+  if (!point) {
+    query_.refuse("goal: no room near the edges");
+    return false;
+  }
+  const Planar contact = contact_at(*point, query_.uniform(0, 2 * kPi));
+  const auto arm = press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  if (!arm) {
+    query_.refuse("goal: reach");
+    return false;
+  }
+  if (!query_.contact.is_valid(*arm, std::nullopt)) {
+    query_.refuse("goal: collision");
+    return false;
+  }
+  vector(state, query_.arm.dof()) = *arm;
+  return true;
+}
+
+bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) const {
+  const Eigen::VectorXd q_start = vector(start, query_.arm.dof());
+  const ContactSpace::Carried carried = query_.carried_from(q_start);
+  const auto object_S = draw_graspable_pose(query_.problem, query_.options, query_.rng);
+  if (!object_S) {
+    query_.refuse("goal: overhang against center of mass");
+    return false;
+  }
+  const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
+  const geometry::Polygon& Q = query_.problem.support.polygon();
+  if (!Q.contains(contact.translation()) || Q.depth(contact.translation()) < query_.options.tip_margin) {
+    query_.refuse("goal: fingertip off the support");
+    return false;
+  }
+  const Tip tip = query_.contact.tip_at(q_start);
+  const auto arm = press_at(query_, contact, query_.top - tip.height, query_.arm.full(q_start),
+                            query_.free_joint_of(q_start));
+  if (!arm) {
+    query_.refuse("goal: reach");
+    return false;
+  }
+  if (!query_.contact.is_valid(*arm, carried)) {
+    query_.refuse("goal: collision");
+    return false;
+  }
+  if (!motions_.is_graspable(*object_S)) return false;
+  vector(goal, query_.arm.dof()) = *arm;
+  return true;
+}
+
+bool GoalRegion::isStartGoalPairValid(const ob::State* start, const ob::State* goal) const {
+  ++query_.statistics.pairs;
+  return motions_.is_pair_valid(vector(start, query_.arm.dof()), vector(goal, query_.arm.dof()));
+}
+
+}  // namespace graspless::slide

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "graspless/planning/sampleable_region.hpp"
+#include "slide/motions.hpp"
+#include "slide/query.hpp"
+
+/// What the planner draws from: C_s of Eq. (3), C_g of Eq. (4), and goals that fit a start.
+namespace graspless::slide {
+
+class StartRegion : public planning::SampleableRegion {
+ public:
+  StartRegion(const ompl::base::SpaceInformationPtr& si, Query& query);
+  bool try_sample(ompl::base::State* state) const override;
+
+ private:
+  Query& query_;
+};
+
+class GoalRegion : public planning::SampleableRegion {
+ public:
+  GoalRegion(const ompl::base::SpaceInformationPtr& si, Query& query, Motions& motions);
+  bool try_sample(ompl::base::State* state) const override;
+  bool try_sample_partner(const ompl::base::State* start, ompl::base::State* goal) const override;
+  bool isStartGoalPairValid(const ompl::base::State* start, const ompl::base::State* goal) const override;
+
+ private:
+  Query& query_;
+  Motions& motions_;
+};
+
+}  // namespace graspless::slide

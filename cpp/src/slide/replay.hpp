@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "graspless/collision/world.hpp"
+#include "graspless/slide/slide.hpp"
+
+/// What check() replays a plan in. Nothing here is shared with the search: its own bodies, its own pairs, FCL
+/// without the boxes in front, and contact allowances where the search relies on its bands.
+namespace graspless::slide {
+
+/// Which contacts a segment may have.
+enum class Contacts {
+  none,
+  press,  ///< the sliding finger presses into object and support, to a stated depth
+  close,  ///< the fingers touch the object
+};
+
+class Replay {
+ public:
+  Replay(const Problem& problem, const Options& options, Contacts contacts);
+
+  /// Names of touching pairs, "a - b", with the robot at q and the object at X_WO.
+  std::vector<std::string> touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO);
+
+ private:
+  void add_links();
+  void add_surroundings();
+  void allow_press(const Options& options);
+  void ignore_fingers();
+
+  const Problem& problem_;
+  collision::World world_;
+  std::vector<int> link_of_body_;  // -1 for what is not a link
+  int support_ = 0, object_ = 0;
+};
+
+/// How far the sliding finger reaches below the origin of its tip frame while its pitch is in the tolerated range
+/// [m].
+double finger_below_tip(const Problem& problem, const Options& options);
+
+}  // namespace graspless::slide
