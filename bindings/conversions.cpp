@@ -18,7 +18,8 @@ std::string shape_of(const T& array) {
 }
 
 template <class T>
-[[noreturn]] void refuse_shape(const T& array, const std::string& name, const std::string& expected) {
+[[noreturn]] void refuse_shape(const T& array, const std::string& name,
+                               const std::string& expected) {
   throw std::invalid_argument(name + " has shape " + shape_of(array) + "; it must have shape " +
                               expected);
 }
@@ -51,9 +52,10 @@ Eigen::Isometry3d rigid(const double* rows, const std::string& name) {
   const bool is_rigid = skew < 1e-6 && R.determinant() > 0 &&
                         (X.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() < 1e-6;
   if (!is_rigid) {
-    throw std::invalid_argument(name +
-                                " is not a rigid transform: its upper left 3 x 3 must be a rotation "
-                                "and its last row 0 0 0 1");
+    throw std::invalid_argument(
+        name +
+        " is not a rigid transform: its upper left 3 x 3 must be a rotation "
+        "and its last row 0 0 0 1");
   }
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.linear() = R;
@@ -129,7 +131,8 @@ Configurations to_configurations(const Array& rows, const std::string& name) {
   return result;
 }
 
-Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q, const std::string& name) {
+Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q,
+                                 const std::string& name) {
   if (q.ndim() != 1 || q.shape(0) != robot.dof()) {
     refuse_shape(q, name,
                  "(" + std::to_string(robot.dof()) + ",), one value for each joint of '" +

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pybind11/eigen.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-#include <pybind11/typing.h>
-
-#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <Eigen/Geometry>
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/typing.h>
+
 #include "graspless/robot/robot.hpp"
 
-/// Between numpy and Eigen. In Python many points are rows (N x 3) and poses are 4 x 4; here points are columns
-/// and poses Isometry3d. What Python gives is checked for shape and finite values; `name` is the argument that
-/// std::invalid_argument (ValueError) blames.
+/// Between numpy and Eigen. In Python many points are rows (N x 3) and poses are 4 x 4; here points
+/// are columns and poses Isometry3d. What Python gives is checked for shape and finite values;
+/// `name` is the argument that std::invalid_argument (ValueError) blames.
 namespace graspless::bindings {
 
 namespace py = pybind11;
@@ -46,10 +46,11 @@ Eigen::Isometry3d to_pose(const Array& X, const std::string& name);
 Poses to_poses(const Array& X, const std::string& name);
 Configurations to_configurations(const Array& rows, const std::string& name);
 /// A configuration of this robot: dof() finite values.
-Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q, const std::string& name);
+Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q,
+                                 const std::string& name);
 
 Pose from_pose(const Eigen::Isometry3d& X);
-py::array_t<double> from_poses(const Poses& X);                    ///< N x 4 x 4
+py::array_t<double> from_poses(const Poses& X);                       ///< N x 4 x 4
 Rows from_configurations(const Configurations& q, Eigen::Index dof);  ///< N x dof
 
 /// A pose argument whose default is the identity.
@@ -81,16 +82,32 @@ void bind_field(py::class_<Struct>& cls, const Field<Struct, std::vector<Item>>&
   const auto member = field.member;
   cls.def_property(
       field.name, [member](const Struct& self) { return Tuple(py::tuple(py::cast(self.*member))); },
-      [member](Struct& self, std::vector<Item> value) { self.*member = std::move(value); }, field.doc);
+      [member](Struct& self, std::vector<Item> value) { self.*member = std::move(value); },
+      field.doc);
+}
+
+/// How many members an aggregate has: the most initializers it takes.
+struct Anything {
+  template <class T>
+  operator T() const;
+};
+template <class Struct, class... Given>
+constexpr std::size_t num_members(long) {
+  return sizeof...(Given);
+}
+template <class Struct, class... Given>
+constexpr auto num_members(int) -> decltype(Struct{Given{}..., Anything{}}, std::size_t{}) {
+  return num_members<Struct, Given..., Anything>(0);
 }
 
 /// "Name(field=value, ...)" from attributes of a bound object.
 std::string represent(const py::handle& self, const std::vector<const char*>& names);
 
-/// Binds a plain struct from one table: a constructor of keywords with the struct's own defaults, attributes
-/// that can be read and set, and a repr.
+/// Binds a plain struct from one table: a constructor of keywords with the struct's own defaults,
+/// attributes that can be read and set, and a repr.
 template <class Struct, class... Values>
 void bind_fields(py::class_<Struct>& cls, const char* init_doc, Field<Struct, Values>... fields) {
+  static_assert(num_members<Struct>(0) == sizeof...(Values), "a member is missing in this table");
   const Struct defaults{};
   cls.def(py::init([fields...](Values... values) {
             Struct result;

@@ -3,11 +3,12 @@
 #include <random>
 #include <stdexcept>
 
-#include "conversions.hpp"
 #include "graspless/geometry/band.hpp"
 #include "graspless/geometry/point_cloud.hpp"
 #include "graspless/geometry/polygon.hpp"
 #include "graspless/geometry/shape.hpp"
+
+#include "conversions.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -39,7 +40,8 @@ void bind_shapes(py::module_& m) {
              return validated(Box{to_vector3(size, "box size")}, "box");
            }),
            py::arg("size"), "size: (3,) side lengths [m], positive.")
-      .def_property_readonly("size", [](const Box& box) { return box.size; }, "(3,) side lengths [m].")
+      .def_property_readonly(
+          "size", [](const Box& box) { return box.size; }, "(3,) side lengths [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"size"}); });
 
   py::class_<Sphere>(m, "Sphere", "A sphere centred at its frame's origin.")
@@ -48,15 +50,18 @@ void bind_shapes(py::module_& m) {
       .def_readonly("radius", &Sphere::radius, "[m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"radius"}); });
 
-  py::class_<Capsule>(m, "Capsule",
-                      "All points within radius of the segment from (0, 0, -length/2) to (0, 0, length/2).")
+  py::class_<Capsule>(
+      m, "Capsule",
+      "All points within radius of the segment from (0, 0, -length/2) to (0, 0, length/2).")
       .def(py::init([](double radius, double length) {
              return validated(Capsule{radius, length}, "capsule");
            }),
            py::arg("radius"), py::arg("length"), "radius, length: [m], positive.")
       .def_readonly("radius", &Capsule::radius, "[m].")
       .def_readonly("length", &Capsule::length, "Of the segment, without the two half spheres [m].")
-      .def("__repr__", [](const py::object& self) { return represent(self, {"radius", "length"}); });
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"radius", "length"});
+      });
 
   py::class_<Convex>(m, "Convex", "The convex hull of a set of points.")
       .def(py::init([](const Array& vertices) {
@@ -66,16 +71,16 @@ void bind_shapes(py::module_& m) {
       .def_property_readonly(
           "vertices", [](const Convex& shape) -> Rows3 { return shape.vertices.transpose(); },
           "(N, 3) [m].")
-      .def("__repr__", [](const Convex& shape) {
-        return count("Convex", shape.vertices.cols(), "points");
-      });
+      .def("__repr__",
+           [](const Convex& shape) { return count("Convex", shape.vertices.cols(), "points"); });
 
-  py::class_<Mesh>(m, "Mesh",
-                   "A triangle surface. Only the surface collides: a body wholly inside does not touch it.")
+  py::class_<Mesh>(
+      m, "Mesh",
+      "A triangle surface. Only the surface collides: a body wholly inside does not touch it.")
       .def(py::init([](const Array& vertices, const Indices& triangles) {
-             return validated(
-                 Mesh{to_points3(vertices, "mesh vertices"), to_triangles(triangles, "mesh triangles")},
-                 "mesh");
+             return validated(Mesh{to_points3(vertices, "mesh vertices"),
+                                   to_triangles(triangles, "mesh triangles")},
+                              "mesh");
            }),
            py::arg("vertices"), py::arg("triangles"),
            "vertices: (N, 3) [m]. triangles: (M, 3) indices of vertices.")
@@ -98,7 +103,9 @@ void bind_shapes(py::module_& m) {
       .def_property_readonly(
           "X_BG", [](const PlacedShape& placed) { return from_pose(placed.X_BG); },
           "(4, 4) pose of the shape's own frame G in the body.")
-      .def("__repr__", [](const py::object& self) { return represent(self, {"shape", "X_BG"}); });
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"shape", "X_BG"});
+      });
 
   m.def(
       "read_mesh",
@@ -111,11 +118,14 @@ void bind_shapes(py::module_& m) {
 }
 
 void bind_polygon(py::module_& m) {
-  py::class_<Polygon> polygon(m, "Polygon", "A simple polygon in the plane, counter-clockwise, convex or not.");
+  py::class_<Polygon> polygon(m, "Polygon",
+                              "A simple polygon in the plane, counter-clockwise, convex or not.");
   py::class_<Polygon::Edge>(m, "Edge", "An edge of a polygon.")
       .def_readonly("index", &Polygon::Edge::index, "It leads from vertex `index` to the next.")
-      .def_property_readonly("a", [](const Polygon::Edge& edge) { return edge.a; }, "(2,) first end [m].")
-      .def_property_readonly("b", [](const Polygon::Edge& edge) { return edge.b; }, "(2,) second end [m].")
+      .def_property_readonly(
+          "a", [](const Polygon::Edge& edge) { return edge.a; }, "(2,) first end [m].")
+      .def_property_readonly(
+          "b", [](const Polygon::Edge& edge) { return edge.b; }, "(2,) second end [m].")
       .def_property_readonly(
           "inward", [](const Polygon::Edge& edge) { return edge.inward; },
           "(2,) unit normal that points inside.")
@@ -123,13 +133,14 @@ void bind_polygon(py::module_& m) {
         return represent(self, {"index", "a", "b", "inward"});
       });
   polygon
-      .def(py::init([](const Array& vertices, const std::string& what) {
-             return Polygon(to_points2(vertices, what), what);
-           }),
-           py::arg("vertices"), py::arg("what") = "polygon",
-           "vertices: (N, 2) [m]; a clockwise list is reversed. what: its name in errors.\n\n"
-           "Raises ValueError on fewer than three vertices, a value that is not finite, a repeated\n"
-           "vertex, or a boundary that crosses or touches itself.")
+      .def(
+          py::init([](const Array& vertices, const std::string& what) {
+            return Polygon(to_points2(vertices, what), what);
+          }),
+          py::arg("vertices"), py::arg("what") = "polygon",
+          "vertices: (N, 2) [m]; a clockwise list is reversed. what: its name in errors.\n\n"
+          "Raises ValueError on fewer than three vertices, a value that is not finite, a repeated\n"
+          "vertex, or a boundary that crosses or touches itself.")
       .def_property_readonly(
           "vertices", [](const Polygon& self) -> Rows2 { return self.vertices().transpose(); },
           "(N, 2) [m], counter-clockwise.")
@@ -137,39 +148,52 @@ void bind_polygon(py::module_& m) {
       .def_property_readonly("area", &Polygon::area, "[m^2], positive.")
       .def_property_readonly("centroid", &Polygon::centroid, "(2,) centroid of the area [m].")
       .def_property_readonly("is_convex", &Polygon::is_convex, "Whether no corner is reflex.")
-      .def("contains",
-           [](const Polygon& self, const Array& p) { return self.contains(to_vector2(p, "p")); },
-           py::arg("p"), "Whether the point p, (2,) [m], lies inside.")
-      .def("depth", [](const Polygon& self, const Array& p) { return self.depth(to_vector2(p, "p")); },
-           py::arg("p"), "Distance from p, (2,), to the boundary [m]; positive inside, negative outside.")
-      .def("edge",
-           [](const Polygon& self, int index) {
-             if (index < 0 || index >= self.size()) {
-               throw std::invalid_argument("index is " + std::to_string(index) +
-                                           "; the polygon has edges 0 to " +
-                                           std::to_string(self.size() - 1));
-             }
-             return self.edge(index);
-           },
-           py::arg("index"), "The edge from vertex `index` to the next.")
-      .def("nearest_edge",
-           [](const Polygon& self, const Array& p) { return self.nearest_edge(to_vector2(p, "p")); },
-           py::arg("p"), "The edge nearest to p, (2,) [m].")
+      .def(
+          "contains",
+          [](const Polygon& self, const Array& p) { return self.contains(to_vector2(p, "p")); },
+          py::arg("p"), "Whether the point p, (2,) [m], lies inside.")
+      .def(
+          "depth",
+          [](const Polygon& self, const Array& p) { return self.depth(to_vector2(p, "p")); },
+          py::arg("p"),
+          "Distance from p, (2,), to the boundary [m]; positive inside, negative outside.")
+      .def(
+          "edge",
+          [](const Polygon& self, int index) {
+            if (index < 0 || index >= self.size()) {
+              throw std::invalid_argument("index is " + std::to_string(index) +
+                                          "; the polygon has edges 0 to " +
+                                          std::to_string(self.size() - 1));
+            }
+            return self.edge(index);
+          },
+          py::arg("index"), "The edge from vertex `index` to the next.")
+      .def(
+          "nearest_edge",
+          [](const Polygon& self, const Array& p) { return self.nearest_edge(to_vector2(p, "p")); },
+          py::arg("p"), "The edge nearest to p, (2,) [m].")
       .def("convex_parts", &Polygon::convex_parts, py::call_guard<py::gil_scoped_release>(),
            "Convex polygons that cover this one without overlap.")
-      .def("__repr__", [](const Polygon& self) { return count("Polygon", self.size(), "vertices"); });
+      .def("__repr__",
+           [](const Polygon& self) { return count("Polygon", self.size(), "vertices"); });
 }
 
 void bind_band(py::module_& m) {
-  py::class_<Band>(m, "Band", "The points of a polygon near its edges: what its contraction leaves out.")
+  py::class_<Band>(m, "Band",
+                   "The points of a polygon near its edges: what its contraction leaves out.")
       .def(py::init<const Polygon&, double>(), py::arg("polygon"), py::arg("width"),
-           py::call_guard<py::gil_scoped_release>(), "width: how far the band reaches from the edges [m], positive.")
+           py::call_guard<py::gil_scoped_release>(),
+           "width: how far the band reaches from the edges [m], positive.")
       .def_property_readonly("polygon", &Band::polygon, "The polygon it was made from.")
       .def_property_readonly("width", &Band::width, "[m].")
-      .def_property_readonly("core", &Band::core, "The contracted polygon, in pieces; empty where nothing is left.")
-      .def_property_readonly("exact", &Band::exact, "False where the contraction failed verification.")
-      .def("contains", [](const Band& self, const Array& p) { return self.contains(to_vector2(p, "p")); },
-           py::arg("p"), "Whether the point p, (2,) [m], lies in the band.")
+      .def_property_readonly("core", &Band::core,
+                             "The contracted polygon, in pieces; empty where nothing is left.")
+      .def_property_readonly("exact", &Band::exact,
+                             "False where the contraction failed verification.")
+      .def(
+          "contains",
+          [](const Band& self, const Array& p) { return self.contains(to_vector2(p, "p")); },
+          py::arg("p"), "Whether the point p, (2,) [m], lies in the band.")
       .def(
           "sample",
           [](const Band& self, std::uint64_t seed, double margin) {
@@ -177,9 +201,11 @@ void bind_band(py::module_& m) {
             return self.sample(rng, margin);
           },
           py::arg("seed"), py::arg("margin") = 0.0,
-          "A point of the band, (2,), at least margin [m] inside the boundary, or None when none was found.\n\n"
+          "A point of the band, (2,), at least margin [m] inside the boundary, or None when none "
+          "was found.\n\n"
           "Uniform by area where exact; the same seed gives the same point.")
-      .def("__repr__", [](const Band& self) { return "<Band of width " + text(self.width()) + " m>"; });
+      .def("__repr__",
+           [](const Band& self) { return "<Band of width " + text(self.width()) + " m>"; });
 }
 
 }  // namespace
@@ -203,8 +229,10 @@ void bind_geometry(py::module_ m) {
         return outline(columns, what);
       },
       py::arg("points"), py::arg("what") = "points",
-      "The outer boundary of planar points (N, 2) [m]: their tightest alpha shape in one simple piece.\n\n"
-      "Holes are filled. Raises ValueError when the points are fewer than three, not finite or on a line.");
+      "The outer boundary of planar points (N, 2) [m]: their tightest alpha shape in one simple "
+      "piece.\n\n"
+      "Holes are filled. Raises ValueError when the points are fewer than three, not finite or on "
+      "a line.");
 }
 
 }  // namespace graspless::bindings

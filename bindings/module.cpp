@@ -22,5 +22,6 @@ PYBIND11_MODULE(_core, m) {
   bind_collision(m.def_submodule("collision", "Bodies at poses, and which of them touch."));
   bind_scene(m.def_submodule("scene", "A robot among bodies."));
   bind_planning(m.def_submodule("planning", "What every planner shares: the budget of a query."));
-  bind_slide(m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
+  bind_slide(
+      m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
 }

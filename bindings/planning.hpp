@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
+
+#include <pybind11/pybind11.h>
 
 #include "graspless/planning/budget.hpp"
 
@@ -21,8 +21,9 @@ struct StoppableBudget {
   std::shared_ptr<std::atomic<bool>> stopped = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// Runs `query(planning::Budget)` without the GIL. It is interrupted by Budget.stop() and by a signal whose
-/// Python handler raises (Ctrl-C); what that raised is thrown once the query has returned.
+/// Runs `query(planning::Budget)` without the GIL. It is interrupted by Budget.stop() and by a
+/// signal whose Python handler raises (Ctrl-C); what that raised is thrown once the query has
+/// returned.
 template <class Query>
 auto run_interruptibly(const StoppableBudget& given, const Query& query) {
   namespace py = pybind11;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+
 #include <graspless/scene/scene.hpp>
 #include <graspless/slide/slide.hpp>
-#include <iostream>
 
 // Loads a robot, looks whether it is free above a box, and has a bad problem refused.
 int main(int argc, char** argv) {

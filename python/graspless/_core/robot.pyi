@@ -158,7 +158,7 @@ class Ik:
         """
     def solve_free(self, X_WF: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], free_joint: typing.SupportsFloat | typing.SupportsIndex, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        (K, dof) all solutions within the limits for one value of the free joint [rad]; K is at most 8.
+        (K, dof) all solutions within the limits for one value of the free joint, the group's third [rad].
         
         Raises ValueError for a chain without closed form.
         """

@@ -42,7 +42,7 @@ class Scene:
         """
     def collision(self, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> tuple[str, str] | None:
         """
-        The first touching pair at q, (dof,), by name, or None.
+        The first touching pair at q, (dof,), by name, or None. Limits are not looked at.
         """
     def detach(self, body: str | typing.SupportsInt | typing.SupportsIndex) -> None:
         """

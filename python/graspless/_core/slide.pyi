@@ -301,7 +301,7 @@ class Options:
     """
     How to search. The paper's values where it gives one.
     """
-    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, roll_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.001, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, shortcut: bool = True) -> None:
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, height_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, roll_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.001, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, shortcut: bool = True) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -322,6 +322,14 @@ class Options:
         """
     @grasp_approach.setter
     def grasp_approach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def height_tolerance(self) -> float:
+        """
+        Numerical play of the depth band [m].
+        """
+    @height_tolerance.setter
+    def height_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def lift_height(self) -> float:
