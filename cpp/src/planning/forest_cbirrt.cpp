@@ -152,7 +152,7 @@ bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) co
 
 // What stands in front of Algorithm 1: most queries end here, before a tree has grown.
 bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
-  constexpr int kRounds = 64;
+  constexpr int kRounds = 200;
   Meeting meeting;
   for (int i = 0; i < kRounds && !ptc; ++i) {
     const int root = add_from_region(*start_forest_);
@@ -256,15 +256,18 @@ bool ForestCBiRRT::accept(int start_root, int goal_root, const std::vector<Meeti
     at = in_start ? meeting.start_node : meeting.goal_node;
   }
   append(*goal_forest_, at, goal_root);
-  if (motion_check_) {
-    for (std::size_t i = known; i < path->getStateCount(); ++i) {
-      if (!motion_check_(start, path->getState(static_cast<unsigned>(i - 1)),
-                         path->getState(static_cast<unsigned>(i)))) {
-        return false;
-      }
-    }
+  if (path_check_ ? !path_check_(path->getStates()) : !are_motions_valid(start, path->getStates(), known)) {
+    return false;
   }
   pdef_->addSolutionPath(path, false, 0.0, getName());
+  return true;
+}
+
+bool ForestCBiRRT::are_motions_valid(const State* start, const std::vector<State*>& path,
+                                     std::size_t first) const {
+  for (std::size_t i = first; motion_check_ && i < path.size(); ++i) {
+    if (!motion_check_(start, path[i - 1], path[i])) return false;
+  }
   return true;
 }
 

@@ -183,7 +183,7 @@ Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   f.roll = std::asin(std::clamp(R(2, 0), -1.0, 1.0));
   f.other_finger_up = R(2, 1) > 0;
   f.commanded = X_SF.translation().head<2>();
-  f.heading = R.col(2).head<2>().normalized();
+  f.heading = Eigen::Vector2d(R(1, 0), -R(0, 0)).normalized();  // across the line contact X_F
   f.effective = f.commanded;
   if (problem_.hand.finger_model == FingerModel::flexure) {
     // The flexure, a length L behind the commanded tip, stays; the finger turns up about it until its tip is in

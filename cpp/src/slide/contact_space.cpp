@@ -56,17 +56,22 @@ void ContactSpace::rows(const Eigen::VectorXd& arm, BandProjection::Values& valu
                         BandProjection::Jacobian* J) {
   arm_.write(arm, q_);
   problem_.robot.forward_to(fingertip_, q_, X_WL_);
+  row_values(value);
+  if (!J) return;
   const Eigen::Isometry3d& X_WF = X_WL_[static_cast<std::size_t>(fingertip_)];
   const Eigen::Vector3d x = X_WF.linear().col(0), z = X_WF.linear().col(2);
-  value << normal_W_.dot(X_WF.translation() - problem_.support.X_WS().translation()), -z.dot(normal_W_),
-      x.dot(normal_W_);
-  if (!J) return;
   problem_.robot.jacobian(fingertip_, X_WL_, J_);
   const Eigen::Vector3d dpitch = -z.cross(normal_W_), droll = x.cross(normal_W_);  // (w x z).n = w.(z x n)
   for (int i = 0; i < arm_.dof(); ++i) {
     const auto column = J_.col(arm_.joints()[static_cast<std::size_t>(i)]);
     J->col(i) << normal_W_.dot(column.head<3>()), dpitch.dot(column.tail<3>()), droll.dot(column.tail<3>());
   }
+}
+
+void ContactSpace::row_values(BandProjection::Values& value) const {
+  const Eigen::Isometry3d& X_WF = X_WL_[static_cast<std::size_t>(fingertip_)];
+  value << normal_W_.dot(X_WF.translation() - problem_.support.X_WS().translation()),
+      -X_WF.linear().col(2).dot(normal_W_), X_WF.linear().col(0).dot(normal_W_);
 }
 
 Tip ContactSpace::tip_at(const Eigen::VectorXd& arm) {
@@ -79,9 +84,9 @@ Planar ContactSpace::effective_tip_at(const Eigen::VectorXd& arm) {
   return effective_tip(problem_.hand, tip_at(arm), top_, options_.pitch);
 }
 
-bool ContactSpace::keeps_contact(const Eigen::VectorXd& arm, Planar& effective) {
+bool ContactSpace::keeps_contact(Planar& effective) const {
   BandProjection::Values value(3);
-  rows(arm, value, nullptr);
+  row_values(value);
   if (!projection_.is_satisfied(value)) return false;
   const Tip now = tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
   if (!now.other_finger_up) return false;
@@ -108,17 +113,17 @@ void ContactSpace::place_object(const std::optional<Carried>& carried, const Pla
 
 bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried) {
   Planar effective;
-  if (!keeps_contact(arm, effective)) return false;
-  place_object(carried, effective);
   arm_.write(arm, q_);
-  return scene_.is_free(q_);
+  problem_.robot.forward(q_, X_WL_);
+  if (!keeps_contact(effective)) return false;
+  place_object(carried, effective);
+  return scene_.is_free(X_WL_);
 }
 
 bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                   const std::optional<Carried>& carried) {
+                                   const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;
-  const int pieces =
-      std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / options_.resolution)));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / resolution)));
   // Ends first, then inwards: what is wrong shows earliest at the far end.
   for (int i = pieces; i >= 1; --i) {
     if (!is_valid(from + step * i / pieces, carried)) return false;
@@ -134,7 +139,8 @@ std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from,
     if (left <= options_.range) next = to;
     if (!project(next)) return std::nullopt;
     const double now_left = (to - next).norm();
-    if (now_left > left - 1e-3 * options_.range || !is_motion_valid(path.back(), next, carried)) {
+    if (now_left > left - 1e-3 * options_.range ||
+        !is_motion_valid(path.back(), next, carried, options_.resolution)) {
       return std::nullopt;
     }
     path.push_back(next);

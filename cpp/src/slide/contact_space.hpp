@@ -32,10 +32,10 @@ class ContactSpace {
     return projection_.project(arm);
   }
 
-  /// Whether the motion between two near configurations keeps the constraint, free of collision, at steps of
-  /// options.resolution. With `carried`, the object moves along and must not collide either.
+  /// Whether the motion between two near configurations keeps the constraint, free of collision, at joint steps
+  /// of `resolution` [rad]. With `carried`, the object moves along and must not collide either.
   bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                       const std::optional<Carried>& carried);
+                       const std::optional<Carried>& carried, double resolution);
   bool is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried);
   /// The straight motion, projected at steps of options.range; nothing when it is lost on the way.
   std::optional<planning::Path> connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
@@ -58,7 +58,8 @@ class ContactSpace {
  private:
   void rows(const Eigen::VectorXd& arm, planning::BandProjection::Values& value,
             planning::BandProjection::Jacobian* J);
-  bool keeps_contact(const Eigen::VectorXd& arm, Planar& effective);
+  void row_values(planning::BandProjection::Values& value) const;
+  bool keeps_contact(Planar& effective) const;
   void place_object(const std::optional<Carried>& carried, const Planar& effective);
   planning::BandProjection make_projection();
 

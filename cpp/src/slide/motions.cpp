@@ -53,7 +53,8 @@ bool Motions::is_graspable(const Planar& object_S) {
     return false;
   }
   place_object(object_S);
-  return !grasp_configurations(place, 1).empty();
+  drawn_ = {object_S, grasp_configurations(place, 1)};
+  return !drawn_.grasps.empty();
 }
 
 void Motions::place_object(const Planar& object_S) {
@@ -137,6 +138,9 @@ bool Motions::find_handling(Handling& handling, const Eigen::VectorXd& goal) {
 
 bool Motions::find_reach(Handling& handling) {
   auto candidates = grasp_configurations(handling.placement, kGraspCandidates);
+  if (drawn_.object_S.isApprox(handling.object_goal, 1e-9)) {
+    candidates.insert(candidates.end(), drawn_.grasps.begin(), drawn_.grasps.end());
+  }
   if (candidates.empty()) {
     query_.refuse("pair: grasp reach");
     return false;

@@ -64,7 +64,13 @@ class Motions {
   void place_object(const Planar& object_S);
 
   Query& query_;
+  struct Drawn {
+    Planar object_S = Planar::Identity();
+    std::vector<GraspConfiguration> grasps;
+  };
+
   std::map<std::vector<double>, std::optional<Approach>> approaches_;  // by start
+  Drawn drawn_;  // what is_graspable() found last
   std::optional<Approach> valid_approach_;
   std::optional<Handling> handling_;
 };

@@ -20,6 +20,7 @@ using planning::vector;
 namespace {
 
 constexpr int kShortcutRounds = 30;
+constexpr double kCoarse = 0.05;  // joint step while trees grow [rad]; a path found is checked at options.resolution
 
 /// Everything OMPL needs for one query.
 struct Setup {
@@ -61,7 +62,18 @@ Setup make_setup(Query& query, Motions& motions) {
   s.planner->set_motion_check([&query, n](const ob::State* start, const ob::State* a, const ob::State* b) {
     std::optional<ContactSpace::Carried> carried;
     if (start) carried = query.carried_from(vector(start, n));
-    return query.contact.is_motion_valid(vector(a, n), vector(b, n), carried);
+    return query.contact.is_motion_valid(vector(a, n), vector(b, n), carried, kCoarse);
+  });
+  s.planner->set_path_check([&query, n](const std::vector<ob::State*>& path) {
+    const auto carried = query.carried_from(vector(path.front(), n));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (!query.contact.is_motion_valid(vector(path[i - 1], n), vector(path[i], n), carried,
+                                         query.options.resolution)) {
+        query.refuse("path: lost between its nodes");
+        return false;
+      }
+    }
+    return true;
   });
   return s;
 }
@@ -111,7 +123,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
       search.planner->solve(ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     planning::Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
-    if (options.shortcut) slide = shortened(query, std::move(slide));
+    if (options.shortcut && search.planner->num_nodes() > 2 * slide.size()) slide = shortened(query, std::move(slide));
     assemble(query, motions, slide, plan);
   } else {
     plan.status = status_of(status, query, *search.planner);

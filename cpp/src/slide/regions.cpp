@@ -97,33 +97,40 @@ bool GoalRegion::try_sample(ob::State* state) const {
 }
 
 bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) const {
+  constexpr int kDraws = 24;
   const Eigen::VectorXd q_start = vector(start, query_.arm.dof());
   const ContactSpace::Carried carried = query_.carried_from(q_start);
+  const double depth = query_.top - query_.contact.tip_at(q_start).height;
+  for (int i = 0; i < kDraws; ++i) {
+    const auto object_S = draw_object_pose(carried);
+    if (!object_S) continue;
+    const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
+    const auto arm = press_at(query_, contact, depth, query_.arm.full(q_start), query_.free_joint_of(q_start));
+    if (!arm) {
+      query_.refuse("goal: reach");
+    } else if (!query_.contact.is_valid(*arm, carried)) {
+      query_.refuse("goal: collision");
+    } else if (motions_.is_graspable(*object_S)) {
+      vector(goal, query_.arm.dof()) = *arm;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Where the object could go: graspable by construction, the carrying contact still on the support.
+std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& carried) const {
   const auto object_S = draw_graspable_pose(query_.problem, query_.options, query_.rng);
   if (!object_S) {
     query_.refuse("goal: overhang against center of mass");
-    return false;
+    return std::nullopt;
   }
   const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
-  const geometry::Polygon& Q = query_.problem.support.polygon();
-  if (!Q.contains(contact.translation()) || Q.depth(contact.translation()) < query_.options.tip_margin) {
+  if (query_.problem.support.polygon().depth(contact.translation()) < query_.options.tip_margin) {
     query_.refuse("goal: fingertip off the support");
-    return false;
+    return std::nullopt;
   }
-  const Tip tip = query_.contact.tip_at(q_start);
-  const auto arm = press_at(query_, contact, query_.top - tip.height, query_.arm.full(q_start),
-                            query_.free_joint_of(q_start));
-  if (!arm) {
-    query_.refuse("goal: reach");
-    return false;
-  }
-  if (!query_.contact.is_valid(*arm, carried)) {
-    query_.refuse("goal: collision");
-    return false;
-  }
-  if (!motions_.is_graspable(*object_S)) return false;
-  vector(goal, query_.arm.dof()) = *arm;
-  return true;
+  return object_S;
 }
 
 bool GoalRegion::isStartGoalPairValid(const ob::State* start, const ob::State* goal) const {

@@ -28,6 +28,8 @@ class GoalRegion : public planning::SampleableRegion {
   bool isStartGoalPairValid(const ompl::base::State* start, const ompl::base::State* goal) const override;
 
  private:
+  std::optional<Planar> draw_object_pose(const ContactSpace::Carried& carried) const;
+
   Query& query_;
   Motions& motions_;
 };

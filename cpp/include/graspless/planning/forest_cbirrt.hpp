@@ -40,6 +40,10 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   /// Whether the motion between two near states is valid. `start` is the start root of the tree it belongs to,
   /// null where that is not known (in the goal forest; asked again with the root once connected).
   using MotionCheck = std::function<bool(const State* start, const State* from, const State* to)>;
+  /// Whether a whole path of start-forest and goal-forest motions is valid from its start root: the last word,
+  /// for what the motion check leaves out while trees grow. Without it, the motion check is asked again for those
+  /// motions whose start was not known.
+  using PathCheck = std::function<bool(const std::vector<State*>& path)>;
   /// RandomConfig() of the algorithm.
   using RandomConfig = std::function<void(std::mt19937_64&, State*)>;
 
@@ -49,6 +53,7 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   void set_start_region(std::shared_ptr<const ompl::base::GoalSampleableRegion> region);
   void set_projector(Projector projector) { project_ = std::move(projector); }
   void set_motion_check(MotionCheck check) { motion_check_ = std::move(check); }
+  void set_path_check(PathCheck check) { path_check_ = std::move(check); }
   void set_random_config(RandomConfig draw) { random_config_ = std::move(draw); }
   void set_seed(std::uint64_t seed) { rng_.seed(seed); }
   void set_root_scale(double root_scale);  ///< N* of Eq. (5), positive; 100
@@ -83,6 +88,7 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   bool draw(const ompl::base::GoalSampleableRegion& region, State* state) const;
   int extend(Forest& forest, int from, const State* target);
   bool is_motion_valid(const State* start, const State* from, const State* to) const;
+  bool are_motions_valid(const State* start, const std::vector<State*>& path, std::size_t first) const;
   bool solves(const Meeting& meeting);
   bool is_pair_valid(int start_root, int goal_root);
   bool accept(int start_root, int goal_root, const std::vector<Meeting>& route);
@@ -90,6 +96,7 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   std::shared_ptr<const ompl::base::GoalSampleableRegion> start_region_;
   Projector project_;
   MotionCheck motion_check_;
+  PathCheck path_check_;
   RandomConfig random_config_;
   ompl::base::StateSamplerPtr sampler_;
   std::mt19937_64 rng_{1};
