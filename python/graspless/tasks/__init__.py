@@ -85,8 +85,9 @@ def load_task(path: str | Path) -> Task:
     from .resolve import resolve
 
     source = read_yaml(path)
-    fields = resolve(source.validate(model.SlideTask), source, Path(path).resolve().parent)
-    return _task(fields, source)
+    named = source.validate(model.SlideTask)
+    fields, hand_source = resolve(named, source, Path(path).resolve().parent)
+    return _task(fields, source, hand_source)
 
 
 def task_from_dict(document: Any, file: str) -> Task:
@@ -110,13 +111,13 @@ def task_from_dict(document: Any, file: str) -> Task:
     if isinstance(fields.hand, str):
         raise source.error(("hand",), "must stand in the plan file itself")
     check_files(fields, source)
-    return _task(fields, source)
+    return _task(fields, source, source)
 
 
-def _task(fields: model.SlideTask, source: Source) -> Task:
+def _task(fields: model.SlideTask, source: Source, hand_source: Source) -> Task:
     from .build import build
 
-    return _with_search(fields, build(fields, source), source)
+    return _with_search(fields, build(fields, source, hand_source), source)
 
 
 def _with_search(fields: model.SlideTask, problem: slide.Problem, source: Source) -> Task:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -30,13 +31,24 @@ def at(source: Source, *location: str | int) -> Iterator[None]:
     except TaskError:
         raise
     except ValueError as error:
+        named = re.match(r"(options|hand)\.(\w+) (.*)", str(error), re.DOTALL)
+        if named and named[1] == location[0]:  # the core names the field too
+            raise source.error((named[1], named[2]), named[3]) from None
         raise source.error(location, str(error)) from None
 
 
-def build(task: model.SlideTask, source: Source) -> slide.Problem:
-    """The problem that a resolved task states; faults name the place in `source`."""
+def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
+    """The problem that a resolved task states.
+
+    Parameters
+    ----------
+    task : SlideTask
+        Resolved.
+    source, hand_source : Source
+        Where the task and the hand's fields stand; faults name the place.
+    """
     robot = build_robot(task.robot, source)
-    hand = build_hand(task)
+    hand = build_hand(task, robot, hand_source)
     X_WS = support_pose(task.support)
     pose = task.object.pose
     assert pose is not None
@@ -49,6 +61,12 @@ def build(task: model.SlideTask, source: Source) -> slide.Problem:
         build_home(task.robot, hand, robot, source),
         [build_obstacle(obstacle, source, i) for i, obstacle in enumerate(task.obstacles)],
     )
+    try:
+        slide.validate(problem)
+    except ValueError as error:
+        at_home = str(error).startswith("q_home")
+        location = ("robot", "home") if at_home else ("object", "pose")
+        raise source.error(location, str(error).removeprefix("q_home: ")) from None
     return problem
 
 
@@ -85,12 +103,26 @@ def build_home(
     return q_home
 
 
-def build_hand(task: model.SlideTask) -> slide.Hand:
+def build_hand(task: model.SlideTask, robot: robots.Robot, source: Source) -> slide.Hand:
     assert not isinstance(task.hand, str)
     fields = task.hand.model_dump(exclude_none=True) if task.hand else {}
     if "finger_model" in fields:
         fields["finger_model"] = slide.FingerModel.__members__[fields["finger_model"]]
-    return slide.Hand(**fields)
+    hand = slide.Hand(**fields)
+    place = ("hand",) if "hand" in _given(source) else ()
+    for field in ("fingertip", "grasp_frame"):
+        with at(source, *place, field):
+            robot.frame(getattr(hand, field))
+    for field in ("sliding_finger", "fingers"):
+        for link in getattr(hand, field):
+            with at(source, *place, field):
+                robot.frame(link)
+    for field in ("open", "closed"):
+        with at(source, *place, field):
+            robot.state(getattr(hand, field))
+    with at(source, *place, "arm"):
+        robot.group(hand.arm)
+    return hand
 
 
 def build_object(thing: model.Object, source: Source) -> slide.Object:
@@ -112,7 +144,7 @@ def build_object(thing: model.Object, source: Source) -> slide.Object:
             built = built.with_mass(thing.mass)
     if thing.com is not None:
         with at(source, "object", "com"):
-            com = [*thing.com, built.com[2]][:3] if len(thing.com) == 2 else thing.com
+            com = thing.com if len(thing.com) == 3 else [*thing.com, built.com[2]]
             built = built.with_com(np.array(com, dtype=float))
     if thing.masses is not None:
         with at(source, "object", "masses"):
@@ -181,10 +213,12 @@ def build_options(task: model.SlideTask, source: Source) -> slide.Options:
         fields["search"] = slide.Search.__members__[fields["search"]]
     with at(source, "options"):
         options = slide.Options(**fields)
-    if options.min_depth > options.max_depth:
+    if options.min_depth > options.max_depth:  # the core blames the second, whichever is given
         field = "min_depth" if "min_depth" in fields else "max_depth"
         what = f"min_depth is {options.min_depth:g}, max_depth {options.max_depth:g}; "
         raise source.error(("options", field), what + "the first must not be larger")
+    with at(source, "options"):
+        slide.validate(options)
     return options
 
 

@@ -259,6 +259,7 @@ class Options(Fields):
     pitch_tolerance: NotNegative | None = Field(default=None, description="[rad]")
     min_depth: NotNegative | None = Field(default=None, description="[m]")
     max_depth: NotNegative | None = Field(default=None, description="[m]")
+    height_tolerance: Positive | None = Field(default=None, description="[m]")
     roll_tolerance: Positive | None = Field(default=None, description="[rad]")
     root_scale: Positive | None = None
     min_overhang: NotNegative | None = Field(default=None, description="[m]")
@@ -275,7 +276,7 @@ class Budget(Fields):
     """Time and randomness: graspless.planning.Budget."""
 
     seconds: Positive | None = Field(default=None, description="wall clock [s]")
-    iterations: Annotated[int, Field(ge=0)] | None = None
+    iterations: Annotated[int, Field(ge=0, lt=2**63)] | None = None
     seed: Annotated[int, Field(ge=0, lt=2**64)] | None = None
 
 

@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 LARGEST = 2.0  # [m]; wider than this, a cloud of something to slide is in millimetres
 
 
-def resolve(task: model.SlideTask, source: Source, directory: Path) -> model.SlideTask:
+def resolve(
+    task: model.SlideTask, source: Source, directory: Path
+) -> tuple[model.SlideTask, Source]:
     """The same task with URDF, SRDF, hand and cloud inline and with absolute paths of meshes.
 
     Parameters
@@ -34,9 +36,14 @@ def resolve(task: model.SlideTask, source: Source, directory: Path) -> model.Sli
         Where it stands; for errors.
     directory : Path
         What relative paths are relative to.
+
+    Returns
+    -------
+    tuple of SlideTask and Source
+        The task, and where its hand's fields stand.
     """
     robot, hand_file = _resolve_robot(task.robot, source, directory)
-    hand = _resolve_hand(task.hand, hand_file, source, directory)
+    hand, hand_source = _resolve_hand(task.hand, hand_file, source, directory)
     obstacles = [
         _resolve_obstacle(obstacle, source, i, directory)
         for i, obstacle in enumerate(task.obstacles)
@@ -50,7 +57,7 @@ def resolve(task: model.SlideTask, source: Source, directory: Path) -> model.Sli
         }
     )
     resolved.files = {str(path): checksum(path) for path in sorted(_meshes(resolved))}
-    return resolved
+    return resolved, hand_source
 
 
 def checksum(path: Path) -> str:
@@ -166,20 +173,18 @@ def _expand_xacro(path: Path, arguments: dict[str, Any], packages: dict[str, str
 
 def _resolve_hand(
     hand: model.Hand | str | None, beside: Path | None, source: Source, directory: Path
-) -> model.Hand:
+) -> tuple[model.Hand, Source]:
     if isinstance(hand, model.Hand):
-        return hand
+        return hand, source
+    path = beside
     if isinstance(hand, str):
         path = directory / hand
         if not path.is_file():
             raise source.error(("hand",), "no such file")
-        read = read_yaml(path)
-        fields: model.Hand = read.validate(model.Hand)
-        return fields
-    if beside is not None and beside.is_file():
-        fields = read_yaml(beside).validate(model.Hand)
-        return fields
-    return model.Hand()
+    if path is None or not path.is_file():
+        return model.Hand(), source
+    read = read_yaml(path)
+    return read.validate(model.Hand), read
 
 
 def _resolve_object(
