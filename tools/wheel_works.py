@@ -1,4 +1,4 @@
-"""Plans a slide with the installed package alone, and says which libraries that loaded from where."""
+"""Plans a slide with the installed package alone; says which libraries came from where."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import sys
 import graspless
 from graspless import planning, robot, slide
 from graspless._data import directory
+
 
 def main() -> int:
     package = pathlib.Path(graspless.__file__).parent

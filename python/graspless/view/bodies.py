@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..frames import Matrix
-    from ..tasks import Task
-    from ..tasks import model
+    from ..tasks import Task, model
     from .film import Film
 
 Color = tuple[float, float, float]
