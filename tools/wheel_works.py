@@ -5,6 +5,8 @@ from __future__ import annotations
 import pathlib
 import sys
 
+import numpy as np
+
 import graspless
 from graspless import planning, robot, slide
 from graspless._data import directory
@@ -13,13 +15,13 @@ from graspless._data import directory
 def main() -> int:
     package = pathlib.Path(graspless.__file__).parent
     wam = robot.Robot.from_urdf_file(str(directory("urdf") / "wam_t42.urdf"))
-    square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
-    place = [[1, 0, 0, 0.65], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    place = np.eye(4)
+    place[0, 3] = 0.65
     q_home = wam.state("open").copy()
     q_home[3] = 1.5708
-    scaled = [[[x * s for x in row] for row in square] for s in (0.05, 0.35)]
-    card = slide.Object.from_polygon("card", scaled[0], thickness=0.004)
-    table = slide.Support(scaled[1], place)
+    card = slide.Object.from_polygon("card", 0.05 * square, thickness=0.004)
+    table = slide.Support(0.35 * square, place)
     problem = slide.Problem(wam, slide.Hand(), card, table, place, q_home)
     plan = slide.plan(problem, budget=planning.Budget(seconds=20))
     faults = slide.check(problem, plan) if plan else [plan.reason]

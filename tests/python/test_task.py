@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tasks_common import GOOD, changed
 
 import graspless
 from graspless import TaskError, _data, frames, slide
 from graspless.tasks import model, task_from_dict
 from graspless.tasks.clouds import read_cloud
 from graspless.tasks.source import parse_yaml
-from tasks_common import GOOD, changed
 
 CARD = "rectangle: {size: [0.10, 0.08]}"
 TABLE = "rectangle: {center: [0.65, 0.0], size: [0.7, 0.7]}"

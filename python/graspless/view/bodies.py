@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..frames import Matrix
-    from ..tasks import Task, model
+    from ..tasks import Task
+    from ..tasks import model
     from .film import Film
 
 Color = tuple[float, float, float]
