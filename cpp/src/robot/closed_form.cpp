@@ -78,23 +78,35 @@ struct ClosedForm::Turn {
 };
 
 /// Subproblem 2: rotations with first(second(u)) = v, for unit vectors u and v. Between the two
-/// lies z = alpha a1 + beta a2 +- gamma a1 x a2, which has v's component along a1 and u's along a2.
+/// lies z, which has v's component along a1 and u's along a2. Near an axis the cosine hides how far
+/// off it z is, so z is built around the axis that it is nearer to, from the length of what lies
+/// across that axis.
 struct ClosedForm::TwoTurns {
-  TwoTurns(const Vector3d& a1, const Vector3d& a2, const Vector3d& u, const Vector3d& v)
-      : normal(a1.cross(a2)) {
-    const double cosine = a1.dot(a2), along1 = a1.dot(v), along2 = a2.dot(u);
-    const double sine2 = normal.squaredNorm();
-    const double alpha = (along1 - cosine * along2) / sine2;
-    const double beta = (along2 - cosine * along1) / sine2;
-    in_plane = alpha * a1 + beta * a2;
-    const double gamma2 = (1 - in_plane.squaredNorm()) / sine2;
-    count = gamma2 < -kClamp ? 0 : gamma2 <= 0 ? 1 : 2;
-    gamma = gamma2 > 0 ? std::sqrt(gamma2) : 0;
+  TwoTurns(const Vector3d& a1, const Vector3d& a2, const Vector3d& u, const Vector3d& v) {
+    const double along1 = a1.dot(v), along2 = a2.dot(u);
+    if (std::abs(along1) > std::abs(along2)) {
+      build(a1, a2, along1, along2, across(a1, v).squaredNorm());
+    } else {
+      build(a2, a1, along2, along1, across(a2, u).squaredNorm());
+    }
   }
-  Vector3d between(int i) const { return in_plane + (i == 0 ? gamma : -gamma) * normal; }
 
-  Vector3d normal, in_plane;
-  double gamma;
+  /// `square` is that of z's part across a, the axis z is built around; b is the other.
+  void build(const Vector3d& a, const Vector3d& b, double along_a, double along_b, double square) {
+    const double cosine = a.dot(b);
+    const Vector3d cross = a.cross(b);
+    const double sine = cross.norm();
+    const double x = (along_b - cosine * along_a) / sine;  // of z in the plane of a and b, across a
+    const double y2 = square - x * x;                      // square of what sticks out of it
+    in_plane = along_a * a + x / sine * (b - cosine * a);
+    out_of_plane = std::sqrt(std::max(0.0, y2)) / sine * cross;
+    const double slack = kClamp * (std::sqrt(square) + kClamp);
+    count = y2 < -slack ? 0 : y2 <= 0 ? 1 : 2;
+  }
+
+  Vector3d between(int i) const { return in_plane + (i == 0 ? 1 : -1) * out_of_plane; }
+
+  Vector3d in_plane, out_of_plane;
   int count;
 };
 
@@ -108,6 +120,7 @@ struct ClosedForm::Search {
   Vector3d p_SW;   // unit, from the shoulder to where the wrist must be
   double reach;    // its distance [m]
   Vector3d a7, b;  // where axis 7 and the vector across it must point
+  Turn turn3;
   double q[7];
 
   double free(int i) const { return seed[wraps.group()[i]]; }
@@ -140,7 +153,6 @@ struct ClosedForm::Search {
   }
 
   void shoulder(const Turn& turn4) {
-    const Turn turn3 = Turn::by(q[2]);
     const Vector3d p_SE = arm.elbow_ - arm.shoulder_;
     const Vector3d p_SW4 = p_SE + turn4.apply(arm.axis_[3], arm.wrist_ - arm.elbow_);
     const Vector3d u = turn3.apply(arm.axis_[2], p_SW4) / reach;
@@ -199,8 +211,8 @@ int ClosedForm::solve(const Eigen::Isometry3d& X_P7, double q3, const Eigen::Vec
   const double reach = p_SW.norm();
   if (!(reach > kMeet) || !std::isfinite(reach) || !wraps.fits(2, q3)) return count;
   const Matrix3d R = X_P7.linear() * R_7P_;
-  Search search{*this,        q,     wraps,        count,       solutions,
-                p_SW / reach, reach, R * axis_[6], R * across_, {}};
+  Search search{*this,        q,           wraps,        count, solutions, p_SW / reach, reach,
+                R * axis_[6], R * across_, Turn::by(q3), {}};
   search.q[2] = q3;
   search.elbow();
   return search.count;

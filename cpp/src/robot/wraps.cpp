@@ -26,10 +26,27 @@ Wraps::Wraps(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, std::ve
   }
   lower_ = exact_lower_.array() - kSlack;
   upper_ = exact_upper_.array() + kSlack;
+  for (Eigen::Index i = 0; i < n; ++i)
+    several_.push_back(turns_[i] && upper_[i] - lower_[i] >= kTurn);
 }
 
 double Wraps::first(int i, double value) const {
   return value + kTurn * std::ceil((lower_[i] - value) / kTurn);
+}
+
+int Wraps::values(int i, double value, double near, double* found) const {
+  if (!fits(i, value)) return 0;
+  if (!several_[i]) {
+    found[0] = value >= lower_[i] && value <= upper_[i] ? value : first(i, value);
+    return 1;
+  }
+  const double nearest = value + kTurn * std::round((near - value) / kTurn);
+  int count = 0;
+  for (const double turns : {0.0, -1.0, 1.0}) {
+    const double wrap = nearest + turns * kTurn;
+    if (wrap >= lower_[i] && wrap <= upper_[i]) found[count++] = wrap;
+  }
+  return count;
 }
 
 int Wraps::append(const double* values, const Eigen::VectorXd& q, int count,
@@ -48,16 +65,14 @@ int Wraps::append(const double* values, const Eigen::VectorXd& q, int count,
   };
   push(-1);
   for (int i = 0; i < size(); ++i) {
+    double wraps[3];
+    const double near = std::clamp(q[group_[i]], exact_lower_[i], exact_upper_[i]);
+    const int found = this->values(i, values[i], near, wraps);
+    if (found == 0) return begin;
     const int end = count;  // each solution so far gets every value of joint i
-    double value = turns_[i] ? first(i, values[i]) : values[i];
-    if (!(value >= lower_[i] && value <= upper_[i])) return begin;
-    for (bool is_first = true; value <= upper_[i]; value += kTurn, is_first = false) {
-      const double clamped = std::clamp(value, exact_lower_[i], exact_upper_[i]);
-      for (int k = begin; k < end; ++k) {
-        const int column = is_first ? k : push(k);
-        solutions(group_[i], column) = clamped;
-      }
-      if (!turns_[i]) break;
+    for (int w = 0; w < found; ++w) {
+      const double value = std::clamp(wraps[w], exact_lower_[i], exact_upper_[i]);
+      for (int k = begin; k < end; ++k) solutions(group_[i], w == 0 ? k : push(k)) = value;
     }
   }
   return count;

@@ -32,10 +32,13 @@ class Wraps {
              Eigen::MatrixXd& solutions) const;
 
  private:
+  /// Up to three values of the i-th joint, the nearest to `near` first.
+  int values(int i, double value, double near, double* found) const;
   double first(int i, double value) const;  // the smallest wrap that is not below the lower limit
 
   std::vector<int> group_;
   std::vector<bool> turns_;
+  std::vector<bool> several_;                  // wide enough for more than one
   Eigen::VectorXd lower_, upper_;              // of the group, with a slack for rounding
   Eigen::VectorXd exact_lower_, exact_upper_;  // without
 };

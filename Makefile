@@ -1,0 +1,41 @@
+# Each target installs what it needs first: Debian packages (with sudo unless root), .venv and the build.
+.PHONY: demo test lint format stubs bench wheel asan clean
+
+demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.html
+	@tools/install view
+	@.venv/bin/graspless example slide --output demo/
+
+test:  ## C++ and Python tests
+	@tools/install test,view GRASPLESS_TESTS=ON
+	ctest --test-dir build/dev --output-on-failure --no-tests=error
+	.venv/bin/pytest
+
+lint:  ## what a commit must pass: ruff, mypy, clang-format, codespell
+	@tools/install lint,view
+	@tools/lint
+
+format:
+	@tools/install lint
+	@tools/lint --fix
+
+stubs:  ## python/graspless/_core/*.pyi, from the extension
+	@tools/install test
+	.venv/bin/python tools/stubs.py python/graspless/_core
+
+bench:  ## the paper's grid, a hundred queries a cell
+	@tools/install view
+	.venv/bin/graspless bench slide --grid paper --runs 100 --seed 1
+
+wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with those hidden
+	@tools/install wheel
+	@tools/build-wheel
+	@tools/test-wheel wheelhouse/*.whl
+
+asan:  ## the C++ tests under address and undefined-behaviour sanitizers, leaks included
+	@tools/install test
+	cmake --preset asan
+	cmake --build --preset asan
+	ctest --preset asan
+
+clean:
+	rm -rf build dist wheelhouse demo .venv

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/collision/world.hpp"
+
+#include "conversions.hpp"
+
+namespace graspless::bindings {
+namespace {
+
+using collision::World;
+
+int body_index(const World& world, const Key& body) {
+  if (const auto* name = std::get_if<std::string>(&body)) {
+    return world.body(*name);
+  }
+  const int index = std::get<int>(body);
+  if (index < 0 || index >= world.num_bodies()) {
+    throw std::invalid_argument("body is " + std::to_string(index) + "; the world has " +
+                                std::to_string(world.num_bodies()) + " bodies");
+  }
+  return index;
+}
+
+}  // namespace
+
+void bind_collision(py::module_ m) {
+  py::class_<World>(
+      m, "World",
+      "Bodies at poses, and which pairs of them must not touch. Knows no robot.\n\n"
+      "Bodies are named by their index or their name. Not for several threads at once: copy it.")
+      .def(py::init<>(), "A world without bodies.")
+      .def(
+          "__copy__", [](const World& self) { return World(self); },
+          "A copy that shares the shapes.")
+      .def("add_body", &World::add_body, py::arg("name"), py::arg("shapes"),
+           "Adds a body of one or more PlacedShape, at the identity; returns its index.\n\n"
+           "Raises ValueError on a bad shape or a name already taken.")
+      .def_property_readonly("num_bodies", &World::num_bodies, "How many bodies there are.")
+      .def("body", &World::body, py::arg("name"), "Index of a body; ValueError lists the bodies.")
+      .def(
+          "name",
+          [](const World& self, const Key& body) { return self.name(body_index(self, body)); },
+          py::arg("body"), "Name of a body.")
+      .def(
+          "set_pose",
+          [](World& self, const Key& body, const Array& X_WB) {
+            self.set_pose(body_index(self, body), to_pose(X_WB, "X_WB"));
+          },
+          py::arg("body"), py::arg("X_WB"), "Moves a body to the pose X_WB, (4, 4), in the world.")
+      .def(
+          "pose",
+          [](const World& self, const Key& body) {
+            return from_pose(self.pose(body_index(self, body)));
+          },
+          py::arg("body"), "(4, 4) pose of a body in the world.")
+      .def(
+          "add_pair",
+          [](World& self, const Key& a, const Key& b) {
+            self.add_pair(body_index(self, a), body_index(self, b));
+          },
+          py::arg("a"), py::arg("b"), "Tests bodies a and b against each other from now on.")
+      .def(
+          "remove_pair",
+          [](World& self, const Key& a, const Key& b) {
+            self.remove_pair(body_index(self, a), body_index(self, b));
+          },
+          py::arg("a"), py::arg("b"), "No longer tests bodies a and b against each other.")
+      .def(
+          "allow_contact",
+          [](World& self, const Key& a, const Key& b, const Array& normal_W, double depth) {
+            self.allow_contact(body_index(self, a), body_index(self, b),
+                               to_vector3(normal_W, "normal_W"), depth);
+          },
+          py::arg("a"), py::arg("b"), py::arg("normal_W"), py::arg("depth"),
+          "Lets a press up to depth [m] into b along -normal_W, (3,); depth 0 ends the "
+          "allowance.\n\n"
+          "Raises ValueError on a negative depth, a pair not tested or a zero normal.")
+      .def_property_readonly("pairs", &World::pairs, "Pairs of body indices that are tested.")
+      .def("collides", &World::collides, "Whether any tested pair touches.")
+      .def("first_collision", &World::first_collision, "The first touching pair found, or None.")
+      .def("all_collisions", &World::all_collisions, "Every touching pair.")
+      .def(
+          "distance_bounds", [](World& self) { return self.distance_bounds(); },
+          "For each tested pair, in the order of pairs, a lower bound on its distance [m].")
+      .def_property_readonly("num_checks", &World::num_checks, "Configurations tested so far.")
+      .def("__repr__", [](const World& self) {
+        return "<World of " + std::to_string(self.num_bodies()) + " bodies, " +
+               std::to_string(self.pairs().size()) + " pairs tested>";
+      });
+}
+
+}  // namespace graspless::bindings

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/typing.h>
+
+#include "graspless/robot/robot.hpp"
+
+/// Between numpy and Eigen. In Python many points are rows (N x 3) and poses are 4 x 4; here points
+/// are columns and poses Isometry3d. What Python gives is checked for shape and finite values;
+/// `name` is the argument that std::invalid_argument (ValueError) blames.
+namespace graspless::bindings {
+
+namespace py = pybind11;
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Rows2 = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Rows3i = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Pose = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+using Configurations = std::vector<Eigen::VectorXd>;
+using Poses = std::vector<Eigen::Isometry3d>;
+
+/// `size` values, or any number when it is negative.
+Eigen::VectorXd to_vector(const Array& values, const std::string& name, Eigen::Index size = -1);
+Eigen::Vector2d to_vector2(const Array& values, const std::string& name);
+Eigen::Vector3d to_vector3(const Array& values, const std::string& name);
+Eigen::Matrix2Xd to_points2(const Array& rows, const std::string& name);
+Eigen::Matrix3Xd to_points3(const Array& rows, const std::string& name);
+Eigen::Matrix3Xi to_triangles(const Indices& rows, const std::string& name);
+/// Throws unless X is a rigid transform (to 1e-6); its rotation is made orthonormal.
+Eigen::Isometry3d to_pose(const Array& X, const std::string& name);
+Poses to_poses(const Array& X, const std::string& name);
+Configurations to_configurations(const Array& rows, const std::string& name);
+/// A configuration of this robot: dof() finite values.
+Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q,
+                                 const std::string& name);
+
+Pose from_pose(const Eigen::Isometry3d& X);
+py::array_t<double> from_poses(const Poses& X);                       ///< N x 4 x 4
+Rows from_configurations(const Configurations& q, Eigen::Index dof);  ///< N x dof
+
+/// A pose argument whose default is the identity.
+py::arg_v pose_arg(const char* name);
+
+/// What may stand for a frame or a body: its name or its index.
+using Key = std::variant<std::string, int>;
+int frame_index(const robot::Robot& robot, const Key& frame, const std::string& name = "frame");
+
+/// A member of a plain struct, and what Python shall call and say of it.
+template <class Struct, class Value>
+struct Field {
+  const char* name;
+  Value Struct::*member;
+  const char* doc;
+};
+template <class Struct, class Value>
+Field(const char*, Value Struct::*, const char*) -> Field<Struct, Value>;
+
+template <class Struct, class Value>
+void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
+  cls.def_readwrite(field.name, field.member, field.doc);
+}
+
+/// A tuple, since appending to a copy of the list would be lost.
+template <class Struct, class Item>
+void bind_field(py::class_<Struct>& cls, const Field<Struct, std::vector<Item>>& field) {
+  using Tuple = py::typing::Tuple<Item, py::ellipsis>;
+  const auto member = field.member;
+  cls.def_property(
+      field.name, [member](const Struct& self) { return Tuple(py::tuple(py::cast(self.*member))); },
+      [member](Struct& self, std::vector<Item> value) { self.*member = std::move(value); },
+      field.doc);
+}
+
+/// How many members an aggregate has: the most initializers it takes.
+struct Anything {
+  template <class T>
+  operator T() const;
+};
+template <class Struct, class... Given>
+constexpr std::size_t num_members(long) {
+  return sizeof...(Given);
+}
+template <class Struct, class... Given>
+constexpr auto num_members(int) -> decltype(Struct{Given{}..., Anything{}}, std::size_t{}) {
+  return num_members<Struct, Given..., Anything>(0);
+}
+
+/// "Name(field=value, ...)" from attributes of a bound object.
+std::string represent(const py::handle& self, const std::vector<const char*>& names);
+
+/// Binds a plain struct from one table: a constructor of keywords with the struct's own defaults,
+/// attributes that can be read and set, and a repr.
+template <class Struct, class... Values>
+void bind_fields(py::class_<Struct>& cls, const char* init_doc, Field<Struct, Values>... fields) {
+  static_assert(num_members<Struct>(0) == sizeof...(Values), "a member is missing in this table");
+  const Struct defaults{};
+  cls.def(py::init([fields...](Values... values) {
+            Struct result;
+            ((result.*(fields.member) = std::move(values)), ...);
+            return result;
+          }),
+          py::kw_only(), (py::arg(fields.name) = defaults.*(fields.member))..., init_doc);
+  (bind_field(cls, fields), ...);
+  cls.def("__repr__", [names = std::vector<const char*>{fields.name...}](const py::object& self) {
+    return represent(self, names);
+  });
+}
+
+}  // namespace graspless::bindings

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/pybind11.h>
+
+namespace py = pybind11;
+
+namespace graspless::bindings {
+void bind_geometry(py::module_ m);
+void bind_robot(py::module_ m);
+void bind_collision(py::module_ m);
+void bind_scene(py::module_ m);
+void bind_planning(py::module_ m);
+void bind_slide(py::module_ m);
+}  // namespace graspless::bindings
+
+// Table of contents, in dependency order: a signature names only classes already bound.
+PYBIND11_MODULE(_core, m) {
+  using namespace graspless::bindings;
+  m.doc() = "The C++ core of graspless. Import its rooms from `graspless`, not from here.";
+  bind_geometry(m.def_submodule("geometry", "Shapes, supports and outlines. Lengths in metres."));
+  bind_robot(m.def_submodule("robot", "Robots read from URDF, and their inverse kinematics."));
+  bind_collision(m.def_submodule("collision", "Bodies at poses, and which of them touch."));
+  bind_scene(m.def_submodule("scene", "A robot among bodies."));
+  bind_planning(m.def_submodule("planning", "What every planner shares: the budget of a query."));
+  bind_slide(
+      m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
+}

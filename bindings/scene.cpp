@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/scene/scene.hpp"
+
+#include "conversions.hpp"
+
+namespace graspless::bindings {
+namespace {
+
+using scene::Scene;
+using Shapes = std::vector<geometry::PlacedShape>;
+
+int body_index(const Scene& scene, const Key& body) {
+  if (const auto* name = std::get_if<std::string>(&body)) {
+    return scene.world().body(*name);
+  }
+  const int index = std::get<int>(body);
+  if (index < 0 || index >= scene.world().num_bodies()) {
+    throw std::invalid_argument("body is " + std::to_string(index) + "; the scene has " +
+                                std::to_string(scene.world().num_bodies()) + " bodies");
+  }
+  return index;
+}
+
+void bind_bodies(py::class_<Scene>& cls) {
+  cls.def(
+         "add_obstacle",
+         [](Scene& self, const std::string& name, const Shapes& shapes, const Array& X_WB,
+            bool touches_base) {
+           return self.add_obstacle(name, shapes, to_pose(X_WB, "X_WB"), touches_base);
+         },
+         py::arg("name"), py::arg("shapes"), pose_arg("X_WB"), py::arg("touches_base") = true,
+         "Adds a body fixed in the world that no link may touch; returns its index in the "
+         "world.\n\n"
+         "touches_base: the root link, and links rigid with it, may touch it.")
+      .def("add_object", &Scene::add_object, py::arg("name"), py::arg("shapes"),
+           "Adds a body that moves and that no link may touch; returns its index in the world.")
+      .def(
+          "move_object",
+          [](Scene& self, const Key& body, const Array& X_WO) {
+            self.move_object(body_index(self, body), to_pose(X_WO, "X_WO"));
+          },
+          py::arg("body"), py::arg("X_WO"),
+          "Moves an object to X_WO, (4, 4), in the world; detaches it.")
+      .def(
+          "attach",
+          [](Scene& self, const Key& body, const Key& link, const Array& X_LO,
+             const std::vector<Key>& touching) {
+            std::vector<int> links;
+            for (const Key& key : touching) {
+              links.push_back(frame_index(self.robot(), key, "touching"));
+            }
+            self.attach(body_index(self, body), frame_index(self.robot(), link, "link"),
+                        to_pose(X_LO, "X_LO"), links);
+          },
+          py::arg("body"), py::arg("link"), py::arg("X_LO"), py::arg("touching"),
+          "The object follows a link from now on, at X_LO, (4, 4), in its frame; links in touching "
+          "may touch it.")
+      .def(
+          "detach", [](Scene& self, const Key& body) { self.detach(body_index(self, body)); },
+          py::arg("body"), "The object stays where it is from now on.")
+      .def(
+          "link_body",
+          [](const Scene& self, const Key& link) {
+            return self.link_body(frame_index(self.robot(), link, "link"));
+          },
+          py::arg("link"), "Index in the world of a link's body; -1 for a link without shapes.");
+}
+
+void bind_queries(py::class_<Scene>& cls) {
+  cls.def(
+         "is_free",
+         [](Scene& self, const Array& q) {
+           return self.is_free(to_configuration(self.robot(), q, "q"));
+         },
+         py::arg("q"), "Whether the robot at q, (dof,), is within its limits and nothing touches.")
+      .def(
+          "is_free",
+          [](Scene& self, const Array& q1, const Array& q2, double resolution) {
+            return self.is_free(to_configuration(self.robot(), q1, "q1"),
+                                to_configuration(self.robot(), q2, "q2"), resolution);
+          },
+          py::arg("q1"), py::arg("q2"), py::arg("resolution") = 0.01,
+          "Whether the straight motion from q1 to q2, (dof,), is free, at joint steps of "
+          "resolution [rad or m].")
+      .def(
+          "collision",
+          [](Scene& self, const Array& q) -> std::optional<std::pair<std::string, std::string>> {
+            auto names = self.collision(to_configuration(self.robot(), q, "q"));
+            if (names.first.empty()) return std::nullopt;
+            return names;
+          },
+          py::arg("q"),
+          "The first touching pair at q, (dof,), by name, or None. Limits are not looked at.")
+      .def_property_readonly(
+          "poses", [](const Scene& self) { return from_poses(self.poses()); },
+          "(num_frames, 4, 4) link poses at the configuration last asked for.");
+}
+
+}  // namespace
+
+void bind_scene(py::module_ m) {
+  py::class_<Scene> cls(
+      m, "Scene",
+      "A robot among bodies. Not for several threads at once: copy it.\n\n"
+      "Bodies are named by their index in the world or their name; links with shapes are bodies.");
+  cls.def(py::init<const robot::Robot&>(), py::arg("robot"), "A scene with this robot alone.")
+      .def(
+          "__copy__", [](const Scene& self) { return Scene(self); },
+          "A copy that shares the shapes.")
+      .def_property_readonly(
+          "robot", [](const Scene& self) { return self.robot(); }, "The robot.")
+      .def_property_readonly("world", py::overload_cast<>(&Scene::world),
+                             py::return_value_policy::reference_internal,
+                             "The world behind the scene.")
+      .def("__repr__", [](const Scene& self) {
+        return "<Scene of '" + self.robot().name() + "', " +
+               std::to_string(self.world().num_bodies()) + " bodies>";
+      });
+  bind_bodies(cls);
+  bind_queries(cls);
+}
+
+}  // namespace graspless::bindings

@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/slide.hpp"
+
+#include <pybind11/native_enum.h>
+
+#include "conversions.hpp"
+#include "planning.hpp"
+
+namespace graspless::bindings {
+namespace {
+
+using namespace slide;
+using geometry::PlacedShape;
+using geometry::Polygon;
+
+using Outline = py::typing::Union<Polygon, Array>;
+
+Polygon to_polygon(const Outline& given, const std::string& name) {
+  if (py::isinstance<Polygon>(given)) {
+    return given.cast<Polygon>();
+  }
+  const Array rows = Array::ensure(given);
+  if (!rows) {
+    throw std::invalid_argument(name + " must be a Polygon or an array of shape (N, 2)");
+  }
+  return Polygon(to_points2(rows, name), name);
+}
+
+void bind_object(py::module_& m) {
+  py::class_<Object>(m, "Object",
+                     "A thin flat object. Its frame O has z up, the underside in the plane z = 0.")
+      .def_static(
+          "from_polygon",
+          [](const std::string& name, const Outline& outline, double thickness, double spacing) {
+            return Object::from_polygon(name, to_polygon(outline, "outline"), thickness, spacing);
+          },
+          py::arg("name"), py::arg("outline"), py::arg("thickness"), py::arg("spacing") = 0.006,
+          "From an outline, a Polygon or (N, 2) [m], and a thickness [m].\n\n"
+          "Contact points are a grid of `spacing` [m]; the centre of mass is the area's, half way "
+          "up.")
+      .def_static(
+          "from_cloud",
+          [](const std::string& name, const Array& p_OP, double thickness) {
+            const Eigen::Matrix3Xd points = to_points3(p_OP, "p_OP");
+            const py::gil_scoped_release release;
+            return Object::from_cloud(name, points, thickness);
+          },
+          py::arg("name"), py::arg("p_OP"), py::arg("thickness") = 0.0,
+          "From points on the top surface, (N, 3) in O [m]; thickness [m] is their median height "
+          "unless given.\n\n"
+          "Raises ValueError when the points are fewer than three, not finite, on a line, or not "
+          "thin.")
+      .def_property_readonly("name", &Object::name, "What errors and pictures call it.")
+      .def_property_readonly(
+          "points", [](const Object& self) -> Rows2 { return self.points().transpose(); },
+          "(N, 2) contact points, x-y in O [m].")
+      .def_property_readonly(
+          "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
+      .def_property_readonly("thickness", &Object::thickness, "[m].")
+      .def_property_readonly(
+          "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
+          "(3,) centre of mass in O [m].")
+      .def_property_readonly("mass", &Object::mass, "[kg].")
+      .def_property_readonly("shapes", &Object::shapes,
+                             "PlacedShapes in O: prisms over the outline's convex parts.")
+      .def(
+          "with_com",
+          [](const Object& self, const Array& com_O) {
+            return self.with_com(to_vector3(com_O, "com_O"));
+          },
+          py::arg("com_O"), "The same object with another centre of mass, (3,) in O [m].")
+      .def("with_mass", &Object::with_mass, py::arg("mass"),
+           "The same object with another mass [kg].")
+      .def("scaled", &Object::scaled, py::arg("scale"),
+           "The same object scaled in the plane; thickness and mass stay.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"name", "outline", "thickness", "mass"});
+      });
+
+  m.def(
+      "center_of_mass",
+      [](const Array& points, const Array& masses) -> Eigen::Vector3d {
+        return center_of_mass(to_points3(points, "points"), to_vector(masses, "masses"));
+      },
+      py::arg("points"), py::arg("masses"),
+      "(3,) mean of points, (N, 3) [m], weighted by their masses, (N,).");
+}
+
+void bind_support(py::module_& m) {
+  py::class_<Support>(
+      m, "Support",
+      "A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.")
+      .def(
+          py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width) {
+            return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width);
+          }),
+          py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04, py::arg("band_width") = 0.06,
+          "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than "
+          "60 degrees.\n"
+          "slab: how thick the top is [m]. band_width: how far from the edges the goal region "
+          "reaches [m].")
+      .def_property_readonly(
+          "polygon", [](const Support& self) { return self.polygon(); }, "In S [m].")
+      .def_property_readonly(
+          "goal_band", [](const Support& self) { return self.goal_band(); },
+          "Band of the polygon where slides may end, in S.")
+      .def_property_readonly(
+          "X_WS", [](const Support& self) { return from_pose(self.X_WS()); },
+          "(4, 4) pose in the world.")
+      .def_property_readonly("slab", &Support::slab, "How thick the top is [m].")
+      .def_property_readonly("normal_W", &Support::normal_W,
+                             "(3,) unit normal in the world, out of the surface.")
+      .def_property_readonly("shapes", &Support::shapes, "PlacedShapes in S, below z = 0.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"polygon", "X_WS", "slab"});
+      });
+}
+
+void bind_hand(py::module_& m) {
+  py::native_enum<FingerModel>(m, "FingerModel", "enum.Enum",
+                               "How the sliding finger gives way under the press.")
+      .value("none", FingerModel::none,
+             "Not at all: the contact stays at the commanded tip, as in the paper.")
+      .value("flexure", FingerModel::flexure,
+             "It turns about one flexure: the contact runs ahead of the tip.")
+      .finalize();
+  py::class_<Hand> hand(m, "Hand",
+                        "What the planner must know of a hand. Links and groups are the robot's.");
+  bind_fields(
+      hand, "Any field by keyword; the others keep their defaults.",
+      Field{"arm", &Hand::arm, "Group of joints that carry the hand, base to wrist."},
+      Field{"fingertip", &Hand::fingertip,
+            "Frame F: X along the line contact, Z out of the tip, Y to the other finger."},
+      Field{"sliding_finger", &Hand::sliding_finger,
+            "Links that may press into object and support."},
+      Field{"fingers", &Hand::fingers, "Links that close on the object."},
+      Field{"grasp_frame", &Hand::grasp_frame,
+            "Frame H: origin between the open tips, Z out of the hand, Y from finger to finger."},
+      Field{"open", &Hand::open, "State of the hand's joints while it slides and reaches."},
+      Field{"closed", &Hand::closed, "State towards which it closes; it stops at contact."},
+      Field{"finger_model", &Hand::finger_model,
+            "How the sliding finger gives way under the press."},
+      Field{"flexure_length", &Hand::flexure_length, "From the flexure to the tip [m]."},
+      Field{"tip_radius", &Hand::tip_radius, "Of the pad that rolls on the object [m]."});
+}
+
+void bind_problem(py::module_& m) {
+  py::class_<Obstacle>(m, "Obstacle", "Something in the way, of the arm and of the sliding object.")
+      .def(py::init([](const std::string& name, const std::vector<PlacedShape>& shapes,
+                       const Array& X_WB) {
+             return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
+           }),
+           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
+           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
+      .def_readonly("name", &Obstacle::name, "What errors call it.")
+      .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
+      .def_property_readonly(
+          "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
+          "(4, 4) pose in the world.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"name", "shapes", "X_WB"});
+      });
+
+  py::class_<Problem>(
+      m, "Problem",
+      "What is given: slide the object to the edge of the support and grasp it there.")
+      .def(py::init([](const robot::Robot& robot, const Hand& hand, const Object& object,
+                       const Support& support, const Array& X_WO_start, const Array& q_home,
+                       const std::vector<Obstacle>& obstacles) {
+             return Problem{robot,
+                            hand,
+                            object,
+                            support,
+                            to_pose(X_WO_start, "X_WO_start"),
+                            obstacles,
+                            to_configuration(robot, q_home, "q_home")};
+           }),
+           py::arg("robot"), py::arg("hand"), py::arg("object"), py::arg("support"),
+           py::arg("X_WO_start"), py::arg("q_home"), py::arg("obstacles") = std::vector<Obstacle>{},
+           "X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) where the "
+           "robot stands.")
+      .def_property_readonly(
+          "robot", [](const Problem& self) { return self.robot; }, "The robot.")
+      .def_property_readonly(
+          "hand", [](const Problem& self) { return self.hand; }, "A copy of the hand.")
+      .def_property_readonly(
+          "object", [](const Problem& self) { return self.object; }, "The thin object.")
+      .def_property_readonly(
+          "support", [](const Problem& self) { return self.support; }, "What it lies on.")
+      .def_property_readonly(
+          "X_WO_start", [](const Problem& self) { return from_pose(self.X_WO_start); },
+          "(4, 4) pose of the object in the world.")
+      .def_property_readonly(
+          "q_home", [](const Problem& self) -> Eigen::VectorXd { return self.q_home; },
+          "(dof,) [rad or m].")
+      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"robot", "object", "support", "obstacles"});
+      });
+}
+
+void bind_options(py::module_& m) {
+  py::native_enum<Search>(m, "Search", "enum.Enum", "Which search finds the slide.")
+      .value("paper", Search::paper, "Algorithm 1 as written.")
+      .value("fast", Search::fast,
+             "The same, with goals drawn to fit a start and connected directly first.")
+      .finalize();
+  py::class_<Options> options(m, "Options",
+                              "How to search. The paper's values where it gives one.");
+  bind_fields(
+      options, "Any field by keyword; the others keep their defaults.",
+      Field{"search", &Options::search, "Which search finds the slide."},
+      Field{"pitch", &Options::pitch, "Between the finger and the surface [rad]."},
+      Field{"pitch_tolerance", &Options::pitch_tolerance, "How far the pitch may stray [rad]."},
+      Field{"min_depth", &Options::min_depth,
+            "Least press of the commanded tip below the top face [m]."},
+      Field{"max_depth", &Options::max_depth, "Deepest press below the top face [m]."},
+      Field{"height_tolerance", &Options::height_tolerance,
+            "Numerical play of the depth band [m]."},
+      Field{"roll_tolerance", &Options::roll_tolerance,
+            "Tilt of the line contact out of the surface [rad]."},
+      Field{"root_scale", &Options::root_scale, "Larger adds roots more freely."},
+      Field{"min_overhang", &Options::min_overhang,
+            "How far the object must stick out to be grasped [m]."},
+      Field{"com_margin", &Options::com_margin,
+            "How far the centre of mass stays inside the edge [m]."},
+      Field{"tip_margin", &Options::tip_margin,
+            "How far the effective tip stays inside the edge [m]."},
+      Field{"lift_height", &Options::lift_height,
+            "Clearance above the object before reaching for it [m]."},
+      Field{"grasp_approach", &Options::grasp_approach, "Straight final motion of the hand [m]."},
+      Field{"range", &Options::range, "Longest step of the trees, Euclidean in the joints [rad]."},
+      Field{"resolution", &Options::resolution,
+            "Largest joint step between checked configurations [rad]."},
+      Field{"shortcut", &Options::shortcut,
+            "Whether to shorten the motions that came from a tree."});
+}
+
+void bind_segment(py::module_& m) {
+  py::class_<Segment>(
+      m, "Segment", "A stretch of motion: rows follow each other by at most 0.05 rad in any joint.")
+      .def(py::init([](const std::string& name, const Array& positions, const Array& object_poses) {
+             Segment segment{name, to_configurations(positions, "positions"),
+                             to_poses(object_poses, "object_poses")};
+             if (segment.positions.size() != segment.object_poses.size()) {
+               throw std::invalid_argument(
+                   "segment '" + name + "' has " + std::to_string(segment.positions.size()) +
+                   " positions but " + std::to_string(segment.object_poses.size()) +
+                   " object_poses");
+             }
+             return segment;
+           }),
+           py::arg("name"), py::arg("positions"), py::arg("object_poses"),
+           "positions: (N, dof) [rad or m]. object_poses: (N, 4, 4) poses of the object in the "
+           "world.")
+      .def_readonly("name", &Segment::name, "approach, press, slide, lift, reach, grasp or close.")
+      .def_property_readonly(
+          "positions",
+          [](const Segment& self) {
+            return from_configurations(self.positions,
+                                       self.positions.empty() ? 0 : self.positions.front().size());
+          },
+          "(N, dof) all joints [rad or m].")
+      .def_property_readonly(
+          "object_poses", [](const Segment& self) { return from_poses(self.object_poses); },
+          "(N, 4, 4) pose of the object in the world at each row.")
+      .def(
+          "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")
+      .def("__repr__", [](const Segment& self) {
+        return "<Segment '" + self.name + "' of " + std::to_string(self.positions.size()) +
+               " rows>";
+      });
+}
+
+void bind_statistics(py::module_& m) {
+  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
+  bind_fields(statistics, "Any field by keyword; the others are zero.",
+              Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+              Field{"iterations", &Statistics::iterations, "Rounds of the main loop."},
+              Field{"nodes", &Statistics::nodes, "In both forests."},
+              Field{"start_roots", &Statistics::start_roots, "Start contacts tried as roots."},
+              Field{"goal_roots", &Statistics::goal_roots, "Goal contacts tried as roots."},
+              Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
+              Field{"projections", &Statistics::projections, "Onto the contact constraint."},
+              Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
+              Field{"pairs", &Statistics::pairs, "Start-goal pairs validated."},
+              Field{"refusals", &Statistics::refusals,
+                    "Why roots and pairs were refused, and how often; a copy."});
+  statistics.def(
+      "as_dict",
+      [](const py::object& self) {
+        py::typing::Dict<py::str, py::object> result;
+        for (const char* name :
+             {"seconds", "iterations", "nodes", "start_roots", "goal_roots", "collision_checks",
+              "projections", "ik_calls", "pairs", "refusals"}) {
+          result[name] = self.attr(name);
+        }
+        return result;
+      },
+      "All fields by name.");
+}
+
+void bind_plan(py::module_& m) {
+  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
+      .value("solved", Status::solved, "A plan was found.")
+      .value("start_in_collision", Status::start_in_collision,
+             "The robot at home touches something.")
+      .value("no_start_root", Status::no_start_root, "No configuration presses on the object.")
+      .value("no_goal_root", Status::no_goal_root, "No configuration presses near an edge.")
+      .value("no_valid_pair", Status::no_valid_pair,
+             "Starts and goals were found, but no pair was valid.")
+      .value("not_connected", Status::not_connected, "No valid pair could be connected in time.")
+      .value("interrupted", Status::interrupted, "Stopped from outside.")
+      .finalize();
+  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
+      .def(
+          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
+          "Whether it is solved.");
+  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
+  field(Field{"status", &Plan::status, "How the query ended."});
+  field(Field{"reason", &Plan::reason, "One sentence, for people."});
+  field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
+  field(Field{"segments", &Plan::segments, "Stretches of motion, in order."});
+  field(Field{"overhang", &Plan::overhang, "How far the object sticks out at the goal [m]."});
+  field(Field{"statistics", &Plan::statistics, "What the search did."});
+  plan.def_property(
+          "X_WO_goal", [](const Plan& self) { return from_pose(self.X_WO_goal); },
+          [](Plan& self, const Array& X) { self.X_WO_goal = to_pose(X, "X_WO_goal"); },
+          "(4, 4) pose of the object in the world after the slide.")
+      .def_property(
+          "X_WH_grasp", [](const Plan& self) { return from_pose(self.X_WH_grasp); },
+          [](Plan& self, const Array& X) { self.X_WH_grasp = to_pose(X, "X_WH_grasp"); },
+          "(4, 4) pose of the grasp frame H in the world at the grasp.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"status", "reason", "segments"});
+      });
+}
+
+}  // namespace
+
+void bind_slide(py::module_ m) {
+  bind_object(m);
+  bind_support(m);
+  bind_hand(m);
+  bind_problem(m);
+  bind_options(m);
+  bind_segment(m);
+  bind_statistics(m);
+  bind_plan(m);
+  const py::arg_v default_options("options", Options{}, "Options()");
+  const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
+  m.def("validate", py::overload_cast<const Problem&>(&validate), py::arg("problem"),
+        py::call_guard<py::gil_scoped_release>(),
+        "Raises ValueError that names the field at fault, its value and the choices.");
+  m.def("validate", py::overload_cast<const Options&>(&validate), py::arg("options"),
+        "Raises ValueError that names the option at fault, its value and what it may be.");
+  m.def(
+      "plan",
+      [](const Problem& problem, const Options& options, const StoppableBudget& budget) {
+        return run_interruptibly(budget, [&problem, options](const planning::Budget& b) {
+          return plan(problem, options, b);
+        });
+      },
+      py::arg("problem"), default_options, default_budget,
+      "Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a "
+      "status.\n\n"
+      "Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns "
+      "the best so far.\n"
+      "Raises ValueError on a bad problem or bad options.");
+  m.def(
+      "check",
+      [](const Problem& problem, const Plan& plan, const Options& options) {
+        return check(problem, plan, options);
+      },
+      py::arg("problem"), py::arg("plan"), default_options,
+      py::call_guard<py::gil_scoped_release>(),
+      "Replays a plan against its problem, with none of the search's code.\n\n"
+      "Each entry says which segment and row fails and how; an empty list means the plan holds.");
+}
+
+}  // namespace graspless::bindings

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Planning manipulation of things that a robot cannot simply grasp.
+
+>>> import graspless
+>>> task = graspless.load_task("examples/01_slide_card.yaml")  # doctest: +SKIP
+>>> plan = graspless.plan(task, seed=1)  # doctest: +SKIP
+>>> assert plan and not graspless.check(plan)  # doctest: +SKIP
+>>> plan.save("plan.json")  # doctest: +SKIP
+
+`graspless.slide` has the planner itself, for problems that are made in Python.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from . import collision, geometry, planning, robot, scene, slide, view
+    from .errors import TaskError
+    from .plans import Plan, check, load_plan, plan
+    from .tasks import Task, load_task
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Plan",
+    "Task",
+    "TaskError",
+    "__version__",
+    "check",
+    "collision",
+    "geometry",
+    "load_plan",
+    "load_task",
+    "plan",
+    "planning",
+    "robot",
+    "scene",
+    "slide",
+    "view",
+]
+
+_HOMES = {
+    "Plan": "plans",
+    "check": "plans",
+    "load_plan": "plans",
+    "plan": "plans",
+    "Task": "tasks",
+    "load_task": "tasks",
+    "TaskError": "errors",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Imports on first use: `import graspless` alone takes a millisecond."""
+    if name not in __all__:
+        raise AttributeError(f"module 'graspless' has no attribute '{name}'")
+    if name in _HOMES:
+        return getattr(importlib.import_module(f".{_HOMES[name]}", __name__), name)
+    return importlib.import_module(f".{name}", __name__)
+
+
+def __dir__() -> list[str]:
+    return __all__

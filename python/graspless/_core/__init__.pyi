@@ -1,0 +1,11 @@
+"""
+The C++ core of graspless. Import its rooms from `graspless`, not from here.
+"""
+from __future__ import annotations
+from . import geometry
+from . import robot
+from . import collision
+from . import scene
+from . import planning
+from . import slide
+__all__: list[str] = ['collision', 'geometry', 'planning', 'robot', 'scene', 'slide']

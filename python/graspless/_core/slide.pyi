@@ -1,0 +1,670 @@
+"""
+Slide a thin object to the edge of its support and grasp it.
+"""
+from __future__ import annotations
+import collections.abc
+import enum
+import graspless._core.geometry
+import graspless._core.planning
+import graspless._core.robot
+import numpy
+import numpy.typing
+import typing
+__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Obstacle', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'center_of_mass', 'check', 'plan', 'validate']
+class Object:
+    """
+    A thin flat object. Its frame O has z up, the underside in the plane z = 0.
+    """
+    @staticmethod
+    def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Object:
+        """
+        From points on the top surface, (N, 3) in O [m]; thickness [m] is their median height unless given.
+        
+        Raises ValueError when the points are fewer than three, not finite, on a line, or not thin.
+        """
+    @staticmethod
+    def from_polygon(name: str, outline: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex, spacing: typing.SupportsFloat | typing.SupportsIndex = 0.006) -> Object:
+        """
+        From an outline, a Polygon or (N, 2) [m], and a thickness [m].
+        
+        Contact points are a grid of `spacing` [m]; the centre of mass is the area's, half way up.
+        """
+    def __repr__(self) -> str:
+        ...
+    def scaled(self, scale: typing.SupportsFloat | typing.SupportsIndex) -> Object:
+        """
+        The same object scaled in the plane; thickness and mass stay.
+        """
+    def with_com(self, com_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Object:
+        """
+        The same object with another centre of mass, (3,) in O [m].
+        """
+    def with_mass(self, mass: typing.SupportsFloat | typing.SupportsIndex) -> Object:
+        """
+        The same object with another mass [kg].
+        """
+    @property
+    def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) centre of mass in O [m].
+        """
+    @property
+    def mass(self) -> float:
+        """
+        [kg].
+        """
+    @property
+    def name(self) -> str:
+        """
+        What errors and pictures call it.
+        """
+    @property
+    def outline(self) -> graspless._core.geometry.Polygon:
+        """
+        Polygon in O [m].
+        """
+    @property
+    def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
+        """
+        (N, 2) contact points, x-y in O [m].
+        """
+    @property
+    def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
+        """
+        PlacedShapes in O: prisms over the outline's convex parts.
+        """
+    @property
+    def thickness(self) -> float:
+        """
+        [m].
+        """
+class Support:
+    """
+    A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.
+    """
+    def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06) -> None:
+        """
+        polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than 60 degrees.
+        slab: how thick the top is [m]. band_width: how far from the edges the goal region reaches [m].
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WS(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose in the world.
+        """
+    @property
+    def goal_band(self) -> graspless._core.geometry.Band:
+        """
+        Band of the polygon where slides may end, in S.
+        """
+    @property
+    def normal_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) unit normal in the world, out of the surface.
+        """
+    @property
+    def polygon(self) -> graspless._core.geometry.Polygon:
+        """
+        In S [m].
+        """
+    @property
+    def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
+        """
+        PlacedShapes in S, below z = 0.
+        """
+    @property
+    def slab(self) -> float:
+        """
+        How thick the top is [m].
+        """
+class FingerModel(enum.Enum):
+    """
+    How the sliding finger gives way under the press.
+    """
+    flexure = ...
+    none = ...
+class Hand:
+    """
+    What the planner must know of a hand. Links and groups are the robot's.
+    """
+    def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def arm(self) -> str:
+        """
+        Group of joints that carry the hand, base to wrist.
+        """
+    @arm.setter
+    def arm(self, arg0: str) -> None:
+        ...
+    @property
+    def closed(self) -> str:
+        """
+        State towards which it closes; it stops at contact.
+        """
+    @closed.setter
+    def closed(self, arg0: str) -> None:
+        ...
+    @property
+    def finger_model(self) -> FingerModel:
+        """
+        How the sliding finger gives way under the press.
+        """
+    @finger_model.setter
+    def finger_model(self, arg0: FingerModel) -> None:
+        ...
+    @property
+    def fingers(self) -> tuple[str, ...]:
+        """
+        Links that close on the object.
+        """
+    @fingers.setter
+    def fingers(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def fingertip(self) -> str:
+        """
+        Frame F: X along the line contact, Z out of the tip, Y to the other finger.
+        """
+    @fingertip.setter
+    def fingertip(self, arg0: str) -> None:
+        ...
+    @property
+    def flexure_length(self) -> float:
+        """
+        From the flexure to the tip [m].
+        """
+    @flexure_length.setter
+    def flexure_length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def grasp_frame(self) -> str:
+        """
+        Frame H: origin between the open tips, Z out of the hand, Y from finger to finger.
+        """
+    @grasp_frame.setter
+    def grasp_frame(self, arg0: str) -> None:
+        ...
+    @property
+    def open(self) -> str:
+        """
+        State of the hand's joints while it slides and reaches.
+        """
+    @open.setter
+    def open(self, arg0: str) -> None:
+        ...
+    @property
+    def sliding_finger(self) -> tuple[str, ...]:
+        """
+        Links that may press into object and support.
+        """
+    @sliding_finger.setter
+    def sliding_finger(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def tip_radius(self) -> float:
+        """
+        Of the pad that rolls on the object [m].
+        """
+    @tip_radius.setter
+    def tip_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class Obstacle:
+    """
+    Something in the way, of the arm and of the sliding object.
+    """
+    def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
+        """
+        shapes: PlacedShapes. X_WB: (4, 4) pose in the world.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WB(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose in the world.
+        """
+    @property
+    def name(self) -> str:
+        """
+        What errors call it.
+        """
+    @property
+    def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
+        """
+        PlacedShapes in its frame B.
+        """
+class Problem:
+    """
+    What is given: slide the object to the edge of the support and grasp it there.
+    """
+    def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, support: Support, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[Obstacle] = []) -> None:
+        """
+        X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) where the robot stands.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WO_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose of the object in the world.
+        """
+    @property
+    def hand(self) -> Hand:
+        """
+        A copy of the hand.
+        """
+    @property
+    def object(self) -> Object:
+        """
+        The thin object.
+        """
+    @property
+    def obstacles(self) -> list[Obstacle]:
+        """
+        What else stands around.
+        """
+    @property
+    def q_home(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (dof,) [rad or m].
+        """
+    @property
+    def robot(self) -> graspless._core.robot.Robot:
+        """
+        The robot.
+        """
+    @property
+    def support(self) -> Support:
+        """
+        What it lies on.
+        """
+class Search(enum.Enum):
+    """
+    Which search finds the slide.
+    """
+    fast = ...
+    paper = ...
+class Options:
+    """
+    How to search. The paper's values where it gives one.
+    """
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, height_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, roll_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.001, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, shortcut: bool = True) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def com_margin(self) -> float:
+        """
+        How far the centre of mass stays inside the edge [m].
+        """
+    @com_margin.setter
+    def com_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def grasp_approach(self) -> float:
+        """
+        Straight final motion of the hand [m].
+        """
+    @grasp_approach.setter
+    def grasp_approach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def height_tolerance(self) -> float:
+        """
+        Numerical play of the depth band [m].
+        """
+    @height_tolerance.setter
+    def height_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def lift_height(self) -> float:
+        """
+        Clearance above the object before reaching for it [m].
+        """
+    @lift_height.setter
+    def lift_height(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_depth(self) -> float:
+        """
+        Deepest press below the top face [m].
+        """
+    @max_depth.setter
+    def max_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def min_depth(self) -> float:
+        """
+        Least press of the commanded tip below the top face [m].
+        """
+    @min_depth.setter
+    def min_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def min_overhang(self) -> float:
+        """
+        How far the object must stick out to be grasped [m].
+        """
+    @min_overhang.setter
+    def min_overhang(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pitch(self) -> float:
+        """
+        Between the finger and the surface [rad].
+        """
+    @pitch.setter
+    def pitch(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pitch_tolerance(self) -> float:
+        """
+        How far the pitch may stray [rad].
+        """
+    @pitch_tolerance.setter
+    def pitch_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def range(self) -> float:
+        """
+        Longest step of the trees, Euclidean in the joints [rad].
+        """
+    @range.setter
+    def range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def resolution(self) -> float:
+        """
+        Largest joint step between checked configurations [rad].
+        """
+    @resolution.setter
+    def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def roll_tolerance(self) -> float:
+        """
+        Tilt of the line contact out of the surface [rad].
+        """
+    @roll_tolerance.setter
+    def roll_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def root_scale(self) -> float:
+        """
+        Larger adds roots more freely.
+        """
+    @root_scale.setter
+    def root_scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def search(self) -> Search:
+        """
+        Which search finds the slide.
+        """
+    @search.setter
+    def search(self, arg0: Search) -> None:
+        ...
+    @property
+    def shortcut(self) -> bool:
+        """
+        Whether to shorten the motions that came from a tree.
+        """
+    @shortcut.setter
+    def shortcut(self, arg0: bool) -> None:
+        ...
+    @property
+    def tip_margin(self) -> float:
+        """
+        How far the effective tip stays inside the edge [m].
+        """
+    @tip_margin.setter
+    def tip_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class Segment:
+    """
+    A stretch of motion: rows follow each other by at most 0.05 rad in any joint.
+    """
+    def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        positions: (N, dof) [rad or m]. object_poses: (N, 4, 4) poses of the object in the world.
+        """
+    def __len__(self) -> int:
+        """
+        Number of rows.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        approach, press, slide, lift, reach, grasp or close.
+        """
+    @property
+    def object_poses(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (N, 4, 4) pose of the object in the world at each row.
+        """
+    @property
+    def positions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (N, dof) all joints [rad or m].
+        """
+class Statistics:
+    """
+    What the search did.
+    """
+    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, iterations: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, start_roots: typing.SupportsInt | typing.SupportsIndex = 0, goal_roots: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, projections: typing.SupportsInt | typing.SupportsIndex = 0, ik_calls: typing.SupportsInt | typing.SupportsIndex = 0, pairs: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
+        """
+        Any field by keyword; the others are zero.
+        """
+    def __repr__(self) -> str:
+        ...
+    def as_dict(self) -> dict[str, typing.Any]:
+        """
+        All fields by name.
+        """
+    @property
+    def collision_checks(self) -> int:
+        """
+        Configurations checked.
+        """
+    @collision_checks.setter
+    def collision_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def goal_roots(self) -> int:
+        """
+        Goal contacts tried as roots.
+        """
+    @goal_roots.setter
+    def goal_roots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def ik_calls(self) -> int:
+        """
+        Inverse kinematics solved.
+        """
+    @ik_calls.setter
+    def ik_calls(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def iterations(self) -> int:
+        """
+        Rounds of the main loop.
+        """
+    @iterations.setter
+    def iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def nodes(self) -> int:
+        """
+        In both forests.
+        """
+    @nodes.setter
+    def nodes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pairs(self) -> int:
+        """
+        Start-goal pairs validated.
+        """
+    @pairs.setter
+    def pairs(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def projections(self) -> int:
+        """
+        Onto the contact constraint.
+        """
+    @projections.setter
+    def projections(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def refusals(self) -> dict[str, int]:
+        """
+        Why roots and pairs were refused, and how often; a copy.
+        """
+    @refusals.setter
+    def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:
+        ...
+    @property
+    def seconds(self) -> float:
+        """
+        Wall clock [s].
+        """
+    @seconds.setter
+    def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def start_roots(self) -> int:
+        """
+        Start contacts tried as roots.
+        """
+    @start_roots.setter
+    def start_roots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+class Status(enum.Enum):
+    """
+    How a query ended.
+    """
+    interrupted = ...
+    no_goal_root = ...
+    no_start_root = ...
+    no_valid_pair = ...
+    not_connected = ...
+    solved = ...
+    start_in_collision = ...
+class Plan:
+    """
+    What was found, or why not. False unless solved.
+    """
+    def __bool__(self) -> bool:
+        """
+        Whether it is solved.
+        """
+    def __init__(self) -> None:
+        """
+        A plan without segments, to be filled from a file.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WH_grasp(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose of the grasp frame H in the world at the grasp.
+        """
+    @X_WH_grasp.setter
+    def X_WH_grasp(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    @property
+    def X_WO_goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose of the object in the world after the slide.
+        """
+    @X_WO_goal.setter
+    def X_WO_goal(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """
+        The robot's joints, in the order of positions.
+        """
+    @joint_names.setter
+    def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def overhang(self) -> float:
+        """
+        How far the object sticks out at the goal [m].
+        """
+    @overhang.setter
+    def overhang(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def reason(self) -> str:
+        """
+        One sentence, for people.
+        """
+    @reason.setter
+    def reason(self, arg0: str) -> None:
+        ...
+    @property
+    def segments(self) -> tuple[Segment, ...]:
+        """
+        Stretches of motion, in order.
+        """
+    @segments.setter
+    def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
+        ...
+    @property
+    def statistics(self) -> Statistics:
+        """
+        What the search did.
+        """
+    @statistics.setter
+    def statistics(self, arg0: Statistics) -> None:
+        ...
+    @property
+    def status(self) -> Status:
+        """
+        How the query ended.
+        """
+    @status.setter
+    def status(self, arg0: Status) -> None:
+        ...
+def center_of_mass(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], masses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+    """
+    (3,) mean of points, (N, 3) [m], weighted by their masses, (N,).
+    """
+def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
+    """
+    Replays a plan against its problem, with none of the search's code.
+    
+    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    """
+def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
+    """
+    Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a status.
+    
+    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Raises ValueError on a bad problem or bad options.
+    """
+@typing.overload
+def validate(problem: Problem) -> None:
+    """
+    Raises ValueError that names the field at fault, its value and the choices.
+    """
+@typing.overload
+def validate(options: Options) -> None:
+    """
+    Raises ValueError that names the option at fault, its value and what it may be.
+    """

@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: graspless plan, check, view, example."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import __version__
+from .errors import TaskError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from .plans import Plan
+
+FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs one command.
+
+    Returns
+    -------
+    int
+        0 found or holds, 1 not found or does not hold, 2 bad input, 130 interrupted.
+    """
+    options = make_parser().parse_args(arguments)
+    run: Callable[[argparse.Namespace], int] = options.run
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", UserWarning)
+            warnings.showwarning = _show_warning
+            return run(options)
+    except TaskError as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader of our output has gone, as `head` does
+        sys.stdout = None  # type: ignore[assignment]
+        return NOT_FOUND
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """The parser of all commands; a command is one line here and one function below."""
+    parser = argparse.ArgumentParser(
+        prog="graspless", description="Plans manipulation of things that cannot simply be grasped."
+    )
+    parser.add_argument("--version", action="version", version=f"graspless {__version__}")
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+    _add_plan(commands)
+    _add_check(commands)
+    _add_view(commands)
+    _add_example(commands)
+    return parser
+
+
+def _add_plan(commands: Any) -> None:
+    parser = commands.add_parser("plan", help="plan a task, and write the plan")
+    parser.add_argument("task", metavar="TASK.yaml", help="see docs/task-files.md")
+    parser.add_argument("-o", "--output", metavar="FILE", default="plan.json", help="(%(default)s)")
+    parser.add_argument("--seed", type=int, metavar="N", help="of all randomness")
+    parser.add_argument("--time", type=float, metavar="S", help="stop after this long [s]")
+    parser.add_argument("--iterations", type=int, metavar="N", help="stop after so many rounds")
+    parser.add_argument("--search", choices=["paper", "fast"])
+    parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
+    _add_pictures(parser)
+    parser.set_defaults(run=_plan)
+
+
+def _add_check(commands: Any) -> None:
+    parser = commands.add_parser("check", help="replay a plan against its own task")
+    parser.add_argument("plan", metavar="PLAN", help="a plan file")
+    parser.add_argument("--json", action="store_true", help="print what does not hold as JSON")
+    parser.set_defaults(run=_check)
+
+
+def _add_view(commands: Any) -> None:
+    parser = commands.add_parser(
+        "view",
+        help="draw a plan",
+        description="Without --png and --html: serves a viewer with a time slider until Ctrl-C.",
+    )
+    parser.add_argument("plan", metavar="PLAN", help="a plan file")
+    _add_pictures(parser)
+    parser.add_argument("--port", type=int, default=8080, help="of the viewer (%(default)s)")
+    parser.set_defaults(run=_view)
+
+
+def _add_example(commands: Any) -> None:
+    parser = commands.add_parser("example", help="plan, check and draw an example")
+    parser.add_argument("name", metavar="NAME", nargs="?", help="default: the first")
+    parser.add_argument("--list", action="store_true", help="name the examples")
+    parser.add_argument("-o", "--output", metavar="DIR", help="default: graspless_NAME")
+    parser.set_defaults(run=_example)
+
+
+def _add_pictures(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--png", metavar="FILE", help="write a picture")
+    parser.add_argument("--html", metavar="FILE", help="write a replay: one file, any browser")
+
+
+def _plan(options: argparse.Namespace) -> int:
+    from . import files, plans, progress, report
+    from .tasks import load_task
+
+    for path in (options.output, options.png, options.html):
+        if path is not None:
+            files.check_writable(path)
+    task = _change(load_task(options.task), options)
+    with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
+        plan = plans.plan(task)
+    plan.save(options.output)
+    if options.json:
+        print(json.dumps(report.as_dict(plan)))
+    else:
+        print(report.as_text(plan))
+        print(f"written: {options.output}")
+    _draw(plan, options)
+    if plan.status == "interrupted":
+        return INTERRUPTED
+    return FOUND if plan else NOT_FOUND
+
+
+def _change(task: Any, options: argparse.Namespace) -> Any:
+    """The task with what the command line says instead; its faults name the flags."""
+    flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
+    try:
+        return task.with_changes(search=options.search, **flags)
+    except TaskError as error:
+        given = [
+            f"--{name.replace('seconds', 'time')}" for name in flags if flags[name] is not None
+        ]
+        raise TaskError(f"{', '.join(given)}: {str(error).partition(': ')[2]}") from None
+
+
+def _check(options: argparse.Namespace) -> int:
+    from . import plans
+
+    plan = plans.load_plan(options.plan)
+    faults = plans.check(plan)
+    if options.json:
+        print(json.dumps({"holds": not faults, "faults": faults}))
+    else:
+        rows = sum(map(len, plan.segments))
+        print("\n".join(faults) or f"holds: {len(plan.segments)} segments, {rows} rows")
+    return NOT_FOUND if faults else FOUND
+
+
+def _view(options: argparse.Namespace) -> int:
+    from . import files, plans
+
+    for path in (options.png, options.html):
+        if path is not None:
+            files.check_writable(path)
+    plan = plans.load_plan(options.plan)
+    if options.png is None and options.html is None:
+        from .view import serve
+
+        serve(plan, port=options.port)
+    _draw(plan, options)
+    return FOUND
+
+
+def _draw(plan: Plan, options: argparse.Namespace) -> None:
+    from . import progress, view
+
+    for path, write in ((options.png, view.write_png), (options.html, view.write_html)):
+        if path is not None:
+            with progress.waiting(f"drawing {path}"):
+                write(plan, path)
+            if not getattr(options, "json", False):
+                print(f"written: {path}")
+
+
+def _example(options: argparse.Namespace) -> int:
+    from . import examples
+
+    if options.list:
+        print("\n".join(f"{name:24}{about}" for name, about in examples.names().items()))
+        return FOUND
+    found = examples.run(options.name, None if options.output is None else Path(options.output))
+    return FOUND if found else NOT_FOUND
+
+
+def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    print(f"warning: {message}", file=sys.stderr)

@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bodies at poses, and which of them touch."""
+
+from ._core.collision import (
+    World,
+)
+
+__all__ = [
+    "World",
+]

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples that come with graspless, each planned, checked and drawn in one call."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from . import _data, plans, progress, report, view
+from .errors import TaskError
+from .tasks import load_task
+
+
+def names() -> dict[str, str]:
+    """Each example with the line that says what it shows."""
+    return {path.stem: _about(path) for path in sorted(_data.directory("examples").glob("*.yaml"))}
+
+
+def find(name: str | None) -> Path:
+    """The task file of an example, by its name, its number or a part of either; None: the first."""
+    known = list(names())
+    fits = [known[0]] if name is None else [stem for stem in known if name in stem]
+    if name in known:
+        fits = [str(name)]
+    if not fits:
+        raise TaskError(f"example: {name}: there is no such example (one of: {', '.join(known)})")
+    return _data.directory("examples") / f"{fits[0]}.yaml"
+
+
+def run(name: str | None, directory: Path | None = None) -> bool:
+    """Plans, checks and draws an example into a folder, and says what it found.
+
+    Parameters
+    ----------
+    name : str, optional
+        As for `find`.
+    directory : Path, optional
+        Default: graspless_NAME in the working folder. Gets the task with the files it names,
+        plan.json, slide.png and slide.html.
+
+    Returns
+    -------
+    bool
+        Whether a plan was found and holds.
+    """
+    source = find(name)
+    directory = directory or Path(f"graspless_{source.stem}")
+    task_file = _copy(source, directory)
+    task = load_task(task_file)
+    with progress.waiting("planning"):
+        plan = plans.plan(task)
+    print(f"{source.stem}: {_about(source)}")
+    print(report.as_text(plan))
+    plan.save(directory / "plan.json")
+    faults = plans.check(plan) if plan else []
+    for fault in faults:
+        print(f"  does not hold: {fault}")
+    if plan and not faults:
+        print("  checked: the plan holds")
+    with progress.waiting("drawing"):
+        view.write_png(plan, directory / "slide.png")
+        view.write_html(plan, directory / "slide.html")
+    print(f"  written: {directory}/ with {task_file.name}, plan.json, slide.png, slide.html")
+    return bool(plan) and not faults
+
+
+def _copy(source: Path, directory: Path) -> Path:
+    """The task and the data files of the same name, in a folder of the user's."""
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        for path in source.parent.glob(f"{source.stem}.*"):
+            if path.suffix != ".py":
+                shutil.copy(path, directory / path.name)
+    except OSError as error:
+        raise TaskError(f"{directory}: cannot be written: {error.strerror}") from None
+    return directory / source.name
+
+
+def _about(path: Path) -> str:
+    lines = path.read_text(encoding="utf-8").splitlines()
+    about = (line[2:] for line in lines if line.startswith("# ") and "SPDX" not in line)
+    return next(about, "")

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writing files whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from .errors import TaskError
+
+
+def check_writable(path: str | Path) -> None:
+    """Raises TaskError unless `path` can be written: asked before work that would be lost."""
+    path = Path(path)
+    if path.is_dir():
+        raise TaskError(f"{path}: cannot be written: is a folder")
+    if not path.parent.is_dir():
+        raise TaskError(f"{path}: cannot be written: there is no folder {path.parent}")
+    try:
+        if path.exists():
+            with path.open("ab"):
+                pass
+        if not path.exists() or path.is_file():
+            with tempfile.TemporaryFile(dir=path.parent):
+                pass
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def write(path: str | Path, content: str | bytes) -> None:
+    """Writes a file at once, through a temporary one beside it; raises TaskError."""
+    path = Path(path)
+    data = content.encode() if isinstance(content, str) else content
+    check_writable(path)
+    try:
+        if path.exists() and not path.is_file():  # a pipe or device must not be replaced
+            path.write_bytes(data)
+            return
+        path = path.resolve()  # through a link to the file, not in its place
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+            mask = os.umask(0)
+            os.umask(mask)
+            mode = path.stat().st_mode & 0o7777 if path.exists() else 0o666 & ~mask
+            Path(temporary).chmod(mode)
+            Path(temporary).replace(path)
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Poses as the files write them: 4 x 4 matrices from angles and quaternions, and back."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike, NDArray
+
+    Matrix = NDArray[np.float64]
+
+
+def translation(p_AB: ArrayLike) -> Matrix:
+    """X_AB without rotation.
+
+    Parameters
+    ----------
+    p_AB : array [3]
+        Origin of B in A [m].
+    """
+    X_AB = np.eye(4)
+    X_AB[:3, 3] = p_AB
+    return X_AB
+
+
+def planar(x: float, y: float, yaw: float) -> Matrix:
+    """A pose in the plane z = 0 [m, m, rad]."""
+    return translation([x, y, 0.0]) @ from_rpy([0.0, 0.0, yaw])
+
+
+def from_rpy(rpy: Sequence[float]) -> Matrix:
+    """Rz(yaw) Ry(pitch) Rx(roll), as URDF does [rad]."""
+    (cr, cp, cy), (sr, sp, sy) = map(math.cos, rpy), map(math.sin, rpy)
+    X_AB = np.eye(4)
+    X_AB[:3, :3] = [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+    return X_AB
+
+
+def from_quaternion(wxyz: ArrayLike) -> Matrix:
+    """A rotation from a quaternion (w, x, y, z), normalised first."""
+    w, x, y, z = np.asarray(wxyz, dtype=float) / np.linalg.norm(wxyz)
+    X_AB = np.eye(4)
+    X_AB[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return X_AB
+
+
+def to_quaternion(X_AB: ArrayLike) -> Matrix:
+    """The unit quaternion (w, x, y, z), w >= 0, of a pose's rotation."""
+    R = np.asarray(X_AB, dtype=float)[:3, :3]
+    # Bar-Itzhack: the eigenvector of the largest eigenvalue, good for every angle.
+    K = np.empty((4, 4))
+    K[1:, 1:] = R + R.T - np.trace(R) * np.eye(3)
+    K[0, 1:] = K[1:, 0] = [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]
+    K[0, 0] = np.trace(R)
+    wxyz: Matrix = np.linalg.eigh(K)[1][:, -1]
+    return wxyz if wxyz[np.flatnonzero(np.abs(wxyz) > 1e-12)[0]] > 0 else -wxyz
+
+
+def to_row(X_AB: ArrayLike) -> list[float]:
+    """A pose as plan files write it: x y z [m], qw qx qy qz."""
+    X = np.asarray(X_AB, dtype=float)
+    return [*X[:3, 3].tolist(), *to_quaternion(X).tolist()]
+
+
+def from_row(row: Sequence[float]) -> Matrix:
+    """The 4 x 4 pose of `to_row`'s seven numbers."""
+    return translation(row[:3]) @ from_quaternion(row[3:])

@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slide a thin object to the edge of its support and grasp it there (Hang, Morgan, Dollar 2019)."""
+
+from ._core.slide import (
+    FingerModel,
+    Hand,
+    Object,
+    Obstacle,
+    Options,
+    Plan,
+    Problem,
+    Search,
+    Segment,
+    Statistics,
+    Status,
+    Support,
+    center_of_mass,
+    check,
+    plan,
+    validate,
+)
+
+__all__ = [
+    "FingerModel",
+    "Hand",
+    "Object",
+    "Obstacle",
+    "Options",
+    "Plan",
+    "Problem",
+    "Search",
+    "Segment",
+    "Statistics",
+    "Status",
+    "Support",
+    "center_of_mass",
+    "check",
+    "plan",
+    "validate",
+]

@@ -1,0 +1,240 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a resolved task to the planner's own types."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames, geometry, planning, slide
+from .. import robot as robots
+from .resolve import pose_matrix, support_pose
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from . import model
+    from .source import Source
+
+
+@contextlib.contextmanager
+def at(source: Source, *location: str | int) -> Iterator[None]:
+    """Gives a ValueError of the core the file, line and field that caused it."""
+    from ..errors import TaskError
+
+    try:
+        yield
+    except TaskError:
+        raise
+    except ValueError as error:
+        named = re.match(r"(options|hand)\.(\w+) (.*)", str(error), re.DOTALL)
+        if named and named[1] == location[0]:  # the core names the field too
+            raise source.error((named[1], named[2]), named[3]) from None
+        raise source.error(location, str(error)) from None
+
+
+def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
+    """The problem that a resolved task states.
+
+    Parameters
+    ----------
+    task : SlideTask
+        Resolved.
+    source, hand_source : Source
+        Where the task and the hand's fields stand; faults name the place.
+    """
+    robot = build_robot(task.robot, source)
+    hand = build_hand(task, robot, hand_source)
+    X_WS = support_pose(task.support)
+    pose = task.object.pose
+    assert pose is not None
+    problem = slide.Problem(
+        robot,
+        hand,
+        build_object(task.object, source),
+        build_support(task.support, X_WS, source),
+        X_WS @ frames.planar(pose.x, pose.y, pose.yaw),
+        build_home(task.robot, hand, robot, source),
+        [build_obstacle(obstacle, source, i) for i, obstacle in enumerate(task.obstacles)],
+    )
+    try:
+        slide.validate(problem)
+    except ValueError as error:
+        at_home = str(error).startswith("q_home")
+        location = ("robot", "home") if at_home else ("object", "pose")
+        raise source.error(location, str(error).removeprefix("q_home: ")) from None
+    return problem
+
+
+def build_robot(robot: model.Robot, source: Source) -> robots.Robot:
+    with at(source, "robot", "urdf" if "urdf" in _given(source, "robot") else "urdf_text"):
+        return robots.Robot.from_urdf(
+            robot.urdf_text or "",
+            srdf=robot.srdf_text or "",
+            packages=robot.packages,
+            directory=robot.directory or "",
+            X_WB=pose_matrix(robot.pose),
+        )
+
+
+def build_home(
+    robot: model.Robot, hand: slide.Hand, built: robots.Robot, source: Source
+) -> np.ndarray[Any, np.dtype[np.float64]]:
+    location = ("robot", "home")
+    with at(source, *location):
+        if isinstance(robot.home, str):
+            return np.array(built.state(robot.home))
+    names = list(built.joint_names)
+    if isinstance(robot.home, list):
+        if len(robot.home) != len(names):
+            what = f"has {len(robot.home)} values, not one for each of: {', '.join(names)}"
+            raise source.error(location, what)
+        return np.array(robot.home)
+    with at(source, *location):
+        q_home = np.array(built.state(hand.open))
+    for name, value in robot.home.items():
+        if name not in names:
+            raise source.error((*location, name), f"no such joint (one of: {', '.join(names)})")
+        q_home[names.index(name)] = value
+    return q_home
+
+
+def build_hand(task: model.SlideTask, robot: robots.Robot, source: Source) -> slide.Hand:
+    assert not isinstance(task.hand, str)
+    fields = task.hand.model_dump(exclude_none=True) if task.hand else {}
+    if "finger_model" in fields:
+        fields["finger_model"] = slide.FingerModel.__members__[fields["finger_model"]]
+    hand = slide.Hand(**fields)
+    place = ("hand",) if "hand" in _given(source) else ()
+    for field in ("fingertip", "grasp_frame"):
+        with at(source, *place, field):
+            robot.frame(getattr(hand, field))
+    for field in ("sliding_finger", "fingers"):
+        for link in getattr(hand, field):
+            with at(source, *place, field):
+                robot.frame(link)
+    for field in ("open", "closed"):
+        with at(source, *place, field):
+            robot.state(getattr(hand, field))
+    with at(source, *place, "arm"):
+        robot.group(hand.arm)
+    return hand
+
+
+def build_object(thing: model.Object, source: Source) -> slide.Object:
+    location = ("object", _outline_field(thing, source, "object"))
+    with at(source, *location):
+        if thing.points is not None:
+            points = np.array(thing.points, dtype=float).reshape(-1, 3)
+            built = slide.Object.from_cloud(thing.name, points, thing.thickness or 0.0)
+        else:
+            outline = geometry.Polygon(_outline(thing), "the outline")
+            spacing = {} if thing.spacing is None else {"spacing": thing.spacing}
+            built = slide.Object.from_polygon(
+                thing.name, outline, thing.thickness or 0.0, **spacing
+            )
+        if thing.scale != 1:
+            built = built.scaled(thing.scale)
+    if thing.mass is not None:
+        with at(source, "object", "mass"):
+            built = built.with_mass(thing.mass)
+    if thing.com is not None:
+        with at(source, "object", "com"):
+            com = thing.com if len(thing.com) == 3 else [*thing.com, built.com[2]]
+            built = built.with_com(np.array(com, dtype=float))
+    if thing.masses is not None:
+        with at(source, "object", "masses"):
+            points = np.array([part.position for part in thing.masses])
+            masses = np.array([part.mass for part in thing.masses])
+            built = built.with_com(slide.center_of_mass(points, masses))
+    return built
+
+
+def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:
+    keys = {"slab": support.slab, "band_width": support.band_width}
+    given = {name: value for name, value in keys.items() if value is not None}
+    with at(source, "support", _outline_field(support, source, "support")):
+        polygon = geometry.Polygon(_outline(support), "the support")
+    with at(source, "support"):
+        return slide.Support(polygon, X_WS, **given)
+
+
+def build_obstacle(obstacle: model.Obstacle, source: Source, index: int) -> slide.Obstacle:
+    with at(source, "obstacles", index):
+        shape = _shape(obstacle)
+        return slide.Obstacle(
+            obstacle.name, [geometry.PlacedShape(shape, np.eye(4))], pose_matrix(obstacle.pose)
+        )
+
+
+def _shape(obstacle: model.Obstacle) -> geometry.Shape:
+    if obstacle.box is not None:
+        return geometry.Box(np.array(obstacle.box))
+    if obstacle.sphere is not None:
+        return geometry.Sphere(obstacle.sphere.radius)
+    if obstacle.capsule is not None:
+        return geometry.Capsule(obstacle.capsule.radius, obstacle.capsule.length)
+    if obstacle.cylinder is not None:
+        rod = obstacle.cylinder
+        # A prism that holds the cylinder: FCL's own cylinders have open faults.
+        ring = _regular(rod.radius / np.cos(np.pi / 24), 24)
+        heights = (-rod.length / 2, rod.length / 2)
+        return geometry.Convex(
+            np.concatenate([np.column_stack([ring, np.full(24, z)]) for z in heights])
+        )
+    assert obstacle.mesh is not None
+    return geometry.read_mesh(obstacle.mesh.file, np.array(obstacle.mesh.scale))
+
+
+def _outline(shape: model.Object | model.Support) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """[N, 2] vertices of the polygon, rectangle or circle that is given."""
+    if shape.polygon is not None:
+        return np.array(shape.polygon, dtype=float)
+    if shape.rectangle is not None:
+        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
+        return np.array(corners * shape.rectangle.size + shape.rectangle.center)
+    assert shape.circle is not None
+    ring = _regular(shape.circle.radius, shape.circle.points)
+    return ring + np.array(shape.circle.center)
+
+
+def _regular(radius: float, n: int) -> np.ndarray[Any, np.dtype[np.float64]]:
+    angles = 2 * np.pi * np.arange(n) / n
+    return radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def build_options(task: model.SlideTask, source: Source) -> slide.Options:
+    fields = task.options.model_dump(exclude_none=True)
+    if "search" in fields:
+        fields["search"] = slide.Search.__members__[fields["search"]]
+    with at(source, "options"):
+        options = slide.Options(**fields)
+    if options.min_depth > options.max_depth:  # the core blames the second, whichever is given
+        field = "min_depth" if "min_depth" in fields else "max_depth"
+        what = f"min_depth is {options.min_depth:g}, max_depth {options.max_depth:g}; "
+        raise source.error(("options", field), what + "the first must not be larger")
+    with at(source, "options"):
+        slide.validate(options)
+    return options
+
+
+def build_budget(task: model.SlideTask, source: Source) -> planning.Budget:
+    with at(source, "budget"):
+        return planning.Budget(**task.budget.model_dump(exclude_none=True))
+
+
+def _given(source: Source, *location: str) -> set[str]:
+    data = source.data
+    for key in location:
+        data = data.get(key, {}) if isinstance(data, dict) else {}
+    return set(data) if isinstance(data, dict) else set()
+
+
+def _outline_field(shape: Any, source: Source, section: str) -> str:
+    names = ("polygon", "rectangle", "circle", "cloud", "points")
+    given = _given(source, section)
+    return next((name for name in names if name in given), names[0])

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reading point clouds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+
+SUFFIXES = (".ply", ".pcd", ".xyz")
+
+
+def read_cloud(path: str | Path) -> Matrix:
+    """The points of a PLY, PCD or XYZ file; of a PLY with faces, its vertices.
+
+    Parameters
+    ----------
+    path : str or Path
+        .ply (ascii, binary), .pcd (ascii, binary, binary_compressed) or .xyz.
+
+    Returns
+    -------
+    array [N, 3]
+        In the file's frame and unit.
+
+    Raises
+    ------
+    ValueError
+        The file is missing, unreadable, empty, or has values that are not finite.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in SUFFIXES:
+        raise ValueError(f"unknown kind of point cloud (one of: {', '.join(SUFFIXES)})")
+    if not path.is_file():
+        raise ValueError("no such file")
+    readers = {".pcd": _read_pcd, ".ply": _read_ply, ".xyz": _read_xyz}
+    try:
+        points = readers[path.suffix.lower()](path)
+    except Exception as error:  # readers of broken files raise whatever they stumble over
+        first = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise ValueError(f"cannot be read as a point cloud: {first}") from None
+    if not len(points):
+        raise ValueError("is empty: has no points")
+    if broken := int(np.count_nonzero(~np.isfinite(points).all(axis=1))):
+        raise ValueError(f"{broken} of {len(points)} points are not finite (NaN or Inf)")
+    return points
+
+
+def _read_ply(path: Path) -> Matrix:
+    import trimesh
+
+    loaded: Any = trimesh.load(path, process=False)
+    parts = loaded.geometry.values() if isinstance(loaded, trimesh.Scene) else [loaded]
+    points = [np.asarray(part.vertices, dtype=float) for part in parts]
+    return np.concatenate(points) if points else np.empty((0, 3))
+
+
+def _read_xyz(path: Path) -> Matrix:
+    """Three numbers a line; further columns (colours, normals) and # comments are skipped."""
+    rows = []
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        words = line.split("#")[0].replace(",", " ").split()
+        if not words:
+            continue
+        try:
+            rows.append([float(word) for word in words[:3]])
+        except ValueError:
+            raise ValueError(f"line {number} holds no three numbers: {line[:40]}") from None
+        if len(words) < 3:
+            raise ValueError(f"line {number} holds {len(words)} numbers, not three")
+    return np.array(rows, dtype=float).reshape(-1, 3)
+
+
+def _read_pcd(path: Path) -> Matrix:
+    from pypcd4 import PointCloud
+
+    points = PointCloud.from_path(path).numpy(("x", "y", "z"))
+    return np.asarray(points, dtype=float).reshape(-1, 3)

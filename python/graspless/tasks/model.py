@@ -1,0 +1,312 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a task file may hold: docs/task-files.md says the same in prose.
+
+A task that stands in a plan file has the same fields, with every file it names put inline
+(`urdf_text` for `urdf`, `points` for `cloud`, and so on); meshes stay files, and `files` keeps
+their checksums.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Tag,
+    field_validator,
+    model_validator,
+)
+
+Positive = Annotated[float, Field(gt=0)]
+NotNegative = Annotated[float, Field(ge=0)]
+Point2 = Annotated[list[float], Field(min_length=2, max_length=2)]
+Point3 = Annotated[list[float], Field(min_length=3, max_length=3)]
+Points2 = Annotated[list[Point2], Field(min_length=3)]
+Size2 = Annotated[list[Positive], Field(min_length=2, max_length=2)]
+Size3 = Annotated[list[Positive], Field(min_length=3, max_length=3)]
+
+
+class Fields(BaseModel):
+    """Base of all: unknown fields, text for numbers and NaN are refused."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+
+    def one_of(self, *names: str, needed: bool = True) -> None:
+        """Raises unless exactly one of the fields is given (at most one where not `needed`)."""
+        given = [name for name in names if getattr(self, name) is not None]
+        if len(given) > 1 or (needed and not given):
+            count = "exactly one" if needed else "at most one"
+            found = " and ".join(given) or "none"
+            raise ValueError(f"{count} of {', '.join(names)} must be given, not {found}")
+
+
+class Pose(Fields):
+    """Where a frame stands in another; angles about fixed x, y, z as in URDF."""
+
+    position: Point3 = Field(default=[0.0, 0.0, 0.0], description="[m]")
+    rpy: Point3 | None = Field(default=None, description="roll, pitch, yaw [rad]")
+    quaternion: Annotated[list[float], Field(min_length=4, max_length=4)] | None = Field(
+        default=None, description="w, x, y, z of unit length"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Pose:
+        self.one_of("rpy", "quaternion", needed=False)
+        if self.quaternion and abs(math.hypot(*self.quaternion) - 1) > 1e-3:
+            raise ValueError(f"quaternion has length {math.hypot(*self.quaternion):.4g}, not 1")
+        return self
+
+
+class PlanarPose(Fields):
+    """Where the object lies on the support, in S."""
+
+    x: float = Field(default=0.0, description="[m]")
+    y: float = Field(default=0.0, description="[m]")
+    yaw: float = Field(default=0.0, description="[rad]")
+
+
+def _kind_of_home(value: Any) -> str:
+    return {dict: "joints", list: "all"}.get(type(value), "state")
+
+
+def _kind_of_hand(value: Any) -> str:
+    return "file" if isinstance(value, str) else "fields"
+
+
+Home = Annotated[
+    Annotated[str, Tag("state")]
+    | Annotated[dict[str, float], Tag("joints")]
+    | Annotated[list[float], Tag("all")],
+    Discriminator(_kind_of_home),
+]
+
+
+class Robot(Fields):
+    """Which robot, where it stands and where its joints are."""
+
+    urdf: str | None = Field(default=None, description=".urdf or .xacro file, or a built-in name")
+    urdf_text: str | None = Field(default=None, description="the URDF itself")
+    srdf: str | None = Field(
+        default=None, description="SRDF file; default: that of the same name beside the URDF"
+    )
+    srdf_text: str | None = Field(default=None, description="the SRDF itself")
+    packages: dict[str, str] = Field(default={}, description="where package://NAME/ points")
+    directory: str | None = Field(
+        default=None, description="what relative mesh paths are relative to; default: the URDF's"
+    )
+    xacro_args: dict[str, str | float | int | bool] = Field(
+        default={}, description="arguments of a .xacro file"
+    )
+    pose: Pose = Field(default=Pose(), description="of the root link in the world")
+    home: Home = Field(
+        default="home",
+        description="where the robot stands: a state of the SRDF, {joint: value} or all joints",
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Robot:
+        self.one_of("urdf", "urdf_text")
+        self.one_of("srdf", "srdf_text", needed=False)
+        return self
+
+
+class Hand(Fields):
+    """Names of the robot's parts, and how the finger gives way: graspless.slide.Hand."""
+
+    arm: str | None = Field(default=None, description="group of joints that carry the hand")
+    fingertip: str | None = Field(default=None, description="frame F of the sliding finger")
+    sliding_finger: list[str] | None = Field(default=None, description="links that may press")
+    fingers: list[str] | None = Field(default=None, description="links that close on the object")
+    grasp_frame: str | None = Field(default=None, description="frame H between the open tips")
+    open: str | None = Field(default=None, description="state of the hand while it slides")
+    closed: str | None = Field(default=None, description="state towards which it closes")
+    finger_model: Literal["none", "flexure"] | None = None
+    flexure_length: Positive | None = Field(default=None, description="flexure to tip [m]")
+    tip_radius: Positive | None = Field(default=None, description="of the rolling pad [m]")
+
+
+class Circle(Fields):
+    """A circle as a regular polygon."""
+
+    center: Point2 = Field(default=[0.0, 0.0], description="[m]")
+    radius: Positive = Field(description="[m]")
+    points: Annotated[int, Field(ge=3, le=10000)] = 100
+
+
+class Rectangle(Fields):
+    """A rectangle with sides along x and y."""
+
+    center: Point2 = Field(default=[0.0, 0.0], description="[m]")
+    size: Size2 = Field(description="along x and y [m]")
+
+
+class PointMass(Fields):
+    """A part of a mass distribution."""
+
+    position: Point3 = Field(description="in O [m]")
+    mass: NotNegative = Field(description="[kg], or any unit shared by all")
+
+
+class Object(Fields):
+    """The thin object: an outline and a thickness, or points on its top surface."""
+
+    name: str = "object"
+    polygon: Points2 | None = Field(default=None, description="outline in O [m]")
+    rectangle: Rectangle | None = None
+    circle: Circle | None = None
+    cloud: str | None = Field(default=None, description=".ply, .pcd or .xyz file")
+    points: list[Point3] | None = Field(default=None, description="the cloud itself, in O [m]")
+    frame: Literal["object", "world"] = Field(
+        default="object", description="in which frame the cloud's file is"
+    )
+    unit: Literal["m", "mm"] = Field(default="m", description="of the cloud's file")
+    thickness: Positive | None = Field(default=None, description="[m]")
+    spacing: Positive | None = Field(default=None, description="of contact points [m]")
+    scale: Positive = Field(default=1.0, description="in the plane; thickness and mass stay")
+    com: Annotated[list[float], Field(min_length=2, max_length=3)] | None = Field(
+        default=None, description="centre of mass in O, after scaling [m]"
+    )
+    masses: Annotated[list[PointMass], Field(min_length=1)] | None = Field(
+        default=None, description="instead of com: a mass distribution"
+    )
+    mass: Positive | None = Field(default=None, description="[kg]")
+    pose: PlanarPose | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Object:
+        self.one_of("polygon", "rectangle", "circle", "cloud", "points")
+        self.one_of("com", "masses", needed=False)
+        has_points = self.cloud is not None or self.points is not None
+        if not has_points and self.thickness is None:
+            raise ValueError("thickness must be given with an outline [m]")
+        if self.cloud is not None and self.frame == "world":
+            if self.pose is not None:
+                raise ValueError("pose must not be given: a cloud in the world says where it is")
+        elif self.pose is None:
+            raise ValueError("pose must be given: where it lies on the support, {x, y, yaw}")
+        if has_points and self.spacing is not None:
+            raise ValueError("spacing is for outlines: a cloud's points are the contact points")
+        return self
+
+
+class Support(Fields):
+    """The surface to slide on."""
+
+    polygon: Points2 | None = Field(default=None, description="in S, convex or not [m]")
+    rectangle: Rectangle | None = None
+    circle: Circle | None = None
+    height: float | None = Field(default=None, description="of a level top in the world [m]")
+    pose: Pose | None = Field(default=None, description="of S in the world, z out of the top")
+    slab: Positive | None = Field(default=None, description="how thick the top is [m]")
+    band_width: Positive | None = Field(default=None, description="how far P_g reaches [m]")
+
+    @model_validator(mode="after")
+    def _check(self) -> Support:
+        self.one_of("polygon", "rectangle", "circle")
+        self.one_of("height", "pose", needed=False)
+        return self
+
+
+class Sphere(Fields):
+    """Centred at its frame's origin."""
+
+    radius: Positive = Field(description="[m]")
+
+
+class Rod(Fields):
+    """A cylinder or capsule along z, centred at its frame's origin."""
+
+    radius: Positive = Field(description="[m]")
+    length: Positive = Field(description="along z; of a capsule without its half spheres [m]")
+
+
+class MeshFile(Fields):
+    """A triangle mesh in a file."""
+
+    file: str = Field(description=".stl, .obj, .off or .ply")
+    scale: Size3 = Field(default=[1.0, 1.0, 1.0])
+
+
+class Obstacle(Fields):
+    """Something that stands in the way of the arm and of the sliding object."""
+
+    name: str
+    box: Size3 | None = Field(default=None, description="side lengths [m]")
+    sphere: Sphere | None = None
+    capsule: Rod | None = None
+    cylinder: Rod | None = None
+    mesh: MeshFile | None = None
+    pose: Pose = Field(default=Pose(), description="in the world")
+
+    @model_validator(mode="after")
+    def _check(self) -> Obstacle:
+        self.one_of("box", "sphere", "capsule", "cylinder", "mesh")
+        return self
+
+
+class Options(Fields):
+    """How to search: graspless.slide.Options has the defaults and the reasons."""
+
+    search: Literal["paper", "fast"] | None = None
+    pitch: Annotated[float, Field(gt=0, lt=math.pi / 2)] | None = Field(
+        default=None, description="[rad]"
+    )
+    pitch_tolerance: NotNegative | None = Field(default=None, description="[rad]")
+    min_depth: NotNegative | None = Field(default=None, description="[m]")
+    max_depth: NotNegative | None = Field(default=None, description="[m]")
+    height_tolerance: Positive | None = Field(default=None, description="[m]")
+    roll_tolerance: Positive | None = Field(default=None, description="[rad]")
+    root_scale: Positive | None = None
+    min_overhang: NotNegative | None = Field(default=None, description="[m]")
+    com_margin: NotNegative | None = Field(default=None, description="[m]")
+    tip_margin: NotNegative | None = Field(default=None, description="[m]")
+    lift_height: Positive | None = Field(default=None, description="[m]")
+    grasp_approach: Positive | None = Field(default=None, description="[m]")
+    range: Positive | None = Field(default=None, description="[rad]")
+    resolution: Positive | None = Field(default=None, description="[rad]")
+    shortcut: bool | None = None
+
+
+class Budget(Fields):
+    """Time and randomness: graspless.planning.Budget."""
+
+    seconds: Positive | None = Field(default=None, description="wall clock [s]")
+    iterations: Annotated[int, Field(ge=0, lt=2**63)] | None = None
+    seed: Annotated[int, Field(ge=0, lt=2**64)] | None = None
+
+
+class SlideTask(Fields):
+    """A task for the sliding planner."""
+
+    kind: Literal["slide"]
+    robot: Robot
+    hand: (
+        Annotated[
+            Annotated[str, Tag("file")] | Annotated[Hand, Tag("fields")],
+            Discriminator(_kind_of_hand),
+        ]
+        | None
+    ) = Field(
+        default=None, description="fields, or a file of them; default: <urdf>.hand.yaml beside it"
+    )
+    object: Object
+    support: Support
+    obstacles: list[Obstacle] = []
+    options: Options = Options()
+    budget: Budget = Budget()
+    files: dict[str, str] = Field(
+        default={}, description="in plan files: sha256 of each mesh that the task reads"
+    )
+
+    @field_validator("obstacles")
+    @classmethod
+    def _check_names(cls, obstacles: list[Obstacle]) -> list[Obstacle]:
+        names = [obstacle.name for obstacle in obstacles]
+        if twice := {name for name in names if names.count(name) > 1}:
+            raise ValueError(f"name given twice: {', '.join(sorted(twice))}")
+        return obstacles

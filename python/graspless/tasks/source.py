@@ -1,0 +1,213 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""YAML with line numbers: where each field of a file stands."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import pydantic
+
+Location = tuple["str | int", ...]
+
+
+@dataclass
+class Source:
+    """A file that people write, as data, and the line of every field in it."""
+
+    file: str
+    data: Any
+    lines: dict[Location, int] = field(default_factory=dict)
+
+    def line(self, location: Iterable[str | int]) -> int:
+        """The line of a field, or of the nearest field around it."""
+        place = tuple(location)
+        while place and place not in self.lines:
+            place = place[:-1]
+        return self.lines.get(place, 1)
+
+    def message(self, location: Iterable[str | int], what: str) -> str:
+        """One line: file:line: field: value: what it may be."""
+        place = tuple(location)
+        value, known = self._look_up(place)
+        shown = f"{_shorten(value)}: " if known and not isinstance(value, (dict, list)) else ""
+        where = f"{self.file}:{self.line(place)}" if self.lines else self.file
+        return f"{where}: {_dotted(place)}{shown}{what}"
+
+    def error(self, location: Iterable[str | int], what: str) -> TaskError:
+        return TaskError(self.message(location, what))
+
+    def validate(self, model: type[pydantic.BaseModel]) -> Any:
+        """The data as a `model`; raises TaskError with one line a fault."""
+        from pydantic import ValidationError
+
+        try:
+            return model.model_validate(self.data)
+        except ValidationError as error:
+            faults = [self._explain(model, dict(fault)) for fault in error.errors()]
+            raise TaskError("\n".join(faults)) from None
+
+    def _look_up(self, place: Location) -> tuple[Any, bool]:
+        value = self.data
+        for key in place:
+            try:
+                value = value[key]
+            except (KeyError, IndexError, TypeError):
+                return None, False
+        return value, bool(place)
+
+    def _in_data(self, location: Location) -> Location:
+        """A pydantic location without the tags of unions, which are not in the file."""
+        place: Location = ()
+        for i, key in enumerate(location):
+            if self._look_up((*place, key))[1] or i == len(location) - 1:
+                place = (*place, key)
+        return place
+
+    def _explain(self, model: type[pydantic.BaseModel], fault: dict[str, Any]) -> str:
+        place = self._in_data(fault["loc"])
+        kind = fault["type"]
+        if kind == "extra_forbidden":
+            fields = sorted(_fields_at(model, fault["loc"][:-1]))
+            close = difflib.get_close_matches(str(place[-1]), fields, 1)
+            hint = f"; did you mean '{close[0]}'?" if close else ""
+            where = f"{self.file}:{self.line(place)}" if self.lines else self.file
+            return f"{where}: {_dotted(place)}unknown field{hint} (one of: {', '.join(fields)})"
+        if kind == "missing":
+            return self.message(place, "missing")
+        if kind == "model_type" or kind == "dict_type":
+            fields = sorted(_fields_at(model, fault["loc"]))
+            names = f" with some of: {', '.join(fields)}" if fields else ""
+            value = self._look_up(place)[0]
+            shown = f"{_shorten(value)}: " if isinstance(value, list) else ""
+            return self.message(place, f"{shown}should be a mapping{names}")
+        text = re.sub(r"^(Value error, |Input )", "", fault["msg"])
+        value = self._look_up(place)[0]
+        shown = f"{_shorten(value)}: " if isinstance(value, list) and kind != "value_error" else ""
+        return self.message(place, shown + text[:1].lower() + text[1:])
+
+
+def read_yaml(path: str | Path) -> Source:
+    """Reads a YAML file with the line of each field.
+
+    Raises
+    ------
+    TaskError
+        The file is missing, is not YAML, is empty, or names a field twice.
+    """
+    file = str(path)
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except OSError as error:
+        raise TaskError(f"{file}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise TaskError(f"{file}: not a text file in UTF-8") from None
+    return parse_yaml(text, file)
+
+
+def parse_yaml(text: str, file: str) -> Source:
+    """As `read_yaml`, from text."""
+    import yaml
+
+    loader = yaml.SafeLoader(text)
+    loader.yaml_implicit_resolvers = {
+        key: [rule for rule in rules if rule[0] != "tag:yaml.org,2002:timestamp"]
+        for key, rules in yaml.SafeLoader.yaml_implicit_resolvers.items()
+    }
+    for first in "-+.0123456789":  # YAML 1.1 takes 1e-3 for text; nobody who writes it does
+        rules = loader.yaml_implicit_resolvers.setdefault(first, [])
+        rules.insert(0, ("tag:yaml.org,2002:float", _FLOAT))
+    lines: dict[Location, int] = {}
+    try:
+        root = loader.get_single_node()
+        _note_lines(root, (), lines, file, ())
+        data = None if root is None else loader.construct_document(root)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = mark.line + 1 if mark else 1
+        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+        raise TaskError(f"{file}:{line}: not valid YAML: {problem}") from None
+    finally:
+        loader.dispose()
+    if not isinstance(data, dict):
+        raise TaskError(f"{file}:1: should be a mapping of fields, see docs/task-files.md")
+    return Source(file, data, lines)
+
+
+_FLOAT = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
+
+
+def _note_lines(
+    node: Any, place: Location, lines: dict[Location, int], file: str, above: tuple[int, ...]
+) -> None:
+    import yaml
+
+    if node is None:
+        return
+    if id(node) in above:
+        raise TaskError(f"{file}:{node.start_mark.line + 1}: an alias that holds itself")
+    above = (*above, id(node))
+    lines.setdefault(place, node.start_mark.line + 1)
+    if isinstance(node, yaml.MappingNode):
+        seen = set()
+        for key, value in node.value:
+            if key.value in seen:
+                raise TaskError(
+                    f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}given twice"
+                )
+            seen.add(key.value)
+            lines[(*place, key.value)] = key.start_mark.line + 1
+            _note_lines(value, (*place, key.value), lines, file, above)
+    elif isinstance(node, yaml.SequenceNode):
+        for i, value in enumerate(node.value):
+            _note_lines(value, (*place, i), lines, file, above)
+
+
+def _fields_at(model: Any, location: Location) -> set[str]:
+    """Names of the fields of the model that stands at a pydantic location."""
+    from pydantic import BaseModel
+
+    found: list[Any] = [model]
+    for key in location:
+        below: list[Any] = []
+        for kind in found:
+            if isinstance(kind, type) and issubclass(kind, BaseModel):
+                info = kind.model_fields.get(str(key))
+                below += _models_in(info.annotation) if info else []
+            else:
+                below.append(kind)
+        found = below or found
+    return {name for kind in found if hasattr(kind, "model_fields") for name in kind.model_fields}
+
+
+def _models_in(annotation: Any) -> list[Any]:
+    from typing import get_args
+
+    from pydantic import BaseModel
+
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [model for part in get_args(annotation) for model in _models_in(part)]
+
+
+def _dotted(place: Location) -> str:
+    text = ""
+    for key in place:
+        text += f"[{key}]" if isinstance(key, int) else f".{key}" if text else str(key)
+    return f"{text}: " if text else ""
+
+
+def _shorten(value: Any) -> str:
+    text = value if isinstance(value, str) else repr(value)
+    if isinstance(value, bool):
+        text = str(value).lower()
+    return text if len(text) <= 60 else text[:57] + "..."

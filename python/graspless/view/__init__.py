@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plans as pictures and replays."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .. import files
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from ..plans import Plan
+
+
+def write_png(plan: Plan, path: str | Path) -> None:
+    """Draws a plan: its slide from above, and the robot at four moments of it.
+
+    Parameters
+    ----------
+    plan : Plan
+        One without motion is drawn as it starts.
+    path : str or Path
+        .png file.
+    """
+    files.check_writable(path)
+    try:
+        from .picture import draw
+    except ImportError as error:
+        raise TaskError(_missing(error)) from None
+    files.write(path, draw(plan))
+
+
+def write_html(plan: Plan, path: str | Path) -> None:
+    """Writes a replay with a play button and a time slider, in one file that needs no network."""
+    files.check_writable(path)
+    try:
+        from .replay import as_html
+    except ImportError as error:
+        raise TaskError(_missing(error)) from None
+    files.write(path, as_html(plan))
+
+
+def serve(plan: Plan, port: int = 8080) -> None:
+    """Serves a viewer with a time slider on this machine until Ctrl-C."""
+    try:
+        from .replay import serve as run
+    except ImportError as error:
+        raise TaskError(_missing(error)) from None
+    run(plan, port)
+
+
+def _missing(error: ImportError) -> str:
+    return f"needs {error.name} to draw: pip install 'graspless[view]'"
+
+
+__all__ = ["serve", "write_html", "write_png"]

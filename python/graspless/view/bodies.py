@@ -1,0 +1,262 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What there is to draw: triangles with a colour, fixed in the frame of a body."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames, geometry
+from ..tasks.resolve import mesh_path, pose_matrix
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ..frames import Matrix
+    from ..tasks import Task
+    from ..tasks import model
+    from .film import Film
+
+Color = tuple[float, float, float]
+
+ARM: Color = (0.78, 0.79, 0.80)
+OBJECT: Color = (0.95, 0.65, 0.15)
+TABLE: Color = (0.80, 0.72, 0.60)
+OBSTACLE: Color = (0.45, 0.55, 0.68)
+TRAIL: Color = (0.78, 0.10, 0.32)
+TRAIL_WIDTH = 0.006  # [m]
+
+
+@dataclass
+class Part:
+    """Triangles of one colour.
+
+    Attributes
+    ----------
+    vertices : array [V, 3]
+        In the body's frame [m].
+    triangles : array [T, 3]
+        Rows of vertex indices, counter-clockwise seen from outside.
+    color : tuple
+        Red, green, blue, each 0 to 1.
+    """
+
+    vertices: Matrix
+    triangles: NDArray[np.int64]
+    color: Color
+
+
+@dataclass
+class Body:
+    """Parts that move together."""
+
+    name: str
+    parts: list[Part] = field(default_factory=list)
+
+
+def robot_bodies(task: Task) -> list[Body]:
+    """One body a link, in the order of Robot.frame_names: its visuals, or else its shapes."""
+    robot = task.problem.robot
+    names = list(robot.frame_names)
+    bodies = [Body(name) for name in names]
+    root = ET.fromstring(task.fields.robot.urdf_text or "")
+    palette = {
+        material.get("name", ""): _color(material)
+        for material in root.iter("material")
+        if material.find("color") is not None
+    }
+    for link in root.findall("link"):
+        body = bodies[names.index(link.get("name", ""))]
+        for visual in link.findall("visual"):
+            body.parts += _visual_parts(visual, palette, task.fields.robot)
+    for index, placed in robot.shapes:
+        if not root.findall(f"link[@name='{names[index]}']/visual"):
+            bodies[index].parts.append(placed_part(placed, ARM))
+    return bodies
+
+
+def table_body(task: Task) -> Body:
+    """The support, in S."""
+    support = task.problem.support
+    return Body("table", [prism(support.polygon, -support.slab, 0.0, TABLE)])
+
+
+def object_body(task: Task) -> Body:
+    """The object, in O."""
+    thing = task.problem.object
+    return Body("object", [prism(thing.outline, 0.0, thing.thickness, OBJECT)])
+
+
+def obstacle_bodies(task: Task) -> list[tuple[Body, Matrix]]:
+    """The obstacles with their poses in the world."""
+    return [
+        (Body(obstacle.name, [_obstacle_part(obstacle)]), pose_matrix(obstacle.pose))
+        for obstacle in task.fields.obstacles
+    ]
+
+
+def prism(outline: geometry.Polygon, bottom: float, top: float, color: Color) -> Part:
+    """A polygon between two heights [m]."""
+    vertices: list[Any] = []
+    triangles: list[list[int]] = []
+
+    def add(points: Any, faces: list[list[int]]) -> None:
+        triangles.extend([[i + len(vertices) for i in face] for face in faces])
+        vertices.extend(points)
+
+    for part in outline.convex_parts():
+        ring = np.asarray(part.vertices)
+        fan = [[0, i, i + 1] for i in range(1, len(ring) - 1)]
+        add(np.column_stack([ring, np.full(len(ring), top)]), fan)
+        add(np.column_stack([ring, np.full(len(ring), bottom)]), [face[::-1] for face in fan])
+    ring = np.asarray(outline.vertices)
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        side = [[*a, bottom], [*b, bottom], [*b, top], [*a, top]]
+        add(side, [[0, 1, 2], [0, 2, 3]])
+    return Part(np.array(vertices), np.array(triangles), color)
+
+
+def placed_part(placed: geometry.PlacedShape, color: Color) -> Part:
+    """A collision shape in its body's frame."""
+    import trimesh
+
+    shape: Any = placed.shape
+    if isinstance(shape, geometry.Box):
+        mesh = trimesh.creation.box(shape.size)
+    elif isinstance(shape, geometry.Sphere):
+        mesh = trimesh.creation.uv_sphere(shape.radius, count=(13, 24))
+    elif isinstance(shape, geometry.Capsule):
+        mesh = _capsule(shape.radius, shape.length)
+    elif isinstance(shape, geometry.Mesh):
+        mesh = trimesh.Trimesh(shape.vertices, shape.triangles, process=False)
+    else:
+        mesh = trimesh.Trimesh(shape.vertices).convex_hull
+    return _part(mesh, np.asarray(placed.X_BG), color)
+
+
+def trail_body(shown: Film) -> Body:
+    """The way of the fingertip while it slides, a ribbon just above the object, in the world."""
+    rows = shown.rows("slide")
+    problem = shown.plan.task.problem
+    X_WS = np.asarray(problem.support.X_WS)
+    X_SW = np.linalg.inv(X_WS)
+    tips = shown.frame(problem.hand.fingertip)[rows, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3]
+    steps = np.linalg.norm(np.diff(tips[:, :2], axis=0), axis=1)
+    tips = tips[np.concatenate([[True], steps > 1e-9])] if len(tips) else tips
+    if len(tips) < 2:
+        return Body("trail")
+    way = np.gradient(tips[:, :2], axis=0)
+    way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-12)
+    across = np.column_stack([-way[:, 1], way[:, 0], np.zeros(len(way))]) * TRAIL_WIDTH / 2
+    middle = np.column_stack([tips[:, :2], np.full(len(tips), problem.object.thickness + 0.002)])
+    ribbon = np.concatenate([middle + across, middle - across])
+    n = len(tips)
+    i = np.arange(n - 1)
+    quads = [np.stack([i, i + n, i + n + 1], axis=1), np.stack([i, i + n + 1, i + 1], axis=1)]
+    return Body(
+        "trail", [Part(ribbon @ X_WS[:3, :3].T + X_WS[:3, 3], np.concatenate(quads), TRAIL)]
+    )
+
+
+def _obstacle_part(obstacle: model.Obstacle) -> Part:
+    import trimesh
+
+    if obstacle.box is not None:
+        mesh = trimesh.creation.box(obstacle.box)
+    elif obstacle.sphere is not None:
+        mesh = trimesh.creation.uv_sphere(obstacle.sphere.radius, count=(13, 24))
+    elif obstacle.capsule is not None:
+        mesh = _capsule(obstacle.capsule.radius, obstacle.capsule.length)
+    elif obstacle.cylinder is not None:
+        mesh = _cylinder(obstacle.cylinder.radius, obstacle.cylinder.length)
+    else:
+        assert obstacle.mesh is not None
+        read = geometry.read_mesh(obstacle.mesh.file, np.array(obstacle.mesh.scale))
+        return Part(np.asarray(read.vertices), np.asarray(read.triangles), OBSTACLE)
+    return _part(mesh, np.eye(4), OBSTACLE)
+
+
+def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: model.Robot) -> list[Part]:
+    import trimesh
+
+    shape = visual.find("geometry/*")
+    if shape is None:
+        return []
+    material = visual.find("material")
+    color = ARM
+    if material is not None:
+        named = palette.get(material.get("name", ""), ARM)
+        color = _color(material) if material.find("color") is not None else named
+    if shape.tag == "box":
+        mesh = trimesh.creation.box(_numbers(shape.get("size"), [1, 1, 1]))
+    elif shape.tag == "sphere":
+        mesh = trimesh.creation.uv_sphere(float(shape.get("radius", 1)), count=(13, 24))
+    elif shape.tag == "cylinder":
+        mesh = _cylinder(float(shape.get("radius", 1)), float(shape.get("length", 1)))
+    elif shape.tag == "capsule":
+        mesh = _capsule(float(shape.get("radius", 1)), float(shape.get("length", 1)))
+    else:
+        path = mesh_path(shape.get("filename", ""), robot.packages, robot.directory)
+        mesh = trimesh.load(path, force="mesh")
+        mesh.apply_scale(_numbers(shape.get("scale"), [1, 1, 1]))
+    return [_part(mesh, _origin(visual), color)]
+
+
+def _capsule(radius: float, length: float) -> Any:
+    import trimesh
+
+    mesh = trimesh.creation.capsule(height=length, radius=radius, count=(12, 24))
+    mesh.apply_translation([0, 0, -mesh.bounds.mean(axis=0)[2]])
+    return mesh
+
+
+def _cylinder(radius: float, length: float) -> Any:
+    """Round the circle, where spheres are inside: a capsule made of both shows no teeth."""
+    import trimesh
+
+    sides = 24
+    return trimesh.creation.cylinder(radius / np.cos(np.pi / sides), length, sections=sides)
+
+
+def _part(mesh: Any, X_BG: Matrix, color: Color) -> Part:
+    vertices, triangles = _split_edges(
+        np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=np.int64)
+    )
+    return Part(vertices @ X_BG[:3, :3].T + X_BG[:3, 3], triangles, color)
+
+
+def _split_edges(p: Matrix, f: NDArray[np.int64]) -> tuple[Matrix, NDArray[np.int64]]:
+    """The same triangles with corners at sharp edges of their own, so that they are not shaded
+    as if they were round.
+    """
+    areas = np.cross(p[f[:, 1]] - p[f[:, 0]], p[f[:, 2]] - p[f[:, 0]])
+    smooth = np.zeros_like(p)
+    for k in range(3):
+        np.add.at(smooth, f[:, k], areas)
+    lengths = np.linalg.norm(smooth[f], axis=2) * np.linalg.norm(areas, axis=1)[:, None]
+    sharp = np.einsum("fkj,fj->fk", smooth[f], areas) < 0.8 * lengths
+    triangles = f.copy()
+    triangles[sharp] = len(p) + np.arange(np.count_nonzero(sharp))
+    return np.concatenate([p, p[f[sharp]]]), triangles
+
+
+def _origin(element: ET.Element) -> Matrix:
+    origin = element.find("origin")
+    if origin is None:
+        return np.eye(4)
+    xyz, rpy = _numbers(origin.get("xyz"), [0, 0, 0]), _numbers(origin.get("rpy"), [0, 0, 0])
+    return frames.translation(xyz) @ frames.from_rpy(rpy)
+
+
+def _color(material: ET.Element) -> Color:
+    color = material.find("color")
+    rgba = _numbers(None if color is None else color.get("rgba"), [*ARM, 1])
+    return rgba[0], rgba[1], rgba[2]
+
+
+def _numbers(text: str | None, default: list[float]) -> list[float]:
+    return default if text is None else [float(word) for word in text.split()]

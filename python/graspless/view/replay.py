@@ -1,0 +1,195 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plan as a replay in viser: one HTML file, or a viewer on this machine."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import socket
+import time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames
+from ..errors import TaskError
+from . import bodies
+from .film import film
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..frames import Matrix
+    from ..plans import Plan
+    from .film import Film
+
+RATE = 20.0  # rows a second
+HOLD = 1.5  # at the end, before the replay starts again [s]
+DIM = 0.82  # viser's lights are bright
+
+
+def as_html(plan: Plan) -> str:
+    """The replay as the text of one HTML file, a time slider below."""
+    shown = film(plan).resampled(RATE)
+    with contextlib.redirect_stdout(io.StringIO()), _server(_free_port()) as server:
+        stage = _Stage(server, shown)
+        stage.show(0)
+        serializer = server.get_scene_serializer()
+        for row in range(1, len(shown.times)):
+            serializer.insert_sleep(1 / RATE)
+            stage.show(row)
+        serializer.insert_sleep(HOLD if len(shown.names) > 2 else 0.0)
+        text: str = serializer.as_html()
+    title = f"<title>graspless: {plan.task.problem.object.name}, {plan.status}</title>"
+    return text.replace("<title>Viser</title>", title, 1)
+
+
+def serve(plan: Plan, port: int) -> None:
+    """Serves the replay with a slider until Ctrl-C."""
+    shown = film(plan).resampled(RATE)
+    with _server(port) as server:
+        stage = _Stage(server, shown)
+        stage.show(0)
+        playing = server.gui.add_checkbox("play", initial_value=True)
+        last = float(shown.times[-1])
+        now = server.gui.add_slider(
+            "time [s]", min=0.0, max=max(last, 0.05), step=0.05, initial_value=0.0
+        )
+        now.on_update(lambda _: stage.show(int(round(now.value * RATE))))
+        print(f"http://localhost:{server.get_port()}  (Ctrl-C ends it)", flush=True)
+        while True:
+            time.sleep(1 / RATE)
+            if playing.value:
+                now.value = 0.0 if now.value >= last else min(now.value + 1 / RATE, last)
+
+
+class _Stage:
+    """The scene of a film on a viser server; `show` moves what moves."""
+
+    def __init__(self, server: Any, shown: Film) -> None:
+        self.shown = shown
+        self.row = -1
+        task = shown.plan.task
+        scene = server.scene
+        scene.set_up_direction("+z")
+        scene.configure_default_lights(cast_shadow=True)
+        X_WS = np.asarray(task.problem.support.X_WS)
+        _add(scene, "/table", bodies.table_body(task), X_WS)
+        for body, X_WB in bodies.obstacle_bodies(task):
+            _add(scene, f"/obstacles/{_plain(body.name)}", body, X_WB)
+        self.links = [
+            (i, _add(scene, f"/robot/{_plain(body.name)}", body, shown.link_poses[0, i]))
+            for i, body in enumerate(bodies.robot_bodies(task))
+            if body.parts
+        ]
+        self.thing = _add(scene, "/object", bodies.object_body(task), shown.object_poses[0])
+        trail = bodies.trail_body(shown)
+        if trail.parts:
+            _add(scene, "/fingertip", trail, np.eye(4))
+        self._add_captions(scene, X_WS)
+        self._aim(server, X_WS)
+
+    def show(self, row: int) -> None:
+        """Moves the robot and the object to a row; what stays is not sent again."""
+        row = min(max(row, 0), len(self.shown.times) - 1)
+        before, self.row = self.row, row
+        for i, handle in self.links:
+            _move(handle, self.shown.link_poses[row, i], self.shown.link_poses[before, i], before)
+        _move(self.thing, self.shown.object_poses[row], self.shown.object_poses[before], before)
+        name = self.shown.names[row]
+        for other, caption in self.captions.items():
+            if before < 0 or (other == name) != (other == self.shown.names[before]):
+                caption.visible = other == name
+
+    def _add_captions(self, scene: Any, X_WS: Matrix) -> None:
+        at = tuple(_middle(self.shown, X_WS) - [0, 0, 0.3])  # like a subtitle, below the table
+        names = list(dict.fromkeys(self.shown.names))
+        self.captions = {
+            name: scene.add_label(
+                f"/captions/{_plain(name)}", name, position=at, visible=False, font_screen_scale=1.6
+            )
+            for name in names
+        }
+
+    def _aim(self, server: Any, X_WS: Matrix) -> None:
+        middle = _middle(self.shown, X_WS)
+        away = self.shown.object_poses[-1][:3, 3] - middle
+        away[2] = 0
+        away = away / max(np.linalg.norm(away), 1e-6)
+        side = np.array([-away[1], away[0], 0]) * 0.7
+        camera = server.initial_camera
+        camera.position = tuple(middle + 1.15 * (away + side) / np.hypot(1, 0.7) + [0, 0, 0.75])
+        camera.look_at = tuple(middle + [0, 0, 0.17])
+        camera.fov = 0.9
+
+
+def _middle(shown: Film, X_WS: Matrix) -> Matrix:
+    """Between the support's middle and the robot's base, in the support's plane."""
+    centroid = np.asarray(shown.plan.task.problem.support.polygon.centroid)
+    on_table = X_WS @ np.array([*centroid, 0, 1])
+    base = shown.link_poses[0, 0, :3, 3]
+    middle: Matrix = 0.65 * on_table[:3] + 0.35 * np.array([*base[:2], on_table[2]])
+    return middle
+
+
+def _add(scene: Any, name: str, body: bodies.Body, X_WB: Matrix) -> Any:
+    """A frame with one mesh a colour under it."""
+    frame = scene.add_frame(name, show_axes=False, **_placed(X_WB))
+    colors = list(dict.fromkeys(part.color for part in body.parts))
+    for k, color in enumerate(colors):
+        vertices: list[Matrix] = []
+        triangles: list[Any] = []
+        count = 0
+        for part in body.parts:
+            if part.color == color:
+                vertices.append(part.vertices)
+                triangles.append(part.triangles + count)
+                count += len(part.vertices)
+        scene.add_mesh_simple(
+            f"{name}/{k}",
+            np.concatenate(vertices).astype(np.float32),
+            np.concatenate(triangles).astype(np.uint32),
+            color=tuple(int(round(255 * DIM * value)) for value in color),
+            flat_shading=body.name in ("table", "object"),
+            side="double",
+        )
+    return frame
+
+
+def _placed(X_WB: Matrix) -> dict[str, Any]:
+    return {"wxyz": tuple(frames.to_quaternion(X_WB)), "position": tuple(X_WB[:3, 3])}
+
+
+def _move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
+    if before >= 0 and np.array_equal(X, X_before):
+        return
+    if before < 0 or not np.array_equal(X[:3, :3], X_before[:3, :3]):
+        handle.wxyz = tuple(np.round(frames.to_quaternion(X), 6))
+    if before < 0 or not np.array_equal(X[:3, 3], X_before[:3, 3]):
+        handle.position = tuple(np.round(X[:3, 3], 6))
+
+
+def _plain(name: str) -> str:
+    return name.replace("/", "_")
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+@contextlib.contextmanager
+def _server(port: int) -> Iterator[Any]:
+    """A viser server that only this machine sees."""
+    import viser
+
+    try:
+        server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
+    except OSError as error:
+        raise TaskError(f"--port: {port}: cannot be served: {error.strerror}") from None
+    try:
+        yield server
+    finally:
+        server.stop()

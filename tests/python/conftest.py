@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot, a table and a card, as the tests of several rooms need them."""
+
+import pathlib
+
+import numpy as np
+import pytest
+
+from graspless.robot import Robot
+from graspless.slide import Hand, Object, Problem, Support
+
+ROOT = pathlib.Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="session")
+def wam():
+    return Robot.from_urdf_file(str(ROOT / "urdf" / "wam_t42.urdf"))
+
+
+@pytest.fixture(scope="session")
+def q_home(wam):
+    q = wam.state("open").copy()
+    q[3] = np.pi / 2  # the forearm points forward, high above the table
+    return q
+
+
+@pytest.fixture(scope="session")
+def card_problem(wam, q_home):
+    """A card 10 cm wide on a square table of 0.7 m in front of the arm."""
+    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    X_WS = np.eye(4)
+    X_WS[0, 3] = 0.65
+    X_WO = X_WS.copy()
+    X_WO[:2, 3] = 0.60, 0.05
+    card = Object.from_polygon("card", 0.05 * square, thickness=0.004)
+    return Problem(wam, Hand(), card, Support(0.35 * square, X_WS), X_WO, q_home)

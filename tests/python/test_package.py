@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an installed graspless holds."""
+
+import importlib.metadata
+import pathlib
+import subprocess
+import sys
+
+import graspless
+from graspless import _core
+
+PACKAGE = pathlib.Path(graspless.__file__).parent
+
+
+def test_extension_stands_beside_its_library():
+    assert pathlib.Path(_core.__file__).parent == PACKAGE
+    assert (PACKAGE / "libgraspless.so").is_file()
+
+
+def test_extension_finds_the_library_of_its_own_package():
+    loaded = subprocess.run(
+        [sys.executable, "-c", "import graspless._core; print(open('/proc/self/maps').read())"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    assert {line.split()[-1] for line in loaded.splitlines() if "libgraspless" in line} == {
+        str(PACKAGE / "libgraspless.so")
+    }
+
+
+def test_holds_types_robots_and_examples_but_no_headers():
+    assert (PACKAGE / "py.typed").is_file()
+    assert (PACKAGE / "_core" / "slide.pyi").is_file()
+    assert (PACKAGE / "urdf" / "wam_t42.urdf").is_file()
+    assert (PACKAGE / "examples").is_dir()
+    installed = [str(path) for path in importlib.metadata.files("graspless") or []]
+    assert not [name for name in installed if name.endswith((".hpp", ".cmake", ".cpp"))]
+
+
+def test_version_is_that_of_the_metadata():
+    assert graspless.__version__ == importlib.metadata.version("graspless")
+
+
+def test_import_is_light():
+    """Heavy packages load on first use: `import graspless.slide` is 60 ms beyond numpy at most."""
+    program = """
+import sys, time, numpy
+start = time.perf_counter()
+import graspless.slide
+print(time.perf_counter() - start)
+print(*(set(sys.modules) & {"pydantic", "trimesh", "yaml", "matplotlib", "viser", "scipy"}))
+"""
+    runs = []
+    for _ in range(3):
+        out = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True, check=True
+        ).stdout.splitlines()
+        runs.append(float(out[0]))
+        assert out[1] == ""
+    assert min(runs) < 0.060

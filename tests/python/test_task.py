@@ -1,0 +1,436 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Task files: what is read, and what is said about each fault."""
+
+import math
+import re
+import shutil
+import struct
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tasks_common import GOOD, changed
+
+import graspless
+from graspless import TaskError, _data, frames, slide
+from graspless.tasks import model, task_from_dict
+from graspless.tasks.clouds import read_cloud
+from graspless.tasks.source import parse_yaml
+
+CARD = "rectangle: {size: [0.10, 0.08]}"
+TABLE = "rectangle: {center: [0.65, 0.0], size: [0.7, 0.7]}"
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write(text, name="task.yaml"):
+        path = tmp_path / name
+        path.write_text(text)
+        return path
+
+    return write
+
+
+def fault(path):
+    """The message of a task that must not be read, without its folder."""
+    with pytest.raises(TaskError) as caught:
+        graspless.load_task(path)
+    assert isinstance(caught.value, ValueError)
+    return str(caught.value).replace(f"{path.parent}/", "")
+
+
+def test_reads_a_task(write):
+    task = graspless.load_task(write(GOOD))
+    assert task.seed == 3
+    assert task.budget.seconds == 20
+    assert task.problem.object.name == "card"
+    assert task.problem.support.polygon.area == pytest.approx(0.49)
+    np.testing.assert_allclose(task.problem.X_WO_start[:2, 3], [0.6, 0.1])
+    assert task.problem.q_home[list(task.problem.robot.joint_names).index("wam_joint_4")] == 1.6
+
+
+# One part of the good task replaced: the line, the field and what must be said.
+FAULTS = {
+    "unknown field": (("thickness:", "thicknes:"), 8, "object.thicknes: unknown field; did you"),
+    "wrong kind": (("kind: slide", "kind: slid"), 1, "kind: slid: should be 'slide'"),
+    "no number": (("0.004", "thin"), 8, "object.thickness: thin: should be a valid number"),
+    "a truth for a number": (("0.004", "yes"), 8, "object.thickness: true: should be a valid"),
+    "negative": (("0.004", "-0.004"), 8, "object.thickness: -0.004: should be greater than 0"),
+    "two vertices": (
+        (CARD, "polygon: [[0, 0], [0.1, 0]]"), 7, "object.polygon: .*at least 3 items"),
+    "three coordinates": (
+        (CARD, "polygon: [[0, 0, 0], [0.1, 0], [0, 0.1]]"), 7, r"object.polygon\[0\]: .*at most 2"),
+    "crossing": (
+        (CARD, "polygon: [[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.1]]"), 7, "object.polygon: .*outline"),
+    "crossing table": (
+        (TABLE, "polygon: [[0, 0], [1, 1], [1, 0], [0, 1]]"), 11, "support.polygon: .*support"),
+    "NaN": ((CARD, "polygon: [[.nan, 0], [0.1, 0], [0, 0.1]]"), 7, r"polygon\[0\]\[0\]: nan: .*finite"),
+    "no outline": ((f"{CARD}\n", "\n"), 5, "object: exactly one of polygon, .* must be given, not none"),
+    "two outlines": (
+        (CARD, CARD + "\n  circle: {radius: 1}"), 5, "not rectangle and circle"),
+    "no thickness": (("  thickness: 0.004\n", ""), 5, "object: thickness must be given"),
+    "no pose": (("  pose: {x: 0.60, y: 0.10, yaw: 0.3}\n", ""), 5, "object: pose must be given"),
+    "a list for a mapping": (("{x: 0.60, y: 0.10, yaw: 0.3}", "[0.6, 0.1]"), 9, "object.pose: .*mapping"),
+    "off the table": (("x: 0.60", "x: 3.0"), 9, "object.pose: .*off the support"),
+    "no such robot": (("wam_t42", "wam_t43"), 3, "robot.urdf: wam_t43: no such file, nor .*kr5_t42"),
+    "unknown joint": (("wam_joint_2", "wam_joint_9"), 4, "robot.home.wam_joint_9: .*no such joint.*one of"),
+    "home out of limits": (("wam_joint_4: 1.6", "wam_joint_4: 9"), 4, "robot.home: .*wam_joint_4.*limits"),
+    "unknown state": (("home: {wam_joint_2: 0.2, wam_joint_4: 1.6, wam_joint_6: 1.2}", "home: sleeping"),
+                      4, "robot.home: sleeping: .*open"),
+    "home too short": (("home: {wam_joint_2: 0.2, wam_joint_4: 1.6, wam_joint_6: 1.2}", "home: [0, 0]"),
+                       4, "robot.home: .*2 values"),
+    "two heights": (("height: 0.0", "height: 0.0\n  pose: {rpy: [0, 0.1, 0]}"), 10, "at most one of height"),
+    "too steep": (("height: 0.0", "pose: {rpy: [0, 1.5, 0]}"), 10, "support: .*tilted"),
+    "no unit": (("height: 0.0", "pose: {quaternion: [1, 1, 0, 0]}"), 12, "support.pose: quaternion has length"),
+    "negative time": (("seconds: 20", "seconds: -1"), 13, "budget.seconds: -1: should be greater"),
+    "negative seed": (("seed: 3", "seed: -3"), 13, "budget.seed: -3: should be greater than or equal"),
+    "unknown search": (("budget:", "options: {search: best}\nbudget:"), 13, "options.search: best: .*'paper'"),
+    "negative range": (("budget:", "options: {range: -0.1}\nbudget:"), 13, "options.range: -0.1: .*greater"),
+    "range too long": (("budget:", "options: {range: 7}\nbudget:"), 13, "options.range: 7: .*must"),
+    "depths swapped": (("budget:", "options:\n  min_depth: 0.03\n  max_depth: 0.01\nbudget:"),
+                       14, "options.min_depth: 0.03: .*larger"),
+    "unknown link": (("budget:", "hand: {fingertip: thumb}\nbudget:"), 13, "hand.fingertip: thumb: .*left_fingertip"),
+    "unknown group": (("budget:", "hand: {arm: leg}\nbudget:"), 13, "hand.arm: leg: .*arm"),
+    "unknown hand state": (("budget:", "hand: {open: wide}\nbudget:"), 13, "hand.open: wide: .*open"),
+    "no hand file": (("budget:", "hand: my.hand.yaml\nbudget:"), 13, "hand: my.hand.yaml: no such file"),
+    "no mesh": (("budget:", "obstacles: [{name: mug, mesh: {file: mug.stl}}]\nbudget:"),
+                13, r"obstacles\[0\].mesh.file: mug.stl: no such file"),
+    "two shapes": (("budget:", "obstacles: [{name: mug, box: [1, 1, 1], sphere: {radius: 1}}]\nbudget:"),
+                   13, r"obstacles\[0\]: exactly one of .* not box and sphere"),
+    "names twice": (("budget:", "obstacles: [{name: a, box: [1, 1, 1]}, {name: a, box: [1, 1, 1]}]\nbudget:"),
+                    13, "obstacles: name given twice: a"),
+    "no cloud": ((f"{CARD}\n  thickness: 0.004", "cloud: scan.ply"), 7, "object.cloud: scan.ply: no such file"),
+    "cloud of unknown kind": ((f"{CARD}\n  thickness: 0.004", "cloud: scan.e57"), 7, "scan.e57: .*.ply, .pcd"),
+    "given twice": (("kind: slide", "kind: slide\nkind: slide"), 2, "kind: given twice"),
+    "no YAML": (("kind: slide", "kind: [slide"), 2, "not valid YAML"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_fault_says_file_line_field_value_and_choice(write, name):
+    change, line, what = FAULTS[name]
+    message = fault(write(changed(*change)))
+    assert re.match(rf"task\.yaml:{line}: ", message), message
+    assert re.search(what, message), message
+    assert "\n" not in message
+
+
+def test_says_all_faults_at_once(write):
+    message = fault(write(changed("0.004", "-1", changed("seed: 3", "seed: no"))))
+    assert [line.split(": ")[0] for line in message.splitlines()] == ["task.yaml:8", "task.yaml:13"]
+
+
+def test_missing_file(tmp_path):
+    assert fault(tmp_path / "none.yaml") == "none.yaml: cannot be read: No such file or directory"
+
+
+@pytest.mark.parametrize("text", ["", "- a\n- b\n", "slide"])
+def test_no_mapping(write, text):
+    assert "should be a mapping" in fault(write(text))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "what"),
+    [
+        ("</robot>", "", "urdf"),
+        ('<limit lower="-2.6" upper="2.6" velocity="2" effort="77"/>', "", "wam_joint_1"),
+        ('<parent link="base_link"/>', '<parent link="flange"/>', "cycle|root|tree"),
+        ('<parent link="base_link"/>', '<parent link="nowhere"/>', "nowhere"),
+        (
+            '<geometry><box size="0.28 0.36 0.158"/></geometry></collision>',
+            '<geometry><mesh filename="none.stl"/></geometry></collision>',
+            "none.stl",
+        ),
+    ],
+)
+def test_broken_urdf(write, tmp_path, old, new, what):
+    text = _data.robot("wam_t42").read_text()
+    assert old in text
+    write(text.replace(old, new, 1), "my.urdf")
+    for suffix in (".srdf", ".hand.yaml"):
+        shutil.copy(_data.directory("urdf") / f"wam_t42{suffix}", tmp_path / f"my{suffix}")
+    message = fault(write(changed("wam_t42", "my.urdf")))
+    assert message.startswith("task.yaml:3: robot.urdf: my.urdf: ")
+    assert re.search(what, message, re.IGNORECASE), message
+
+
+def test_fault_in_the_hand_file_names_that_file(write, tmp_path):
+    for suffix in (".urdf", ".srdf"):
+        shutil.copy(_data.directory("urdf") / f"wam_t42{suffix}", tmp_path / f"my{suffix}")
+    write("arm: arm\ntip_radius: -1\n", "my.hand.yaml")
+    path = write(changed("wam_t42", "my.urdf"))
+    assert fault(path).startswith("my.hand.yaml:2: tip_radius: -1: should be greater")
+    write("arm: arm\nfingertip: thumb\n", "my.hand.yaml")
+    assert fault(path).startswith("my.hand.yaml:2: fingertip: thumb: ")
+
+
+def test_clockwise_polygon_is_accepted(write):
+    clockwise = "polygon: [[0.05, 0], [-0.05, -0.04], [-0.05, 0.04]]"
+    outline = graspless.load_task(write(changed(CARD, clockwise))).problem.object.outline
+    assert outline.area == pytest.approx(0.004)
+
+
+def test_numbers_as_people_write_them(write):
+    task = graspless.load_task(write(changed("0.004", "4e-3")))
+    assert task.problem.object.thickness == 0.004
+
+
+def test_circle_has_as_many_corners_as_asked(write):
+    task = graspless.load_task(write(changed(CARD, "circle: {radius: 0.05, points: 12}")))
+    assert len(task.problem.object.outline.vertices) == 12
+
+
+def test_mass_distribution_gives_the_center_of_mass(write):
+    masses = "masses: [{position: [0, 0, 0], mass: 1}, {position: [0.02, 0.01, 0], mass: 3}]"
+    task = graspless.load_task(write(changed("thickness: 0.004", f"thickness: 0.004\n  {masses}")))
+    np.testing.assert_allclose(task.problem.object.com, [0.015, 0.0075, 0.0], atol=1e-15)
+
+
+def test_center_of_mass_in_the_plane_keeps_its_height(write):
+    task = graspless.load_task(
+        write(changed("thickness: 0.004", "thickness: 0.004\n  com: [0.01, 0]\n  mass: 0.2"))
+    )
+    np.testing.assert_allclose(task.problem.object.com, [0.01, 0.0, 0.002])
+    assert task.problem.object.mass == 0.2
+
+
+def test_every_shape_of_obstacle(write, tmp_path):
+    import trimesh
+
+    trimesh.creation.box([0.1, 0.1, 0.1]).export(tmp_path / "box.stl")
+    text = changed(
+        "budget:",
+        """obstacles:
+  - {name: a, box: [0.1, 0.1, 0.1], pose: {position: [1.5, 0, 0.1]}}
+  - {name: b, sphere: {radius: 0.1}, pose: {position: [1.5, 0, 0.1], rpy: [0, 0, 1]}}
+  - {name: c, capsule: {radius: 0.1, length: 0.2}, pose: {position: [1.5, 0, 0.1]}}
+  - {name: d, cylinder: {radius: 0.1, length: 0.2}, pose: {quaternion: [0, 1, 0, 0]}}
+  - {name: e, mesh: {file: box.stl, scale: [1, 1, 2]}, pose: {position: [1.5, 0, 0.1]}}
+budget:""",
+    )
+    task = graspless.load_task(write(text))
+    assert [obstacle.name for obstacle in task.problem.obstacles] == list("abcde")
+    cylinder = task.problem.obstacles[3].shapes[0].shape
+    middles = (cylinder.vertices[:24, :2] + np.roll(cylinder.vertices[:24, :2], 1, axis=0)) / 2
+    np.testing.assert_allclose(np.linalg.norm(middles, axis=1), 0.1)  # none of it is left out
+    assert list(task.fields.files) == [str(tmp_path / "box.stl")]
+
+
+def test_xacro_is_expanded_with_its_arguments(write, tmp_path):
+    body = _data.robot("wam_t42").read_text()
+    head = '<robot name="wam_t42" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    body = body.replace('<robot name="wam_t42">', head + '<xacro:arg name="reach" default="0.5"/>')
+    body = body.replace('lower="-2.6" upper="2.6"', 'lower="-$(arg reach)" upper="$(arg reach)"')
+    write(body, "my.urdf.xacro")
+    for suffix in (".srdf", ".hand.yaml"):
+        shutil.copy(_data.directory("urdf") / f"wam_t42{suffix}", tmp_path / f"my{suffix}")
+    path = write(changed("urdf: wam_t42", "urdf: my.urdf.xacro\n  xacro_args: {reach: 1.25}"))
+    task = graspless.load_task(path)
+    assert task.problem.robot.upper[0] == 1.25
+    assert task.fields.hand.fingertip == "left_fingertip"
+    write(body.replace("$(arg reach)", "$(arg none)"), "my.urdf.xacro")
+    assert fault(path).startswith("task.yaml:3: robot.urdf: my.urdf.xacro: xacro cannot expand it")
+
+
+def grid(height=0.004, n=12, spacing=0.006):
+    x, y = np.meshgrid(np.arange(n), np.arange(n))
+    flat = spacing * np.column_stack([x.ravel(), y.ravel()])
+    return np.column_stack([flat - flat.mean(axis=0), np.full(n * n, height)])
+
+
+def write_ply(path, points, binary):
+    kind = "binary_little_endian" if binary else "ascii"
+    axes = "".join(f"property float {axis}\n" for axis in "xyz")
+    head = f"ply\nformat {kind} 1.0\nelement vertex {len(points)}\n{axes}end_header\n"
+    rows = struct.pack(f"<{points.size}f", *points.ravel()) if binary else None
+    text = "\n".join(" ".join(map(str, row)) for row in points) + "\n"
+    path.write_bytes(head.encode() + (rows if binary else text.encode()))
+
+
+def write_pcd(path, points, data):
+    from pypcd4 import Encoding, PointCloud
+
+    PointCloud.from_xyz_points(points.astype(np.float32)).save(path, encoding=Encoding(data))
+
+
+CLOUDS = {
+    "ascii.ply": lambda path, p: write_ply(path, p, False),
+    "binary.ply": lambda path, p: write_ply(path, p, True),
+    "plain.xyz": lambda path, p: np.savetxt(path, p),
+    "colours.xyz": lambda path, p: np.savetxt(path, np.hstack([p, p]), header="x y z r g b"),
+    "ascii.pcd": lambda path, p: write_pcd(path, p, "ascii"),
+    "binary.pcd": lambda path, p: write_pcd(path, p, "binary"),
+    "compressed.pcd": lambda path, p: write_pcd(path, p, "binary_compressed"),
+}
+
+
+@pytest.mark.parametrize("name", CLOUDS)
+def test_reads_every_kind_of_cloud(tmp_path, name):
+    points = grid()
+    CLOUDS[name](tmp_path / name, points)
+    np.testing.assert_allclose(read_cloud(tmp_path / name), points, atol=1e-7)
+
+
+def test_ply_with_faces_gives_its_vertices(tmp_path):
+    import trimesh
+
+    box = trimesh.creation.box([0.1, 0.1, 0.004])
+    box.export(tmp_path / "box.ply")
+    points = read_cloud(tmp_path / "box.ply")
+    np.testing.assert_allclose(np.unique(points, axis=0), np.unique(box.vertices, axis=0))
+
+
+def cloud_task(name, more=""):
+    return changed(f"{CARD}\n  thickness: 0.004", f"cloud: {name}{more}")
+
+
+def test_cloud_in_the_object_frame(write, tmp_path):
+    np.savetxt(tmp_path / "a.xyz", grid())
+    task = graspless.load_task(write(cloud_task("a.xyz")))
+    assert task.problem.object.thickness == pytest.approx(0.004)
+    assert task.fields.object.points is not None
+
+
+def test_cloud_in_the_world_says_where_it_lies(write, tmp_path):
+    X_WS = frames.translation([0.1, 0.2, 0.3]) @ frames.from_rpy([0.1, 0.2, 0.3])
+    p_SP = grid() + [0.55, 0.05, 0.0]
+    np.savetxt(tmp_path / "a.xyz", p_SP @ X_WS[:3, :3].T + X_WS[:3, 3])
+    text = cloud_task("a.xyz", "\n  frame: world")
+    text = changed("  pose: {x: 0.60, y: 0.10, yaw: 0.3}\n", "", text)
+    text = changed("height: 0.0", "pose: {position: [0.1, 0.2, 0.3], rpy: [0.1, 0.2, 0.3]}", text)
+    problem = graspless.load_task(write(text)).problem
+    expected = X_WS @ frames.translation([0.55, 0.05, 0.0])
+    np.testing.assert_allclose(problem.X_WO_start, expected, atol=1e-9)
+    assert problem.object.thickness == pytest.approx(0.004)
+
+
+def test_cloud_in_the_world_takes_no_pose(write, tmp_path):
+    np.savetxt(tmp_path / "a.xyz", grid())
+    message = fault(write(cloud_task("a.xyz", "\n  frame: world")))
+    assert message.startswith("task.yaml:5: object: pose must not be given")
+
+
+@pytest.mark.parametrize(
+    ("points", "what"),
+    [
+        (np.where(np.eye(144, 3) > 0, np.nan, grid()), "3 of 144 points are not finite"),
+        (np.empty((0, 3)), "is empty"),
+        (np.random.default_rng(1).uniform(-0.05, 0.05, (300, 3)), "thin"),
+        (grid()[:2], "at least 3"),
+    ],
+)
+@pytest.mark.parametrize("kind", ["ascii.ply", "plain.xyz"])
+@pytest.mark.filterwarnings("ignore:.*no data.*:UserWarning")
+def test_cloud_that_cannot_be_slid(write, tmp_path, points, what, kind):
+    CLOUDS[kind](tmp_path / kind, points)
+    message = fault(write(cloud_task(kind)))
+    assert message.startswith(f"task.yaml:7: object.cloud: {kind}: ")
+    assert what in message
+
+
+def test_broken_clouds(write):
+    write("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply")
+    write("# .PCD v0.7\nVERSION", "a.pcd")
+    write("1 2 x\n", "a.xyz")
+    for name in ("a.ply", "a.pcd", "a.xyz"):
+        message = fault(write(cloud_task(name)))
+        assert message.startswith(f"task.yaml:7: object.cloud: {name}: cannot be read"), message
+
+
+def test_millimetres_are_told_and_can_be_said(write, tmp_path):
+    np.savetxt(tmp_path / "a.xyz", 1000 * grid(n=20, spacing=0.15))
+    with pytest.warns(UserWarning, match=r"task.yaml:7: object.cloud: a.xyz: is 2850 x .*unit: mm"):
+        with pytest.raises(TaskError):
+            graspless.load_task(write(cloud_task("a.xyz")))
+    np.savetxt(tmp_path / "a.xyz", 1000 * grid())
+    task = graspless.load_task(write(cloud_task("a.xyz", "\n  unit: mm")))
+    assert task.problem.object.thickness == pytest.approx(0.004)
+
+
+def test_task_of_a_plan_needs_no_other_file(write):
+    task = graspless.load_task(write(GOOD))
+    again = task_from_dict(task.to_dict(), "plan.json")
+    assert again.to_dict() == task.to_dict()
+    np.testing.assert_array_equal(again.problem.q_home, task.problem.q_home)
+    np.testing.assert_array_equal(again.problem.X_WO_start, task.problem.X_WO_start)
+    with pytest.raises(TaskError, match="plan.json: robot.urdf: .*must stand in the plan file"):
+        document = task.to_dict()
+        document["robot"] = {"urdf": "wam_t42"}
+        task_from_dict(document, "plan.json")
+
+
+def test_changed_mesh_is_noticed(write, tmp_path):
+    import trimesh
+
+    trimesh.creation.box([0.1, 0.1, 0.1]).export(tmp_path / "box.stl")
+    obstacle = "obstacles: [{name: e, mesh: {file: box.stl}, pose: {position: [2, 0, 0]}}]\nbudget:"
+    document = graspless.load_task(write(changed("budget:", obstacle))).to_dict()
+    trimesh.creation.box([0.2, 0.1, 0.1]).export(tmp_path / "box.stl")
+    with pytest.raises(TaskError, match=r"box.stl: has changed since"):
+        task_from_dict(document, "plan.json")
+    (tmp_path / "box.stl").unlink()
+    with pytest.raises(TaskError, match=r"box.stl: no such file"):
+        task_from_dict(document, "plan.json")
+
+
+def test_changes_of_the_search(write):
+    task = graspless.load_task(write(GOOD))
+    other = task.with_changes(search="paper", seconds=2.5, iterations=7, seed=9)
+    assert (other.options.search, other.budget.seconds) == (slide.Search.paper, 2.5)
+    assert (other.budget.iterations, other.seed) == (7, 9)
+    assert task.seed == 3
+    with pytest.raises(TaskError, match="seconds"):
+        task.with_changes(seconds=-1)
+
+
+@pytest.mark.parametrize(
+    ("fields", "core"),
+    [(model.Options, slide.Options()), (model.Hand, slide.Hand())],
+)
+def test_fields_are_those_of_the_core(fields, core):
+    public = {name for name in dir(core) if not name.startswith("_")}
+    assert set(fields.model_fields) == public
+
+
+angles = st.floats(-math.pi, math.pi)
+places = st.floats(-10, 10)
+
+
+@given(st.tuples(angles, angles, angles), st.tuples(places, places, places))
+def test_poses_survive_their_row(rpy, position):
+    X = frames.translation(position) @ frames.from_rpy(rpy)
+    np.testing.assert_allclose(frames.from_row(frames.to_row(X)), X, atol=1e-14 + 1e-15 * 10)
+    np.testing.assert_allclose(X[:3, :3] @ X[:3, :3].T, np.eye(3), atol=1e-14)
+
+
+names = st.text("abc_", min_size=1, max_size=3)
+values = st.recursive(
+    st.integers(-5, 5) | st.booleans() | st.text("xyz: -#'\"", max_size=4),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(names, inner, max_size=3),
+    max_leaves=8,
+)
+
+
+@given(st.dictionaries(names, values, min_size=1, max_size=4))
+def test_every_field_has_its_line(data):
+    import yaml
+
+    text = yaml.safe_dump(data, default_flow_style=False, sort_keys=False)
+    source = parse_yaml(text, "a.yaml")
+    assert source.data == data
+    rows = text.splitlines()
+    for location, line in source.lines.items():
+        if location and isinstance(location[-1], str):
+            assert f"{location[-1]}:" in rows[line - 1]
+
+
+@given(st.text(max_size=200))
+def test_no_text_breaks_the_reader(text):
+    try:
+        parse_yaml(text, "a.yaml").validate(model.SlideTask)
+    except TaskError as error:
+        assert str(error).startswith("a.yaml")
+    else:
+        pytest.fail("took noise for a task")
