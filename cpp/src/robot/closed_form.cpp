@@ -78,6 +78,21 @@ struct ClosedForm::Turn {
   }
 };
 
+ClosedForm::Elbow ClosedForm::Elbow::of(const Screw& screw, const Vector3d& shoulder,
+                                        const Vector3d& wrist) {
+  Elbow elbow;
+  elbow.p_SE = screw.point - shoulder;
+  elbow.p_EW = wrist - screw.point;
+  const Turn nearest = Turn::from_to(screw.axis, elbow.p_EW, -elbow.p_SE, 0);
+  elbow.angle = nearest.angle;
+  elbow.c = nearest.c;
+  elbow.s = nearest.s;
+  elbow.sum = elbow.p_EW.squaredNorm() + elbow.p_SE.squaredNorm() +
+              2 * screw.axis.dot(elbow.p_EW) * screw.axis.dot(elbow.p_SE);
+  elbow.product = 2 * across(screw.axis, elbow.p_EW).norm() * across(screw.axis, elbow.p_SE).norm();
+  return elbow;
+}
+
 /// Subproblem 2: rotations with first(second(u)) = v, for unit vectors u and v. Between the two
 /// lies z, which has v's component along a1 and u's along a2. Near an axis the cosine hides how far
 /// off it z is, so z is built around the axis that it is nearer to, from the length of what lies
@@ -138,28 +153,21 @@ struct ClosedForm::Search {
 
   /// Subproblem 3: turns of the wrist about axis 4 to the right distance from the shoulder.
   void elbow() {
-    const Vector3d& axis = arm.axis_[3];
-    const Vector3d u = arm.wrist_ - arm.elbow_, v = arm.shoulder_ - arm.elbow_;
-    const Vector3d u_across = across(axis, u), v_across = across(axis, v);
-    const double along = axis.dot(u - v);
-    const double u2 = u_across.squaredNorm(), v2 = v_across.squaredNorm();
-    const double product = std::sqrt(u2 * v2);
-    const double cosine = (u2 + v2 - (reach * reach - along * along)) / (2 * product);
+    const Elbow& elbow = arm.elbow_;
+    const double cosine = (elbow.sum - reach * reach) / elbow.product;
     if (!(std::abs(cosine) <= 1 + kClamp)) return;
-    const Turn straight = Turn::from_to(axis, u, v, 0);  // where wrist and shoulder are nearest
     const double c = std::clamp(cosine, -1.0, 1.0), s = std::sqrt((1 - c) * (1 + c));
     const double angle = std::atan2(s, c);
     for (const int sign : {1, -1}) {
       if (sign < 0 && s == 0) break;
-      Turn turn{std::remainder(straight.angle + sign * angle, 2 * M_PI),
-                straight.c * c - straight.s * sign * s, straight.s * c + straight.c * sign * s, 0};
+      Turn turn{elbow.angle + sign * angle, elbow.c * c - elbow.s * sign * s,
+                elbow.s * c + elbow.c * sign * s, 0};
       if (set(3, turn)) shoulder(turn);
     }
   }
 
   void shoulder(const Turn& turn4) {
-    const Vector3d p_SE = arm.elbow_ - arm.shoulder_;
-    const Vector3d p_SW4 = p_SE + turn4.apply(arm.axis_[3], arm.wrist_ - arm.elbow_);
+    const Vector3d p_SW4 = arm.elbow_.p_SE + turn4.apply(arm.axis_[3], arm.elbow_.p_EW);
     const Vector3d u = turn3.apply(arm.axis_[2], p_SW4) / reach;
     const TwoTurns turns(arm.axis_[0], arm.axis_[1], u, p_SW);
     for (int i = 0; i < turns.count; ++i) {
@@ -203,7 +211,7 @@ std::optional<ClosedForm> ClosedForm::detect(const std::array<Screw, 7>& screws,
   if (distance(arm.shoulder_, s[3]) < kParallel || distance(arm.wrist_, s[3]) < kParallel)
     return {};
   for (std::size_t i = 0; i < 7; ++i) arm.axis_[i] = s[i].axis;
-  arm.elbow_ = s[3].point;
+  arm.elbow_ = Elbow::of(s[3], arm.shoulder_, arm.wrist_);
   arm.R_7P_ = X_P7.linear().transpose();
   arm.p_7W_ = X_P7.inverse() * arm.wrist_;
   arm.across_ = s[6].axis.unitOrthogonal();
