@@ -135,7 +135,10 @@ def _with_search(fields: model.SlideTask, problem: slide.Problem, source: Source
 
 def _in_force(fields: Any, built: Any) -> Any:
     values = {name: getattr(built, name) for name in type(fields).model_fields}
-    plain = {name: getattr(value, "name", value) for name, value in values.items()}
+    plain = {
+        name: list(value) if isinstance(value, tuple) else getattr(value, "name", value)
+        for name, value in values.items()
+    }
     return type(fields)(**plain)
 
 

@@ -118,6 +118,26 @@ def parse_yaml(text: str, file: str) -> Source:
     """As `read_yaml`, from text."""
     import yaml
 
+    lines: dict[Location, int] = {}
+    try:
+        data = _load(text, file, lines)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = mark.line + 1 if mark else 1
+        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+        raise TaskError(f"{file}:{line}: not valid YAML: {problem}") from None
+    except TaskError:
+        raise
+    except (ValueError, RecursionError) as error:  # !!int x; a thousand brackets
+        raise TaskError(f"{file}:1: not valid YAML: {error}") from None
+    if not isinstance(data, dict):
+        raise TaskError(f"{file}:1: should be a mapping of fields, see docs/task-files.md")
+    return Source(file, data, lines)
+
+
+def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
+    import yaml
+
     loader = yaml.SafeLoader(text)
     loader.yaml_implicit_resolvers = {
         key: [rule for rule in rules if rule[0] != "tag:yaml.org,2002:timestamp"]
@@ -126,21 +146,12 @@ def parse_yaml(text: str, file: str) -> Source:
     for first in "-+.0123456789":  # YAML 1.1 takes 1e-3 for text; nobody who writes it does
         rules = loader.yaml_implicit_resolvers.setdefault(first, [])
         rules.insert(0, ("tag:yaml.org,2002:float", _FLOAT))
-    lines: dict[Location, int] = {}
     try:
         root = loader.get_single_node()
         _note_lines(root, (), lines, file, ())
-        data = None if root is None else loader.construct_document(root)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = mark.line + 1 if mark else 1
-        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-        raise TaskError(f"{file}:{line}: not valid YAML: {problem}") from None
+        return None if root is None else loader.construct_document(root)
     finally:
         loader.dispose()
-    if not isinstance(data, dict):
-        raise TaskError(f"{file}:1: should be a mapping of fields, see docs/task-files.md")
-    return Source(file, data, lines)
 
 
 _FLOAT = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
