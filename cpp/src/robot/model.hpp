@@ -50,6 +50,10 @@ struct Robot::Model {
   std::map<std::string, Eigen::VectorXd> states;
 };
 
+/// Places a link on its parent: X_WL = X_WP X_PJ X_JL(q).
+void place(const Link& link, const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WP,
+           Eigen::Isometry3d& X_WL);
+
 /// Reads names, links, joints, limits and shapes; throws as Robot::from_urdf() does.
 Robot::Model read_urdf(const std::string& xml, const Robot::Options& options);
 

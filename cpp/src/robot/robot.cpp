@@ -29,17 +29,6 @@ void multiply(const Isometry3d& X_AB, const KDL::Frame& X_BC, Isometry3d& X_AC) 
   C.col(3) = A.col(0) * p[0] + A.col(1) * p[1] + A.col(2) * p[2] + A.col(3);
 }
 
-/// Places a link on its parent.
-void place(const Link& link, const VectorXd& q, const Isometry3d& X_WP, Isometry3d& X_WL) {
-  if (link.joint < 0) {
-    X_WL.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
-    return;
-  }
-  Isometry3d X_WJ;
-  X_WJ.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
-  multiply(X_WJ, link.segment.pose(q[link.joint]), X_WL);
-}
-
 void check_size(const VectorXd& q, const Robot::Model& model) {
   if (q.size() == model.lower.size()) return;
   throw std::invalid_argument("q must have " + std::to_string(model.lower.size()) +
@@ -64,6 +53,16 @@ std::string read_text(const std::string& path) {
 bool exists(const std::string& path) { return std::ifstream(path).good(); }
 
 }  // namespace
+
+void place(const Link& link, const VectorXd& q, const Isometry3d& X_WP, Isometry3d& X_WL) {
+  if (link.joint < 0) {
+    X_WL.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
+    return;
+  }
+  Isometry3d X_WJ;
+  X_WJ.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
+  multiply(X_WJ, link.segment.pose(q[link.joint]), X_WL);
+}
 
 Robot Robot::from_urdf(const std::string& xml, const Options& options) {
   if (!options.X_WB.matrix().allFinite()) {
@@ -164,6 +163,9 @@ Isometry3d Robot::pose(int frame, const VectorXd& q) const {
 void Robot::jacobian(int frame, const Poses& X_WL,
                      Eigen::Matrix<double, 6, Eigen::Dynamic>& J) const {
   check_frame(frame, *model_);
+  if (X_WL.size() != model_->links.size()) {
+    throw std::invalid_argument("X_WL must come from forward() or forward_to() of this robot");
+  }
   J.setZero(6, dof());
   const Vector3d p_WF = X_WL[frame].translation();
   for (const int i : model_->movers[frame]) {

@@ -169,7 +169,8 @@ void set_motion(Link& link) {
     link.X_PJ.linear() *= R_LZ;
     X_tip = to_kdl(R_LZ.transpose());
   }
-  link.segment = KDL::Segment(link.joint_name, joint, X_tip);
+  // A segment takes its tip for where it is at 0 and so would undo the joint's offset.
+  link.segment = KDL::Segment(link.joint_name, joint, joint.pose(0) * X_tip);
 }
 
 Link read_link(const urdf::ModelInterface& urdf, const urdf::Joint& joint,

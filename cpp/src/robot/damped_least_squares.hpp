@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "graspless/robot/robot.hpp"
+
+namespace graspless::robot {
+
+/// Twist from X_WA to X_WB, linear part first: displacement of the origin [m], rotation vector
+/// [rad], in W.
+Eigen::Matrix<double, 6, 1> pose_error(const Eigen::Isometry3d& X_WA,
+                                       const Eigen::Isometry3d& X_WB);
+
+/// Newton's method on the pose error, damped by the error itself (Sugihara, IEEE T-RO 2011), so
+/// that it ends quadratically and does not leap next to a singularity. A joint at its limit that
+/// would have to go on is held there and the others take over.
+class DampedLeastSquares {
+ public:
+  DampedLeastSquares(const Robot& robot, int frame, const std::vector<int>& group)
+      : robot_(robot), frame_(frame), group_(group) {}
+
+  /// Moves the group's part of q until the frame is at X_WF within `tolerance` [m, rad]. With
+  /// `pull`, what motion a redundant arm has left goes towards the middle of its limits. False when
+  /// it did not converge; q is then of no use.
+  bool solve(const Eigen::Isometry3d& X_WF, double tolerance, int max_iterations, bool pull,
+             Eigen::VectorXd& q);
+
+ private:
+  using Vector6d = Eigen::Matrix<double, 6, 1>;
+  using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+  void step(const Vector6d& error, bool pull, Eigen::VectorXd& q);
+  void solve_free_joints(const Vector6d& error, const Eigen::VectorXd& wish);
+  bool hold_at_limits(const Eigen::VectorXd& q);
+
+  const Robot& robot_;
+  const int frame_;
+  const std::vector<int>& group_;
+  Poses X_WL_;  // these are members only to be allocated once
+  Jacobian J_all_, J_;
+  Eigen::VectorXd dq_, wish_;
+};
+
+}  // namespace graspless::robot

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/robot/ik.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "robot/closed_form.hpp"
+#include "robot/damped_least_squares.hpp"
+#include "robot/model.hpp"
+#include "robot/wraps.hpp"
+
+namespace graspless::robot {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::VectorXd;
+
+constexpr double kSame = 1e-4;  // answers this close in every joint are one [rad or m]
+
+/// The links along the path to a frame: before the group, the group's own, after it.
+struct Split {
+  int base = 0;               // the link that carries the first joint of the group
+  std::vector<int> group;     // links that the group moves
+  std::vector<int> after;     // links between the last of these and the frame, this included
+  bool moves_before = false;  // joints before the group move the base
+  bool moves_within = false;  // joints outside the group lie between its joints
+};
+
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+Split split(const Robot::Model& model, int frame, const std::vector<int>& group) {
+  Split split;
+  for (const int i : model.paths[frame]) {
+    const Link& link = model.links[i];
+    if (link.joint >= 0 && contains(group, link.joint)) {
+      if (split.group.empty()) split.base = link.parent;
+      for (const int j : split.after) split.moves_within |= model.links[j].joint >= 0;
+      split.after.clear();
+      split.group.push_back(i);
+    } else if (!split.group.empty()) {
+      split.after.push_back(i);
+    } else {
+      split.moves_before |= link.joint >= 0;
+    }
+  }
+  return split;
+}
+
+void check_group(const Robot& robot, int frame, const std::vector<int>& group) {
+  const Robot::Model& model = robot.model();
+  if (frame < 0 || frame >= static_cast<int>(model.links.size())) {
+    throw std::invalid_argument("frame must be in [0, " + std::to_string(model.links.size()) +
+                                "), not " + std::to_string(frame));
+  }
+  if (group.empty()) throw std::invalid_argument("group must name at least one joint");
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const int joint = group[i];
+    if (joint < 0 || joint >= robot.dof()) {
+      throw std::invalid_argument("group: joint index must be in [0, " +
+                                  std::to_string(robot.dof()) + "), not " + std::to_string(joint));
+    }
+    const std::string& name = model.joint_names[joint];
+    if (std::count(group.begin(), group.end(), joint) > 1) {
+      throw std::invalid_argument("group: joint '" + name + "' is there twice");
+    }
+    const auto& movers = model.movers[frame];
+    const auto moves = [&](int link) { return model.links[link].joint == joint; };
+    if (std::none_of(movers.begin(), movers.end(), moves)) {
+      throw std::invalid_argument("group: joint '" + name + "' does not move frame '" +
+                                  model.frame_names[frame] + "'");
+    }
+  }
+}
+
+void check_options(const Ik::Options& options) {
+  if (!(options.tolerance > 0)) throw std::invalid_argument("tolerance must be positive");
+  if (options.max_iterations < 1) throw std::invalid_argument("max_iterations must be positive");
+  if (options.restarts < 0) throw std::invalid_argument("restarts must not be negative");
+  if (options.free_samples < 0) throw std::invalid_argument("free_samples must not be negative");
+}
+
+/// A whole turn of a joint changes nothing, unless it slides or another joint follows it.
+std::vector<bool> turning(const Robot::Model& model, const std::vector<int>& group) {
+  std::vector<bool> turns;
+  for (const int joint : group) {
+    const auto holds_back = [&](const Link& link) {
+      return link.joint == joint && (link.prismatic || link.is_mimic);
+    };
+    turns.push_back(std::none_of(model.links.begin(), model.links.end(), holds_back));
+  }
+  return turns;
+}
+
+std::optional<ClosedForm> detect(const Robot::Model& model, const Split& split,
+                                 const std::vector<int>& group) {
+  if (group.size() != 7 || split.group.size() != 7 || split.moves_within) return {};
+  const VectorXd zero = VectorXd::Zero(model.lower.size());
+  std::array<Screw, 7> screws;
+  Isometry3d X_PL = Isometry3d::Identity();
+  for (std::size_t i = 0, next = 0; next < 7; ++i) {
+    const auto& path = model.paths[split.group[6]];
+    const Link& link = model.links[path[i]];
+    const bool is_before = next == 0 && path[i] != split.group[0];
+    if (is_before) continue;
+    place(link, zero, Isometry3d(X_PL), X_PL);
+    if (path[i] != split.group[next]) continue;
+    if (link.prismatic || link.is_mimic || link.joint != group[next]) return {};
+    screws[next++] = {X_PL.linear() * link.axis_L, X_PL.translation()};
+  }
+  return ClosedForm::detect(screws, X_PL);
+}
+
+double uniform(double lower, double upper, std::mt19937_64& rng) {
+  return lower + (upper - lower) * std::uniform_real_distribution<double>(0, 1)(rng);
+}
+
+/// The columns that differ from one another, nearest to `q` first.
+std::vector<VectorXd> sorted(const Eigen::MatrixXd& columns, int count, const VectorXd& q) {
+  std::vector<VectorXd> solutions;
+  for (int i = 0; i < count; ++i) {
+    const auto same = [&](const VectorXd& other) {
+      return (other - columns.col(i)).cwiseAbs().maxCoeff() < kSame;
+    };
+    if (std::none_of(solutions.begin(), solutions.end(), same))
+      solutions.emplace_back(columns.col(i));
+  }
+  std::stable_sort(solutions.begin(), solutions.end(), [&](const VectorXd& a, const VectorXd& b) {
+    return (a - q).squaredNorm() < (b - q).squaredNorm();
+  });
+  return solutions;
+}
+
+}  // namespace
+
+struct Ik::Impl {
+  Impl(const Robot& robot_, int frame_, std::vector<int> group_, const Options& options_)
+      : robot(robot_),
+        frame(frame_),
+        group(std::move(group_)),
+        options(options_),
+        path(split(robot.model(), frame, group)),
+        turns(turning(robot.model(), group)),
+        closed_form(detect(robot.model(), path, group)),
+        wraps(robot.lower(), robot.upper(), group, wrapped()),
+        X_PW(robot.pose(path.base, VectorXd::Zero(robot.dof())).inverse()) {}
+
+  /// The free joint of the closed form stays at the value it was given.
+  std::vector<bool> wrapped() const {
+    std::vector<bool> wrapped = turns;
+    if (closed_form) wrapped[2] = false;
+    return wrapped;
+  }
+
+  void check(const VectorXd& q) const {
+    if (q.size() == robot.dof()) return;
+    throw std::invalid_argument("q must have " + std::to_string(robot.dof()) + " values, not " +
+                                std::to_string(q.size()));
+  }
+
+  /// Where the last link of the group must be, seen from the link that carries the group.
+  Isometry3d target(const Isometry3d& X_WF, const VectorXd& q) const {
+    Isometry3d X_7F = Isometry3d::Identity();
+    for (const int i : path.after) place(robot.model().links[i], q, Isometry3d(X_7F), X_7F);
+    const Isometry3d X_W7 = X_WF * X_7F.inverse();
+    return (path.moves_before ? robot.pose(path.base, q).inverse() : X_PW) * X_W7;
+  }
+
+  int sample_free(const Isometry3d& X_WF, const VectorXd& q, std::mt19937_64& rng,
+                  Eigen::MatrixXd& solutions) const {
+    const Isometry3d X_P7 = target(X_WF, q);
+    int count = closed_form->solve(X_P7, q[group[2]], q, wraps, 0, solutions);
+    const double lower = robot.lower()[group[2]], upper = robot.upper()[group[2]];
+    const double width = (upper - lower) / std::max(1, options.free_samples);
+    for (int i = 0; i < options.free_samples; ++i) {
+      const double q3 = lower + width * uniform(i, i + 1, rng);
+      count = closed_form->solve(X_P7, q3, q, wraps, count, solutions);
+    }
+    return count;
+  }
+
+  /// q's group with turning joints taken to within half a turn of 0, so that equal answers look
+  /// equal.
+  void reduce(VectorXd& values) const {
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      auto& value = values[static_cast<Eigen::Index>(i)];
+      if (turns[i]) value = std::remainder(value, 2 * M_PI);
+    }
+  }
+
+  int descend(const Isometry3d& X_WF, const VectorXd& q, std::mt19937_64& rng,
+              Eigen::MatrixXd& solutions) const {
+    DampedLeastSquares solver(robot, frame, group);
+    const auto n = static_cast<Eigen::Index>(group.size());
+    int count = 0;
+    for (int attempt = 0; attempt <= options.restarts; ++attempt) {
+      VectorXd answer = robot.clamp(q);
+      for (const int joint : group) {
+        if (attempt > 0) answer[joint] = uniform(robot.lower()[joint], robot.upper()[joint], rng);
+      }
+      if (!solver.solve(X_WF, options.tolerance, options.max_iterations, attempt > 0, answer))
+        continue;
+      VectorXd values(n);
+      for (Eigen::Index i = 0; i < n; ++i) values[i] = answer[group[i]];
+      reduce(values);
+      count = wraps.append(values.data(), q, count, solutions);
+    }
+    return count;
+  }
+
+  Robot robot;
+  int frame;
+  std::vector<int> group;
+  Options options;
+  Split path;
+  std::vector<bool> turns;  // which joints of the group may make whole turns
+  std::optional<ClosedForm> closed_form;
+  Wraps wraps;
+  Isometry3d X_PW;  // from the link that carries the group, where nothing before it moves
+};
+
+Ik::Ik(const Robot& robot, int frame, std::vector<int> group, const Options& options) {
+  check_group(robot, frame, group);
+  check_options(options);
+  impl_ = std::make_shared<const Impl>(robot, frame, std::move(group), options);
+}
+
+bool Ik::is_closed_form() const { return impl_->closed_form.has_value(); }
+const std::vector<int>& Ik::group() const { return impl_->group; }
+
+int Ik::solve_free(const Isometry3d& X_WF, double free_joint, const VectorXd& q,
+                   Eigen::MatrixXd& solutions) const {
+  if (!is_closed_form()) {
+    throw std::logic_error("solve_free() needs an arm with closed form; ask is_closed_form()");
+  }
+  impl_->check(q);
+  return impl_->closed_form->solve(impl_->target(X_WF, q), free_joint, q, impl_->wraps, 0,
+                                   solutions);
+}
+
+void Ik::solve_free(const Isometry3d& X_WF, double free_joint, const VectorXd& q,
+                    std::vector<VectorXd>& solutions) const {
+  Eigen::MatrixXd columns;
+  const int count = solve_free(X_WF, free_joint, q, columns);
+  for (int i = 0; i < count; ++i) solutions.emplace_back(columns.col(i));
+}
+
+std::vector<VectorXd> Ik::solve_all(const Isometry3d& X_WF, const VectorXd& q,
+                                    std::mt19937_64& rng) const {
+  impl_->check(q);
+  Eigen::MatrixXd solutions;
+  const int count = is_closed_form() ? impl_->sample_free(X_WF, q, rng, solutions)
+                                     : impl_->descend(X_WF, q, rng, solutions);
+  return sorted(solutions, count, q);
+}
+
+std::optional<VectorXd> Ik::solve_near(const Isometry3d& X_WF, const VectorXd& q) const {
+  impl_->check(q);
+  DampedLeastSquares solver(impl_->robot, impl_->frame, impl_->group);
+  VectorXd answer = q;
+  for (const int joint : impl_->group) {
+    answer[joint] = std::clamp(q[joint], impl_->robot.lower()[joint], impl_->robot.upper()[joint]);
+  }
+  if (!solver.solve(X_WF, impl_->options.tolerance, impl_->options.max_iterations, false, answer)) {
+    return {};
+  }
+  return answer;
+}
+
+}  // namespace graspless::robot

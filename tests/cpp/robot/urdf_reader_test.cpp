@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <clocale>
+#include <locale>
+
+#include <gtest/gtest.h>
+
+#include "graspless/robot/robot.hpp"
+
+#include "robot/robots.hpp"
+
+namespace graspless::robot {
+namespace {
+
+const std::string kLimit = "<limit lower='-1.5' upper='1.5' velocity='1' effort='1'/>";
+
+std::string joint(const std::string& name, const std::string& parent, const std::string& child,
+                  const std::string& more = kLimit, const std::string& type = "revolute") {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent +
+         "'/><child link='" + child + "'/><axis xyz='0 0 1'/>" + more + "</joint>";
+}
+
+std::string links(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += "<link name='" + name + "'/>";
+  return text;
+}
+
+Robot read(const std::string& body, const Robot::Options& options = {}) {
+  return Robot::from_urdf("<robot name='r'>" + body + "</robot>", options);
+}
+
+std::string refused(const std::string& body, const Robot::Options& options = {}) {
+  return complaint([&] { read(body, options); });
+}
+
+std::string with_shape(const std::string& geometry) {
+  return "<link name='a'><collision><geometry>" + geometry + "</geometry></collision></link>";
+}
+
+TEST(UrdfReader, RefusesWhatIsNoUrdf) {
+  EXPECT_CONTAINS(complaint([] { Robot::from_urdf("", {}); }), "not XML");
+  EXPECT_CONTAINS(complaint([] { Robot::from_urdf("<robot name='r'>\n<link", {}); }), "line 2");
+  EXPECT_CONTAINS(complaint([] { Robot::from_urdf("<model/>", {}); }), "no <robot>");
+  EXPECT_CONTAINS(complaint([] { Robot::from_urdf("<robot><link name='a'/></robot>", {}); }),
+                  "name");
+  EXPECT_CONTAINS(complaint([] { Robot::from_urdf_file("/no/such.urdf"); }), "/no/such.urdf");
+  EXPECT_CONTAINS(refused(""), "no links");
+  EXPECT_CONTAINS(refused("<link/>"), "no attribute 'name'");
+}
+
+TEST(UrdfReader, RefusesWhatIsNoTree) {
+  EXPECT_CONTAINS(refused(links({"a", "a"})), "link 'a' is there twice");
+  EXPECT_CONTAINS(refused(links({"a", "b"})), "two links are roots, 'a' and 'b'");
+  EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("j", "b", "c")),
+                  "joint 'j' is there twice");
+  EXPECT_CONTAINS(refused(links({"a"}) + joint("j", "a", "b")), "its child 'b' is no link");
+  EXPECT_CONTAINS(refused(links({"a"}) + joint("j", "b", "a")), "its parent 'b' is no link");
+  EXPECT_CONTAINS(refused(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "b", "a")),
+                  "cycle");
+  EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "b", "c") + joint("k", "c", "b")),
+                  "cycle");
+  EXPECT_CONTAINS(refused(links({"a", "b"}) + joint("j", "b", "b")), "cycle");
+  EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("k", "a", "c") +
+                          joint("l", "c", "b")),
+                  "link 'b' has two parents, by joints 'j' and 'l'");
+  EXPECT_CONTAINS(refused(links({"a"}) + "<joint name='j' type='fixed'><child link='a'/></joint>"),
+                  "joint 'j' has no <parent>");
+}
+
+TEST(UrdfReader, RefusesJointsThatCannotBe) {
+  const auto two = [](const std::string& more, const std::string& type = "revolute") {
+    return refused(links({"a", "b"}) + joint("elbow", "a", "b", more, type));
+  };
+  EXPECT_CONTAINS(two(""), "revolute joint 'elbow' has no limits");
+  EXPECT_CONTAINS(two("<limit velocity='1' effort='1'/>", "prismatic"),
+                  "joint 'elbow' has no limits");
+  EXPECT_CONTAINS(two("<limit lower='2' upper='1' velocity='1' effort='1'/>"), "'elbow': lower 2");
+  EXPECT_CONTAINS(two("<limit lower='nan' upper='1' velocity='1' effort='1'/>"), "nan");
+  EXPECT_CONTAINS(two("<limit lower='0' upper='1,5' velocity='1' effort='1'/>"), "1,5");
+  EXPECT_CONTAINS(two("<limit lower='0' upper='1' effort='1'/>"), "velocity");
+  EXPECT_CONTAINS(two("", "floating"), "type 'floating'; choose from revolute");
+  EXPECT_CONTAINS(two("", "planar"), "type 'planar'");
+  EXPECT_CONTAINS(refused(links({"a", "b"}) +
+                          "<joint name='j' type='continuous'><parent link='a'/><child link='b'/>"
+                          "<axis xyz='0 0 0'/></joint>"),
+                  "joint 'j': its axis has no direction");
+  EXPECT_CONTAINS(two(kLimit + "<origin xyz='0 0'/>"), "0 0");
+}
+
+TEST(UrdfReader, RefusesMimicsOfNothing) {
+  const auto chain = [](const std::string& first, const std::string& second) {
+    return links({"a", "b", "c"}) + joint("one", "a", "b", kLimit + first) +
+           joint("two", "b", "c", kLimit + second);
+  };
+  EXPECT_CONTAINS(refused(chain("<mimic joint='three'/>", "")),
+                  "joint 'one': mimicked joint 'three'; choose from one, two");
+  EXPECT_CONTAINS(refused(chain("<mimic joint='two'/>", "<mimic joint='one'/>")), "mimics itself");
+  EXPECT_CONTAINS(refused(chain("<mimic joint='one'/>", "")), "mimics itself");
+  EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("weld", "a", "b", "", "fixed") +
+                          joint("j", "b", "c", kLimit + "<mimic joint='weld'/>")),
+                  "mimics 'weld', which is fixed");
+}
+
+TEST(UrdfReader, RefusesBadShapes) {
+  EXPECT_CONTAINS(refused(with_shape("<box size='1 0 1'/>")), "link 'a'");
+  EXPECT_CONTAINS(refused(with_shape("<sphere radius='-1'/>")), "link 'a'");
+  EXPECT_CONTAINS(refused(with_shape("<cylinder radius='0' length='1'/>")), "link 'a'");
+  EXPECT_CONTAINS(refused(with_shape("<cone radius='1'/>")), "cone");
+  EXPECT_CONTAINS(refused(with_shape("")), "URDF");
+  const std::string missing = refused(with_shape("<mesh filename='none.stl'/>"));
+  EXPECT_CONTAINS(missing, "link 'a'");
+  EXPECT_CONTAINS(missing, "none.stl");
+}
+
+TEST(UrdfReader, FindsMeshes) {
+  const std::string data = GRASPLESS_TEST_DATA_DIR;
+  Robot::Options options;
+  options.packages["mine"] = data;
+  const auto mesh = [](const std::string& path) {
+    return with_shape("<mesh filename='" + path + "'/>");
+  };
+  EXPECT_EQ(read(mesh("package://mine/tetrahedron.obj"), options).shapes().size(), 1u);
+  EXPECT_EQ(read(mesh("file://" + data + "/tetrahedron.obj")).shapes().size(), 1u);
+  EXPECT_EQ(read(mesh(data + "/tetrahedron.obj")).shapes().size(), 1u);
+  options.directory = data;
+  EXPECT_EQ(read(mesh("tetrahedron.obj"), options).shapes().size(), 1u);
+  EXPECT_CONTAINS(refused(mesh("package://yours/x.obj"), options),
+                  "unknown package 'yours'; choose from mine");
+  EXPECT_CONTAINS(refused(mesh("package://mine"), options), "names no file");
+}
+
+TEST(UrdfReader, CapsulesMayShareAnEnd) {
+  const auto element = [](const std::string& xyz, const std::string& geometry) {
+    return "<collision><origin xyz='" + xyz + "'/><geometry>" + geometry +
+           "</geometry></collision>";
+  };
+  const std::string cylinder = "<cylinder radius='0.1' length='1'/>",
+                    ball = "<sphere radius='0.1'/>";
+  const Robot robot =
+      read("<link name='a'>" + element("0 0 0.5", cylinder) + element("0 0 1.5", cylinder) +
+           element("0 0 0", ball) + element("0 0 1", ball) + element("0 0 2", ball) +
+           element("0 0 3", ball) + "</link>");
+  ASSERT_EQ(robot.shapes().size(), 3u);
+  EXPECT_EQ(std::get<geometry::Capsule>(robot.shapes()[1].placed.shape).length, 1);
+  EXPECT_TRUE(std::holds_alternative<geometry::Sphere>(robot.shapes()[2].placed.shape));
+}
+
+TEST(UrdfReader, ARobotMayBeOneLink) {
+  const Robot robot = read(links({"a"}));
+  EXPECT_EQ(robot.dof(), 0);
+  EXPECT_EQ(distance(robot.pose(0, Eigen::VectorXd(0)), Eigen::Isometry3d::Identity()), 0);
+}
+
+/// Writes and reads numbers as much of Europe does.
+class Comma : public std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(UrdfReader, IsTheSameUnderACommaLocale) {
+  const Robot before = wam();
+  const std::locale old = std::locale::global(std::locale(std::locale(), new Comma));
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {
+    if (std::setlocale(LC_ALL, name)) break;  // where there is one
+  }
+  const Robot after = wam();
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(old);
+  EXPECT_EQ(after.upper(), before.upper());
+  EXPECT_EQ(after.state("home"), before.state("home"));
+  const Eigen::VectorXd q = Eigen::VectorXd::Constant(8, 0.4);
+  EXPECT_EQ(distance(after.pose(9, q), before.pose(9, q)), 0);
+}
+
+}  // namespace
+}  // namespace graspless::robot
