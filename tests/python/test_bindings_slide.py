@@ -93,8 +93,12 @@ def test_problem_checks_sizes(wam, card_problem):
     with pytest.raises(ValueError, match="arms"):
         slide.validate(
             Problem(
-                wam, Hand(arm="arms"), card_problem.object, card_problem.support,
-                card_problem.X_WO_start, card_problem.q_home,
+                wam,
+                Hand(arm="arms"),
+                card_problem.object,
+                card_problem.support,
+                card_problem.X_WO_start,
+                card_problem.q_home,
             )  # fmt: skip
         )
 
