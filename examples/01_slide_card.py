@@ -8,7 +8,10 @@ import graspless
 
 task = graspless.load_task(Path(__file__).with_suffix(".yaml"))
 plan = graspless.plan(task, seed=1)
-assert plan and not graspless.check(plan)
+assert plan, plan.reason
+assert graspless.check(plan) == []
+
 print(f"{plan.status}: {plan.overhang * 100:.1f} cm over the edge")
 for segment in plan.segments:
-    print(f"{segment.name:10}{segment.positions.shape[0]:4} rows of {segment.positions.shape[1]} joints")
+    rows, joints = segment.positions.shape
+    print(f"{segment.name:10}{rows:4} rows of {joints} joints")

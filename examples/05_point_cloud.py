@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the cloud of 05_point_cloud.yaml: the top of a crescent, scanned with half a millimetre of noise.
+"""Makes the cloud of 05_point_cloud.yaml: a crescent's top, scanned with 0.5 mm of noise.
 
-    python examples/05_point_cloud.py 05_point_cloud.ply
+Run it with the name of a file to write: 05_point_cloud.ply.
 """
 
 import sys

@@ -134,8 +134,8 @@ def _draw_overhang(axes: Any, shown: Film, outline: Matrix, X_SO: Matrix) -> Non
     foot = tip - inward * depth.min()
     along = np.stack([np.asarray(edge.a), np.asarray(edge.b)])
     axes.plot(*along.T, color="#1f6f4a", lw=3, zorder=3, solid_capstyle="butt")
-    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": "#1f6f4a", "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
-    arrow["mutation_scale"] = 7
+    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": "#1f6f4a", "lw": 1.2}
+    arrow |= {"shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
     axes.annotate("", tip, foot, arrowprops=arrow, zorder=11)
     # Beside the tip, on the outside, whichever way that is on the page.
     side = {-1: "left", 0: "center", 1: "right"}[round(float(inward[0]))]
