@@ -89,12 +89,12 @@ class Plan:
         return self.fields.overhang
 
     @cached_property
-    def X_WO_goal(self) -> Matrix:
+    def X_WO_goal(self) -> Matrix:  # noqa: N802
         """[4, 4] pose of the object after the slide."""
         return frames.from_row(self.fields.X_WO_goal)
 
     @cached_property
-    def X_WH_grasp(self) -> Matrix:
+    def X_WH_grasp(self) -> Matrix:  # noqa: N802
         """[4, 4] pose of the hand's grasp frame at the grasp."""
         return frames.from_row(self.fields.X_WH_grasp)
 

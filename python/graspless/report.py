@@ -37,9 +37,8 @@ def as_text(plan: Plan) -> str:
         lines.append(f"  {_slide_line(plan)}")
     else:
         lines.append(f"  {plan.reason}")
-    names = ("iterations", "nodes", "start_roots", "goal_roots", "pairs", "projections")
-    names = (*names, "ik_calls", "collision_checks")
-    counters = [f"{stats[name]} {name.replace('_', ' ')}" for name in names if name in stats]
+    names = [name for name in stats if name not in ("seconds", "refusals")]
+    counters = [f"{stats[name]} {name.replace('_', ' ')}" for name in names]
     lines.append("  " + ", ".join(counters))
     refusals = stats.get("refusals", {})
     if refusals and not plan:

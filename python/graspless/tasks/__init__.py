@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from ..errors import TaskError
 from .source import Source, read_yaml
@@ -45,8 +45,7 @@ class Task:
 
     def to_dict(self) -> dict[str, Any]:
         """The task as it stands in a plan file: whole, in plain types."""
-        document = self.fields.model_dump(mode="json", exclude_none=True)
-        return cast("dict[str, Any]", document)
+        return self.fields.model_dump(mode="json", exclude_none=True)
 
     def with_changes(
         self,

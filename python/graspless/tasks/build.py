@@ -17,6 +17,8 @@ from .resolve import pose_matrix, support_pose
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    Shape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
+
     from . import model
     from .source import Source
 
@@ -83,7 +85,7 @@ def build_robot(robot: model.Robot, source: Source) -> robots.Robot:
 
 def build_home(
     robot: model.Robot, hand: slide.Hand, built: robots.Robot, source: Source
-) -> np.ndarray[Any, np.dtype[np.float64]]:
+) -> frames.Matrix:
     location = ("robot", "home")
     with at(source, *location):
         if isinstance(robot.home, str):
@@ -171,7 +173,7 @@ def build_obstacle(obstacle: model.Obstacle, source: Source, index: int) -> slid
         )
 
 
-def _shape(obstacle: model.Obstacle) -> geometry.Shape:
+def _shape(obstacle: model.Obstacle) -> Shape:
     if obstacle.box is not None:
         return geometry.Box(np.array(obstacle.box))
     if obstacle.sphere is not None:
@@ -190,7 +192,7 @@ def _shape(obstacle: model.Obstacle) -> geometry.Shape:
     return geometry.read_mesh(obstacle.mesh.file, np.array(obstacle.mesh.scale))
 
 
-def _outline(shape: model.Object | model.Support) -> np.ndarray[Any, np.dtype[np.float64]]:
+def _outline(shape: model.Object | model.Support) -> frames.Matrix:
     """[N, 2] vertices of the polygon, rectangle or circle that is given."""
     if shape.polygon is not None:
         return np.array(shape.polygon, dtype=float)
@@ -199,12 +201,12 @@ def _outline(shape: model.Object | model.Support) -> np.ndarray[Any, np.dtype[np
         return np.array(corners * shape.rectangle.size + shape.rectangle.center)
     assert shape.circle is not None
     ring = _regular(shape.circle.radius, shape.circle.points)
-    return ring + np.array(shape.circle.center)
+    return np.asarray(ring + np.array(shape.circle.center))
 
 
-def _regular(radius: float, n: int) -> np.ndarray[Any, np.dtype[np.float64]]:
+def _regular(radius: float, n: int) -> frames.Matrix:
     angles = 2 * np.pi * np.arange(n) / n
-    return radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.asarray(radius * np.column_stack([np.cos(angles), np.sin(angles)]))
 
 
 def build_options(task: model.SlideTask, source: Source) -> slide.Options:

@@ -77,7 +77,7 @@ def _read_xyz(path: Path) -> Matrix:
 
 
 def _read_pcd(path: Path) -> Matrix:
-    from pypcd4 import PointCloud
+    from pypcd4.pypcd4 import PointCloud
 
     points = PointCloud.from_path(path).numpy(("x", "y", "z"))
     return np.asarray(points, dtype=float).reshape(-1, 3)

@@ -71,7 +71,7 @@ class PlanarPose(Fields):
 
 
 def _kind_of_home(value: Any) -> str:
-    return {dict: "joints", list: "all"}.get(type(value), "state")
+    return "joints" if isinstance(value, dict) else "all" if isinstance(value, list) else "state"
 
 
 def _kind_of_hand(value: Any) -> str:

@@ -234,9 +234,8 @@ def pose_matrix(pose: model.Pose) -> Matrix:
     return frames.translation(pose.position) @ frames.from_rpy(pose.rpy or [0.0, 0.0, 0.0])
 
 
-def _transform(X_AB: Matrix, p_BP: Matrix) -> Matrix:
-    moved: Matrix = p_BP @ X_AB[:3, :3].T + X_AB[:3, 3]
-    return moved
+def _transform(X_AB: Any, p_BP: Matrix) -> Matrix:
+    return np.asarray(p_BP @ X_AB[:3, :3].T + X_AB[:3, 3])
 
 
 def _resolve_obstacle(

@@ -171,13 +171,16 @@ def _note_lines(
     if isinstance(node, yaml.MappingNode):
         seen = set()
         for key, value in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                raise TaskError(f"{file}:{key.start_mark.line + 1}: a field's name must be a word")
             if key.value in seen:
                 raise TaskError(
                     f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}given twice"
                 )
             seen.add(key.value)
-            lines[(*place, key.value)] = key.start_mark.line + 1
-            _note_lines(value, (*place, key.value), lines, file, above)
+            inner = (*place, key.value)
+            lines[inner] = key.start_mark.line + 1
+            _note_lines(value, inner, lines, file, above)
     elif isinstance(node, yaml.SequenceNode):
         for i, value in enumerate(node.value):
             _note_lines(value, (*place, i), lines, file, above)

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..frames import Matrix
-    from ..tasks import Task
-    from ..tasks import model
+    from ..tasks import Task, model
     from .film import Film
 
 Color = tuple[float, float, float]
@@ -28,7 +27,7 @@ OBJECT: Color = (0.95, 0.65, 0.15)
 TABLE: Color = (0.80, 0.72, 0.60)
 OBSTACLE: Color = (0.45, 0.55, 0.68)
 TRAIL: Color = (0.78, 0.10, 0.32)
-TRAIL_WIDTH = 0.006  # [m]
+TRAIL_WIDTH = 0.008  # [m]
 
 
 @dataclass
@@ -186,6 +185,7 @@ def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: model.Ro
     shape = visual.find("geometry/*")
     if shape is None:
         return []
+    mesh: Any
     material = visual.find("material")
     color = ARM
     if material is not None:

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from . import bodies, raster
+from . import bodies, raster, stage
 from .film import film
 
 if TYPE_CHECKING:
@@ -21,23 +21,25 @@ if TYPE_CHECKING:
 
 TRAIL = (0.78, 0.10, 0.32)
 INK = (0.15, 0.17, 0.20)
-PANEL = (460, 380)  # pixels
+PANEL = (560, 350)  # pixels
 
 
 def draw(plan: Plan) -> bytes:
     """The picture as the bytes of a PNG file."""
     shown = film(plan)
-    figure = Figure(figsize=(15, 6.9), dpi=110, facecolor="white")
+    figure = Figure(figsize=(15, 6.5), dpi=110, facecolor="white")
     FigureCanvasAgg(figure)
     grid = figure.add_gridspec(
-        2, 3, width_ratios=[1.2, 1, 1], left=0.045, right=0.99, bottom=0.07, top=0.89,
+        2, 3, width_ratios=[1.1, 1, 1], left=0.045, right=0.99, bottom=0.07, top=0.89,
         wspace=0.05, hspace=0.1,
     )  # fmt: skip
     _draw_slide(figure.add_subplot(grid[:, 0]), shown)
-    camera = _camera(shown)
-    for k, (row, caption) in enumerate(_moments(shown)):
+    camera = stage.camera(shown, *PANEL)
+    for k, (row, caption) in enumerate(stage.moments(shown)):
         axes = figure.add_subplot(grid[k // 2, 1 + k % 2])
-        axes.imshow(raster.render(_placed(shown, row), camera, *PANEL), interpolation="antialiased")
+        axes.imshow(
+            raster.render(stage.placed(shown, row), camera, *PANEL), interpolation="antialiased"
+        )
         axes.set_title(caption, fontsize=11, color=INK, loc="left", pad=3)
         axes.set_axis_off()
     figure.suptitle(_headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
@@ -53,61 +55,6 @@ def _headline(plan: Plan) -> str:
     distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.task.problem.X_WO_start[:3, 3])
     robot = plan.task.problem.robot.name
     return f"{robot} slides the {name} {distance * 100:.0f} cm to the edge and grasps it there"
-
-
-def _moments(shown: Film) -> list[tuple[int, str]]:
-    """Rows to draw the robot at, with what happens there."""
-    segments = dict.fromkeys(shown.names)
-    wanted = {
-        "press": "1  press",
-        "slide": "2  slide to the edge",
-        "reach": "3  come round",
-        "close": "4  grasp",
-    }
-    rows = [
-        (int(shown.rows(name)[-1]), caption) for name, caption in wanted.items() if name in segments
-    ]
-    return rows or [(0, "start")]
-
-
-def _placed(shown: Film, row: int) -> list[tuple[bodies.Body, Matrix]]:
-    task = shown.plan.task
-    placed = [
-        (bodies.table_body(task), np.asarray(task.problem.support.X_WS)),
-        (bodies.object_body(task), shown.object_poses[row]),
-        *bodies.obstacle_bodies(task),
-    ]
-    links = bodies.robot_bodies(task)
-    placed += [
-        (body, X) for body, X in zip(links, shown.link_poses[row], strict=True) if body.parts
-    ]
-    trail = bodies.trail_body(shown)
-    return [*placed, (trail, np.eye(4))] if trail.parts else placed
-
-
-def _camera(shown: Film) -> raster.Camera:
-    """From beyond the edge where the object goes, so that the grasp is seen."""
-    task = shown.plan.task
-    X_WS = np.asarray(task.problem.support.X_WS)
-    centroid = X_WS @ np.array([*np.asarray(task.problem.support.polygon.centroid), 0, 1])
-    base = shown.link_poses[0, 0, :3, 3]
-    middle = 0.6 * centroid[:3] + 0.4 * np.array([*base[:2], centroid[2]])
-    away = shown.object_poses[-1][:3, 3] - centroid[:3]
-    side = centroid[:3] - base
-    away[2] = side[2] = 0
-    direction = away / max(np.linalg.norm(away), 1e-6) + 0.45 * side / np.linalg.norm(side)
-    if np.linalg.norm(direction) < 0.3:  # the edge towards the robot: look from the side
-        direction = np.array([-side[1], side[0], 0.0])
-    direction /= np.linalg.norm(direction)
-    eye = middle + 3.2 * (direction + [0, 0, 0.62]) / np.hypot(1, 0.62)
-    rows = [row for row, _ in _moments(shown)]
-    points = [
-        part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-        for row in rows
-        for body, X_WB in _placed(shown, row)
-        for part in body.parts
-    ]
-    return raster.Camera(eye, middle).fitted(np.concatenate(points), *PANEL)
 
 
 def _draw_slide(axes: Any, shown: Film) -> None:
@@ -170,7 +117,8 @@ def _draw_trail(axes: Any, shown: Film, X_SW: Matrix) -> None:
     tips = (tips @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2]
     axes.plot(*tips.T, color=TRAIL, lw=2.4, zorder=10, label="fingertip")
     axes.plot(*tips[0], "o", ms=6, color=TRAIL, zorder=10)
-    back = max(0, len(tips) - 1 - max(1, len(tips) // 12))
+    far = np.flatnonzero(np.linalg.norm(tips - tips[-1], axis=1) > 0.025)
+    back = far[-1] if len(far) else 0
     arrow = {"arrowstyle": "-|>", "color": TRAIL, "lw": 2.4, "mutation_scale": 16}
     axes.annotate("", tips[-1], tips[back], arrowprops=arrow, zorder=10)
 
@@ -186,12 +134,15 @@ def _draw_overhang(axes: Any, shown: Film, outline: Matrix, X_SO: Matrix) -> Non
     foot = tip - inward * depth.min()
     along = np.stack([np.asarray(edge.a), np.asarray(edge.b)])
     axes.plot(*along.T, color="#1f6f4a", lw=3, zorder=3, solid_capstyle="butt")
-    arrow = {"arrowstyle": "<|-|>", "color": "#1f6f4a", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
+    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": "#1f6f4a", "lw": 1.2}
+    arrow |= {"shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
     axes.annotate("", tip, foot, arrowprops=arrow, zorder=11)
-    text = f"overhang {shown.plan.overhang * 100:.1f} cm"
+    # Beside the tip, on the outside, whichever way that is on the page.
+    side = {-1: "left", 0: "center", 1: "right"}[round(float(inward[0]))]
+    rise = {-1: "bottom", 0: "center", 1: "top"}[round(float(inward[1]))]
     axes.annotate(
-        text, tip, -14 * inward, textcoords="offset points", fontsize=9, color="#1f6f4a",
-        ha="center", va="center", zorder=11,
+        f"overhang {shown.plan.overhang * 100:.1f} cm", tip, -6 * inward, fontsize=9,
+        textcoords="offset points", color="#1f6f4a", ha=side, va=rise, zorder=11,
     )  # fmt: skip
 
 

@@ -102,12 +102,12 @@ def render(
     screen = camera.project(scene["points"], w, h)
     faces = scene["faces"]
     toward = np.einsum("ij,ij->i", scene["normals"], camera.eye - scene["points"][faces[:, 0]])
-    near, face = _depth_buffer(screen, faces, np.flatnonzero(toward > 0), w, h)
+    _, face = _depth_buffer(screen, faces, np.flatnonzero(toward > 0), w, h)
     rgba = np.zeros((h, w, 4))
     ys, xs = np.nonzero(face >= 0)
     if len(xs):
         f = face[ys, xs]
-        weights = _weights(screen[faces[f]], xs + 0.5, ys + 0.5, perspective=True)
+        weights = _weights(screen[faces[f]], xs + 0.5, ys + 0.5)
         points = np.einsum("nk,nkj->nj", weights, scene["points"][faces[f]])
         normals = np.einsum("nk,nkj->nj", weights, scene["corners"][f])
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -183,17 +183,14 @@ def _depth_buffer(
     return near, face
 
 
-def _weights(corners: Matrix, x: Matrix, y: Matrix, perspective: bool) -> Matrix:
+def _weights(corners: Matrix, x: Any, y: Any) -> Matrix:
     """[N, 3] barycentric weights of pixels in their triangles [N, 3, 3], in the world."""
     (ax, ay), (bx, by), (cx, cy) = (corners[:, k, :2].T for k in range(3))
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     u = ((bx - x) * (cy - y) - (by - y) * (cx - x)) / area
     v = ((cx - x) * (ay - y) - (cy - y) * (ax - x)) / area
-    weights = np.stack([u, v, 1 - u - v], axis=1)
-    if perspective:
-        weights = weights * corners[:, :, 2]
-        weights /= weights.sum(axis=1, keepdims=True)
-    return np.asarray(weights)
+    weights = np.stack([u, v, 1 - u - v], axis=1) * corners[:, :, 2]
+    return np.asarray(weights / weights.sum(axis=1, keepdims=True))
 
 
 def _lit(scene: dict[str, Any], points: Matrix, toward: Matrix) -> Matrix:

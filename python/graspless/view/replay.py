@@ -16,6 +16,7 @@ from .. import frames
 from ..errors import TaskError
 from . import bodies
 from .film import film
+from .stage import camera
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..plans import Plan
     from .film import Film
+    from .raster import Camera
 
 RATE = 20.0  # rows a second
 HOLD = 1.5  # at the end, before the replay starts again [s]
@@ -56,7 +58,7 @@ def serve(plan: Plan, port: int) -> None:
         now = server.gui.add_slider(
             "time [s]", min=0.0, max=max(last, 0.05), step=0.05, initial_value=0.0
         )
-        now.on_update(lambda _: stage.show(int(round(now.value * RATE))))
+        now.on_update(lambda _: stage.show(round(now.value * RATE)))
         print(f"http://localhost:{server.get_port()}  (Ctrl-C ends it)", flush=True)
         while True:
             time.sleep(1 / RATE)
@@ -87,8 +89,11 @@ class _Stage:
         trail = bodies.trail_body(shown)
         if trail.parts:
             _add(scene, "/fingertip", trail, np.eye(4))
-        self._add_captions(scene, X_WS)
-        self._aim(server, X_WS)
+        view = camera(film(shown.plan), 4, 3)
+        server.initial_camera.position = tuple(view.eye)
+        server.initial_camera.look_at = tuple(view.target)
+        server.initial_camera.fov = 1.08 * view.angle
+        self._add_captions(scene, view)
 
     def show(self, row: int) -> None:
         """Moves the robot and the object to a row; what stays is not sent again."""
@@ -102,35 +107,16 @@ class _Stage:
             if before < 0 or (other == name) != (other == self.shown.names[before]):
                 caption.visible = other == name
 
-    def _add_captions(self, scene: Any, X_WS: Matrix) -> None:
-        at = tuple(_middle(self.shown, X_WS) - [0, 0, 0.3])  # like a subtitle, below the table
-        names = list(dict.fromkeys(self.shown.names))
+    def _add_captions(self, scene: Any, view: Camera) -> None:
+        """The name of the segment, like a subtitle."""
+        reach = np.linalg.norm(view.target - view.eye)
+        at = tuple(view.target - 0.88 * reach * np.tan(view.angle / 2) * view.axes()[1])
         self.captions = {
             name: scene.add_label(
                 f"/captions/{_plain(name)}", name, position=at, visible=False, font_screen_scale=1.6
             )
-            for name in names
+            for name in dict.fromkeys(self.shown.names)
         }
-
-    def _aim(self, server: Any, X_WS: Matrix) -> None:
-        middle = _middle(self.shown, X_WS)
-        away = self.shown.object_poses[-1][:3, 3] - middle
-        away[2] = 0
-        away = away / max(np.linalg.norm(away), 1e-6)
-        side = np.array([-away[1], away[0], 0]) * 0.7
-        camera = server.initial_camera
-        camera.position = tuple(middle + 1.15 * (away + side) / np.hypot(1, 0.7) + [0, 0, 0.75])
-        camera.look_at = tuple(middle + [0, 0, 0.17])
-        camera.fov = 0.9
-
-
-def _middle(shown: Film, X_WS: Matrix) -> Matrix:
-    """Between the support's middle and the robot's base, in the support's plane."""
-    centroid = np.asarray(shown.plan.task.problem.support.polygon.centroid)
-    on_table = X_WS @ np.array([*centroid, 0, 1])
-    base = shown.link_poses[0, 0, :3, 3]
-    middle: Matrix = 0.65 * on_table[:3] + 0.35 * np.array([*base[:2], on_table[2]])
-    return middle
 
 
 def _add(scene: Any, name: str, body: bodies.Body, X_WB: Matrix) -> Any:
@@ -150,9 +136,8 @@ def _add(scene: Any, name: str, body: bodies.Body, X_WB: Matrix) -> Any:
             f"{name}/{k}",
             np.concatenate(vertices).astype(np.float32),
             np.concatenate(triangles).astype(np.uint32),
-            color=tuple(int(round(255 * DIM * value)) for value in color),
+            color=tuple(round(255 * DIM * value) for value in color),
             flat_shading=body.name in ("table", "object"),
-            side="double",
         )
     return frame
 

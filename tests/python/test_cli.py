@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line, as a shell sees it: exit codes, what goes where, and never a traceback."""
+
+import json
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import cli
+from tasks_common import GOOD, changed
+
+
+@pytest.fixture
+def task(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "task.yaml"
+    path.write_text(GOOD)
+    return path
+
+
+def run(capsys, *arguments):
+    """Exit code, stdout and stderr of one command."""
+    try:
+        code = cli.main(list(arguments))
+    except SystemExit as stopped:
+        code = stopped.code
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def test_plan_and_check(task, capsys):
+    code, out, err = run(capsys, "plan", "task.yaml", "--seed", "1")
+    assert (code, err) == (0, "")
+    assert out.startswith("solved in ")
+    assert "written: plan.json" in out
+    assert "slide" in out
+    assert len(out.splitlines()) < 15
+    assert run(capsys, "check", "plan.json")[:2] == (0, "holds: 7 segments, " + out_rows(out))
+
+
+def out_rows(out):
+    rows = [line.split()[1] for line in out.splitlines() if " rows" in line]
+    return f"{sum(map(int, rows))} rows\n"
+
+
+def test_json_is_all_that_is_printed(task, capsys):
+    code, out, _ = run(capsys, "plan", "task.yaml", "--json", "-o", "p.json")
+    assert code == 0
+    printed = json.loads(out)
+    assert printed["status"] == "solved"
+    assert printed["stats"]["iterations"] >= 0
+    assert printed["segments"][0]["name"] == "approach"
+    code, out, _ = run(capsys, "check", "p.json", "--json")
+    assert (code, json.loads(out)) == (0, {"holds": True, "faults": []})
+
+
+def test_flags_change_the_search(task, capsys):
+    flags = ["--seed", "7", "--time", "3", "--iterations", "4000", "--search", "paper"]
+    run(capsys, "plan", "task.yaml", *flags)
+    plan = graspless.load_plan("plan.json")
+    assert plan.fields.seed == 7
+    assert plan.task.options.search.name == "paper"
+    assert (plan.task.budget.seconds, plan.task.budget.iterations) == (3.0, 4000)
+
+
+def test_not_found_exits_1_and_says_why(task, capsys):
+    code, out, err = run(capsys, "plan", "task.yaml", "--iterations", "0")
+    assert (code, err) == (1, "")
+    plan = graspless.load_plan("plan.json")
+    assert not plan
+    assert out.startswith(plan.status)
+    assert plan.reason in out
+    code, out, _ = run(capsys, "check", "plan.json")
+    assert code == 1
+    assert plan.status in out
+
+
+def test_out_of_reach_names_what_was_refused(task, capsys):
+    far = changed("center: [0.65, 0.0]", "center: [3.0, 0.0]")
+    task.write_text(changed("x: 0.60", "x: 3.0", far))
+    code, out, _ = run(capsys, "plan", "task.yaml", "--time", "1")
+    assert code == 1
+    assert out.startswith("no_start_root")
+    assert "refused:\n" in out
+    assert "start: reach" in out
+
+
+def test_start_in_collision(task, capsys):
+    obstacle = "obstacles: [{name: wall, box: [9, 9, 9]}]\nbudget:"
+    task.write_text(changed("budget:", obstacle))
+    code, out, _ = run(capsys, "plan", "task.yaml")
+    assert code == 1
+    assert out.startswith("start_in_collision")
+    assert "wall" in out
+
+
+def test_check_says_what_does_not_hold(task, capsys):
+    run(capsys, "plan", "task.yaml")
+    document = json.loads(pathlib.Path("plan.json").read_text())
+    document["segments"][0]["positions"][5][3] = -0.5
+    pathlib.Path("plan.json").write_text(json.dumps(document))
+    code, out, err = run(capsys, "check", "plan.json")
+    assert (code, err) == (1, "")
+    assert "approach" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (["plan", "none.yaml"], "none.yaml: cannot be read: No such file or directory"),
+        (["plan", "."], "cannot be read"),
+        (["plan", "task.yaml", "-o", "none/plan.json"], "none/plan.json: cannot be written"),
+        (["plan", "task.yaml", "-o", "."], ".: cannot be written: is a folder"),
+        (["plan", "task.yaml", "--png", "none/a.png"], "none/a.png: cannot be written"),
+        (["plan", "task.yaml", "--time", "-1"], "--time: budget.seconds: -1.0: should be greater"),
+        (["plan", "task.yaml", "--seed", "-1"], "--seed: budget.seed: -1: should be greater"),
+        (["plan", "task.yaml", "--seed", "x"], "invalid int value: 'x'"),
+        (["plan", "task.yaml", "--search", "best"], "invalid choice: 'best'"),
+        (["check", "none.json"], "none.json: cannot be read"),
+        (["check", "task.yaml"], "task.yaml:1: not valid JSON"),
+        (["view", "none.json"], "none.json: cannot be read"),
+        (["example", "none"], "there is no such example (one of: 01_slide_card"),
+        (["dance"], "invalid choice: 'dance'"),
+        ([], "required: COMMAND"),
+    ],
+)
+def test_bad_input_exits_2_with_one_message(task, capsys, arguments, what):
+    code, out, err = run(capsys, *arguments)
+    assert (code, out) == (2, "")
+    assert what in err
+    assert "Traceback" not in err
+
+
+def test_fault_in_a_task_names_file_and_line(task, capsys):
+    task.write_text(changed("0.004", "-1"))
+    code, out, err = run(capsys, "plan", "task.yaml")
+    assert (code, out) == (2, "")
+    assert err == "task.yaml:8: object.thickness: -1: should be greater than 0\n"
+
+
+def test_unwritable_output_is_told_before_planning(task, capsys, monkeypatch):
+    monkeypatch.setattr("graspless.plans.plan", lambda *_: pytest.fail("planned in vain"))
+    assert run(capsys, "plan", "task.yaml", "-o", "none/plan.json")[0] == 2
+
+
+def test_warning_is_one_line_on_stderr(task, capsys, tmp_path):
+    x, y = np.meshgrid(np.arange(30) * 100.0, np.arange(30) * 100.0)
+    np.savetxt(tmp_path / "a.xyz", np.column_stack([x.ravel(), y.ravel(), np.full(900, 4.0)]))
+    outline = "rectangle: {size: [0.10, 0.08]}\n  thickness: 0.004"
+    task.write_text(changed(outline, "cloud: a.xyz"))
+    _, _, err = run(capsys, "plan", "task.yaml", "--iterations", "0")
+    assert err.startswith("warning: task.yaml:7: object.cloud: a.xyz: is 2900 x 2900 x 0 m")
+    assert "Warning" not in err
+
+
+def test_version_and_help(capsys):
+    assert run(capsys, "--version")[:2] == (0, f"graspless {graspless.__version__}\n")
+    code, out, _ = run(capsys, "--help")
+    assert code == 0
+    for command in ("plan", "check", "view", "example"):
+        assert command in out
+        assert run(capsys, command, "--help")[0] == 0
+
+
+def test_module_runs_and_a_closed_pipe_is_no_fault(task):
+    command = f"'{sys.executable}' -m graspless plan task.yaml --json | true"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True)
+    assert done.stderr == ""
+
+
+def test_ctrl_c_ends_at_once_with_130(task):
+    # The support is out of reach at its edges: the search goes on until it is stopped.
+    text = changed("center: [0.65, 0.0], size: [0.7, 0.7]", "center: [0.65, 0.0], size: [4, 4]")
+    task.write_text(changed("seconds: 20", "seconds: 60", text))
+    process = subprocess.Popen(
+        [sys.executable, "-m", "graspless", "plan", "task.yaml"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    time.sleep(1.5)
+    assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    start = time.monotonic()
+    _, err = process.communicate(timeout=10)
+    assert time.monotonic() - start < 0.5
+    assert process.returncode == 130
+    assert err == "interrupted\n"
+
+
+def test_progress_is_told_at_a_terminal_only(task):
+    text = changed("center: [0.65, 0.0], size: [0.7, 0.7]", "center: [0.65, 0.0], size: [4, 4]")
+    task.write_text(text)
+    command = [sys.executable, "-m", "graspless", "plan", "task.yaml", "--time", "1.5"]
+    piped = subprocess.run(command, capture_output=True, text=True)
+    assert piped.stderr == ""
+    ours, theirs = pty.openpty()
+    subprocess.run(command, stdout=subprocess.DEVNULL, stderr=theirs)
+    os.close(theirs)
+    seen = os.read(ours, 10000).decode()
+    os.close(ours)
+    assert "planning, at most 1.5 s: 1 s" in seen

@@ -1,0 +1,223 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plan files: what is written is what was found, and what is read back replays the same."""
+
+import importlib.util
+import json
+import pathlib
+import stat
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import TaskError, files, slide
+from graspless.plan_model import PlanFile
+from tasks_common import GOOD, changed
+
+ROOT = pathlib.Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def task(tmp_path_factory):
+    path = tmp_path_factory.mktemp("task") / "task.yaml"
+    path.write_text(GOOD)
+    return graspless.load_task(path)
+
+
+@pytest.fixture(scope="module")
+def plan(task):
+    plan = graspless.plan(task, iterations=5000)
+    assert plan, plan.reason
+    return plan
+
+
+@pytest.fixture(scope="module")
+def document(plan):
+    return json.loads(plan.to_json())
+
+
+def reread(document, path):
+    path.write_text(json.dumps(document))
+    return graspless.load_plan(path)
+
+
+def test_five_lines_of_python(task, tmp_path):
+    plan = graspless.plan(task, seed=1)
+    assert plan
+    assert not graspless.check(plan)
+    plan.save(tmp_path / "plan.json")
+    assert not graspless.check(tmp_path / "plan.json")
+
+
+def test_plan_holds_after_its_file(plan, tmp_path):
+    plan.save(tmp_path / "plan.json")
+    again = graspless.load_plan(tmp_path / "plan.json")
+    assert graspless.check(again) == []
+    assert again.to_json() == plan.to_json()
+    for mine, theirs in zip(plan.segments, again.segments, strict=True):
+        assert mine.name == theirs.name
+        np.testing.assert_array_equal(mine.positions, theirs.positions)
+        np.testing.assert_array_equal(mine.object_poses, theirs.object_poses)
+
+
+def test_file_has_the_planner_s_own_numbers(task):
+    other = task.with_changes(iterations=5000)
+    found = slide.plan(other.problem, other.options, other.budget)
+    plan = graspless.plan(other)
+    assert found
+    assert plan.joint_names == list(found.joint_names)
+    for mine, theirs in zip(plan.segments, found.segments, strict=True):
+        np.testing.assert_array_equal(mine.positions, theirs.positions)  # bit by bit
+        np.testing.assert_allclose(mine.object_poses, theirs.object_poses, atol=1e-12)
+    np.testing.assert_allclose(plan.X_WO_goal, found.X_WO_goal, atol=1e-12)
+    np.testing.assert_allclose(plan.X_WH_grasp, found.X_WH_grasp, atol=1e-12)
+    assert plan.overhang == found.overhang
+    core = plan.to_core()
+    assert core.status == found.status
+    assert [len(segment) for segment in core.segments] == [len(s) for s in found.segments]
+
+
+def test_same_seed_gives_the_same_file(task, plan):
+    def without_clock(text):
+        document = json.loads(text)
+        del document["stats"]["seconds"]
+        return document
+
+    again = graspless.plan(task, iterations=5000)
+    assert without_clock(again.to_json()) == without_clock(plan.to_json())
+
+
+def test_rows_are_dense_enough_to_replay(plan):
+    for segment in plan.segments:
+        assert np.abs(np.diff(segment.positions, axis=0)).max(initial=0) <= 0.05 + 1e-9
+    ends = [segment.positions[-1] for segment in plan.segments[:-1]]
+    starts = [segment.positions[0] for segment in plan.segments[1:]]
+    np.testing.assert_allclose(ends, starts, atol=1e-12)
+
+
+def test_file_says_every_value_in_force(document):
+    options = document["task"]["options"]
+    assert options["search"] == "fast"
+    assert options["com_margin"] == slide.Options().com_margin
+    assert document["task"]["hand"]["flexure_length"] == 0.11
+    assert document["task"]["budget"]["iterations"] == 5000
+    assert document["task"]["robot"]["urdf_text"].startswith("<?xml")
+
+
+def test_failed_plan_is_written_too(task, tmp_path):
+    plan = graspless.plan(task, iterations=0)
+    assert not plan
+    assert plan.status != "solved"
+    plan.save(tmp_path / "plan.json")
+    again = graspless.load_plan(tmp_path / "plan.json")
+    assert (again.status, again.reason) == (plan.status, plan.reason)
+    assert again.statistics == plan.statistics
+    assert again.segments == []
+    assert graspless.check(again) == [f"there is no motion to check: {plan.status}: {plan.reason}"]
+
+
+def test_check_finds_a_plan_that_was_changed(plan, document, tmp_path):
+    changes = {
+        "through": lambda d: d["segments"][0]["positions"][5].__setitem__(3, -0.5),
+        "home": lambda d: d["segments"].pop(0),
+        "object": lambda d: d["segments"][2]["object_poses"][4].__setitem__(0, 9.0),
+        "table": lambda d: d["task"]["support"]["rectangle"].update(size=[0.5, 0.5]),
+    }
+    for change in changes.values():
+        broken = json.loads(json.dumps(document))
+        change(broken)
+        assert graspless.check(reread(broken, tmp_path / "plan.json"))
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        (lambda d: d.pop("format"), "not a plan file"),
+        (lambda d: d.update(format=2), "format: 2: this graspless reads format 1"),
+        (lambda d: d.update(status="done"), "status: done: should be 'solved'"),
+        (lambda d: d.pop("segments"), "segments: missing"),
+        (lambda d: d.update(more=1), "more: unknown field"),
+        (lambda d: d["segments"][0]["positions"][0].pop(), "row 0 of segment 'approach' has 7"),
+        (lambda d: d["segments"][0]["positions"].pop(), "one a row are needed"),
+        (lambda d: d["segments"][0]["object_poses"][0].pop(), r"object_poses\[0\]: .*at least 7"),
+        (lambda d: d["X_WO_goal"].__setitem__(3, 2.0), "not of unit length"),
+        (lambda d: d["overhang"].__class__ and d.update(overhang=float("nan")), "NaN"),
+        (lambda d: d["task"].pop("object"), "object: missing"),
+        (lambda d: d["task"]["robot"].update(urdf_text="<robot>"), "robot.urdf_text: "),
+    ],
+)
+def test_broken_plan_files(document, tmp_path, change, what):
+    broken = json.loads(json.dumps(document))
+    change(broken)
+    with pytest.raises(TaskError, match=what) as caught:
+        reread(broken, tmp_path / "plan.json")
+    assert str(caught.value).startswith(str(tmp_path / "plan.json"))
+
+
+def test_no_plan_at_all(tmp_path):
+    path = tmp_path / "plan.json"
+    with pytest.raises(TaskError, match=r"plan.json: cannot be read: No such file"):
+        graspless.load_plan(path)
+    path.write_text('{"format": 1,\n "kind" "slide"}')
+    with pytest.raises(TaskError, match=r"plan.json:2: not valid JSON"):
+        graspless.load_plan(path)
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(TaskError, match=r"plan.json: not a plan file"):
+        graspless.load_plan(path)
+
+
+def test_plan_with_a_mesh_stands_alone_beside_it(tmp_path):
+    import trimesh
+
+    trimesh.creation.box([0.1, 0.1, 0.1]).export(tmp_path / "box.stl")
+    obstacle = "obstacles: [{name: e, mesh: {file: box.stl}, pose: {position: [2, 0, 0]}}]\nbudget:"
+    (tmp_path / "task.yaml").write_text(changed("budget:", obstacle))
+    plan = graspless.plan(tmp_path / "task.yaml", iterations=5000)
+    plan.save(tmp_path / "plan.json")
+    (tmp_path / "task.yaml").unlink()
+    assert graspless.check(tmp_path / "plan.json") == []
+
+
+def test_schema_is_that_of_the_model(document):
+    spec = importlib.util.spec_from_file_location("schema", ROOT / "tools" / "schema.py")
+    schema = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(schema)
+    assert schema.TARGET.read_text() == schema.text(), "run tools/schema.py"
+    published = json.loads(schema.text())
+    assert set(published["required"]) <= set(document)
+    assert set(document) <= set(published["properties"])
+
+
+def test_writes_whole_or_not_at_all(tmp_path, monkeypatch):
+    path = tmp_path / "plan.json"
+    path.write_text("before")
+    path.chmod(0o640)
+    files.write(path, "after")
+    assert path.read_text() == "after"
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+
+    def fail(self, target):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(pathlib.Path, "replace", fail)
+    with pytest.raises(TaskError, match="No space left"):
+        files.write(path, "never")
+    assert path.read_text() == "after"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_writes_through_links_and_into_devices(tmp_path):
+    (tmp_path / "there").write_text("before")
+    link = tmp_path / "link"
+    link.symlink_to(tmp_path / "there")
+    files.write(link, "after")
+    assert link.is_symlink()
+    assert (tmp_path / "there").read_text() == "after"
+    files.write("/dev/null", "nothing")
+    assert not pathlib.Path("/dev/null").is_file()
+
+
+def test_model_reads_its_own_dump(plan):
+    dumped = plan.fields.model_dump(mode="json", exclude_none=True)
+    assert PlanFile.model_validate(dumped) == plan.fields
