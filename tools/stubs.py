@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
 
 import pybind11_stubgen
-
 
 ENUMS = "(Search|FingerModel|Status):graspless._core.slide"  # for the defaults of arguments
 
@@ -21,6 +21,16 @@ def write_stubs(folder: pathlib.Path) -> None:
         )
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(pathlib.Path(scratch, "graspless", "_core"), folder)
+    for stub in folder.iterdir():
+        stub.write_text(with_enum_members(stub.read_text()))
+
+
+def with_enum_members(text: str) -> str:
+    """Enum members as type checkers want them: `name = ...`, not `name: ClassVar[Enum]`."""
+    text = re.sub(
+        r"^    (\w+): typing\.ClassVar\[\w+\]$", r"    \1 = ...", text, flags=re.MULTILINE
+    )
+    return re.sub(r"    @classmethod\n    def __new__\(cls, value\):\n        \.\.\.\n", "", text)
 
 
 if __name__ == "__main__":

@@ -62,10 +62,10 @@ def test_mounted_elsewhere(wam, q_home):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda robot: robot.frame("hnad"), "hnad.*hand_base"),
+        (lambda robot: robot.frame("hand"), "hand.*hand_base"),
         (lambda robot: robot.joint("j"), "wam_joint_1"),
         (lambda robot: robot.group("arms"), "arms.*arm"),
-        (lambda robot: robot.state("opne"), "opne.*open"),
+        (lambda robot: robot.state("shut"), "shut.*open"),
         (lambda robot: robot.forward([0, 0]), r"q has shape \(2,\).*\(8,\).*wam_t42"),
         (lambda robot: robot.forward([np.nan] * 8), "q has a value that is not finite"),
         (lambda robot: robot.pose(99, np.zeros(8)), "frame is 99.*0 to 14"),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Structs from keywords, plans rebuilt in Python, and queries that other threads and Ctrl-C reach."""
+"""Structs from keywords, plans rebuilt in Python, queries that other threads and Ctrl-C reach."""
 
 import signal
 import threading
@@ -83,24 +83,15 @@ def test_bad_input_is_a_value_error_that_names_it(make, message):
 
 
 def test_problem_checks_sizes(wam, card_problem):
+    card, support, X_WO = card_problem.object, card_problem.support, card_problem.X_WO_start
     with pytest.raises(ValueError, match=r"q_home has shape \(3,\)"):
-        Problem(wam, Hand(), card_problem.object, card_problem.support, np.eye(4), [0, 0, 0])
-    crowded = Problem(
-        wam, Hand(), card_problem.object, card_problem.support, card_problem.X_WO_start,
-        card_problem.q_home, [Obstacle("cup", card_problem.object.shapes)],
-    )  # fmt: skip
+        Problem(wam, Hand(), card, support, X_WO, [0, 0, 0])
+    cup = Obstacle("cup", card.shapes)
+    crowded = Problem(wam, Hand(), card, support, X_WO, card_problem.q_home, [cup])
     assert [obstacle.name for obstacle in crowded.obstacles] == ["cup"]
+    bad = Problem(wam, Hand(arm="arms"), card, support, X_WO, card_problem.q_home)
     with pytest.raises(ValueError, match="arms"):
-        slide.validate(
-            Problem(
-                wam,
-                Hand(arm="arms"),
-                card_problem.object,
-                card_problem.support,
-                card_problem.X_WO_start,
-                card_problem.q_home,
-            )  # fmt: skip
-        )
+        slide.validate(bad)
 
 
 def test_plan_can_be_rebuilt():

@@ -44,7 +44,7 @@ def test_version_is_that_of_the_metadata():
 
 
 def test_import_is_light():
-    """Heavy packages load on first use only: `import graspless.slide` must cost 60 ms beyond numpy."""
+    """Heavy packages load on first use: `import graspless.slide` is 60 ms beyond numpy at most."""
     program = """
 import sys, time, numpy
 start = time.perf_counter()

@@ -168,7 +168,9 @@ std::vector<std::pair<int, int>> World::all_collisions() {
 
 bool World::touches(int pair) { return impl_->touch(impl_->pairs[pair]); }
 
-double World::distance_bound(int pair) const { return impl_->bound(impl_->pairs[pair]); }
+double World::distance_bound(int pair, double enough) const {
+  return impl_->bound(impl_->pairs[pair], enough);
+}
 
 const std::vector<double>& World::distance_bounds() {
   impl_->bounds.resize(impl_->pairs.size());

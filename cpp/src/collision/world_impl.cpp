@@ -89,13 +89,16 @@ bool World::Impl::touch_by_fcl(const Pair& pair) {
   });
 }
 
-double World::Impl::bound(const Pair& pair) const {
+double World::Impl::bound(const Pair& pair, double enough) const {
+  const WorldBox &box_a = boxes[pair.a], &box_b = boxes[pair.b];
+  const double gap = box_gap(box_b.middle + pair.shift_W - box_a.middle, box_a.half + box_b.half);
+  if (gap >= enough) return gap;
   double least = std::numeric_limits<double>::infinity();
   any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
     least = std::min(least, shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W));
-    return least <= 0;
+    return least <= gap;
   });
-  return least;
+  return std::max(gap, least);
 }
 
 }  // namespace graspless::collision

@@ -57,7 +57,7 @@ struct World::Impl {
                  const Placement& at_b, const Eigen::Vector3d& shift_W);
   bool touch(const Pair& pair);
   bool touch_by_fcl(const Pair& pair);
-  double bound(const Pair& pair) const;
+  double bound(const Pair& pair, double enough) const;
 };
 
 }  // namespace graspless::collision

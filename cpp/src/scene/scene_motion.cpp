@@ -70,15 +70,24 @@ void Scene::update_motion_bounds() {
 
 /// Tests both ends and opens the pairs that may touch between them.
 bool Scene::open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps) {
+  const Eigen::VectorXd motion = motion_bounds_.transpose() * (q2 - q1).cwiseAbs() / steps;
   place(q1);
   if (world_.collides()) return false;
-  const std::vector<double> first = world_.distance_bounds();
-  if (steps == 1 && q1 == q2) return true;
+  for (int i = 0; i < world_.num_pairs(); ++i) {
+    // Half of what the stretch needs; the other end will have the other half, or else make up for
+    // it.
+    const double enough = (motion[i] * steps + kMargin) / 2;
+    open_.push_back({i, motion[i], world_.distance_bound(i, enough), 0});
+  }
   place(q2);
   if (world_.collides()) return false;
-  const std::vector<double>& last = world_.distance_bounds();
-  const Eigen::VectorXd motion = motion_bounds_.transpose() * (q2 - q1).cwiseAbs() / steps;
-  for (int i = 0; i < world_.num_pairs(); ++i) keep_open({i, motion[i], first[i], last[i]}, steps);
+  std::size_t kept = 0;
+  for (OpenPair pair : open_) {
+    const double needed = pair.motion * steps + kMargin - pair.bound_first;
+    pair.bound_last = world_.distance_bound(pair.index, needed);
+    if (pair.bound_last <= needed) open_[kept++] = pair;
+  }
+  open_.resize(kept);
   return true;
 }
 
@@ -94,8 +103,11 @@ bool Scene::is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& st
   const int middle = (first + last) / 2;
   place(q1 + middle * step);
   for (std::size_t i = begin; i < end; ++i) {
-    if (world_.touches(open_[i].index)) return false;
-    open_[i].bound_middle = world_.distance_bound(open_[i].index);
+    OpenPair& pair = open_[i];
+    if (world_.touches(pair.index)) return false;
+    const double needed = std::max(pair.motion * (middle - first) - pair.bound_first,
+                                   pair.motion * (last - middle) - pair.bound_last);
+    pair.bound_middle = world_.distance_bound(pair.index, needed + 2 * kMargin);
   }
   const auto open_half = [&](bool second) {
     for (std::size_t i = begin; i < end; ++i) {

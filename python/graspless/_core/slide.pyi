@@ -123,11 +123,8 @@ class FingerModel(enum.Enum):
     """
     How the sliding finger gives way under the press.
     """
-    flexure: typing.ClassVar[FingerModel]
-    none: typing.ClassVar[FingerModel]
-    @classmethod
-    def __new__(cls, value):
-        ...
+    flexure = ...
+    none = ...
 class Hand:
     """
     What the planner must know of a hand. Links and groups are the robot's.
@@ -292,11 +289,8 @@ class Search(enum.Enum):
     """
     Which search finds the slide.
     """
-    fast: typing.ClassVar[Search]
-    paper: typing.ClassVar[Search]
-    @classmethod
-    def __new__(cls, value):
-        ...
+    fast = ...
+    paper = ...
 class Options:
     """
     How to search. The paper's values where it gives one.
@@ -562,16 +556,13 @@ class Status(enum.Enum):
     """
     How a query ended.
     """
-    interrupted: typing.ClassVar[Status]
-    no_goal_root: typing.ClassVar[Status]
-    no_start_root: typing.ClassVar[Status]
-    no_valid_pair: typing.ClassVar[Status]
-    not_connected: typing.ClassVar[Status]
-    solved: typing.ClassVar[Status]
-    start_in_collision: typing.ClassVar[Status]
-    @classmethod
-    def __new__(cls, value):
-        ...
+    interrupted = ...
+    no_goal_root = ...
+    no_start_root = ...
+    no_valid_pair = ...
+    not_connected = ...
+    solved = ...
+    start_in_collision = ...
 class Plan:
     """
     What was found, or why not. False unless solved.

@@ -70,9 +70,9 @@ class GRASPLESS_API World {
   /// distance of their axes.
   const std::vector<double>& distance_bounds();
 
-  /// As collides() and distance_bounds(), for one pair.
+  /// As collides() and distance_bounds(), for one pair. A bound of `enough` [m] is not made better.
   bool touches(int pair);
-  double distance_bound(int pair) const;
+  double distance_bound(int pair, double enough = std::numeric_limits<double>::infinity()) const;
 
   /// Configurations tested so far by collides() and first_collision().
   int num_checks() const;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "graspless/export.hpp"
 
@@ -32,7 +33,8 @@ struct Convex {
   Eigen::Matrix3Xd vertices;  ///< one point a column [m]
 };
 
-/// A triangle surface. Only the surface collides: a body wholly inside does not touch it.
+/// A triangle surface. Only the surface collides, so that a body wholly inside does not touch it;
+/// but a closed convex one collides as the solid it bounds.
 struct Mesh {
   Eigen::Matrix3Xd vertices;   ///< one point a column [m]
   Eigen::Matrix3Xi triangles;  ///< columns of vertex indices
@@ -46,15 +48,15 @@ struct PlacedShape {
   Eigen::Isometry3d X_BG = Eigen::Isometry3d::Identity();  ///< pose of the shape's frame G in B
 };
 
-/// Throws std::invalid_argument, naming `what`, unless every length is finite and positive, a hull has
-/// four points that span a volume, and every triangle index is one of the mesh's vertices.
+/// Throws std::invalid_argument, naming `what`, unless every length is finite and positive, a hull
+/// has four points that span a volume, and every triangle index is one of the mesh's vertices.
 GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 
 /// How far a shape reaches along a unit direction of B, seen from B's origin (its support function) [m].
 GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
 
-/// Reads a triangle mesh (.stl, .obj, .off, .ply; polygons are triangulated) and scales it per axis.
-/// Throws std::invalid_argument that names the path when it is missing, unreadable or empty.
+/// Reads a triangle mesh (.stl, .obj, .off, .ply; polygons are triangulated) and scales it per
+/// axis. Throws std::invalid_argument that names the path when it is missing, unreadable or empty.
 GRASPLESS_API Mesh read_mesh(const std::string& path,
                              const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
 
