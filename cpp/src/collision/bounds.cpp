@@ -3,12 +3,19 @@
 #include "collision/bounds.hpp"
 
 #include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "graspless/geometry/shape.hpp"
 
 namespace graspless::collision {
 namespace {
 
 // Squared sine of the angle below which two segments count as parallel.
 constexpr double kParallel = 1e-12;
+
+// No entry of a rotation is larger, rounding included.
+constexpr double kMaxCosine = 1 + 1e-6;
 
 double exact_bound(const Core& a, const Placement& at_a, const Core& b, const Placement& at_b,
                    const Eigen::Vector3d& shift_W) {
@@ -21,6 +28,20 @@ double exact_bound(const Core& a, const Placement& at_a, const Core& b, const Pl
 double clamp_to_segment(double t) { return std::clamp(t, -1.0, 1.0); }
 
 }  // namespace
+
+bool is_pose(const Eigen::Isometry3d& X) {
+  return (X.translation().array().abs() <= geometry::kMaxLength).all() &&
+         (X.linear().array().abs() <= kMaxCosine).all();
+}
+
+void require_pose(const Eigen::Isometry3d& X, const std::string& what) {
+  if (is_pose(X)) return;
+  std::ostringstream fault;
+  fault << what << " must be a rotation and a translation of at most " << geometry::kMaxLength
+        << " m, not\n"
+        << X.matrix();
+  throw std::invalid_argument(fault.str());
+}
 
 Eigen::Vector3d half_in_world(const Core& core, const Eigen::Matrix3d& R_WC) {
   return ((R_WC.cwiseAbs() * core.half).array() + core.radius).matrix();

@@ -4,6 +4,8 @@
 // Lower bounds on the distance of two shapes, from the box that each fills or sits in.
 #pragma once
 
+#include <string>
+
 #include <Eigen/Geometry>
 
 namespace graspless::collision {
@@ -22,6 +24,13 @@ struct Placement {
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   Eigen::Vector3d half_W = Eigen::Vector3d::Zero();
 };
+
+/// Whether X is finite, turns without stretching more than rounding does, and moves by at most
+/// geometry::kMaxLength.
+bool is_pose(const Eigen::Isometry3d& X);
+
+/// Throws std::invalid_argument that names `what` unless is_pose(X).
+void require_pose(const Eigen::Isometry3d& X, const std::string& what);
 
 /// Half the sides of the axis-aligned box of a core that is turned by R_WC.
 Eigen::Vector3d half_in_world(const Core& core, const Eigen::Matrix3d& R_WC);

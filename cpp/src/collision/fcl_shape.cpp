@@ -102,9 +102,7 @@ CollisionShape make(const geometry::Mesh& mesh) {
 
 CollisionShape make_collision_shape(const geometry::PlacedShape& placed, const std::string& what) {
   geometry::validate(placed.shape, what);
-  if (!placed.X_BG.matrix().allFinite()) {
-    throw std::invalid_argument(what + ".X_BG must be finite");
-  }
+  require_pose(placed.X_BG, what + ".X_BG");
   CollisionShape shape = std::visit([](const auto& kind) { return make(kind); }, placed.shape);
   shape.X_BC = placed.X_BG * shape.X_BC;
   return shape;

@@ -10,20 +10,6 @@
 #include "collision/world_impl.hpp"
 
 namespace graspless::collision {
-namespace {
-
-/// The largest distance of a point of the shape from the body's origin, or a little more.
-double shape_radius(const CollisionShape& shape) {
-  double farthest = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-    farthest = std::max(farthest, (shape.X_BC * shape.core.half.cwiseProduct(sign)).norm());
-  }
-  return farthest + shape.core.radius;
-}
-
-}  // namespace
-
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
 World& World::operator=(const World& other) {
@@ -35,24 +21,19 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 int World::add_body(const std::string& name, const std::vector<geometry::PlacedShape>& shapes) {
-  for (const auto& body : impl_->bodies) {
-    if (body->name == name) throw std::invalid_argument("body '" + name + "' is already there");
-  }
-  if (shapes.empty()) throw std::invalid_argument("body '" + name + "' must have a shape");
-  Body body;
-  body.name = name;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const std::string what = "body '" + name + "' shapes[" + std::to_string(i) + "]";
-    body.shapes.push_back(make_collision_shape(shapes[i], what));
-    body.radius = std::max(body.radius, shape_radius(body.shapes.back()));
+  return add_body(name, Solid(shapes, "body '" + name + "'"));
+}
+
+int World::add_body(const std::string& name, const Solid& solid) {
+  for (const Body& body : impl_->bodies) {
+    if (body.name == name) throw std::invalid_argument("body '" + name + "' is already there");
   }
   impl_->first_placement.push_back(static_cast<int>(impl_->placements.size()));
-  impl_->placements.resize(impl_->placements.size() + shapes.size());
-  impl_->bodies.push_back(std::make_shared<const Body>(std::move(body)));
+  impl_->placements.resize(impl_->placements.size() + solid.data().shapes.size());
+  impl_->bodies.push_back({name, solid});
   impl_->poses.push_back(Eigen::Isometry3d::Identity());
   impl_->boxes.emplace_back();
   impl_->place(num_bodies() - 1);
-  ++impl_->revision;
   return num_bodies() - 1;
 }
 
@@ -61,22 +42,20 @@ int World::num_bodies() const { return static_cast<int>(impl_->bodies.size()); }
 int World::body(const std::string& name) const {
   std::string names;
   for (int i = 0; i < num_bodies(); ++i) {
-    if (impl_->bodies[i]->name == name) return i;
-    names += (i == 0 ? "" : ", ") + impl_->bodies[i]->name;
+    if (impl_->bodies[i].name == name) return i;
+    names += (i == 0 ? "" : ", ") + impl_->bodies[i].name;
   }
   throw std::invalid_argument("no body '" + name + "'; choose from: " + names);
 }
 
 const std::string& World::name(int body) const {
   impl_->require_body(body, "body");
-  return impl_->bodies[body]->name;
+  return impl_->bodies[body].name;
 }
 
 void World::set_pose(int body, const Eigen::Isometry3d& X_WB) {
   impl_->require_body(body, "body");
-  if (!X_WB.matrix().allFinite()) {
-    throw std::invalid_argument("pose of body '" + name(body) + "' must be finite");
-  }
+  if (!is_pose(X_WB)) require_pose(X_WB, "pose of body '" + name(body) + "'");
   impl_->poses[body] = X_WB;
   impl_->place(body);
 }
@@ -88,7 +67,7 @@ const Eigen::Isometry3d& World::pose(int body) const {
 
 double World::radius(int body) const {
   impl_->require_body(body, "body");
-  return impl_->bodies[body]->radius;
+  return impl_->bodies[body].solid.data().radius;
 }
 
 void World::add_pair(int a, int b) {
@@ -114,9 +93,10 @@ void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double 
   if (pair < 0) {
     throw std::invalid_argument("bodies '" + name(a) + "' and '" + name(b) + "' are not tested");
   }
-  if (!(depth >= 0) || !std::isfinite(depth)) {
-    throw std::invalid_argument("depth must be finite and not negative, not " +
-                                std::to_string(depth));
+  if (!(depth >= 0 && depth <= geometry::kMaxLength)) {
+    std::ostringstream fault;
+    fault << "depth must be in [0, " << geometry::kMaxLength << "] m, not " << depth;
+    throw std::invalid_argument(fault.str());
   }
   const double length = normal_W.norm();
   if (!(length > 0) || !std::isfinite(length)) {

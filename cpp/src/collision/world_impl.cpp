@@ -38,7 +38,7 @@ void World::Impl::place(int body) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d high = -low;
   Placement* at = &placements[first_placement[body]];
-  for (const CollisionShape& shape : bodies[body]->shapes) {
+  for (const CollisionShape& shape : bodies[body].solid.data().shapes) {
     at->X_WC = poses[body] * shape.X_BC;
     at->half_W = half_in_world(shape.core, at->X_WC.linear());
     low = low.cwiseMin(at->X_WC.translation() - at->half_W);
@@ -51,9 +51,9 @@ void World::Impl::place(int body) {
 template <typename Visit>
 bool World::Impl::any_shapes(const Pair& pair, Visit visit) const {
   const Placement* at_a = &placements[first_placement[pair.a]];
-  for (const CollisionShape& a : bodies[pair.a]->shapes) {
+  for (const CollisionShape& a : bodies[pair.a].solid.data().shapes) {
     const Placement* at_b = &placements[first_placement[pair.b]];
-    for (const CollisionShape& b : bodies[pair.b]->shapes) {
+    for (const CollisionShape& b : bodies[pair.b].solid.data().shapes) {
       if (visit(a, *at_a, b, *at_b)) return true;
       ++at_b;
     }

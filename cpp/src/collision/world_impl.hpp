@@ -16,10 +16,14 @@
 
 namespace graspless::collision {
 
-struct Body {
-  std::string name;
+struct Solid::Data {
   std::vector<CollisionShape> shapes;
   double radius = 0;  ///< largest distance of a point from the body's origin [m]
+};
+
+struct Body {
+  std::string name;
+  Solid solid;
 };
 
 /// An axis-aligned box in the world.
@@ -34,7 +38,7 @@ struct Pair {
 };
 
 struct World::Impl {
-  std::vector<std::shared_ptr<const Body>> bodies;
+  std::vector<Body> bodies;
   std::vector<Eigen::Isometry3d> poses;
   std::vector<WorldBox> boxes;        // one a body
   std::vector<int> first_placement;   // of each body

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -37,18 +39,53 @@ void require_scale(const Eigen::Vector3d& scale) {
   throw std::invalid_argument(fault.str());
 }
 
-void require_extension(const std::string& path) {
+std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
-  refuse(path, "has extension '" + extension + "'; choose from .stl, .obj, .off, .ply");
+  if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
+    refuse(path, "has extension '" + extension + "'; choose from .stl, .obj, .off, .ply");
+  }
+  return extension;
+}
+
+/// The numbers of vertices and faces that the header of a .ply or .off file promises.
+std::vector<double> promised_counts(const std::string& path, bool is_ply) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<double> counts;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(is_ply ? line : line.substr(0, line.find('#')));
+    std::string word, name;
+    double count;
+    if (is_ply) {
+      words >> word;
+      if (word == "end_header") break;
+      if (word == "element" && words >> name >> count) counts.push_back(count);
+      continue;
+    }
+    while (words >> word) {
+      if (word == "BINARY") refuse(path, "is a binary .off file; save it as text");
+      if (word.find("OFF") != std::string::npos) continue;
+      counts.push_back(std::strtod(word.c_str(), nullptr));
+      if (counts.size() == 2) return counts;
+    }
+  }
+  return counts;
+}
+
+/// The readers reserve what the header promises: it must fit in the file, a byte for each at the
+/// very least.
+void require_honest_header(const std::string& path, const std::string& extension) {
+  if (extension != ".ply" && extension != ".off") return;
+  const auto size = static_cast<double>(std::filesystem::file_size(path));
+  for (const double count : promised_counts(path, extension == ".ply")) {
+    if (count > size) refuse(path, "is damaged: its header promises more than the file can hold");
+  }
 }
 
 Soup read_soup(const std::string& path) {
   Soup soup;
   try {
-    // A file may promise more than memory holds, which the readers take at its word.
     if (CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons)) return soup;
   } catch (const std::exception& error) {
     refuse(path, std::string("cannot be read: ") + error.what());
@@ -82,9 +119,10 @@ Eigen::Matrix3Xi triangulate(const Soup& soup, const std::string& path) {
 
 Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   require_scale(scale);
-  require_extension(path);
+  const std::string extension = extension_of(path);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse(path, "is missing");
+  require_honest_header(path, extension);
 
   const Soup soup = read_soup(path);
   Mesh mesh;
@@ -97,7 +135,7 @@ Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   mesh.triangles = triangulate(soup, path);
   if (mesh.triangles.cols() == 0) refuse(path, "is empty: it has no triangle");
   if (scale.prod() < 0) mesh.triangles.row(1).swap(mesh.triangles.row(2));  // keep outward outward
-  if (!mesh.vertices.allFinite()) refuse(path, "has coordinates that are not finite");
+  validate(mesh, "mesh '" + path + "'");
   return mesh;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/shape.hpp"
 
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -19,17 +18,18 @@ constexpr double kMinThinness = 1e-9;
 }
 
 void require_length(double value, const std::string& what) {
-  if (std::isfinite(value) && value > 0) return;
+  if (value > 0 && value <= kMaxLength) return;
   std::ostringstream fault;
-  fault << "must be finite and positive, not " << value;
+  fault << "must be in (0, " << kMaxLength << "] m, not " << value;
   refuse(what, fault.str());
 }
 
-void require_finite(const Eigen::Matrix3Xd& vertices, const std::string& what) {
+void require_coordinates(const Eigen::Matrix3Xd& vertices, const std::string& what) {
   for (Eigen::Index i = 0; i < vertices.cols(); ++i) {
-    if (vertices.col(i).allFinite()) continue;
+    if ((vertices.col(i).array().abs() <= kMaxLength).all()) continue;
     std::ostringstream fault;
-    fault << "must be finite, but column " << i << " is (" << vertices.col(i).transpose() << ")";
+    fault << "must be within " << kMaxLength << " m of the origin, but column " << i << " is ("
+          << vertices.col(i).transpose() << ")";
     refuse(what, fault.str());
   }
 }
@@ -66,7 +66,7 @@ void check(const Convex& convex, const std::string& what) {
     refuse(what + ".vertices",
            "must be four points or more, not " + std::to_string(convex.vertices.cols()));
   }
-  require_finite(convex.vertices, what + ".vertices");
+  require_coordinates(convex.vertices, what + ".vertices");
   if (!spans_volume(convex.vertices)) {
     refuse(what + ".vertices", "must span a volume, but lie in a plane");
   }
@@ -75,7 +75,7 @@ void check(const Convex& convex, const std::string& what) {
 void check(const Mesh& mesh, const std::string& what) {
   const Eigen::Index count = mesh.vertices.cols();
   if (mesh.triangles.cols() == 0) refuse(what + ".triangles", "must not be empty");
-  require_finite(mesh.vertices, what + ".vertices");
+  require_coordinates(mesh.vertices, what + ".vertices");
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
     const auto triangle = mesh.triangles.col(i);
     if (triangle.minCoeff() >= 0 && triangle.maxCoeff() < count) continue;

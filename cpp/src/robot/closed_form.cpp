@@ -55,8 +55,9 @@ bool parallel(const Screw& a, const Screw& b) { return a.axis.cross(b.axis).norm
 /// A rotation about a known axis.
 struct ClosedForm::Turn {
   double angle, c, s;
+  double slack = 0;  // a change of the angle that moves what is turned by no more than rounding
 
-  static Turn by(double angle) { return {angle, std::cos(angle), std::sin(angle)}; }
+  static Turn by(double angle) { return {angle, std::cos(angle), std::sin(angle), 0}; }
 
   /// Subproblem 1: the rotation about `axis` that takes u to v; `free` where they lie on the axis.
   static Turn from_to(const Vector3d& axis, const Vector3d& u, const Vector3d& v, double free) {
@@ -65,8 +66,8 @@ struct ClosedForm::Turn {
     const double c = u_across.dot(v_across), s = axis.dot(u_across.cross(v_across));
     const double square = c * c + s * s;
     if (!(square > kNoAngle * kNoAngle)) return by(free);
-    const double scale = 1 / std::sqrt(square);
-    return {std::atan2(s, c), c * scale, s * scale};
+    const double length2 = std::sqrt(square);
+    return {std::atan2(s, c), c / length2, s / length2, kClamp / std::sqrt(length2)};
   }
 
   Vector3d apply(const Vector3d& axis, const Vector3d& v) const {
@@ -76,6 +77,21 @@ struct ClosedForm::Turn {
     return c * v - s * axis.cross(v) + (1 - c) * axis.dot(v) * axis;
   }
 };
+
+ClosedForm::Elbow ClosedForm::Elbow::of(const Screw& screw, const Vector3d& shoulder,
+                                        const Vector3d& wrist) {
+  Elbow elbow;
+  elbow.p_SE = screw.point - shoulder;
+  elbow.p_EW = wrist - screw.point;
+  const Turn nearest = Turn::from_to(screw.axis, elbow.p_EW, -elbow.p_SE, 0);
+  elbow.angle = nearest.angle;
+  elbow.c = nearest.c;
+  elbow.s = nearest.s;
+  elbow.sum = elbow.p_EW.squaredNorm() + elbow.p_SE.squaredNorm() +
+              2 * screw.axis.dot(elbow.p_EW) * screw.axis.dot(elbow.p_SE);
+  elbow.product = 2 * across(screw.axis, elbow.p_EW).norm() * across(screw.axis, elbow.p_SE).norm();
+  return elbow;
+}
 
 /// Subproblem 2: rotations with first(second(u)) = v, for unit vectors u and v. Between the two
 /// lies z, which has v's component along a1 and u's along a2. Near an axis the cosine hides how far
@@ -125,44 +141,41 @@ struct ClosedForm::Search {
 
   double free(int i) const { return seed[wraps.group()[i]]; }
 
-  bool set(int i, double angle) {
-    q[i] = angle;
-    return wraps.fits(i, angle);
+  /// Next to an axis an angle is only known to a few digits: at its limit it may come out beyond,
+  /// and is put back for the joints after it to make up for.
+  bool set(int i, Turn& turn) {
+    q[i] = turn.angle;
+    if (wraps.fits(i, q[i])) return true;
+    if (!wraps.nudge(i, turn.slack, q[i])) return false;
+    turn = Turn::by(q[i]);
+    return true;
   }
 
   /// Subproblem 3: turns of the wrist about axis 4 to the right distance from the shoulder.
   void elbow() {
-    const Vector3d& axis = arm.axis_[3];
-    const Vector3d u = arm.wrist_ - arm.elbow_, v = arm.shoulder_ - arm.elbow_;
-    const Vector3d u_across = across(axis, u), v_across = across(axis, v);
-    const double along = axis.dot(u - v);
-    const double u2 = u_across.squaredNorm(), v2 = v_across.squaredNorm();
-    const double product = std::sqrt(u2 * v2);
-    const double cosine = (u2 + v2 - (reach * reach - along * along)) / (2 * product);
+    const Elbow& elbow = arm.elbow_;
+    const double cosine = (elbow.sum - reach * reach) / elbow.product;
     if (!(std::abs(cosine) <= 1 + kClamp)) return;
-    const Turn straight = Turn::from_to(axis, u, v, 0);  // where wrist and shoulder are nearest
     const double c = std::clamp(cosine, -1.0, 1.0), s = std::sqrt((1 - c) * (1 + c));
     const double angle = std::atan2(s, c);
     for (const int sign : {1, -1}) {
       if (sign < 0 && s == 0) break;
-      const Turn turn{std::remainder(straight.angle + sign * angle, 2 * M_PI),
-                      straight.c * c - straight.s * sign * s,
-                      straight.s * c + straight.c * sign * s};
-      if (set(3, turn.angle)) shoulder(turn);
+      Turn turn{elbow.angle + sign * angle, elbow.c * c - elbow.s * sign * s,
+                elbow.s * c + elbow.c * sign * s, 0};
+      if (set(3, turn)) shoulder(turn);
     }
   }
 
   void shoulder(const Turn& turn4) {
-    const Vector3d p_SE = arm.elbow_ - arm.shoulder_;
-    const Vector3d p_SW4 = p_SE + turn4.apply(arm.axis_[3], arm.wrist_ - arm.elbow_);
+    const Vector3d p_SW4 = arm.elbow_.p_SE + turn4.apply(arm.axis_[3], arm.elbow_.p_EW);
     const Vector3d u = turn3.apply(arm.axis_[2], p_SW4) / reach;
     const TwoTurns turns(arm.axis_[0], arm.axis_[1], u, p_SW);
     for (int i = 0; i < turns.count; ++i) {
       const Vector3d z = turns.between(i);
-      const Turn turn2 = Turn::from_to(arm.axis_[1], u, z, free(1));
-      if (!set(1, turn2.angle)) continue;
-      const Turn turn1 = Turn::from_to(arm.axis_[0], z, p_SW, free(0));
-      if (!set(0, turn1.angle)) continue;
+      Turn turn2 = Turn::from_to(arm.axis_[1], u, z, free(1));
+      if (!set(1, turn2)) continue;
+      Turn turn1 = Turn::from_to(arm.axis_[0], z, p_SW, free(0));
+      if (!set(0, turn1)) continue;
       const auto back = [&](const Vector3d& v) {
         const Vector3d v2 = turn2.undo(arm.axis_[1], turn1.undo(arm.axis_[0], v));
         return turn4.undo(arm.axis_[3], turn3.undo(arm.axis_[2], v2));
@@ -175,13 +188,13 @@ struct ClosedForm::Search {
     const TwoTurns turns(arm.axis_[4], arm.axis_[5], arm.axis_[6], a7_needed);
     for (int i = 0; i < turns.count; ++i) {
       const Vector3d z = turns.between(i);
-      const Turn turn6 = Turn::from_to(arm.axis_[5], arm.axis_[6], z, free(5));
-      if (!set(5, turn6.angle)) continue;
-      const Turn turn5 = Turn::from_to(arm.axis_[4], z, a7_needed, free(4));
-      if (!set(4, turn5.angle)) continue;
+      Turn turn6 = Turn::from_to(arm.axis_[5], arm.axis_[6], z, free(5));
+      if (!set(5, turn6)) continue;
+      Turn turn5 = Turn::from_to(arm.axis_[4], z, a7_needed, free(4));
+      if (!set(4, turn5)) continue;
       const Vector3d b6 = turn6.undo(arm.axis_[5], turn5.undo(arm.axis_[4], b_needed));
-      const Turn turn7 = Turn::from_to(arm.axis_[6], arm.across_, b6, free(6));
-      if (set(6, turn7.angle)) count = wraps.append(q, seed, count, solutions);
+      Turn turn7 = Turn::from_to(arm.axis_[6], arm.across_, b6, free(6));
+      if (set(6, turn7)) count = wraps.append(q, seed, count, solutions);
     }
   }
 };
@@ -198,7 +211,7 @@ std::optional<ClosedForm> ClosedForm::detect(const std::array<Screw, 7>& screws,
   if (distance(arm.shoulder_, s[3]) < kParallel || distance(arm.wrist_, s[3]) < kParallel)
     return {};
   for (std::size_t i = 0; i < 7; ++i) arm.axis_[i] = s[i].axis;
-  arm.elbow_ = s[3].point;
+  arm.elbow_ = Elbow::of(s[3], arm.shoulder_, arm.wrist_);
   arm.R_7P_ = X_P7.linear().transpose();
   arm.p_7W_ = X_P7.inverse() * arm.wrist_;
   arm.across_ = s[6].axis.unitOrthogonal();

@@ -42,11 +42,23 @@ class ClosedForm {
   struct Search;
   struct TwoTurns;
 
+  /// Axis 4 with what is on either side of it at q = 0: |shoulder to wrist|^2 = sum - product
+  /// cos(q4 - angle).
+  struct Elbow {
+    static Elbow of(const Screw& screw, const Eigen::Vector3d& shoulder,
+                    const Eigen::Vector3d& wrist);
+
+    Eigen::Vector3d p_SE, p_EW;  // shoulder to elbow, elbow to wrist
+    double sum, product;         // [m^2]
+    double angle, c, s;          // of q4 where wrist and shoulder are nearest
+  };
+
   std::array<Eigen::Vector3d, 7> axis_;
-  Eigen::Vector3d shoulder_, wrist_, elbow_;  // points in P at q = 0; the elbow is on axis 4
-  Eigen::Matrix3d R_7P_;                      // at q = 0
-  Eigen::Vector3d p_7W_;                      // the wrist, fixed in link 7
-  Eigen::Vector3d across_;                    // unit, perpendicular to axis 7
+  Eigen::Vector3d shoulder_, wrist_;  // points in P at q = 0
+  Elbow elbow_;
+  Eigen::Matrix3d R_7P_;    // at q = 0
+  Eigen::Vector3d p_7W_;    // the wrist, fixed in link 7
+  Eigen::Vector3d across_;  // unit, perpendicular to axis 7
 };
 
 }  // namespace graspless::robot

@@ -146,7 +146,7 @@ struct Ik::Impl {
         turns(turning(robot.model(), group)),
         closed_form(detect(robot.model(), path, group)),
         wraps(robot.lower(), robot.upper(), group, wrapped()),
-        X_WP(robot.pose(path.base, VectorXd::Zero(robot.dof()))) {}
+        X_PW(robot.pose(path.base, VectorXd::Zero(robot.dof())).inverse()) {}
 
   /// The free joint of the closed form stays at the value it was given.
   std::vector<bool> wrapped() const {
@@ -166,7 +166,7 @@ struct Ik::Impl {
     Isometry3d X_7F = Isometry3d::Identity();
     for (const int i : path.after) place(robot.model().links[i], q, Isometry3d(X_7F), X_7F);
     const Isometry3d X_W7 = X_WF * X_7F.inverse();
-    return (path.moves_before ? robot.pose(path.base, q) : X_WP).inverse() * X_W7;
+    return (path.moves_before ? robot.pose(path.base, q).inverse() : X_PW) * X_W7;
   }
 
   int sample_free(const Isometry3d& X_WF, const VectorXd& q, std::mt19937_64& rng,
@@ -219,7 +219,7 @@ struct Ik::Impl {
   std::vector<bool> turns;  // which joints of the group may make whole turns
   std::optional<ClosedForm> closed_form;
   Wraps wraps;
-  Isometry3d X_WP;  // of the link that carries the group, where nothing before it moves
+  Isometry3d X_PW;  // from the link that carries the group, where nothing before it moves
 };
 
 Ik::Ik(const Robot& robot, int frame, std::vector<int> group, const Options& options) {

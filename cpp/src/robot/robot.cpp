@@ -163,6 +163,9 @@ Isometry3d Robot::pose(int frame, const VectorXd& q) const {
 void Robot::jacobian(int frame, const Poses& X_WL,
                      Eigen::Matrix<double, 6, Eigen::Dynamic>& J) const {
   check_frame(frame, *model_);
+  if (X_WL.size() != model_->links.size()) {
+    throw std::invalid_argument("X_WL must come from forward() or forward_to() of this robot");
+  }
   J.setZero(6, dof());
   const Vector3d p_WF = X_WL[frame].translation();
   for (const int i : model_->movers[frame]) {

@@ -9,8 +9,9 @@ namespace graspless::robot {
 namespace {
 
 constexpr double kTurn = 2 * M_PI;
-constexpr double kSlack =
-    1e-11;  // an answer this far outside is taken for one on the limit [rad or m]
+
+// An answer this far outside is taken for one on the limit [rad or m].
+constexpr double kSlack = 2e-13;
 
 }  // namespace
 
@@ -32,6 +33,17 @@ Wraps::Wraps(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, std::ve
 
 double Wraps::first(int i, double value) const {
   return value + kTurn * std::ceil((lower_[i] - value) / kTurn);
+}
+
+bool Wraps::nudge(int i, double slack, double& value) const {
+  if (slack <= kSlack) return false;
+  for (const double limit : {exact_lower_[i], exact_upper_[i]}) {
+    if (std::abs(turns_[i] ? std::remainder(value - limit, kTurn) : value - limit) > slack)
+      continue;
+    value = limit;
+    return true;
+  }
+  return false;
 }
 
 int Wraps::values(int i, double value, double near, double* found) const {

@@ -26,6 +26,9 @@ class Wraps {
            (turns_[i] && first(i, value) <= upper_[i]);
   }
 
+  /// Puts a value that does not fit onto a limit that is no farther than `slack`.
+  bool nudge(int i, double slack, double& value) const;
+
   /// Appends `q` with the group at `values`, in all wraps within the limits, to the first `count`
   /// columns of `solutions`; returns the new count. Grows `solutions` when it is full.
   int append(const double* values, const Eigen::VectorXd& q, int count,

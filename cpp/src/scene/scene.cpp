@@ -3,6 +3,9 @@
 #include "graspless/scene/scene.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 
 namespace graspless::scene {
@@ -12,12 +15,28 @@ using geometry::PlacedShape;
 
 bool is_rigid_with_root(const robot::Robot& robot, int link) { return robot.reach(link).isZero(0); }
 
-std::vector<PlacedShape> shapes_of(const robot::Robot& robot, int link) {
-  std::vector<PlacedShape> shapes;
-  for (const robot::LinkShape& shape : robot.shapes()) {
-    if (shape.link == link) shapes.push_back(shape.placed);
+using LinkSolids = std::map<int, collision::Solid>;
+
+LinkSolids make_link_solids(const robot::Robot& robot) {
+  std::map<int, std::vector<PlacedShape>> shapes;
+  for (const robot::LinkShape& shape : robot.shapes()) shapes[shape.link].push_back(shape.placed);
+  LinkSolids solids;
+  for (const auto& [link, placed] : shapes) {
+    solids.emplace(link, collision::Solid(placed, "link '" + robot.frame_names()[link] + "'"));
   }
-  return shapes;
+  return solids;
+}
+
+/// The solids of a robot's links, made once while any copy of the robot lives: planners build a scene per query.
+std::shared_ptr<const LinkSolids> link_solids(const robot::Robot& robot) {
+  using Owner = std::weak_ptr<const void>;
+  static std::mutex mutex;
+  static std::map<Owner, std::shared_ptr<const LinkSolids>, std::owner_less<Owner>> known;
+  const std::lock_guard<std::mutex> lock(mutex);
+  for (auto it = known.begin(); it != known.end();) it = it->first.expired() ? known.erase(it) : ++it;
+  auto& solids = known[robot.identity()];
+  if (!solids) solids = std::make_shared<const LinkSolids>(make_link_solids(robot));
+  return solids;
 }
 
 void require_link(const robot::Robot& robot, int link, const char* what) {
@@ -32,11 +51,12 @@ void require_link(const robot::Robot& robot, int link, const char* what) {
 Scene::Scene(const robot::Robot& robot)
     : robot_(robot), link_body_(robot.frame_names().size(), -1) {
   robot_.forward(robot_.clamp(Eigen::VectorXd::Zero(robot_.dof())), X_WL_);
+  const auto solids = link_solids(robot_);
   std::vector<int> links;
   for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
-    const auto shapes = shapes_of(robot_, link);
-    if (shapes.empty()) continue;
-    link_body_[link] = world_.add_body(robot_.frame_names()[link], shapes);
+    const auto solid = solids->find(link);
+    if (solid == solids->end()) continue;
+    link_body_[link] = world_.add_body(robot_.frame_names()[link], solid->second);
     world_.set_pose(link_body_[link], X_WL_[link]);
     for (const int other : links) {
       if (robot_.ignored_pairs().count({other, link}) == 0) {
@@ -50,7 +70,12 @@ Scene::Scene(const robot::Robot& robot)
 
 int Scene::add_obstacle(const std::string& name, const std::vector<PlacedShape>& shapes,
                         const Eigen::Isometry3d& X_WB, bool touches_base) {
-  const int body = world_.add_body(name, shapes);
+  return add_obstacle(name, collision::Solid(shapes, "body '" + name + "'"), X_WB, touches_base);
+}
+
+int Scene::add_obstacle(const std::string& name, const collision::Solid& solid,
+                        const Eigen::Isometry3d& X_WB, bool touches_base) {
+  const int body = world_.add_body(name, solid);
   world_.set_pose(body, X_WB);
   for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
     if (link_body_[link] < 0 || (touches_base && is_rigid_with_root(robot_, link))) continue;
@@ -61,6 +86,10 @@ int Scene::add_obstacle(const std::string& name, const std::vector<PlacedShape>&
 
 int Scene::add_object(const std::string& name, const std::vector<PlacedShape>& shapes) {
   return add_obstacle(name, shapes, Eigen::Isometry3d::Identity(), false);
+}
+
+int Scene::add_object(const std::string& name, const collision::Solid& solid) {
+  return add_obstacle(name, solid, Eigen::Isometry3d::Identity(), false);
 }
 
 void Scene::move_object(int body, const Eigen::Isometry3d& X_WO) {
@@ -77,9 +106,8 @@ void Scene::attach(int body, int link, const Eigen::Isometry3d& X_LO,
     throw std::invalid_argument("body '" + name +
                                 "' is a link of the robot and cannot be attached");
   }
-  if (!X_LO.matrix().allFinite()) {
-    throw std::invalid_argument("X_LO of body '" + name + "' must be finite");
-  }
+  world_.set_pose(body,
+                  X_WL_[link] * X_LO);  // refuses a pose that is none, before anything changes
   detach(body);
   Attachment attachment{body, link, X_LO, {}};
   const auto pairs = world_.pairs();
@@ -91,7 +119,6 @@ void Scene::attach(int body, int link, const Eigen::Isometry3d& X_LO,
   }
   attachments_.push_back(attachment);
   motion_revision_ = -1;
-  world_.set_pose(body, X_WL_[link] * X_LO);
 }
 
 void Scene::detach(int body) {

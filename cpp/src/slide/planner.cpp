@@ -78,6 +78,11 @@ Setup make_setup(Query& query, Motions& motions) {
   return s;
 }
 
+/// Whether a path is much longer than the straight way: one that came from a tree.
+bool is_detour(const planning::Path& path) {
+  return planning::length(path) > 1.2 * (path.back() - path.front()).norm();
+}
+
 /// Shortens the slide while it keeps the constraint.
 planning::Path shortened(Query& query, planning::Path path) {
   const ContactSpace::Carried carried = query.carried_from(path.front());
@@ -123,7 +128,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
       search.planner->solve(ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     planning::Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
-    if (options.shortcut && search.planner->num_nodes() > 2 * slide.size()) slide = shortened(query, std::move(slide));
+    if (options.shortcut && is_detour(slide)) slide = shortened(query, std::move(slide));
     assemble(query, motions, slide, plan);
   } else {
     plan.status = status_of(status, query, *search.planner);

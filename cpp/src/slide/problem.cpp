@@ -18,6 +18,11 @@ void check_positive(const std::string& what, double value) {
   }
 }
 
+double positive(const std::string& what, double value) {
+  check_positive(what, value);
+  return value;
+}
+
 double quantile(std::vector<double> values, double fraction) {
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
@@ -81,7 +86,8 @@ Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outl
       outline_(std::move(outline)),
       thickness_(thickness),
       com_(com.x(), com.y(), thickness / 2),
-      shapes_(prisms(outline_, 0, thickness)) {}
+      shapes_(prisms(outline_, 0, thickness)),
+      solid_(shapes_, "object '" + name_ + "'") {}
 
 Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline, double thickness,
                             double spacing) {
@@ -143,8 +149,11 @@ Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::Vect
 
 Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab,
                  double band_width)
-    : goal_band_(polygon, band_width), X_WS_(X_WS), slab_(slab), shapes_(prisms(polygon, -slab, 0)) {
-  check_positive("support slab", slab);
+    : goal_band_(polygon, band_width),
+      X_WS_(X_WS),
+      slab_(positive("support slab", slab)),
+      shapes_(prisms(polygon, -slab, 0)),
+      solid_(shapes_, "support") {
   const Eigen::Matrix3d R = X_WS.linear();
   if (!X_WS.matrix().allFinite() || !(R * R.transpose()).isIdentity(1e-6) || R.determinant() < 0) {
     throw std::invalid_argument("support X_WS must be a rigid pose");

@@ -5,8 +5,8 @@
 namespace graspless::slide {
 scene::Scene make_scene(const Problem& problem) {
   scene::Scene scene(problem.robot);
-  scene.add_obstacle(kSupportBody, problem.support.shapes(), problem.support.X_WS());
-  const int object = scene.add_object(kObjectBody, problem.object.shapes());
+  scene.add_obstacle(kSupportBody, problem.support.solid(), problem.support.X_WS());
+  const int object = scene.add_object(kObjectBody, problem.object.solid());
   for (const Obstacle& obstacle : problem.obstacles) {
     const int body = scene.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
     scene.world().add_pair(object, body);

@@ -164,7 +164,7 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   EXPECT_EQ(error_of([&] {
               world.add_body("d", {{geometry::Sphere{1}}, {geometry::Sphere{0}}});
             }),
-            "body 'd' shapes[1].radius must be finite and positive, not 0");
+            "body 'd' shapes[1].radius must be in (0, 10000] m, not 0");
   EXPECT_EQ(world.num_bodies(), 3);
   EXPECT_NE(error_of([&] { world.add_pair(0, 3); }).find("not 3"), std::string::npos);
   EXPECT_NE(error_of([&] { world.add_pair(c, c); }).find("itself"), std::string::npos);
@@ -177,6 +177,8 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   Isometry3d broken = Isometry3d::Identity();
   broken.translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(error_of([&] { world.set_pose(0, broken); }).find("'a'"), std::string::npos);
+  EXPECT_NE(error_of([&] { world.set_pose(0, translation(2e4, 0, 0)); }).find("10000"),
+            std::string::npos);
   EXPECT_NE(error_of([&] { world.set_pose(-1, broken); }).find("-1"), std::string::npos);
   EXPECT_NE(error_of([&] {
               world.add_body("d", {{geometry::Sphere{1}, broken}});

@@ -53,10 +53,10 @@ TEST(Validate, AcceptsWholeShapes) {
 }
 
 TEST(Validate, NamesTheFieldAndTheValue) {
-  EXPECT_EQ(error_of_shape(Box{{1, 0, 3}}), "link2.size[1] must be finite and positive, not 0");
-  EXPECT_EQ(error_of_shape(Sphere{-1}), "link2.radius must be finite and positive, not -1");
-  EXPECT_EQ(error_of_shape(Capsule{kNan, 1}), "link2.radius must be finite and positive, not nan");
-  EXPECT_EQ(error_of_shape(Capsule{1, kInf}), "link2.length must be finite and positive, not inf");
+  EXPECT_EQ(error_of_shape(Box{{1, 0, 3}}), "link2.size[1] must be in (0, 10000] m, not 0");
+  EXPECT_EQ(error_of_shape(Sphere{-1}), "link2.radius must be in (0, 10000] m, not -1");
+  EXPECT_EQ(error_of_shape(Capsule{kNan, 1}), "link2.radius must be in (0, 10000] m, not nan");
+  EXPECT_EQ(error_of_shape(Capsule{1, kInf}), "link2.length must be in (0, 10000] m, not inf");
 }
 
 TEST(Validate, RefusesAHullWithoutVolume) {
@@ -79,7 +79,7 @@ TEST(Validate, RefusesWrongIndices) {
   EXPECT_NE(error_of_shape(mesh), "");
   mesh = tetrahedron();
   mesh.vertices(0, 0) = kNan;
-  EXPECT_NE(error_of_shape(mesh).find("vertices must be finite"), std::string::npos);
+  EXPECT_NE(error_of_shape(mesh).find("vertices must be within 10000 m"), std::string::npos);
   mesh.triangles.resize(3, 0);
   EXPECT_EQ(error_of_shape(mesh), "link2.triangles must not be empty");
 }
@@ -242,6 +242,10 @@ TEST_F(ReadMesh, RefusesDamagedFiles) {
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
             "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
             "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n"),
+      write("greedy.ply",
+            "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\n"
+            "property float y\nproperty float z\nend_header\n0 0 0\n"),
+      write("binary.off", "OFF BINARY\n"),
       write("greedy.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"),
       write("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2\n"),
       write("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
@@ -255,7 +259,8 @@ TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {
   Mesh mesh = tetrahedron();
   mesh.vertices(1, 2) = kInf;
   const std::string path = write("inf.stl", binary_stl(mesh, "binary"));
-  EXPECT_NE(error_of_file(path).find("not finite"), std::string::npos);
+  EXPECT_NE(error_of_file(path).find("vertices must be within 10000 m of the origin, but column"),
+            std::string::npos);
 }
 
 }  // namespace

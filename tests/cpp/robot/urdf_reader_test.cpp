@@ -130,22 +130,6 @@ TEST(UrdfReader, FindsMeshes) {
   EXPECT_CONTAINS(refused(mesh("package://mine"), options), "names no file");
 }
 
-TEST(UrdfReader, CapsulesMayShareAnEnd) {
-  const auto element = [](const std::string& xyz, const std::string& geometry) {
-    return "<collision><origin xyz='" + xyz + "'/><geometry>" + geometry +
-           "</geometry></collision>";
-  };
-  const std::string cylinder = "<cylinder radius='0.1' length='1'/>",
-                    ball = "<sphere radius='0.1'/>";
-  const Robot robot =
-      read("<link name='a'>" + element("0 0 0.5", cylinder) + element("0 0 1.5", cylinder) +
-           element("0 0 0", ball) + element("0 0 1", ball) + element("0 0 2", ball) +
-           element("0 0 3", ball) + "</link>");
-  ASSERT_EQ(robot.shapes().size(), 3u);
-  EXPECT_EQ(std::get<geometry::Capsule>(robot.shapes()[1].placed.shape).length, 1);
-  EXPECT_TRUE(std::holds_alternative<geometry::Sphere>(robot.shapes()[2].placed.shape));
-}
-
 TEST(UrdfReader, ARobotMayBeOneLink) {
   const Robot robot = read(links({"a"}));
   EXPECT_EQ(robot.dof(), 0);

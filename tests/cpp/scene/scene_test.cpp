@@ -154,6 +154,7 @@ TEST(Scene, FaultsNameTheField) {
   EXPECT_NE(error_of([&] { scene.attach(object, 9, X_LO, {}); }).find("link"), std::string::npos);
   EXPECT_NE(error_of([&] { scene.attach(object, 1, X_LO, {-1}); }).find("touching"),
             std::string::npos);
+  EXPECT_NE(error_of([&] { scene.attach(object, 1, translation(0, std::nan(""), 0), {}); }), "");
   EXPECT_NE(error_of([&] { scene.is_free(robot::Poses(2)); }).find("not 2"), std::string::npos);
   EXPECT_NE(error_of([&] { scene.is_free(vector({0, 0})); }).find("not 2"), std::string::npos);
   EXPECT_NE(error_of([&] { scene.collision(vector({0, std::nan(""), 0})); }), "");

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "graspless/collision/solid.hpp"
 #include "graspless/export.hpp"
 #include "graspless/geometry/shape.hpp"
 
@@ -35,6 +36,7 @@ class GRASPLESS_API World {
   /// Adds a body of one or more shapes, at the identity; returns its index. Throws
   /// std::invalid_argument on a shape that geometry::validate refuses or a name already taken.
   int add_body(const std::string& name, const std::vector<geometry::PlacedShape>& shapes);
+  int add_body(const std::string& name, const Solid& solid);
   int num_bodies() const;
   int body(const std::string& name) const;  ///< throws std::invalid_argument that lists the bodies
   const std::string& name(int body) const;

@@ -12,6 +12,10 @@
 
 namespace graspless::geometry {
 
+/// No length or coordinate may be larger [m]: beyond 1e6 the collision library's loops need not
+/// end.
+constexpr double kMaxLength = 1e4;
+
 /// Centred at its frame's origin, sides along the axes.
 struct Box {
   Eigen::Vector3d size;  ///< side lengths [m]
@@ -48,8 +52,9 @@ struct PlacedShape {
   Eigen::Isometry3d X_BG = Eigen::Isometry3d::Identity();  ///< pose of the shape's frame G in B
 };
 
-/// Throws std::invalid_argument, naming `what`, unless every length is finite and positive, a hull
-/// has four points that span a volume, and every triangle index is one of the mesh's vertices.
+/// Throws std::invalid_argument, naming `what`, unless every length is positive, nothing exceeds
+/// kMaxLength, a hull has four points that span a volume, and every triangle index is one of the
+/// mesh's vertices.
 GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 
 /// How far a shape reaches along a unit direction of B, seen from B's origin (its support function) [m].

@@ -31,8 +31,11 @@ class GRASPLESS_API Scene {
   /// with it when `touches_base`. Returns its index in the world.
   int add_obstacle(const std::string& name, const std::vector<geometry::PlacedShape>& shapes,
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
+  int add_obstacle(const std::string& name, const collision::Solid& solid,
+                   const Eigen::Isometry3d& X_WB, bool touches_base = true);
   /// Adds a body that moves (see move_object, attach) and that no link may touch.
   int add_object(const std::string& name, const std::vector<geometry::PlacedShape>& shapes);
+  int add_object(const std::string& name, const collision::Solid& solid);
   void move_object(int body, const Eigen::Isometry3d& X_WO);
   /// The body follows `link` from now on; move_object or detach ends that and leaves it where it
   /// is. `touching` are links that may touch it meanwhile. Throws std::invalid_argument when the

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "graspless/collision/solid.hpp"
 #include "graspless/export.hpp"
 #include "graspless/geometry/band.hpp"
 #include "graspless/geometry/polygon.hpp"
@@ -35,6 +36,7 @@ class GRASPLESS_API Object {
   double mass() const { return mass_; }                ///< [kg]
   /// Prisms over the convex parts of the outline, in O: the object to the collision checker.
   const std::vector<geometry::PlacedShape>& shapes() const { return shapes_; }
+  const collision::Solid& solid() const { return solid_; }
 
   /// The same object with another centre of mass (in O). Throws unless it is finite and within the outline's
   /// bounding box.
@@ -54,6 +56,7 @@ class GRASPLESS_API Object {
   Eigen::Vector3d com_;
   double mass_ = 0.05;
   std::vector<geometry::PlacedShape> shapes_;
+  collision::Solid solid_;
 };
 
 /// The mean of points (3 x n) weighted by their masses: the centre of mass of a mass distribution. Throws
@@ -75,12 +78,14 @@ class GRASPLESS_API Support {
   Eigen::Vector3d normal_W() const { return X_WS_.linear().col(2); }
   /// Prisms over the convex parts of the polygon, below z = 0, in S.
   const std::vector<geometry::PlacedShape>& shapes() const { return shapes_; }
+  const collision::Solid& solid() const { return solid_; }
 
  private:
   geometry::Band goal_band_;
   Eigen::Isometry3d X_WS_;
   double slab_;
   std::vector<geometry::PlacedShape> shapes_;
+  collision::Solid solid_;
 };
 
 /// How the sliding finger gives way under the press.
