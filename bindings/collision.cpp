@@ -8,6 +8,7 @@ namespace graspless::bindings {
 namespace {
 
 using collision::World;
+using Shapes = std::vector<geometry::PlacedShape>;
 
 int body_index(const World& world, const Key& body) {
   if (const auto* name = std::get_if<std::string>(&body)) {
@@ -32,7 +33,8 @@ void bind_collision(py::module_ m) {
       .def(
           "__copy__", [](const World& self) { return World(self); },
           "A copy that shares the shapes.")
-      .def("add_body", &World::add_body, py::arg("name"), py::arg("shapes"),
+      .def("add_body", py::overload_cast<const std::string&, const Shapes&>(&World::add_body),
+           py::arg("name"), py::arg("shapes"),
            "Adds a body of one or more PlacedShape, at the identity; returns its index.\n\n"
            "Raises ValueError on a bad shape or a name already taken.")
       .def_property_readonly("num_bodies", &World::num_bodies, "How many bodies there are.")

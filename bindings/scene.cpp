@@ -33,7 +33,8 @@ void bind_bodies(py::class_<Scene>& cls) {
          "Adds a body fixed in the world that no link may touch; returns its index in the "
          "world.\n\n"
          "touches_base: the root link, and links rigid with it, may touch it.")
-      .def("add_object", &Scene::add_object, py::arg("name"), py::arg("shapes"),
+      .def("add_object", py::overload_cast<const std::string&, const Shapes&>(&Scene::add_object),
+           py::arg("name"), py::arg("shapes"),
            "Adds a body that moves and that no link may touch; returns its index in the world.")
       .def(
           "move_object",

@@ -49,21 +49,26 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-/// The numbers of vertices and faces that the header of a .ply or .off file promises.
-std::vector<double> promised_counts(const std::string& path, bool is_ply) {
-  std::ifstream file(path, std::ios::binary);
+/// The numbers of elements that the header of a .ply file promises.
+std::vector<double> counts_of_ply(std::istream& file) {
   std::vector<double> counts;
   for (std::string line; std::getline(file, line);) {
-    std::istringstream words(is_ply ? line : line.substr(0, line.find('#')));
+    std::istringstream words(line);
     std::string word, name;
-    double count;
-    if (is_ply) {
-      words >> word;
-      if (word == "end_header") break;
-      if (word == "element" && words >> name >> count) counts.push_back(count);
-      continue;
-    }
-    while (words >> word) {
+    double count = 0;
+    words >> word;
+    if (word == "end_header") break;
+    if (word == "element" && words >> name >> count) counts.push_back(count);
+  }
+  return counts;
+}
+
+/// The numbers of vertices and faces that the header of an .off file promises.
+std::vector<double> counts_of_off(std::istream& file, const std::string& path) {
+  std::vector<double> counts;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    for (std::string word; words >> word;) {
       if (word == "BINARY") refuse(path, "is a binary .off file; save it as text");
       if (word.find("OFF") != std::string::npos) continue;
       counts.push_back(std::strtod(word.c_str(), nullptr));
@@ -78,7 +83,8 @@ std::vector<double> promised_counts(const std::string& path, bool is_ply) {
 void require_honest_header(const std::string& path, const std::string& extension) {
   if (extension != ".ply" && extension != ".off") return;
   const auto size = static_cast<double>(std::filesystem::file_size(path));
-  for (const double count : promised_counts(path, extension == ".ply")) {
+  std::ifstream file(path, std::ios::binary);
+  for (const double count : extension == ".ply" ? counts_of_ply(file) : counts_of_off(file, path)) {
     if (count > size) refuse(path, "is damaged: its header promises more than the file can hold");
   }
 }
