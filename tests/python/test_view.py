@@ -135,7 +135,8 @@ def test_replay_runs_in_a_browser_without_network(html, tmp_path):
     )
     assert "<canvas" in done.stdout
     logged = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
-    assert not [line for line in logged if re.search("error|exception|failed", line, re.IGNORECASE)]
+    assert not [line for line in logged if "ERROR" in line or "Uncaught" in line]
+    assert any("Embedded data loaded" in line for line in logged)
 
 
 def test_film_passes_every_row_in_time(plan):
@@ -196,7 +197,9 @@ def test_raster_hides_what_is_behind():
         middle = picture[45, 60]
         assert middle[0] > 0.3
         assert middle[2] < 0.05
-        assert picture[45, 95, 2] > 0.3  # the far cube looks out on the right (+y)
+        seen = np.flatnonzero(picture[45, :, 2] > 0.3)
+        assert len(seen) > 5  # the far cube looks out on the right, at +y
+        assert seen.min() > 60
         assert picture[2, 2, 3] == 0
 
 
