@@ -32,7 +32,7 @@ wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with thos
 	@tools/test-wheel wheelhouse/*.whl
 
 asan:  ## the C++ tests under address and undefined-behaviour sanitizers, leaks included
-	@tools/install test
+	@tools/install
 	cmake --preset asan
 	cmake --build --preset asan
 	ctest --preset asan
