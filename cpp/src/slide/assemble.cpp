@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <sstream>
 
+#include "slide/rows.hpp"
+
 namespace graspless::slide {
 
 using planning::Path;
 
 namespace {
-
-constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
 Path whole(const Query& query, const Path& arm_path) {
   Path path;
@@ -54,14 +54,16 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
 }  // namespace
 
 bool is_home_free(Query& query, Plan& plan) {
-  std::string a, b;
-  for (const Eigen::VectorXd& q : {query.problem.q_home, query.arm.open()}) {
-    std::tie(a, b) = query.free.collision(q);
-    if (!a.empty()) break;
-  }
-  if (a.empty()) return true;
+  const Eigen::VectorXd &home = query.problem.q_home, &open = query.arm.open();
   plan.status = Status::start_in_collision;
-  plan.reason = "at home, '" + a + "' touches '" + b + "'";
+  for (const Eigen::VectorXd& q : {home, open}) {
+    const auto [a, b] = query.free.collision(q);
+    if (a.empty()) continue;
+    plan.reason = "at home, '" + a + "' touches '" + b + "'";
+    return false;
+  }
+  if (query.is_motion_free(home, open)) return true;
+  plan.reason = "at home, the hand touches something while it opens";
   return false;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "slide/rows.hpp"
 #include "slide/scenes.hpp"
 
 namespace graspless::slide {
@@ -125,7 +126,7 @@ bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carr
 bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                    const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / resolution)));
+  const int pieces = replay_steps(step.lpNorm<Eigen::Infinity>(), resolution);
   // Ends first, then inwards: what is wrong shows earliest at the far end.
   for (int i = pieces; i >= 1; --i) {
     if (!is_valid(from + step * i / pieces, carried)) return false;

@@ -127,7 +127,7 @@ std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& f
     ++query_.statistics.ik_calls;
     const auto next = ik.solve_near(pose, q);
     if (!next || (*next - q).lpNorm<Eigen::Infinity>() > kJump) return std::nullopt;
-    if (!scene.is_free(q, *next, query_.options.resolution)) return std::nullopt;
+    if (!scene.is_free(q, *next, replay_step(q, *next, query_.options.resolution))) return std::nullopt;
     q = *next;
     path.push_back(query_.arm.part(q));
   }
@@ -141,7 +141,7 @@ std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen:
   space.upper = query_.arm.upper();
   space.is_free = [&](const Eigen::VectorXd& arm) { return query_.free.is_free(query_.arm.full(arm)); };
   space.is_motion_free = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return query_.free.is_free(query_.arm.full(a), query_.arm.full(b), query_.options.resolution);
+    return query_.is_motion_free(query_.arm.full(a), query_.arm.full(b));
   };
   space.is_out = [&] { return query_.clock.is_out(); };
   return planning::find_free_path(space, from, to, iterations, query_.rng);
@@ -231,7 +231,7 @@ std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::Vec
   std::vector<Eigen::VectorXd> rows{open};
   for (int i = 1; i <= steps; ++i) {
     double apart = (i - 1.0) / steps, touching = 1.0 * i / steps;
-    if (query_.free.is_free(open + touching * (closed - open))) {
+    if (query_.is_motion_free(rows.back(), open + touching * (closed - open))) {
       rows.push_back(open + touching * (closed - open));
       continue;
     }

@@ -7,6 +7,7 @@
 #include "graspless/robot/ik.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/placement.hpp"
+#include "slide/rows.hpp"
 
 namespace graspless::slide {
 
@@ -33,6 +34,11 @@ struct Query {
     return std::uniform_real_distribution<double>(lower, upper)(rng);
   }
   void refuse(const char* why) { ++statistics.refusals[why]; }
+
+  /// Whether a straight motion of all joints is free in `free`, at the steps of a replay.
+  bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    return free.is_free(from, to, replay_step(from, to, options.resolution));
+  }
 
   /// Pose of the commanded tip in the world whose effective contact, pressed `depth` after touching at the same
   /// pitch, is `contact` (position and heading in S).
