@@ -115,7 +115,7 @@ TEST_F(Check, ATighterBand) {
 TEST_F(Check, ASmallerTable) {
   const auto& v = problem_.support.polygon().vertices();
   const Eigen::Vector2d middle = problem_.support.polygon().centroid();
-  problem_.support = Support(geometry::Polygon((((v.colwise() - middle) * 0.9).colwise() + middle).eval()),
+  problem_.support = Support(geometry::Polygon((((v.colwise() - middle) * 0.7).colwise() + middle).eval()),
                              problem_.support.X_WS());
   expect_fault("slide row");
 }
