@@ -26,7 +26,8 @@ void append(Plan& plan, const std::string& name, const Path& path, const Eigen::
 
 /// The opening of the hand at home, if it is not open there.
 Path with_home(const Query& query, Path approach) {
-  if (query.problem.q_home != approach.front()) approach.insert(approach.begin(), query.problem.q_home);
+  if (query.problem.q_home != approach.front())
+    approach.insert(approach.begin(), query.problem.q_home);
   return approach;
 }
 
@@ -86,18 +87,25 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
 }
 
 std::string reason(const Plan& plan) {
-  const std::string refused = plan.statistics.refusals.empty()
-                                  ? ""
-                                  : "; refused most often: " + most_frequent(plan.statistics.refusals);
+  const std::string refused =
+      plan.statistics.refusals.empty()
+          ? ""
+          : "; refused most often: " + most_frequent(plan.statistics.refusals);
   switch (plan.status) {
-    case Status::solved: return "solved";
-    case Status::start_in_collision: return plan.reason;
-    case Status::no_start_root: return "no configuration presses on the object" + refused;
-    case Status::no_goal_root: return "no configuration presses near an edge" + refused;
+    case Status::solved:
+      return "solved";
+    case Status::start_in_collision:
+      return plan.reason;
+    case Status::no_start_root:
+      return "no configuration presses on the object" + refused;
+    case Status::no_goal_root:
+      return "no configuration presses near an edge" + refused;
     case Status::no_valid_pair:
       return "starts and goals were connected, but no pair was valid" + refused;
-    case Status::not_connected: return "no start and goal were connected" + refused;
-    case Status::interrupted: return "interrupted" + refused;
+    case Status::not_connected:
+      return "no start and goal were connected" + refused;
+    case Status::interrupted:
+      return "interrupted" + refused;
   }
   return "";
 }

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The integrated planner of Section IV-C: ForestCBiRRT (Algorithm 1) over the arm's joints, with C_s of Eq. (3),
-// C_g of Eq. (4), the relaxed contact constraint, and IsPairValid.
+// The integrated planner of Section IV-C: ForestCBiRRT (Algorithm 1) over the arm's joints, with
+// C_s of Eq. (3), C_g of Eq. (4), the relaxed contact constraint, and IsPairValid.
 #include <ompl/base/SpaceInformation.h>
 
 #include "graspless/planning/forest_cbirrt.hpp"
 #include "graspless/planning/vector_states.hpp"
+
 #include "slide/assemble.hpp"
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
@@ -20,7 +21,8 @@ using planning::vector;
 namespace {
 
 constexpr int kShortcutRounds = 30;
-constexpr double kCoarse = 0.05;  // joint step while trees grow [rad]; a path found is checked at options.resolution
+constexpr double kCoarse =
+    0.05;  // joint step while trees grow [rad]; a path found is checked at options.resolution
 
 /// Everything OMPL needs for one query.
 struct Setup {
@@ -34,9 +36,11 @@ struct Setup {
 Setup make_setup(Query& query, Motions& motions) {
   const int n = query.arm.dof();
   Setup s;
-  s.si = std::make_shared<ob::SpaceInformation>(planning::make_box(query.arm.lower(), query.arm.upper()));
-  s.si->setStateValidityChecker(
-      [&query, n](const ob::State* q) { return query.contact.is_valid(vector(q, n), std::nullopt); });
+  s.si = std::make_shared<ob::SpaceInformation>(
+      planning::make_box(query.arm.lower(), query.arm.upper()));
+  s.si->setStateValidityChecker([&query, n](const ob::State* q) {
+    return query.contact.is_valid(vector(q, n), std::nullopt);
+  });
   s.si->setup();
   s.start_region = std::make_shared<StartRegion>(s.si, query);
   s.goal_region = std::make_shared<GoalRegion>(s.si, query, motions);
@@ -59,11 +63,12 @@ Setup make_setup(Query& query, Motions& motions) {
     vector(q, n) = arm;
     return projected;
   });
-  s.planner->set_motion_check([&query, n](const ob::State* start, const ob::State* a, const ob::State* b) {
-    std::optional<ContactSpace::Carried> carried;
-    if (start) carried = query.carried_from(vector(start, n));
-    return query.contact.is_motion_valid(vector(a, n), vector(b, n), carried, kCoarse);
-  });
+  s.planner->set_motion_check(
+      [&query, n](const ob::State* start, const ob::State* a, const ob::State* b) {
+        std::optional<ContactSpace::Carried> carried;
+        if (start) carried = query.carried_from(vector(start, n));
+        return query.contact.is_motion_valid(vector(a, n), vector(b, n), carried, kCoarse);
+      });
   s.planner->set_path_check([&query, n](const std::vector<ob::State*>& path) {
     const auto carried = query.carried_from(vector(path.front(), n));
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -86,15 +91,16 @@ bool is_detour(const planning::Path& path) {
 /// Shortens the slide while it keeps the constraint.
 planning::Path shortened(Query& query, planning::Path path) {
   const ContactSpace::Carried carried = query.carried_from(path.front());
-  const planning::Connect connect = [&](const Eigen::VectorXd& from,
-                                        const Eigen::VectorXd& to) -> std::optional<planning::Path> {
+  const planning::Connect connect =
+      [&](const Eigen::VectorXd& from, const Eigen::VectorXd& to) -> std::optional<planning::Path> {
     if (query.clock.is_out()) return std::nullopt;
     return query.contact.connect(from, to, carried);
   };
   return planning::shortcut(std::move(path), connect, kShortcutRounds, query.rng);
 }
 
-Status status_of(const ob::PlannerStatus& status, Query& query, const planning::ForestCBiRRT& planner) {
+Status status_of(const ob::PlannerStatus& status, Query& query,
+                 const planning::ForestCBiRRT& planner) {
   if (query.clock.was_interrupted()) return Status::interrupted;
   if (status == ob::PlannerStatus::INVALID_START) return Status::no_start_root;
   if (status == ob::PlannerStatus::INVALID_GOAL) return Status::no_goal_root;
