@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "graspless/robot/robot.hpp"
+#include "complaint.hpp"
 
 namespace graspless::robot {
 
@@ -28,18 +29,6 @@ inline Eigen::VectorXd random_q(const Robot& robot, std::mt19937_64& rng) {
 
 inline double distance(const Eigen::Isometry3d& X, const Eigen::Isometry3d& Y) {
   return (X.matrix() - Y.matrix()).cwiseAbs().maxCoeff();
-}
-
-/// What std::invalid_argument says; empty, and a failure, when nothing is thrown.
-template <typename Function>
-std::string complaint(Function function) {
-  try {
-    function();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return "";
 }
 
 }  // namespace graspless::robot

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -180,16 +181,6 @@ TEST(Plan, CanBeStopped) {
 }
 
 // --- Bad input ---
-
-template <typename Call>
-void expect_refused(Call call, const std::string& names) {
-  try {
-    call();
-    ADD_FAILURE() << "accepted: " << names;
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find(names), std::string::npos) << error.what();
-  }
-}
 
 TEST(Plan, RefusesBadOptions) {
   const auto with = [](auto set) {
