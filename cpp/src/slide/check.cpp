@@ -85,8 +85,8 @@ bool Examination::has_shape() {
       fault(s.name, "needs rows, and one object pose for each");
     }
     for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
-      const bool sound = s.positions[i].size() == problem_.robot.dof() && s.positions[i].allFinite() &&
-                         s.object_poses[i].matrix().allFinite();
+      const bool sound = s.positions[i].size() == problem_.robot.dof() &&
+                         s.positions[i].allFinite() && s.object_poses[i].matrix().allFinite();
       if (!sound) fault(s, i, "has the wrong size or a value that is not finite");
     }
   }
@@ -174,8 +174,7 @@ void Examination::check_collisions(const Segment& segment) {
 }
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
-  validate(problem);
-  validate(options);
+  validate(problem, options);
   return Examination(problem, plan, options).run();
 }
 

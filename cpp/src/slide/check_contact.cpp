@@ -11,8 +11,8 @@ namespace graspless::slide {
 namespace {
 
 constexpr double kRound = 1e-9;
-// How far the contact may stray while the finger presses or lifts, and so over a margin that the slide just
-// keeps [m].
+// How far the contact may stray while the finger presses or lifts, and so over a margin that the
+// slide just keeps [m].
 constexpr double kStray = 5e-4;
 
 }  // namespace
@@ -93,7 +93,8 @@ void Examination::check_slide() {
     fault(slide, 0, "the contact is not on the object");
   }
   const double end_pitch = finger(slide.positions.back()).pitch;
-  for (const double pitch : {start.pitch, end_pitch}) {  // Eqs. (3) and (4): beta = beta_0 at both ends
+  for (const double pitch :
+       {start.pitch, end_pitch}) {  // Eqs. (3) and (4): beta = beta_0 at both ends
     if (!(std::abs(pitch - options_.pitch) <= 1e-4)) {
       fault(slide, 0, "begins or ends at pitch " + figure(pitch) + " rad");
     }
@@ -130,7 +131,8 @@ void Examination::check_touching_row(const Segment& segment, std::size_t row, co
   }
   if (!now.other_finger_up) fault(segment, row, "the other finger points down");
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
-  if (inside_by(Q, now.commanded) < -kStray) fault(segment, row, "the fingertip leaves the support");
+  if (inside_by(Q, now.commanded) < -kStray)
+    fault(segment, row, "the fingertip leaves the support");
   if (inside_by(Q, now.effective) < options_.tip_margin - kStray) {
     fault(segment, row, "the contact comes too near the edge");
   }

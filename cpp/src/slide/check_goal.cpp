@@ -55,8 +55,7 @@ void Examination::check_pair() {
   const Eigen::Vector3d n = problem_.support.normal_W();
   // Along gravity, onto the surface.
   com_W.z() -= n.dot(com_W - problem_.support.X_WS().translation()) / n.z();
-  const double inside =
-      inside_by(problem_.support.polygon().vertices(), (X_SW_ * com_W).head<2>());
+  const double inside = inside_by(problem_.support.polygon().vertices(), (X_SW_ * com_W).head<2>());
   if (!(inside >= options_.com_margin - 1e-9)) {
     fault("goal", "the centre of mass is inside by " + figure(inside) + " m only");
   }
@@ -86,7 +85,8 @@ void Examination::check_grasp() {
   check_straight(grasp);
 }
 
-/// The hand closes from open towards closed with the arm at rest, and stops as it touches the object.
+/// The hand closes from open towards closed with the arm at rest, and stops as it touches the
+/// object.
 void Examination::check_closing() {
   constexpr double kPrecision = 2e-4;  // of the joint that moves most, at the touch [rad or m]
   const Segment& close = segment("close");

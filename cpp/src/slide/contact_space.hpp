@@ -28,6 +28,8 @@ class ContactSpace {
   };
 
   ContactSpace(const Problem& problem, const Options& options, const Arm& arm);
+  ContactSpace(const ContactSpace&) = delete;  // the projection calls back
+  ContactSpace& operator=(const ContactSpace&) = delete;
 
   /// Brings the arm's joints onto the constraint.
   bool project(Eigen::VectorXd& arm) {

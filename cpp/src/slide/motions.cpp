@@ -116,7 +116,8 @@ std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Pla
   return path;
 }
 
-/// Whether the effective contact stays where it is, heading and all, also half way between waypoints.
+/// Whether the effective contact stays where it is, heading and all, also half way between
+/// waypoints.
 bool Motions::stands_still(const Path& press, const Planar& contact) {
   constexpr double kTurn = 8e-4;  // [rad]
   for (std::size_t i = 1; i < press.size(); ++i) {
@@ -124,7 +125,8 @@ bool Motions::stands_still(const Path& press, const Planar& contact) {
     const Planar now = query_.contact.effective_tip_at(middle);
     if ((now.translation() - contact.translation()).norm() > kStill) return false;
     if ((now.linear() - contact.linear()).col(0).norm() > kTurn) return false;
-    if (std::abs(query_.contact.tip_at(middle).roll) > 0.9 * query_.options.roll_tolerance) return false;
+    if (std::abs(query_.contact.tip_at(middle).roll) > 0.9 * query_.options.roll_tolerance)
+      return false;
   }
   return true;
 }

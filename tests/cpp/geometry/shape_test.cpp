@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/shape.hpp"
-#include "complaint.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,8 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "complaint.hpp"
 
 namespace graspless::geometry {
 namespace {

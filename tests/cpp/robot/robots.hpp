@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "graspless/robot/robot.hpp"
+
 #include "complaint.hpp"
 
 namespace graspless::robot {

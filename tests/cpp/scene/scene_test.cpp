@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/scene/scene.hpp"
-#include "complaint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "complaint.hpp"
 
 namespace graspless::scene {
 namespace {
