@@ -247,7 +247,7 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
 // Closes until the fingers touch the object; nothing when they touch something else first, or
 // nothing at all.
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
-  constexpr double kStep = 0.02, kPrecision = 1e-4;  // of a hand joint [rad or m]
+  constexpr double kStep = 0.05, kPrecision = 1e-4;  // of a hand joint [rad or m]
   const Eigen::VectorXd open = query_.arm.full(arm);
   Eigen::VectorXd closed = query_.arm.closed();
   query_.arm.write(arm, closed);
