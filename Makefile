@@ -7,7 +7,7 @@ demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.h
 
 test:  ## C++ and Python tests
 	@tools/install test,view GRASPLESS_TESTS=ON
-	ctest --test-dir build/dev --output-on-failure --no-tests=error
+	ctest --test-dir build/make --output-on-failure --no-tests=error
 	.venv/bin/pytest
 
 lint:  ## what a commit must pass: ruff, mypy, clang-format, codespell
@@ -32,7 +32,7 @@ wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with thos
 	@tools/test-wheel wheelhouse/*.whl
 
 asan:  ## the C++ tests under address and undefined-behaviour sanitizers, leaks included
-	@tools/install test
+	@tools/install
 	cmake --preset asan
 	cmake --build --preset asan
 	ctest --preset asan

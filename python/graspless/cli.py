@@ -120,15 +120,17 @@ def _plan(options: argparse.Namespace) -> int:
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
         plan = plans.plan(task)
     plan.save(options.output)
+    faults = plans.check(plan) if plan else []
     if options.json:
-        print(json.dumps(report.as_dict(plan)))
+        print(json.dumps(report.as_dict(plan) | {"faults": faults}))
     else:
         print(report.as_text(plan))
+        print(report.verdict(plan, faults))
         print(f"written: {options.output}")
     _draw(plan, options)
     if plan.status == "interrupted":
         return INTERRUPTED
-    return FOUND if plan else NOT_FOUND
+    return FOUND if plan and not faults else NOT_FOUND
 
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
@@ -144,15 +146,14 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
 
 
 def _check(options: argparse.Namespace) -> int:
-    from . import plans
+    from . import plans, report
 
     plan = plans.load_plan(options.plan)
     faults = plans.check(plan)
     if options.json:
         print(json.dumps({"holds": not faults, "faults": faults}))
     else:
-        rows = sum(map(len, plan.segments))
-        print("\n".join(faults) or f"holds: {len(plan.segments)} segments, {rows} rows")
+        print(report.verdict(plan, faults))
     return NOT_FOUND if faults else FOUND
 
 

@@ -54,14 +54,11 @@ def run(name: str | None, directory: Path | None = None) -> bool:
     print(report.as_text(plan))
     plan.save(directory / "plan.json")
     faults = plans.check(plan) if plan else []
-    for fault in faults:
-        print(f"  does not hold: {fault}")
-    if plan and not faults:
-        print("  checked: the plan holds")
+    print(report.verdict(plan, faults))
     with progress.waiting("drawing"):
         view.write_png(plan, directory / "slide.png")
         view.write_html(plan, directory / "slide.html")
-    print(f"  written: {directory}/ with {task_file.name}, plan.json, slide.png, slide.html")
+    print(f"written: {directory}/ with {task_file.name}, plan.json, slide.png, slide.html")
     return bool(plan) and not faults
 
 

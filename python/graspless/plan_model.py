@@ -8,7 +8,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from .tasks.model import Fields, SlideTask
+from .tasks.model import SlideTask
+from .tasks.shapes import Fields
 
 Row = Annotated[list[float], Field(min_length=7, max_length=7)]
 Status = Literal[

@@ -49,6 +49,16 @@ def as_text(plan: Plan) -> str:
     return "\n".join(lines)
 
 
+def verdict(plan: Plan, faults: list[str]) -> str:
+    """What `check` says about a plan."""
+    if faults:
+        return "\n".join(["does not hold:" if plan else "not solved:", *faults])
+    if not plan:
+        return "nothing to check: not solved"
+    rows = sum(map(len, plan.segments))
+    return f"holds: {len(plan.segments)} segments, {rows} rows, replayed by code of its own"
+
+
 def least_seconds(plan: Plan, segment: Segment) -> float | None:
     """How long a segment takes at least, at the joints' speed limits [s]; None without limits."""
     speed = np.asarray(plan.task.problem.robot.max_velocity)

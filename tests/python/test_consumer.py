@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
-BUILD = ROOT / "build" / "dev"
+BUILD = ROOT / "build" / "make"
 
 
 def run(*command):
@@ -21,7 +21,7 @@ def run(*command):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not (BUILD / "CMakeCache.txt").exists(), reason="no build/dev: make test")
+@pytest.mark.skipif(not (BUILD / "CMakeCache.txt").exists(), reason="no build/make: make test")
 def test_consumer_builds_and_runs(tmp_path):
     prefix, build = tmp_path / "prefix", tmp_path / "build"
     run("cmake", "--install", BUILD, "--component", "cpp", "--prefix", prefix)

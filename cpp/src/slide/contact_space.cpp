@@ -48,6 +48,8 @@ BandProjection ContactSpace::make_projection() {
   bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance), options_.roll_tolerance / 2;
   bands.slack << options_.height_tolerance,
       play * std::cos(options_.pitch + options_.pitch_tolerance), options_.roll_tolerance / 2;
+  constexpr double kBetweenSamples = 0.9;  // between two checked configurations a row may go a little further
+  bands.slack *= kBetweenSamples;
   return BandProjection([this](const auto& arm, auto& value, auto* J) { rows(arm, value, J); }, bands,
                         {arm_.lower(), arm_.upper()});
 }

@@ -13,10 +13,11 @@ using planning::Path;
 
 namespace {
 
-constexpr double kPressStep = 0.005;  // between waypoints along the retreat line [m]
+constexpr double kPressStep = 0.0025;  // between waypoints along the retreat line [m]
+constexpr double kStill = 4e-4;       // how far the contact may stray between them [m]
 constexpr double kLineStep = 0.02;    // between waypoints of other straight motions [m]
-constexpr int kSearchIterations = 300;
 constexpr std::size_t kGraspCandidates = 6;
+constexpr std::size_t kSearchedCandidates = 2;  // of which a tree is grown to the nearest
 
 int pieces(double length, double step) { return std::max(1, static_cast<int>(std::ceil(length / step))); }
 
@@ -38,9 +39,13 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
   const std::optional<Approach>& approach = approach_to(start);
   if (!approach) {
     query_.refuse("pair: start cannot be reached from home");
+    ++num_refused_;
     return false;
   }
-  if (!find_handling(handling, goal)) return false;  // condition 3
+  if (!find_handling(handling, goal)) {  // condition 3
+    ++num_refused_;
+    return false;
+  }
   valid_approach_ = approach;
   handling_ = std::move(handling);
   return true;
@@ -62,19 +67,26 @@ void Motions::place_object(const Planar& object_S) {
 }
 
 const std::optional<Approach>& Motions::approach_to(const Eigen::VectorXd& start) {
-  const std::vector<double> key(start.begin(), start.end());
-  const auto known = approaches_.find(key);
-  if (known != approaches_.end()) return known->second;
-  return approaches_.emplace(key, find_approach(start)).first->second;
+  KnownApproach& known = approaches_[std::vector<double>(start.begin(), start.end())];
+  const int iterations = search_iterations();
+  if (!known.found && known.iterations < iterations) known = {find_approach(start, iterations), iterations};
+  return known.found;
 }
 
-std::optional<Approach> Motions::find_approach(const Eigen::VectorXd& start) {
+std::optional<Approach> Motions::find_approach(const Eigen::VectorXd& start, int iterations) {
   const auto lift = lift_from(start, query_.object_start);
   if (!lift) return std::nullopt;
   place_object(query_.object_start);
-  const auto free = free_path(query_.arm.part(query_.problem.q_home), lift->back(), kSearchIterations);
+  const auto free = free_path(query_.arm.part(query_.problem.q_home), lift->back(), iterations);
   if (!free) return std::nullopt;
   return Approach{*free, Path(lift->rbegin(), lift->rend())};
+}
+
+// Most free motions are straight. A tree is dear, and another pair may do without: it grows longer the more pairs
+// were refused.
+int Motions::search_iterations() const {
+  constexpr int kFirst = 30, kDoublings = 5;
+  return kFirst << std::min(num_refused_ / 2, kDoublings);
 }
 
 // Off the object along the retreat line, on which the effective contact stands still, then straight up.
@@ -92,7 +104,18 @@ std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Pla
   for (int i = 1; i <= lift_steps; ++i) {
     poses.push_back(Eigen::Translation3d(up_W * (query_.options.lift_height * i / lift_steps)) * touch);
   }
-  return track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
+  auto path = track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
+  if (path && !stands_still(Path(path->begin(), path->begin() + press_steps + 1), contact)) return std::nullopt;
+  return path;
+}
+
+/// Whether the effective contact stays where it is also half way between waypoints.
+bool Motions::stands_still(const Path& press, const Planar& contact) {
+  for (std::size_t i = 1; i < press.size(); ++i) {
+    const Planar middle = query_.contact.effective_tip_at((press[i - 1] + press[i]) / 2);
+    if ((middle.translation() - contact.translation()).norm() > kStill) return false;
+  }
+  return true;
 }
 
 std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& from,
@@ -149,11 +172,13 @@ bool Motions::find_reach(Handling& handling) {
   std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
     return (a.arm - from).squaredNorm() < (b.arm - from).squaredNorm();
   });
-  for (const int iterations : {0, kSearchIterations}) {
-    for (const auto& candidate : candidates) {
-      if (query_.clock.is_out()) return false;
-      if (try_grasp(candidate, iterations, handling)) return true;
-    }
+  for (const auto& candidate : candidates) {
+    if (query_.clock.is_out()) return false;
+    if (try_grasp(candidate, 0, handling)) return true;
+  }
+  for (std::size_t i = 0; i < std::min(kSearchedCandidates, candidates.size()); ++i) {
+    if (query_.clock.is_out()) return false;
+    if (try_grasp(candidates[i], search_iterations(), handling)) return true;
   }
   query_.refuse("pair: grasp motion");
   return false;

@@ -49,7 +49,9 @@ class GRASPLESS_API Motions {
   };
 
   const std::optional<Approach>& approach_to(const Eigen::VectorXd& start);
-  std::optional<Approach> find_approach(const Eigen::VectorXd& start);
+  std::optional<Approach> find_approach(const Eigen::VectorXd& start, int iterations);
+  int search_iterations() const;
+  bool stands_still(const planning::Path& press, const Planar& contact);
   std::optional<planning::Path> lift_from(const Eigen::VectorXd& pressed, const Planar& object_S);
   std::vector<GraspConfiguration> grasp_configurations(const Placement& placement, std::size_t enough);
   bool find_handling(Handling& handling, const Eigen::VectorXd& goal);
@@ -69,7 +71,13 @@ class GRASPLESS_API Motions {
     std::vector<GraspConfiguration> grasps;
   };
 
-  std::map<std::vector<double>, std::optional<Approach>> approaches_;  // by start
+  struct KnownApproach {
+    std::optional<Approach> found;
+    int iterations = -1;  // of the search that found none
+  };
+
+  std::map<std::vector<double>, KnownApproach> approaches_;  // by start
+  int num_refused_ = 0;  // pairs, for want of a motion
   Drawn drawn_;  // what is_graspable() found last
   std::optional<Approach> valid_approach_;
   std::optional<Handling> handling_;

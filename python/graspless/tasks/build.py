@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     Shape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
 
-    from . import model
+    from . import model, shapes
     from .source import Source
 
 
@@ -165,7 +165,7 @@ def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -
         return slide.Support(polygon, X_WS, **given)
 
 
-def build_obstacle(obstacle: model.Obstacle, source: Source, index: int) -> slide.Obstacle:
+def build_obstacle(obstacle: shapes.Obstacle, source: Source, index: int) -> slide.Obstacle:
     with at(source, "obstacles", index):
         shape = _shape(obstacle)
         return slide.Obstacle(
@@ -173,7 +173,7 @@ def build_obstacle(obstacle: model.Obstacle, source: Source, index: int) -> slid
         )
 
 
-def _shape(obstacle: model.Obstacle) -> Shape:
+def _shape(obstacle: shapes.Obstacle) -> Shape:
     if obstacle.box is not None:
         return geometry.Box(np.array(obstacle.box))
     if obstacle.sphere is not None:

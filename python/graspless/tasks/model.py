@@ -12,62 +12,20 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Discriminator,
-    Field,
-    Tag,
-    field_validator,
-    model_validator,
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+
+from .shapes import (
+    Circle,
+    Fields,
+    NotNegative,
+    Obstacle,
+    PlanarPose,
+    Point3,
+    Points2,
+    Pose,
+    Positive,
+    Rectangle,
 )
-
-Positive = Annotated[float, Field(gt=0)]
-NotNegative = Annotated[float, Field(ge=0)]
-Point2 = Annotated[list[float], Field(min_length=2, max_length=2)]
-Point3 = Annotated[list[float], Field(min_length=3, max_length=3)]
-Points2 = Annotated[list[Point2], Field(min_length=3)]
-Size2 = Annotated[list[Positive], Field(min_length=2, max_length=2)]
-Size3 = Annotated[list[Positive], Field(min_length=3, max_length=3)]
-
-
-class Fields(BaseModel):
-    """Base of all: unknown fields, text for numbers and NaN are refused."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
-
-    def one_of(self, *names: str, needed: bool = True) -> None:
-        """Raises unless exactly one of the fields is given (at most one where not `needed`)."""
-        given = [name for name in names if getattr(self, name) is not None]
-        if len(given) > 1 or (needed and not given):
-            count = "exactly one" if needed else "at most one"
-            found = " and ".join(given) or "none"
-            raise ValueError(f"{count} of {', '.join(names)} must be given, not {found}")
-
-
-class Pose(Fields):
-    """Where a frame stands in another; angles about fixed x, y, z as in URDF."""
-
-    position: Point3 = Field(default=[0.0, 0.0, 0.0], description="[m]")
-    rpy: Point3 | None = Field(default=None, description="roll, pitch, yaw [rad]")
-    quaternion: Annotated[list[float], Field(min_length=4, max_length=4)] | None = Field(
-        default=None, description="w, x, y, z of unit length"
-    )
-
-    @model_validator(mode="after")
-    def _check(self) -> Pose:
-        self.one_of("rpy", "quaternion", needed=False)
-        if self.quaternion and abs(math.hypot(*self.quaternion) - 1) > 1e-3:
-            raise ValueError(f"quaternion has length {math.hypot(*self.quaternion):.4g}, not 1")
-        return self
-
-
-class PlanarPose(Fields):
-    """Where the object lies on the support, in S."""
-
-    x: float = Field(default=0.0, description="[m]")
-    y: float = Field(default=0.0, description="[m]")
-    yaw: float = Field(default=0.0, description="[rad]")
 
 
 def _kind_of_home(value: Any) -> str:
@@ -128,21 +86,6 @@ class Hand(Fields):
     finger_model: Literal["none", "flexure"] | None = None
     flexure_length: Positive | None = Field(default=None, description="flexure to tip [m]")
     tip_radius: Positive | None = Field(default=None, description="of the rolling pad [m]")
-
-
-class Circle(Fields):
-    """A circle as a regular polygon."""
-
-    center: Point2 = Field(default=[0.0, 0.0], description="[m]")
-    radius: Positive = Field(description="[m]")
-    points: Annotated[int, Field(ge=3, le=10000)] = 100
-
-
-class Rectangle(Fields):
-    """A rectangle with sides along x and y."""
-
-    center: Point2 = Field(default=[0.0, 0.0], description="[m]")
-    size: Size2 = Field(description="along x and y [m]")
 
 
 class PointMass(Fields):
@@ -209,43 +152,6 @@ class Support(Fields):
     def _check(self) -> Support:
         self.one_of("polygon", "rectangle", "circle")
         self.one_of("height", "pose", needed=False)
-        return self
-
-
-class Sphere(Fields):
-    """Centred at its frame's origin."""
-
-    radius: Positive = Field(description="[m]")
-
-
-class Rod(Fields):
-    """A cylinder or capsule along z, centred at its frame's origin."""
-
-    radius: Positive = Field(description="[m]")
-    length: Positive = Field(description="along z; of a capsule without its half spheres [m]")
-
-
-class MeshFile(Fields):
-    """A triangle mesh in a file."""
-
-    file: str = Field(description=".stl, .obj, .off or .ply")
-    scale: Size3 = Field(default=[1.0, 1.0, 1.0])
-
-
-class Obstacle(Fields):
-    """Something that stands in the way of the arm and of the sliding object."""
-
-    name: str
-    box: Size3 | None = Field(default=None, description="side lengths [m]")
-    sphere: Sphere | None = None
-    capsule: Rod | None = None
-    cylinder: Rod | None = None
-    mesh: MeshFile | None = None
-    pose: Pose = Field(default=Pose(), description="in the world")
-
-    @model_validator(mode="after")
-    def _check(self) -> Obstacle:
-        self.one_of("box", "sphere", "capsule", "cylinder", "mesh")
         return self
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _data, frames
-from . import model
+from . import model, shapes
 from .clouds import read_cloud
 from .source import Source, read_yaml
 
@@ -208,7 +208,7 @@ def _resolve_object(
     if thing.frame == "world":
         p_SP = _transform(np.linalg.inv(support_pose(support)), points)
         center = np.array([*p_SP[:, :2].mean(axis=0), 0.0])
-        points, pose = p_SP - center, model.PlanarPose(x=center[0], y=center[1])
+        points, pose = p_SP - center, shapes.PlanarPose(x=center[0], y=center[1])
     return thing.model_copy(
         update={
             "cloud": None,
@@ -227,7 +227,7 @@ def support_pose(support: model.Support) -> Matrix:
     return frames.translation([0.0, 0.0, support.height or 0.0])
 
 
-def pose_matrix(pose: model.Pose) -> Matrix:
+def pose_matrix(pose: shapes.Pose) -> Matrix:
     """The 4 x 4 matrix of a pose in a file."""
     if pose.quaternion is not None:
         return frames.translation(pose.position) @ frames.from_quaternion(pose.quaternion)
@@ -239,8 +239,8 @@ def _transform(X_AB: Any, p_BP: Matrix) -> Matrix:
 
 
 def _resolve_obstacle(
-    obstacle: model.Obstacle, source: Source, index: int, directory: Path
-) -> model.Obstacle:
+    obstacle: shapes.Obstacle, source: Source, index: int, directory: Path
+) -> shapes.Obstacle:
     if obstacle.mesh is None:
         return obstacle
     path = directory / obstacle.mesh.file

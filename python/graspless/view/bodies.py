@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..frames import Matrix
-    from ..tasks import Task, model
+    from ..tasks import Task, model, shapes
     from .film import Film
 
 Color = tuple[float, float, float]
@@ -161,7 +161,7 @@ def trail_body(shown: Film) -> Body:
     )
 
 
-def _obstacle_part(obstacle: model.Obstacle) -> Part:
+def _obstacle_part(obstacle: shapes.Obstacle) -> Part:
     import trimesh
 
     if obstacle.box is not None:

@@ -35,8 +35,10 @@ def draw(plan: Plan) -> bytes:
     )  # fmt: skip
     _draw_slide(figure.add_subplot(grid[:, 0]), shown)
     camera = stage.camera(shown, *PANEL)
-    for k, (row, caption) in enumerate(stage.moments(shown)):
-        axes = figure.add_subplot(grid[k // 2, 1 + k % 2])
+    moments = stage.moments(shown)
+    for k, (row, caption) in enumerate(moments):
+        alone = len(moments) == 1
+        axes = figure.add_subplot(grid[:, 1:] if alone else grid[k // 2, 1 + k % 2])
         axes.imshow(
             raster.render(stage.placed(shown, row), camera, *PANEL), interpolation="antialiased"
         )
@@ -51,7 +53,7 @@ def draw(plan: Plan) -> bytes:
 def _headline(plan: Plan) -> str:
     name = plan.task.problem.object.name
     if not plan:
-        return f"{name}: {plan.status.replace('_', ' ')}"
+        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"
     distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.task.problem.X_WO_start[:3, 3])
     robot = plan.task.problem.robot.name
     return f"{robot} slides the {name} {distance * 100:.0f} cm to the edge and grasps it there"

@@ -34,7 +34,7 @@ DIM = 0.82  # viser's lights are bright
 def as_html(plan: Plan) -> str:
     """The replay as the text of one HTML file, a time slider below."""
     shown = film(plan).resampled(RATE)
-    with contextlib.redirect_stdout(io.StringIO()), _server(_free_port()) as server:
+    with _server(_free_port()) as server:
         stage = _Stage(server, shown)
         stage.show(0)
         serializer = server.get_scene_serializer()
@@ -171,10 +171,12 @@ def _server(port: int) -> Iterator[Any]:
     import viser
 
     try:
-        server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
+        with contextlib.redirect_stdout(io.StringIO()):  # its banner is not ours
+            server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
     except OSError as error:
         raise TaskError(f"--port: {port}: cannot be served: {error.strerror}") from None
     try:
         yield server
     finally:
-        server.stop()
+        with contextlib.redirect_stdout(io.StringIO()):
+            server.stop()

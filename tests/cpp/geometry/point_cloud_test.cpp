@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/geometry/point_cloud.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "geometry/polygons.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+TEST(Outline, OfAGridIsNearlyThePolygon) {
+  const double spacing = 0.006;
+  std::mt19937_64 rng(1);
+  for (const Polygon& polygon : {square(0.1), l_shape()}) {
+    const Eigen::Matrix2Xd points = sample_grid(polygon, spacing);
+    const Polygon around = outline(points);
+    for (const auto& p : points.colwise()) EXPECT_GT(around.depth(p), -spacing / 2);
+    for (const auto& v : around.vertices().colwise()) EXPECT_LT(std::abs(polygon.depth(v)), spacing);
+  }
+}
+
+TEST(Outline, OfScatteredPointsHoldsThemAll) {
+  std::mt19937_64 rng(2);
+  for (int i = 0; i < 50; ++i) {
+    const Polygon polygon = random_star(rng);
+    std::vector<Eigen::Vector2d> inside;
+    while (inside.size() < 300) {
+      const Eigen::Vector2d p = random_point(polygon, rng);
+      if (polygon.contains(p)) inside.push_back(p);
+    }
+    const Polygon around = outline(columns(inside));
+    for (const auto& p : inside) EXPECT_GT(around.depth(p), -0.1);  // sparse points, simplified
+  }
+}
+
+TEST(Outline, IsUnchangedByRepeatedPoints) {
+  const Eigen::Matrix2Xd points = sample_grid(square(0.1), 0.01);
+  Eigen::Matrix2Xd twice(2, 2 * points.cols());
+  twice << points, points;
+  EXPECT_NEAR(outline(twice).area(), outline(points).area(), 1e-12);
+}
+
+TEST(Outline, FillsHoles) {
+  std::vector<Eigen::Vector2d> ring;
+  for (int i = 0; i < 120; ++i) {
+    for (double r : {0.04, 0.045, 0.05}) {
+      ring.emplace_back(r * std::cos(2 * M_PI * i / 120), r * std::sin(2 * M_PI * i / 120));
+    }
+  }
+  EXPECT_TRUE(outline(columns(ring)).contains({0, 0}));
+}
+
+TEST(Outline, RefusesPointsWithoutArea) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(outline(columns({{0, 0}, {1, 0}})), std::invalid_argument);
+  EXPECT_THROW(outline(columns({{0, 0}, {1, 1}, {2, 2}, {3, 3}})), std::invalid_argument);
+  EXPECT_THROW(outline(columns({{0, 0}, {1, 0}, {0, nan}})), std::invalid_argument);
+  EXPECT_THROW(outline(Eigen::Matrix2Xd(2, 0)), std::invalid_argument);
+}
+
+TEST(SampleGrid, LiesInsideAndIsNeverEmpty) {
+  const Eigen::Matrix2Xd grid = sample_grid(l_shape(), 0.02);
+  for (const auto& p : grid.colwise()) EXPECT_TRUE(l_shape().contains(p));
+  EXPECT_NEAR(static_cast<double>(grid.cols()) * 0.02 * 0.02, l_shape().area(), 0.02);
+  EXPECT_EQ(sample_grid(l_shape(), 100).cols(), 1);
+  EXPECT_THROW(sample_grid(l_shape(), 0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace graspless::geometry

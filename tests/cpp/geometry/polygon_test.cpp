@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/geometry/polygon.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "geometry/polygons.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+TEST(Polygon, ContainsAgreesWithCgal) {
+  std::mt19937_64 rng(1);
+  for (int i = 0; i < 300; ++i) {
+    const Polygon polygon = random_star(rng);
+    CGAL::Polygon_2<Kernel> oracle;
+    for (const auto& v : polygon.vertices().colwise()) oracle.push_back({v.x(), v.y()});
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::Vector2d p = random_point(polygon, rng);
+      EXPECT_EQ(polygon.contains(p), oracle.has_on_bounded_side({p.x(), p.y()}));
+    }
+  }
+}
+
+TEST(Polygon, DepthIsTheSignedDistanceToTheBoundary) {
+  std::mt19937_64 rng(2);
+  for (int i = 0; i < 50; ++i) {
+    const Polygon polygon = random_star(rng);
+    const Eigen::Vector2d p = random_point(polygon, rng);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int e = 0; e < polygon.size(); ++e) {
+      const auto edge = polygon.edge(e);
+      for (int k = 0; k <= 2000; ++k) {
+        nearest = std::min(nearest, (edge.a + k / 2000.0 * (edge.b - edge.a) - p).norm());
+      }
+    }
+    EXPECT_NEAR(std::abs(polygon.depth(p)), nearest, 1e-3);
+    EXPECT_EQ(polygon.depth(p) > 0, polygon.contains(p));
+  }
+}
+
+TEST(Polygon, NearestEdgeHasItsNormalInside) {
+  std::mt19937_64 rng(3);
+  for (int i = 0; i < 100; ++i) {
+    const Polygon polygon = random_star(rng);
+    const auto edge = polygon.nearest_edge(random_point(polygon, rng));
+    EXPECT_NEAR(edge.inward.norm(), 1, 1e-12);
+    EXPECT_TRUE(polygon.contains((edge.a + edge.b) / 2 + 1e-7 * edge.inward));
+  }
+}
+
+TEST(Polygon, ConvexPartsCoverItWithoutOverlap) {
+  std::mt19937_64 rng(4);
+  for (int i = 0; i < 100; ++i) {
+    const Polygon polygon = random_star(rng);
+    const auto parts = polygon.convex_parts();
+    double area = 0;
+    for (const Polygon& part : parts) {
+      EXPECT_TRUE(part.is_convex());
+      area += part.area();
+    }
+    EXPECT_NEAR(area, polygon.area(), 1e-12);
+    for (int k = 0; k < 50; ++k) {
+      const Eigen::Vector2d p = random_point(polygon, rng);
+      int holders = 0;
+      for (const Polygon& part : parts) holders += part.contains(p);
+      EXPECT_EQ(holders, polygon.contains(p) ? 1 : 0);
+    }
+  }
+}
+
+TEST(Polygon, CentroidMovesWithThePolygon) {
+  const Eigen::Vector2d far(1e4, -3e4);
+  EXPECT_TRUE(square(0.2).centroid().isZero(1e-15));
+  const Polygon moved((l_shape().vertices().colwise() + far).eval());
+  EXPECT_TRUE((moved.centroid() - far).isApprox(l_shape().centroid(), 1e-9));
+  EXPECT_NEAR(l_shape().area(), 0.8 * 0.3 + 0.3 * 0.5, 1e-12);
+}
+
+TEST(Polygon, TakesClockwiseVerticesToo) {
+  const Polygon polygon(l_shape().vertices().rowwise().reverse().eval());
+  EXPECT_GT(polygon.area(), 0);
+  EXPECT_EQ(polygon.contains({0.1, 0.1}), true);
+}
+
+TEST(Polygon, RefusesWhatIsNotOne) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [](const std::vector<Eigen::Vector2d>& v, const std::string& why) {
+    try {
+      Polygon(columns(v), "support polygon");
+      ADD_FAILURE() << "accepted: " << why;
+    } catch (const std::invalid_argument& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find("support polygon"), 0u) << what;
+      EXPECT_NE(what.find(why), std::string::npos) << what;
+    }
+  };
+  refused({{0, 0}, {1, 0}}, "at least 3");
+  refused({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "crosses");
+  refused({{0, 0}, {1, 0}, {nan, 1}}, "not finite");
+  refused({{0, 0}, {1, 0}, {1, 0}, {0, 1}}, "repeats");
+  refused({{0, 0}, {1, 0}, {2, 0}}, "crosses");                          // flat
+  refused({{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {0, 1}}, "crosses");        // touches itself
+  refused({{0, 0}, {2, 0}, {2, 2}, {3, 3}, {2, 2.0}, {0, 2}}, "crosses");  // antenna
+}
+
+}  // namespace
+}  // namespace graspless::geometry

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/placement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "slide/problems.hpp"
+
+namespace graspless::slide {
+namespace {
+
+Planar at(double x, double y, double yaw = 0) { return planar(flat(x, y, yaw)); }
+
+TEST(Placement, OfASquareOverTheRightEdge) {
+  const Problem problem = simple_problem();  // 10 cm square, table edge at y = 0.35
+  Options options;
+  options.com_margin = 0.01;
+  const Placement place = placement(problem, options, at(0.65, 0.33));
+  EXPECT_TRUE(place.sticks_out);
+  EXPECT_NEAR(place.overhang, 0.03, 0.006);  // the points are a grid of 6 mm
+  EXPECT_TRUE(place.edge.inward.isApprox(Eigen::Vector2d(0, -1), 1e-12));
+  EXPECT_NEAR(place.out_center.x(), 0.65, 0.004);
+  EXPECT_TRUE(place.com_inside);
+  EXPECT_FALSE(placement(problem, options, at(0.65, 0.345)).com_inside);
+  EXPECT_FALSE(placement(problem, options, at(0.65, 0.2)).sticks_out);
+}
+
+TEST(Placement, DrawnPosesAreValidByConstruction) {
+  std::mt19937_64 rng(1);
+  for (const Support& table : tables()) {
+    for (const Object& object : objects()) {
+      const Problem problem = make_problem(table, object, flat(0.6, 0, 0));
+      const Options options;
+      int drawn = 0, valid = 0;
+      for (int i = 0; i < 200; ++i) {
+        const auto pose = draw_graspable_pose(problem, options, rng);
+        if (!pose) continue;
+        ++drawn;
+        const Placement place = placement(problem, options, *pose);
+        valid += place.overhang >= options.min_overhang && place.com_inside;
+      }
+      EXPECT_GT(drawn, 100);
+      EXPECT_GT(valid, 0.7 * drawn);  // not at corners, where another edge is nearer
+    }
+  }
+}
+
+TEST(Placement, ADiscOfFiveCentimetresCannotStickOutEnoughWithTheMargin) {
+  const Problem problem = make_problem(tables()[0], objects()[1].scaled(0.5), flat(0.6, 0, 0));
+  std::mt19937_64 rng(1);
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(draw_graspable_pose(problem, Options{}, rng));
+}
+
+TEST(Placement, GraspPoseIsLevelAndFacesTheEdge) {
+  const Problem problem = simple_problem();
+  const Placement place = placement(problem, Options{}, at(0.65, 0.33));
+  for (const int roll : {0, 1}) {
+    const Eigen::Isometry3d X_WH = grasp_pose(problem, place, roll);
+    EXPECT_NEAR(X_WH.linear().determinant(), 1, 1e-12);
+    EXPECT_TRUE(X_WH.linear().col(2).isApprox(Eigen::Vector3d(0, -1, 0), 1e-12));
+    EXPECT_NEAR(std::abs(X_WH.linear()(2, 1)), 1, 1e-12);
+    EXPECT_NEAR(X_WH.translation().z(), 0.0025, 1e-12);
+    const Eigen::Isometry3d back = grasp_pose(problem, place, roll, 0.06);
+    EXPECT_NEAR((back.translation() - X_WH.translation()).y(), 0.06, 1e-12);
+  }
+}
+
+TEST(Placement, GravityCountsOnATiltedSupport) {
+  const Eigen::Isometry3d X_WS(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));
+  const Support table(geometry::square(1), X_WS);
+  const Object tall = Object::from_polygon("tall", geometry::square(.1), .04);  // its middle is 2 cm up
+  Problem problem = make_problem(table, tall, flat(0, 0, 0));
+  // Tilted about x, +y is uphill: the centre of mass stands 2 cm tan(0.5) further downhill.
+  const double shift = 0.02 * std::tan(0.5);
+  EXPECT_TRUE(is_com_inside(problem, at(0, -0.5 + shift + 0.001), 0));
+  EXPECT_FALSE(is_com_inside(problem, at(0, -0.5 + shift - 0.001), 0));
+}
+
+}  // namespace
+}  // namespace graspless::slide

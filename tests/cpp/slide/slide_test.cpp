@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/slide.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <limits>
+#include <thread>
+
+#include "slide/problems.hpp"
+
+namespace graspless::slide {
+namespace {
+
+std::string joined(const std::vector<std::string>& faults) {
+  std::string all;
+  for (const std::string& fault : faults) all += fault + "\n";
+  return all;
+}
+
+void expect_holds(const Problem& problem, const Options& options, std::uint64_t seed) {
+  const Plan found = plan(problem, options, seeded(seed));
+  ASSERT_TRUE(found) << "seed " << seed << ": " << found.reason;
+  EXPECT_EQ(joined(check(problem, found, options)), "") << "seed " << seed;
+}
+
+TEST(Plan, HoldsOnEveryTableWithEveryObject) {
+  std::mt19937_64 rng(1);
+  std::uint64_t seed = 1;
+  for (const Support& table : tables()) {
+    for (const Object& object : objects()) {
+      expect_holds(make_problem(table, object, random_pose(table, object, rng)), {}, seed++);
+    }
+  }
+}
+
+TEST(Plan, HoldsInThePapersOwnTerms) {
+  std::mt19937_64 rng(2);
+  std::uint64_t seed = 1;
+  for (const double range : {0.0, 0.005, 0.02}) {
+    for (const Support& table : tables()) {
+      Problem problem = make_problem(table, objects()[1], random_pose(table, objects()[1], rng));
+      problem.hand.finger_model = FingerModel::none;
+      Options options;
+      options.com_margin = 0.001;
+      options.tip_margin = 0;
+      options.max_depth = options.min_depth + range;
+      expect_holds(problem, options, seed++);
+    }
+  }
+}
+
+TEST(Plan, AlgorithmOneAsWrittenHoldsToo) {
+  std::mt19937_64 rng(3);
+  Options options;
+  options.search = Search::paper;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Support& table = tables()[seed - 1];
+    expect_holds(make_problem(table, objects()[0], random_pose(table, objects()[0], rng)), options, seed);
+  }
+}
+
+TEST(Plan, RunsOnATiltedTableThatIsNotConvex) {
+  const Eigen::Isometry3d X_WS = Eigen::Translation3d(0.35, -0.4, 0.05) *
+                                 Eigen::AngleAxisd(0.2, Eigen::Vector3d(1, -1, 0).normalized());
+  const Support table(geometry::l_shape(), X_WS);
+  const Problem problem = make_problem(table, objects()[0], flat(0.15, 0.4, 1));
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_holds(problem, {}, seed);
+}
+
+TEST(Plan, RunsOnASixJointArm) {
+  Problem problem{kr5(), Hand{}, objects()[0], tables()[0], flat(0.6, 0.1, 0.2), {}, kr5().state("home")};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_holds(problem, {}, seed);
+}
+
+TEST(Plan, GoesRoundOtherObjectsOnTheTable) {
+  Problem problem = simple_problem();
+  const auto block = [](double x, double y) {
+    return Eigen::Isometry3d(Eigen::Translation3d(x, y, 0.05));
+  };
+  const geometry::PlacedShape box{geometry::Box{{0.06, 0.06, 0.1}}, Eigen::Isometry3d::Identity()};
+  problem.obstacles = {{"left", {box}, block(0.55, 0.25)}, {"right", {box}, block(0.78, 0.22)},
+                       {"near", {box}, block(0.5, -0.1)}};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_holds(problem, {}, seed);
+}
+
+TEST(Plan, TakesAPointCloudAndACenterOfMass) {
+  Eigen::Matrix3Xd cloud(3, 0);
+  const Eigen::Matrix2Xd grid = geometry::sample_grid(geometry::square(0.12), 0.005);
+  cloud.resize(3, grid.cols());
+  cloud << grid, Eigen::RowVectorXd::Constant(grid.cols(), 0.004);
+  const Object object = Object::from_cloud("tile", cloud).with_com({0.02, 0.01, 0.002});
+  EXPECT_NEAR(object.thickness(), 0.004, 1e-12);
+  expect_holds(make_problem(tables()[0], object, flat(0.7, -0.1, 2)), {}, 1);
+}
+
+TEST(Plan, IsTheSameForTheSameSeed) {
+  for (const Search search : {Search::fast, Search::paper}) {
+    Options options;
+    options.search = search;
+    const Plan a = plan(simple_problem(), options, seeded(5)), b = plan(simple_problem(), options, seeded(5));
+    ASSERT_TRUE(a);
+    ASSERT_EQ(a.segments.size(), b.segments.size());
+    for (std::size_t i = 0; i < a.segments.size(); ++i) {
+      EXPECT_EQ(a.segments[i].positions, b.segments[i].positions);
+    }
+    EXPECT_EQ(a.statistics.collision_checks, b.statistics.collision_checks);
+    const Plan c = plan(simple_problem(), options, seeded(6));
+    EXPECT_NE(a.segments[2].positions, c.segments[2].positions);
+  }
+}
+
+TEST(Plan, LeavesItsProblemAlone) {
+  const Problem problem = simple_problem();
+  const Plan first = plan(problem, {}, seeded(1));
+  plan(problem, {}, seeded(2));
+  EXPECT_EQ(plan(problem, {}, seeded(1)).segments[2].positions, first.segments[2].positions);
+}
+
+// --- Not found ---
+
+TEST(Plan, SaysThatTheObjectIsOutOfReach) {
+  const Support far(geometry::square(0.5), Eigen::Isometry3d(Eigen::Translation3d(3, 0, 0)));
+  const Plan none = plan(make_problem(far, objects()[0], flat(0, 0, 0)), {}, seeded(1, 0.2));
+  EXPECT_FALSE(none);
+  EXPECT_EQ(none.status, Status::no_start_root);
+  EXPECT_GT(none.statistics.refusals.at("start: reach"), 0);
+  EXPECT_NE(none.reason.find("reach"), std::string::npos);
+  EXPECT_TRUE(none.segments.empty());
+}
+
+TEST(Plan, SaysThatNoPairCanBeValid) {
+  Options options;
+  options.min_overhang = 0.08;  // of a 10 cm square whose middle must stay inside
+  const Plan none = plan(simple_problem(), options, seeded(1, 0.5));
+  EXPECT_FALSE(none);
+  EXPECT_NE(none.status, Status::no_start_root);
+  EXPECT_NE(none.reason.find("overhang"), std::string::npos) << none.reason;
+}
+
+TEST(Plan, SaysWhatHomeTouches) {
+  Problem problem = simple_problem();
+  problem.obstacles = {{"wall", {{geometry::Box{{2, 2, 2}}, Eigen::Isometry3d::Identity()}},
+                        Eigen::Isometry3d(Eigen::Translation3d(0.5, 0, 1.0))}};
+  const Plan none = plan(problem);
+  EXPECT_EQ(none.status, Status::start_in_collision);
+  EXPECT_NE(none.reason.find("wall"), std::string::npos);
+}
+
+TEST(Plan, EndsOnTimeAndByIterations) {
+  Options options;
+  options.min_overhang = 0.08;
+  const Plan timed = plan(simple_problem(), options, seeded(1, 0.3));
+  EXPECT_LT(timed.statistics.seconds, 0.3 + 0.05);
+  planning::Budget budget = seeded(1);
+  budget.iterations = 10;
+  EXPECT_EQ(plan(simple_problem(), options, budget).statistics.iterations, 10);
+}
+
+TEST(Plan, CanBeStopped) {
+  Options options;
+  options.min_overhang = 0.08;
+  planning::Budget budget = seeded(1, 1000);
+  std::atomic<bool> stop{false};
+  budget.interrupted = [&] { return stop.load(); };
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop = true;
+  });
+  const Plan none = plan(simple_problem(), options, budget);
+  other.join();
+  EXPECT_EQ(none.status, Status::interrupted);
+  EXPECT_LT(none.statistics.seconds, 10);
+}
+
+// --- Bad input ---
+
+template <typename Call>
+void expect_refused(Call call, const std::string& names) {
+  try {
+    call();
+    ADD_FAILURE() << "accepted: " << names;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(names), std::string::npos) << error.what();
+  }
+}
+
+TEST(Plan, RefusesBadOptions) {
+  const auto with = [](auto set) {
+    Options options;
+    set(options);
+    return [options] { plan(simple_problem(), options); };
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused(with([](Options& o) { o.max_depth = 0.001; }), "options.max_depth");
+  expect_refused(with([](Options& o) { o.min_depth = -1; }), "options.min_depth");
+  expect_refused(with([&](Options& o) { o.pitch = nan; }), "options.pitch");
+  expect_refused(with([](Options& o) { o.pitch_tolerance = -0.1; }), "options.pitch_tolerance");
+  expect_refused(with([](Options& o) { o.root_scale = 0; }), "options.root_scale");
+  expect_refused(with([](Options& o) { o.min_overhang = -0.02; }), "options.min_overhang");
+  expect_refused(with([](Options& o) { o.com_margin = -1; }), "options.com_margin");
+  expect_refused(with([](Options& o) { o.range = 0; }), "options.range");
+  expect_refused(with([](Options& o) { o.resolution = 1; }), "options.resolution");
+  expect_refused([] { plan(simple_problem(), {}, seeded(1, -1)); }, "budget.seconds");
+}
+
+TEST(Plan, RefusesBadProblems) {
+  const auto with = [](auto set) {
+    Problem problem = simple_problem();
+    set(problem);
+    return [problem] { plan(problem); };
+  };
+  expect_refused(with([](Problem& p) { p.X_WO_start.translation().x() = 5; }), "off the support");
+  expect_refused(with([](Problem& p) { p.X_WO_start.translation().z() = 0.1; }), "height");
+  expect_refused(with([](Problem& p) { p.X_WO_start.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX())); }),
+                 "tilt");
+  expect_refused(with([](Problem& p) { p.q_home.resize(3); }), "q_home");
+  expect_refused(with([](Problem& p) { p.q_home[1] = 9; }), "outside its limits");
+  expect_refused(with([](Problem& p) { p.hand.fingertip = "thumb"; }), "thumb");
+  expect_refused(with([](Problem& p) { p.hand.arm = "leg"; }), "leg");
+  expect_refused(with([](Problem& p) { p.hand.open = "ajar"; }), "ajar");
+  expect_refused(with([](Problem& p) { p.hand.flexure_length = 0; }), "flexure_length");
+}
+
+TEST(Object, RefusesWhatIsNotThinOrNotThere) {
+  std::mt19937_64 rng(1);
+  std::normal_distribution<double> n(0, 0.05);
+  Eigen::Matrix3Xd blob(3, 500);
+  for (auto& value : blob.reshaped()) value = n(rng);
+  expect_refused([&] { Object::from_cloud("blob", blob); }, "thin");
+  expect_refused([&] { Object::from_cloud("none", Eigen::Matrix3Xd(3, 0)); }, "at least 3");
+  blob(1, 7) = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([&] { Object::from_cloud("holey", blob); }, "1 points that are not finite");
+  expect_refused([&] { Object::from_polygon("brick", geometry::square(.1), .08); }, "not thin");
+  expect_refused([&] { Object::from_polygon("film", geometry::square(.1), 0); }, "thickness");
+  expect_refused([&] { objects()[0].with_com({1, 0, 0}); }, "com");
+  expect_refused([&] { objects()[0].with_mass(-1); }, "mass");
+  expect_refused([&] { objects()[0].scaled(0); }, "scale");
+}
+
+TEST(Object, CenterOfMassOfADistribution) {
+  Eigen::Matrix3Xd points(3, 2);
+  points << 0, 1, 0, 0, 0, 0;
+  EXPECT_TRUE(center_of_mass(points, Eigen::Vector2d(1, 3)).isApprox(Eigen::Vector3d(0.75, 0, 0)));
+  expect_refused([&] { center_of_mass(points, Eigen::Vector3d(1, 1, 1)); }, "masses");
+  expect_refused([&] { center_of_mass(points, Eigen::Vector2d(1, -1)); }, "masses");
+  expect_refused([&] { center_of_mass(points, Eigen::Vector2d(0, 0)); }, "masses");
+}
+
+TEST(Support, RefusesNonsense) {
+  const Eigen::Isometry3d steep(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitX()));
+  expect_refused([&] { Support(geometry::square(1), steep); }, "tilted");
+  expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), -1); }, "slab");
+  expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), .04, 0); }, "band");
+}
+
+}  // namespace
+}  // namespace graspless::slide

@@ -1,0 +1,242 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures and replays: that something is on them, and that a replay needs nothing else."""
+
+import base64
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import TaskError, frames
+from tasks_common import changed
+
+pytest.importorskip("matplotlib")
+pytest.importorskip("viser")
+
+from graspless import view  # noqa: E402
+from graspless.view import bodies, raster  # noqa: E402
+from graspless.view.film import film  # noqa: E402
+
+OBSTACLES = """obstacles:
+  - {name: mug, cylinder: {radius: 0.04, length: 0.1}, pose: {position: [0.85, 0.2, 0.05]}}
+  - {name: a/b, box: [0.1, 0.1, 0.1], pose: {position: [0.85, -0.2, 0.05]}}
+  - {name: rod, capsule: {radius: 0.02, length: 0.1}, pose: {position: [1.2, 0.0, 0.0]}}
+  - {name: ball, sphere: {radius: 0.03}, pose: {position: [1.2, 0.2, 0.0]}}
+budget:"""
+
+
+@pytest.fixture(scope="module")
+def plan(tmp_path_factory):
+    path = tmp_path_factory.mktemp("task") / "task.yaml"
+    path.write_text(changed("budget:", OBSTACLES))
+    plan = graspless.plan(path)
+    assert plan, plan.reason
+    return plan
+
+
+@pytest.fixture(scope="module")
+def html(plan, tmp_path_factory):
+    path = tmp_path_factory.mktemp("html") / "a.html"
+    view.write_html(plan, path)
+    return path
+
+
+def read_png(path):
+    from matplotlib.image import imread
+
+    return imread(path)
+
+
+def has_color(picture, color, tolerance=0.06):
+    """How many pixels are near a colour, whatever its brightness."""
+    rgb = picture[..., :3]
+    shade = rgb / np.maximum(rgb.max(axis=2, keepdims=True), 1e-6)
+    wanted = np.array(color) / max(color)
+    near = np.abs(shade - wanted).max(axis=2) < tolerance
+    return int(np.count_nonzero(near & (rgb.max(axis=2) > 0.3)))
+
+
+def test_picture_shows_robot_table_object_trail_and_obstacles(plan, tmp_path):
+    view.write_png(plan, tmp_path / "a.png")
+    picture = read_png(tmp_path / "a.png")
+    assert picture.shape[0] > 500
+    assert picture.shape[1] > 1000
+    for color in (bodies.TABLE, bodies.OBJECT, bodies.TRAIL, bodies.OBSTACLE):
+        assert has_color(picture, color) > 300, color
+    panels = picture[:, picture.shape[1] // 2 :]
+    assert np.count_nonzero(panels[..., :3].min(axis=2) < 0.95) > 0.1 * panels[..., 0].size
+
+
+def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):
+    failed = graspless.plan(plan.task, iterations=0)
+    assert not failed
+    view.write_png(failed, tmp_path / "a.png")
+    view.write_html(failed, tmp_path / "a.html")
+    assert has_color(read_png(tmp_path / "a.png"), bodies.OBJECT) > 300
+
+
+def test_replay_is_small_and_whole(html):
+    text = html.read_text()
+    assert len(text) < 2_000_000
+    assert "__VISER_EMBED_DATA__" in text
+    assert "<title>graspless: card, solved</title>" in text
+    # Nothing is loaded from elsewhere: no source or style sheet but data and parts of the file.
+    head = re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)
+    assert not re.findall(r"<(?:script|link|img|iframe)[^>]*(?:src|href)=\"(?!data:)[^\"]+", head)
+    assert not re.findall(r"<script[^>]*\bsrc=", text)
+    assert not re.findall(r"@import|url\(\s*[\"']?https?:", text)
+
+
+def test_replay_moves_every_body(plan, html):
+    import msgspec
+    import zstandard
+
+    data = re.search(r'__VISER_EMBED_DATA__="([^"]+)"', html.read_text())[1]
+    inner = zstandard.ZstdDecompressor().decompressobj().decompress(base64.b64decode(data)[8:])
+    length = int.from_bytes(inner[:8], "little")
+    recording = msgspec.msgpack.decode(inner[8 : 8 + length])
+    shown = film(plan)
+    assert recording["durationSeconds"] == pytest.approx(shown.times[-1] + 1.5, abs=0.1)
+    messages = recording["messages"]
+    named = {message["name"] for _, message in messages if "name" in message}
+    assert {"/table", "/object", "/fingertip", "/obstacles/mug", "/obstacles/a_b"} <= named
+    last = {}
+    for _, message in messages:
+        if message["type"] == "SetPositionMessage":
+            last[message["name"]] = message["position"]
+    X_WO = shown.object_poses[-1]
+    np.testing.assert_allclose(last["/object"], X_WO[:3, 3], atol=2e-6)
+    robot = plan.task.problem.robot
+    ends = robot.forward(shown.positions[-1])
+    np.testing.assert_allclose(
+        last["/robot/hand_base"], ends[robot.frame("hand_base")][:3, 3], atol=2e-6
+    )
+
+
+def test_replay_runs_in_a_browser_without_network(html, tmp_path):
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser is None:
+        pytest.skip("no browser")
+    flags = [
+        "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+        "--host-resolver-rules=MAP * ~NOTFOUND", f"--user-data-dir={tmp_path}/profile",
+        "--virtual-time-budget=4000", "--enable-logging=stderr", "--dump-dom",
+    ]  # fmt: skip
+    done = subprocess.run(
+        [browser, *flags, html.as_uri()], capture_output=True, text=True, timeout=120
+    )
+    assert "<canvas" in done.stdout
+    logged = [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+    assert not [line for line in logged if "ERROR" in line or "Uncaught" in line]
+    assert any("Embedded data loaded" in line for line in logged)
+
+
+def test_film_passes_every_row_in_time(plan):
+    shown = film(plan)
+    assert len(shown.times) == sum(map(len, plan.segments))
+    assert (np.diff(shown.times) >= 0).all()
+    assert shown.times[-1] <= 30
+    even = shown.resampled(20)
+    np.testing.assert_allclose(np.diff(even.times), np.diff(even.times)[0])
+    np.testing.assert_allclose(even.positions[[0, -1]], shown.positions[[0, -1]])
+    np.testing.assert_allclose(even.object_poses[[0, -1]], shown.object_poses[[0, -1]], atol=1e-12)
+
+
+def test_every_link_of_the_robot_has_its_shapes(plan):
+    found = {body.name: body.parts for body in bodies.robot_bodies(plan.task)}
+    for index, _ in plan.task.problem.robot.shapes:
+        assert found[plan.task.problem.robot.frame_names[index]]
+
+
+def test_prisms_and_shapes_face_outward(plan):
+    import trimesh
+
+    task = plan.task
+    parts = bodies.object_body(task).parts + bodies.table_body(task).parts
+    parts += [part for body, _ in bodies.obstacle_bodies(task) for part in body.parts]
+    for part in parts:
+        mesh = trimesh.Trimesh(part.vertices, part.triangles)
+        assert mesh.volume > 0
+
+
+def test_robot_without_visuals_is_drawn_by_its_collision_shapes(plan, tmp_path):
+    text = re.sub(r"<visual>.*?</visual>", "", plan.task.fields.robot.urdf_text)
+    (tmp_path / "bare.urdf").write_text(text)
+    from graspless._data import directory
+
+    for suffix in (".srdf", ".hand.yaml"):
+        shutil.copy(directory("urdf") / f"wam_t42{suffix}", tmp_path / f"bare{suffix}")
+    (tmp_path / "task.yaml").write_text(changed("wam_t42", "bare.urdf"))
+    task = graspless.load_task(tmp_path / "task.yaml")
+    assert sum(len(body.parts) for body in bodies.robot_bodies(task)) == len(
+        task.problem.robot.shapes
+    )
+
+
+def test_raster_hides_what_is_behind():
+    import trimesh
+
+    def cube(color):
+        mesh = trimesh.creation.box([1, 1, 1])
+        return bodies.Body("", [bodies.Part(mesh.vertices, mesh.faces, color)])
+
+    camera = raster.Camera(np.array([6.0, 0.0, 0.1]), np.zeros(3), angle=0.5)
+    red, blue = cube((1.0, 0.0, 0.0)), cube((0.0, 0.0, 1.0))
+    placed = [(red, np.eye(4)), (blue, frames.translation([-2.0, 0.6, 0.0]))]
+    for order in (placed, placed[::-1]):
+        picture = raster.render(order, camera, 120, 90)
+        assert picture.shape == (90, 120, 4)
+        middle = picture[45, 60]
+        assert middle[0] > 0.3
+        assert middle[2] < 0.05
+        seen = np.flatnonzero(picture[45, :, 2] > 0.3)
+        assert len(seen) > 5  # the far cube looks out on the right, at +y
+        assert seen.min() > 60
+        assert picture[2, 2, 3] == 0
+
+
+def test_camera_fits_every_point():
+    points = np.random.default_rng(1).normal(size=(200, 3)) + [3.0, 1.0, 0.5]
+    camera = raster.Camera(np.array([10.0, -3.0, 4.0]), np.zeros(3)).fitted(points, 400, 300)
+    seen = camera.project(points, 400, 300)
+    assert seen[:, :2].min() > 0
+    assert (seen[:, :2] < [400, 300]).all()
+    assert max(np.ptp(seen[:, 0]) / 400, np.ptp(seen[:, 1]) / 300) > 0.85
+
+
+def test_unwritable_pictures(plan, tmp_path):
+    for write in (view.write_png, view.write_html):
+        with pytest.raises(TaskError, match="cannot be written"):
+            write(plan, tmp_path / "none" / "a")
+
+
+def test_viewer_serves_until_ctrl_c(plan, tmp_path):
+    import signal
+
+    plan.save(tmp_path / "plan.json")
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    command = [sys.executable, "-m", "graspless", "view", str(tmp_path / "plan.json")]
+    with subprocess.Popen(
+        [*command, "--port", str(port)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            line = process.stdout.readline()
+            assert line.startswith(f"http://localhost:{port}")
+            page = urllib.request.urlopen(f"http://localhost:{port}", timeout=10).read()
+            assert b"<html" in page
+            time.sleep(0.5)
+        finally:
+            process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert "Traceback" not in err
