@@ -25,7 +25,9 @@ class Bar:
         self._last = now
         filled = WIDTH * done // max(1, self._total)
         left = (now - self._start) * (self._total - done) / max(1, done)
-        line = f"{self._what} [{'=' * filled:{WIDTH}}] {done}/{self._total} {left:.0f} s left {note}"
+        line = (
+            f"{self._what} [{'=' * filled:{WIDTH}}] {done}/{self._total} {left:.0f} s left {note}"
+        )
         print(f"\r\033[K{line}", end="", file=sys.stderr, flush=True)
 
     def close(self) -> None:

@@ -38,8 +38,12 @@ def add_parser(commands: Any) -> None:
     )
     slide.add_argument("--grid", choices=list(DEFAULTS), default="paper", help="(%(default)s)")
     defaults = ", ".join(f"{grid} {runs}" for grid, (runs, _) in DEFAULTS.items())
-    slide.add_argument("--runs", type=_positive(int), metavar="N", help=f"of each curve ({defaults})")
-    slide.add_argument("--seed", type=int, default=1, metavar="S", help="of the poses (%(default)s)")
+    slide.add_argument(
+        "--runs", type=_positive(int), metavar="N", help=f"of each curve ({defaults})"
+    )
+    slide.add_argument(
+        "--seed", type=int, default=1, metavar="S", help="of the poses (%(default)s)"
+    )
     limits = ", ".join(f"{grid} {limit:g}" for grid, (_, limit) in DEFAULTS.items())
     slide.add_argument(
         "--time", type=_positive(float), metavar="S", help=f"limit of each query [s] ({limits})"

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .summary import Row
 
 COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
-STYLE = {"font.size": 9, "axes.spines.top": False, "axes.spines.right": False}
+STYLE: Any = {"font.size": 9, "axes.spines.top": False, "axes.spines.right": False}
 
 
 @dataclasses.dataclass
@@ -30,13 +30,13 @@ class Panel:
 
     title: str
     curves: Sequence[tuple[str, Row]]  # a name for the legend, and what summary calls a curve
-    paper: Sequence[tuple[float, float, str, int]] = ()  # time [s], rate [%], text, index of curve
+    paper: Sequence[tuple[float, float, int]] = ()  # time [s], rate [%], index of the curve
 
 
 def write_success(panels: Sequence[Panel], limit: float, path: Path) -> None:
     """Success over time; `limit` [s] is where the curves end."""
     with matplotlib.rc_context(STYLE):
-        figure = Figure(figsize=(4.6 * len(panels), 3.5), layout="constrained")
+        figure = Figure(figsize=(4.6 * len(panels), 4), layout="constrained")
         axes = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
         for ax, panel in zip(axes, panels, strict=True):
             _draw_success(ax, panel, limit)
@@ -53,47 +53,53 @@ def _draw_success(ax: Any, panel: Panel, limit: float) -> None:
         rate = 100 * np.append(counts, len(times)) / runs
         low, high = np.array([wilson(int(k), runs) for k in np.append(counts, len(times))]).T * 100
         ax.step(x, rate, where="post", color=color, label=name, linewidth=1.5)
-        ax.fill_between(x, low, high, step="post", color=color, alpha=0.15, linewidth=0)
-    for time, rate, text, index in panel.paper:
+        ax.fill_between(x, low, high, step="post", color=color, alpha=0.12, linewidth=0)
+    for time, rate, index in panel.paper:
         ax.plot(time, rate, "D", color=COLORS[index], markeredgecolor="black", markersize=5)
-        ax.annotate(
-            text, (time, rate), (-6, 0), textcoords="offset points", ha="right", va="center", fontsize=7
-        )
-    last = max([limit, *(1.3 * p[0] for p in panel.paper)])
-    ax.set(title=panel.title, xscale="log", xlim=(3e-4, last), ylim=(0, 102), xlabel="time [s]")
-    ax.xaxis.set_major_formatter(FuncFormatter(lambda t, _: f"{t:g}"))
+    if panel.paper:
+        ax.plot([], [], "D", color="white", markeredgecolor="black", label="the paper")
+    last = max([limit, *(1.8 * p[0] for p in panel.paper)])
+    ax.set(title=panel.title, xscale="log", xlim=(3e-4, last), ylim=(0, 102), xlabel="time")
+    ax.xaxis.set_major_formatter(FuncFormatter(_duration))
     ax.xaxis.set_minor_locator(NullLocator())
     ax.grid(alpha=0.3)
-    ax.legend(fontsize=7.5, loc="center left", bbox_to_anchor=(0.0, 0.5) if panel.paper else None)
+    ax.legend(fontsize=7.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
 
 
-def write_bars(groups: Sequence[tuple[str, Sequence[tuple[str, Sequence[Row]]]]], path: Path) -> None:
-    """Medians with the 90th percentile above, for each group: (title, [(series, rows)])."""
+def _duration(seconds: float, _: object = None) -> str:
+    return f"{seconds:g} s" if seconds >= 0.999 else f"{1000 * seconds:g} ms"
+
+
+Series = tuple[str, "Sequence[Row]"]
+
+
+def write_medians(groups: Sequence[tuple[str, Sequence[Series]]], path: Path) -> None:
+    """Medians with a line to the 90th percentile, for each group: (title, [(series, rows)])."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9.2, 3.2), layout="constrained")
         axes = figure.subplots(1, len(groups), sharey=True, squeeze=False)[0]
         for ax, (title, series) in zip(axes, groups, strict=True):
             for i, (name, rows) in enumerate(series):
-                _draw_bars(ax, name, rows, (i - (len(series) - 1) / 2) * 0.8 / len(series), 0.7 / len(series), COLORS[i])
+                _draw_medians(ax, name, rows, 0.2 * (i - (len(series) - 1) / 2), COLORS[i])
             names = [row["name"] for row in series[0][1]]
             ax.set_xticks(range(len(names)), names)
-            ax.set_title(title)
+            ax.set(title=title, yscale="log", xlim=(-0.5, len(names) - 0.5))
+            ax.yaxis.set_major_formatter(FuncFormatter(lambda ms, _: _duration(ms / 1000)))
             ax.grid(axis="y", alpha=0.3)
-            ax.set_axisbelow(True)
-        axes[0].set_ylabel("time to a plan [ms]")
-        axes[-1].legend(fontsize=7.5, title="median; line to 90 %", title_fontsize=7.5)
+        axes[0].set_ylabel("time to a plan")
+        axes[-1].legend(fontsize=7.5, title="median, line to 90 %", title_fontsize=7.5)
         figure.savefig(path, dpi=110)
 
 
-def _draw_bars(
-    ax: Any, name: str, rows: Sequence[Row], offset: float, width: float, color: str
-) -> None:
+def _draw_medians(ax: Any, name: str, rows: Sequence[Row], offset: float, color: str) -> None:
     x = np.arange(len(rows)) + offset
-    median = np.array([row["p50_ms"] or np.nan for row in rows], dtype=float)
-    p90 = np.array([row["p90_ms"] or np.nan for row in rows], dtype=float)
-    ax.bar(x, median, width, color=color, label=name)
-    ax.vlines(x, median, p90, color="black", linewidth=0.8)
-    ax.plot(x, p90, "_", color="black", markersize=6)
+    median, p90 = (
+        np.array([np.nan if row[key] is None else row[key] for row in rows])
+        for key in ("p50_ms", "p90_ms")
+    )
+    ax.plot(x, median, "o", color=color, label=name)
+    ax.vlines(x, median, p90, color=color, linewidth=1)
+    ax.plot(x, p90, "_", color=color, markersize=8)
 
 
 def write_roots(series: Sequence[tuple[str, Sequence[Row]]], path: Path) -> None:

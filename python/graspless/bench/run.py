@@ -93,7 +93,11 @@ def run(
 
 
 def _query(trial: Trial, seconds: float, result: Run) -> _Pending:
-    problem, options, budget = trial.make_problem(), trial.make_options(), trial.make_budget(seconds)
+    problem, options, budget = (
+        trial.make_problem(),
+        trial.make_options(),
+        trial.make_budget(seconds),
+    )
     ask = _prepare(trial, problem, options)
     memory.reset_peak()
     if not result.baseline_bytes:

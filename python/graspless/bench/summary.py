@@ -106,8 +106,9 @@ def _rows(run: Run, main: Sequence[Outcome], limit: float) -> list[Row]:
     if main is not run.outcomes:
         result += rows("table", lambda t: t.start.table, main)
         result += rows("object", lambda t: t.start.object, main)
-        result += rows("scale", lambda t: f"{t.start.scale:g}", main)
-        result += rows("cell", lambda t: t.start.cell, main)
+        scales = [o for o in run.outcomes if o.trial.section in ("frozen", "half scale")]
+        result += rows("scale", lambda t: f"{t.start.scale:g}", scales)
+        result += rows("cell", lambda t: t.start.cell, scales)
         defaults = [o for o in run.outcomes if o.trial.section == "defaults"]
         result += rows("table, defaults", lambda t: t.start.table, defaults)
         result += rows("object, defaults", lambda t: t.start.object, defaults)
@@ -164,7 +165,7 @@ def _machine(load: Sequence[float], run: Run) -> Row:
         "baseline_mb": round(run.baseline_bytes / MEGA, 1),
         "peak_is_per_query": memory.reset_peak(),
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-        "command": " ".join(["graspless", *sys.argv[1:]]),
+        "command": re.sub(r" --out[ =]\S+", "", " ".join(["graspless", *sys.argv[1:]])),
     }
 
 
