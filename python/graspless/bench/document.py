@@ -280,9 +280,8 @@ def _roots(results: Results, directory: Path) -> dict[str, str] | None:
 
 def _circumstances(results: Results, directory: Path) -> dict[str, str]:
     del directory
-    rows = [
-        _named(result, f"`{result['machine']['command']}`") for _, result in sorted(results.items())
-    ]
+    ordered = [result for _, result in sorted(results.items())]
+    rows = [_named(result, f"`{result['machine']['command']}`") for result in ordered]
     shown: list[Column] = [
         ("when", lambda r: r["machine"]["date"]),
         ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
