@@ -184,12 +184,12 @@ def _draw(plan: Plan, options: argparse.Namespace) -> None:
 
 
 def _example(options: argparse.Namespace) -> int:
-    from . import examples
+    from . import _examples
 
     if options.list:
-        print("\n".join(f"{name:24}{about}" for name, about in examples.names().items()))
+        print("\n".join(f"{name:24}{about}" for name, about in _examples.names().items()))
         return FOUND
-    found = examples.run(options.name, None if options.output is None else Path(options.output))
+    found = _examples.run(options.name, None if options.output is None else Path(options.output))
     return FOUND if found else NOT_FOUND
 
 

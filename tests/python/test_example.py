@@ -9,7 +9,7 @@ import sys
 import pytest
 
 import graspless
-from graspless import _data, cli, examples, files
+from graspless import _data, _examples, cli, files
 
 FOLDER = _data.directory("examples")
 TASKS = sorted(path.stem for path in FOLDER.glob("*.yaml"))
@@ -18,8 +18,8 @@ SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
 
 def test_there_are_five():
     assert len(TASKS) >= 5
-    assert list(examples.names()) == TASKS
-    assert all(len(about) > 20 for about in examples.names().values())
+    assert list(_examples.names()) == TASKS
+    assert all(len(about) > 20 for about in _examples.names().values())
 
 
 @pytest.mark.parametrize("name", TASKS)
@@ -52,7 +52,7 @@ def test_cloud_is_what_its_script_makes(tmp_path):
     [(None, TASKS[0]), ("slide", "01_slide_card"), ("04", "04_clutter"), ("02_kr5", "02_kr5")],
 )
 def test_found_by_a_part_of_its_name(name, found):
-    assert examples.find(name).stem == found
+    assert _examples.find(name).stem == found
 
 
 def test_example_leaves_all_its_files(tmp_path, monkeypatch, capsys):

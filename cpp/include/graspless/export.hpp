@@ -2,5 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Marks what the shared library shows; everything else stays hidden (docs/architecture.md says why).
+/// Marks what the shared library shows; everything else stays hidden (docs/architecture.md says
+/// why).
 #define GRASPLESS_API __attribute__((visibility("default")))

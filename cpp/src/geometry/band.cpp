@@ -100,7 +100,8 @@ Eigen::Vector2d Band::draw_inside(std::mt19937_64& rng) const {
 
 Eigen::Vector2d Band::draw_near_edge(std::mt19937_64& rng) const {
   const double length = uniform(rng) * cumulative_length_.back();
-  const auto found = std::upper_bound(cumulative_length_.begin(), cumulative_length_.end() - 1, length);
+  const auto found =
+      std::upper_bound(cumulative_length_.begin(), cumulative_length_.end() - 1, length);
   const auto e = polygon_.edge(static_cast<int>(found - cumulative_length_.begin()));
   return e.a + uniform(rng) * (e.b - e.a) + uniform(rng) * width_ * e.inward;
 }

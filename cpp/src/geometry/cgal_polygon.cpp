@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/cgal_polygon.hpp"
 
+#include <iterator>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Partition_traits_2.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/partition_2.h>
-
-#include <iterator>
 
 namespace graspless::geometry {
 namespace {

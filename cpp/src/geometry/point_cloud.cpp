@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/point_cloud.hpp"
 
-#include <CGAL/Alpha_shape_2.h>
-#include <CGAL/Alpha_shape_face_base_2.h>
-#include <CGAL/Alpha_shape_vertex_base_2.h>
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <cmath>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <vector>
+
+#include <CGAL/Alpha_shape_2.h>
+#include <CGAL/Alpha_shape_face_base_2.h>
+#include <CGAL/Alpha_shape_vertex_base_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace graspless::geometry {
 namespace {
@@ -20,12 +20,14 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Alpha_shape_vertex_base_2<Kernel>;
 using Face = CGAL::Alpha_shape_face_base_2<Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
+using Delaunay =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
 using AlphaShape = CGAL::Alpha_shape_2<Delaunay>;
 using Loop = std::vector<Eigen::Vector2d>;
 
 /// The directed boundary edges of the shape, interior on the left.
-std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> boundary(const AlphaShape& shape) {
+std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> boundary(
+    const AlphaShape& shape) {
   std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> next;
   for (auto e = shape.alpha_shape_edges_begin(); e != shape.alpha_shape_edges_end(); ++e) {
     auto [face, i] = *e;
@@ -74,7 +76,8 @@ Eigen::Matrix2Xd simplified(const Loop& loop, double tolerance) {
     double worst = 0;
     for (std::size_t i = anchor + 1; i < end; ++i) {
       const Eigen::Vector2d p = loop[i] - a;
-      worst = std::max(worst, d.norm() > 0 ? std::abs(p.x() * d.y() - p.y() * d.x()) / d.norm() : p.norm());
+      worst = std::max(
+          worst, d.norm() > 0 ? std::abs(p.x() * d.y() - p.y() * d.x()) / d.norm() : p.norm());
     }
     if (worst <= tolerance) continue;
     anchor = end - 1;
@@ -115,7 +118,8 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
     }
   }
   if (inside.empty()) inside.push_back(polygon.vertices().col(0));
-  return Eigen::Map<Eigen::Matrix2Xd>(inside.data()->data(), 2, static_cast<Eigen::Index>(inside.size()));
+  return Eigen::Map<Eigen::Matrix2Xd>(inside.data()->data(), 2,
+                                      static_cast<Eigen::Index>(inside.size()));
 }
 
 Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {

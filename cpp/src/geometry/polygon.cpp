@@ -12,7 +12,9 @@
 namespace graspless::geometry {
 namespace {
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 std::string show(const Eigen::Vector2d& p) {
   std::ostringstream out;
@@ -22,7 +24,8 @@ std::string show(const Eigen::Vector2d& p) {
 
 double signed_area(const Eigen::Matrix2Xd& v) {
   double sum = 0;
-  for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++) sum += cross(v.col(j), v.col(i));
+  for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++)
+    sum += cross(v.col(j), v.col(i));
   return sum / 2;
 }
 
@@ -35,12 +38,13 @@ double squared_distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector
 
 void check_vertices(const Eigen::Matrix2Xd& v, const std::string& what) {
   if (v.cols() < 3) {
-    throw std::invalid_argument(what + " needs at least 3 vertices, not " + std::to_string(v.cols()));
+    throw std::invalid_argument(what + " needs at least 3 vertices, not " +
+                                std::to_string(v.cols()));
   }
   for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++) {
     if (!v.col(i).allFinite()) {
-      throw std::invalid_argument(what + " vertex " + std::to_string(i) + " is not finite: " +
-                                  show(v.col(i)));
+      throw std::invalid_argument(what + " vertex " + std::to_string(i) +
+                                  " is not finite: " + show(v.col(i)));
     }
     if (v.col(i) == v.col(j)) {
       throw std::invalid_argument(what + " repeats vertex " + std::to_string(j) + " at " +
@@ -93,7 +97,8 @@ bool Polygon::contains(const Eigen::Vector2d& p) const {
   for (int i = 0, j = size() - 1; i < size(); j = i++) {
     const double yi = vertices_(1, i), yj = vertices_(1, j);
     if ((yi > p.y()) == (yj > p.y())) continue;
-    const double x = vertices_(0, i) + (p.y() - yi) / (yj - yi) * (vertices_(0, j) - vertices_(0, i));
+    const double x =
+        vertices_(0, i) + (p.y() - yi) / (yj - yi) * (vertices_(0, j) - vertices_(0, i));
     if (p.x() < x) inside = !inside;
   }
   return inside;
@@ -117,7 +122,8 @@ Polygon::Edge Polygon::nearest_edge(const Eigen::Vector2d& p) const {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < size(); ++i) {
-    const double d = squared_distance_to_segment(p, vertices_.col(i), vertices_.col((i + 1) % size()));
+    const double d =
+        squared_distance_to_segment(p, vertices_.col(i), vertices_.col((i + 1) % size()));
     if (d < least) {
       least = d;
       nearest = i;

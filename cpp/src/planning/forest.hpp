@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ompl/base/SpaceInformation.h>
-
 #include <utility>
 #include <vector>
+
+#include <ompl/base/SpaceInformation.h>
 
 namespace graspless::planning {
 
@@ -30,8 +30,9 @@ class Forest {
     return size() - 1;
   }
 
-  /// NearestTree() of the algorithm: the nearest node of the whole forest, -1 when it is empty. A plain scan:
-  /// forests of a query hold a few thousand nodes, and a scan answers ties the same way in every run.
+  /// NearestTree() of the algorithm: the nearest node of the whole forest, -1 when it is empty. A
+  /// plain scan: forests of a query hold a few thousand nodes, and a scan answers ties the same way
+  /// in every run.
   int nearest(const ompl::base::State* state) const {
     int best = -1;
     double least = 0;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/forest_cbirrt.hpp"
 
+#include <cmath>
+
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
-#include <ompl/tools/config/SelfConfig.h>
-
-#include <cmath>
-#include <stdexcept>
 
 #include "planning/forest.hpp"
 #include "planning/root_components.hpp"
@@ -36,53 +34,6 @@ double uniform(std::mt19937_64& rng) { return std::uniform_real_distribution<dou
 
 }  // namespace
 
-ForestCBiRRT::ForestCBiRRT(const ob::SpaceInformationPtr& si) : ob::Planner(si, "ForestCBiRRT") {
-  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
-  specs_.directed = true;
-  declareParam<double>("range", this, &ForestCBiRRT::set_range, &ForestCBiRRT::range, "0.:1.:10000.");
-  declareParam<double>("root_scale", this, &ForestCBiRRT::set_root_scale, &ForestCBiRRT::root_scale,
-                       "1:10000");
-}
-
-ForestCBiRRT::~ForestCBiRRT() = default;
-
-void ForestCBiRRT::set_start_region(std::shared_ptr<const ob::GoalSampleableRegion> region) {
-  start_region_ = std::move(region);
-}
-
-void ForestCBiRRT::set_root_scale(double root_scale) {
-  if (!(root_scale > 0)) {
-    throw std::invalid_argument("root_scale must be positive, not " + std::to_string(root_scale));
-  }
-  root_scale_ = root_scale;
-}
-
-void ForestCBiRRT::set_range(double range) {
-  if (!(range >= 0)) throw std::invalid_argument("range must not be negative, not " + std::to_string(range));
-  range_ = range;
-}
-
-void ForestCBiRRT::setup() {
-  ob::Planner::setup();
-  if (range_ == 0) ompl::tools::SelfConfig(si_, getName()).configurePlannerRange(range_);
-  if (!sampler_) sampler_ = si_->allocStateSampler();
-  if (start_forest_) return;
-  start_forest_ = std::make_unique<Forest>(si_);
-  goal_forest_ = std::make_unique<Forest>(si_);
-  components_ = std::make_unique<RootComponents>();
-  next_ = start_forest_.get();
-}
-
-void ForestCBiRRT::clear() {
-  ob::Planner::clear();
-  start_forest_.reset();
-  goal_forest_.reset();
-  components_.reset();
-  refused_.clear();
-  num_pairs_ = num_connections_ = 0;
-  setup_ = false;
-}
-
 // Planner::checkValidity() asks for a start state; here a start region does as well.
 void ForestCBiRRT::check_problem() const {
   if (!pdef_) throw ompl::Exception(getName(), "no problem definition set");
@@ -106,22 +57,22 @@ ob::PlannerStatus ForestCBiRRT::solve(const ob::PlannerTerminationCondition& ptc
   const OwnedState q_rand(si_);
   Meeting meeting;
   Forest *a = next_, *b = a == start_forest_.get() ? goal_forest_.get() : start_forest_.get();
-  for (; !ptc; std::swap(a, b)) {                                        // 2, 18
-    if (can_add_root()) {                                                // 3, Eq. (5)
-      const int root = add_from_region(*a);                              // 4
+  for (; !ptc; std::swap(a, b)) {            // 2, 18
+    if (can_add_root()) {                    // 3, Eq. (5)
+      const int root = add_from_region(*a);  // 4
       if (root >= 0 && connect_first_ && connects_partner(*a, root, meeting) && solves(meeting)) {
         return ob::PlannerStatus::EXACT_SOLUTION;
       }
     }
     if (a->size() == 0 || b->size() == 0) continue;
     random_config_ ? random_config_(rng_, q_rand) : sampler_->sampleUniform(q_rand);  // 6
-    const int near_a = a->nearest(q_rand);                               // 7
-    const int new_a = extend(*a, near_a, q_rand);                        // 8
-    const int near_b = b->nearest(a->state(new_a));                      // 9
-    const int new_b = extend(*b, near_b, a->state(new_a));               // 10
-    if (!si_->equalStates(a->state(new_a), b->state(new_b))) continue;   // 11
+    const int near_a = a->nearest(q_rand);                                            // 7
+    const int new_a = extend(*a, near_a, q_rand);                                     // 8
+    const int near_b = b->nearest(a->state(new_a));                                   // 9
+    const int new_b = extend(*b, near_b, a->state(new_a));                            // 10
+    if (!si_->equalStates(a->state(new_a), b->state(new_b))) continue;                // 11
     meeting = a == start_forest_.get() ? Meeting{new_a, new_b} : Meeting{new_b, new_a};
-    if (solves(meeting)) return ob::PlannerStatus::EXACT_SOLUTION;       // 12 - 15
+    if (solves(meeting)) return ob::PlannerStatus::EXACT_SOLUTION;  // 12 - 15
   }
   next_ = a;
   if (start_forest_->size() == 0) return ob::PlannerStatus::INVALID_START;
@@ -144,7 +95,8 @@ int ForestCBiRRT::add_from_region(Forest& forest) {
 }
 
 bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) const {
-  if (const auto* ours = dynamic_cast<const SampleableRegion*>(&region)) return ours->try_sample(state);
+  if (const auto* ours = dynamic_cast<const SampleableRegion*>(&region))
+    return ours->try_sample(state);
   if (!region.canSample()) return false;
   region.sampleGoal(state);
   return si_->isValid(state);
@@ -156,20 +108,22 @@ bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) 
   Meeting meeting;
   for (int i = 0; i < kRounds && !ptc; ++i) {
     const int root = add_from_region(*start_forest_);
-    if (root >= 0 && connects_partner(*start_forest_, root, meeting) && solves(meeting)) return true;
+    if (root >= 0 && connects_partner(*start_forest_, root, meeting) && solves(meeting))
+      return true;
   }
   return false;
 }
 
-// A new start draws its partner; a new goal's partner is drawn anew for some start there is, because the goal
-// that fits a start is not the one that was drawn.
+// A new start draws its partner; a new goal's partner is drawn anew for some start there is,
+// because the goal that fits a start is not the one that was drawn.
 bool ForestCBiRRT::connects_partner(const Forest& forest, int root, Meeting& meeting) {
   const auto* region = dynamic_cast<const SampleableRegion*>(pdef_->getGoal().get());
   if (!region || start_forest_->size() == 0) return false;
   const auto& starts = start_forest_->roots();
-  const int start = &forest == start_forest_.get()
-                        ? root
-                        : starts[static_cast<std::size_t>(uniform(rng_) * static_cast<double>(starts.size()))];
+  const int start =
+      &forest == start_forest_.get()
+          ? root
+          : starts[static_cast<std::size_t>(uniform(rng_) * static_cast<double>(starts.size()))];
   const OwnedState state(si_);
   if (!region->try_sample_partner(start_forest_->state(start), state)) return false;
   const int goal = goal_forest_->add_root(state);
@@ -177,8 +131,8 @@ bool ForestCBiRRT::connects_partner(const Forest& forest, int root, Meeting& mee
   return si_->equalStates(start_forest_->state(meeting.start_node), state);
 }
 
-// ConstrainedExtend() of CBiRRT: steps towards the target, each brought onto the constraint, until the target is
-// reached or a step fails. Returns the last node.
+// ConstrainedExtend() of CBiRRT: steps towards the target, each brought onto the constraint, until
+// the target is reached or a step fails. Returns the last node.
 int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
   const State* start = &forest == start_forest_.get() ? forest.state(forest.root(from)) : nullptr;
   const OwnedState next(si_);
@@ -205,10 +159,11 @@ bool ForestCBiRRT::is_motion_valid(const State* start, const State* from, const 
 bool ForestCBiRRT::solves(const Meeting& meeting) {
   ++num_connections_;
   const int start = start_forest_->root(meeting.start_node);
-  const int goal = goal_forest_->root(meeting.goal_node);             // 12
+  const int goal = goal_forest_->root(meeting.goal_node);                                    // 12
   if (!connect_first_) return is_pair_valid(start, goal) && accept(start, goal, {meeting});  // 13
   auto connected = components_->join({meeting.start_node, meeting.goal_node, start, goal});
-  if (connected.empty()) connected.emplace_back(start, goal);  // connected before, now by another path
+  if (connected.empty())
+    connected.emplace_back(start, goal);  // connected before, now by another path
   for (const auto& [s, g] : connected) {
     if (!is_pair_valid(s, g)) continue;
     std::vector<Meeting> route{meeting};
@@ -232,15 +187,15 @@ bool ForestCBiRRT::is_pair_valid(int start_root, int goal_root) {
   return valid;
 }
 
-// Extracts the path over the meetings; what lies outside the start's own tree is checked again, now that the
-// start is known.
+// Extracts the path over the meetings; what lies outside the start's own tree is checked again, now
+// that the start is known.
 bool ForestCBiRRT::accept(int start_root, int goal_root, const std::vector<Meeting>& route) {
   const State* start = start_forest_->state(start_root);
   auto path = std::make_shared<ompl::geometric::PathGeometric>(si_);
   const auto append = [&](const Forest& forest, int from, int to) {
     for (int node : forest.path(from, to)) {
-      const bool repeats =
-          path->getStateCount() > 0 && si_->equalStates(path->getStates().back(), forest.state(node));
+      const bool repeats = path->getStateCount() > 0 &&
+                           si_->equalStates(path->getStates().back(), forest.state(node));
       if (!repeats) path->append(forest.state(node));
     }
     return path->getStateCount();
@@ -256,7 +211,8 @@ bool ForestCBiRRT::accept(int start_root, int goal_root, const std::vector<Meeti
     at = in_start ? meeting.start_node : meeting.goal_node;
   }
   append(*goal_forest_, at, goal_root);
-  if (path_check_ ? !path_check_(path->getStates()) : !are_motions_valid(start, path->getStates(), known)) {
+  if (path_check_ ? !path_check_(path->getStates())
+                  : !are_motions_valid(start, path->getStates(), known)) {
     return false;
   }
   pdef_->addSolutionPath(path, false, 0.0, getName());
@@ -269,28 +225,6 @@ bool ForestCBiRRT::are_motions_valid(const State* start, const std::vector<State
     if (!motion_check_(start, path[i - 1], path[i])) return false;
   }
   return true;
-}
-
-std::size_t ForestCBiRRT::num_start_roots() const { return start_forest_ ? start_forest_->roots().size() : 0; }
-std::size_t ForestCBiRRT::num_goal_roots() const { return goal_forest_ ? goal_forest_->roots().size() : 0; }
-std::size_t ForestCBiRRT::num_nodes() const {
-  return start_forest_ ? static_cast<std::size_t>(start_forest_->size() + goal_forest_->size()) : 0;
-}
-
-void ForestCBiRRT::getPlannerData(ob::PlannerData& data) const {
-  ob::Planner::getPlannerData(data);
-  if (!start_forest_) return;
-  for (const Forest* forest : {start_forest_.get(), goal_forest_.get()}) {
-    const bool is_start = forest == start_forest_.get();
-    for (int i = 0; i < forest->size(); ++i) {
-      const ob::PlannerDataVertex vertex(forest->state(i)), parent(forest->state(forest->parent(i)));
-      if (forest->parent(i) == i) {
-        is_start ? data.addStartVertex(vertex) : data.addGoalVertex(vertex);
-      } else {
-        is_start ? data.addEdge(parent, vertex) : data.addEdge(vertex, parent);
-      }
-    }
-  }
 }
 
 }  // namespace graspless::planning

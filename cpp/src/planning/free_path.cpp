@@ -17,8 +17,8 @@ namespace {
 constexpr double kRange = 0.6;  // longest extension; the motion check looks between its ends
 constexpr int kShortcuts = 40;
 
-std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                         int iterations, std::mt19937_64& rng) {
+std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
+                         const Eigen::VectorXd& to, int iterations, std::mt19937_64& rng) {
   const Eigen::Index n = from.size();
   const auto box = make_box(space.lower, space.upper);
   const auto si = std::make_shared<ob::SpaceInformation>(box);
@@ -40,7 +40,8 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from, co
     return space.is_motion_free(vector(a, n), vector(b, n));
   });
   int left = iterations;
-  if (!planner.solve(ob::PlannerTerminationCondition([&] { return left-- <= 0 || space.is_out(); }))) {
+  if (!planner.solve(
+          ob::PlannerTerminationCondition([&] { return left-- <= 0 || space.is_out(); }))) {
     return std::nullopt;
   }
   return to_path(problem->getSolutionPath(), n);
@@ -49,12 +50,14 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from, co
 }  // namespace
 
 std::optional<Path> find_free_path(const FreeSpace& space, const Eigen::VectorXd& from,
-                                   const Eigen::VectorXd& to, int iterations, std::mt19937_64& rng) {
+                                   const Eigen::VectorXd& to, int iterations,
+                                   std::mt19937_64& rng) {
   if (space.is_motion_free(from, to)) return Path{from, to};
   if (iterations <= 0 || !space.is_free(from) || !space.is_free(to)) return std::nullopt;
   const auto path = grow(space, from, to, iterations, rng);
   if (!path) return std::nullopt;
-  const Connect straight = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) -> std::optional<Path> {
+  const Connect straight = [&](const Eigen::VectorXd& a,
+                               const Eigen::VectorXd& b) -> std::optional<Path> {
     if (!space.is_motion_free(a, b)) return std::nullopt;
     return Path{a, b};
   };

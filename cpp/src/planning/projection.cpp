@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/projection.hpp"
 
-#include <Eigen/Cholesky>
 #include <stdexcept>
 #include <utility>
+
+#include <Eigen/Cholesky>
 
 namespace graspless::planning {
 namespace {
@@ -27,8 +28,10 @@ void check(const BandProjection::Bands& bands, const BandProjection::Limits& lim
   }
 }
 
-/// Moves q by the shortest step that takes the violated rows (J, error) to their aims, to first order.
-void step(const BandProjection::Jacobian& J, const BandProjection::Values& error, Eigen::VectorXd& q) {
+/// Moves q by the shortest step that takes the violated rows (J, error) to their aims, to first
+/// order.
+void step(const BandProjection::Jacobian& J, const BandProjection::Values& error,
+          Eigen::VectorXd& q) {
   constexpr double kDamping = 1e-12;  // keeps a singular J J^T factorisable
   Square A = J * J.transpose();
   A.diagonal().array() += kDamping;
@@ -61,7 +64,8 @@ bool BandProjection::is_satisfied(const Eigen::VectorXd& q) const {
 }
 
 bool BandProjection::project(Eigen::VectorXd& q) const {
-  constexpr double kNear = 1e-9;  // "inside" while projecting: without the slack, which is for the path between
+  constexpr double kNear =
+      1e-9;  // "inside" while projecting: without the slack, which is for the path between
   const auto num_rows = bands_.lower.size();
   Values value(num_rows), error(num_rows);
   Jacobian J(num_rows, q.size()), J_violated(num_rows, q.size());

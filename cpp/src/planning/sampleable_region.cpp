@@ -19,7 +19,9 @@ void SampleableRegion::sampleGoal(ompl::base::State* state) const {
   }
 }
 
-unsigned int SampleableRegion::maxSampleCount() const { return std::numeric_limits<unsigned int>::max(); }
+unsigned int SampleableRegion::maxSampleCount() const {
+  return std::numeric_limits<unsigned int>::max();
+}
 
 double SampleableRegion::distanceGoal(const ompl::base::State*) const {
   return std::numeric_limits<double>::infinity();  // a region of draws has no distance

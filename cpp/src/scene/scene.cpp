@@ -27,13 +27,15 @@ LinkSolids make_link_solids(const robot::Robot& robot) {
   return solids;
 }
 
-/// The solids of a robot's links, made once while any copy of the robot lives: planners build a scene per query.
+/// The solids of a robot's links, made once while any copy of the robot lives: planners build a
+/// scene per query.
 std::shared_ptr<const LinkSolids> link_solids(const robot::Robot& robot) {
   using Owner = std::weak_ptr<const void>;
   static std::mutex mutex;
   static std::map<Owner, std::shared_ptr<const LinkSolids>, std::owner_less<Owner>> known;
   const std::lock_guard<std::mutex> lock(mutex);
-  for (auto it = known.begin(); it != known.end();) it = it->first.expired() ? known.erase(it) : ++it;
+  for (auto it = known.begin(); it != known.end();)
+    it = it->first.expired() ? known.erase(it) : ++it;
   auto& solids = known[robot.identity()];
   if (!solids) solids = std::make_shared<const LinkSolids>(make_link_solids(robot));
   return solids;

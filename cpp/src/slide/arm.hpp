@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "graspless/slide/slide.hpp"
 
 namespace graspless::slide {
 
-/// The joints that the search moves: those of the hand's arm, all others as at home with the hand open.
+/// The joints that the search moves: those of the hand's arm, all others as at home with the hand
+/// open.
 class GRASPLESS_API Arm {
  public:
   explicit Arm(const Problem& problem);
@@ -18,7 +20,7 @@ class GRASPLESS_API Arm {
   const std::vector<int>& joints() const { return joints_; }
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
-  const Eigen::VectorXd& open() const { return q_open_; }  ///< home, with the hand open
+  const Eigen::VectorXd& open() const { return q_open_; }      ///< home, with the hand open
   const Eigen::VectorXd& closed() const { return q_closed_; }  ///< home, with the hand closed
 
   void write(const Eigen::Ref<const Eigen::VectorXd>& arm, Eigen::VectorXd& q) const {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <sstream>
 
+#include "slide/rows.hpp"
+
 namespace graspless::slide {
 
 using planning::Path;
 
 namespace {
-
-constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
 Path whole(const Query& query, const Path& arm_path) {
   Path path;
@@ -26,7 +26,8 @@ void append(Plan& plan, const std::string& name, const Path& path, const Eigen::
 
 /// The opening of the hand at home, if it is not open there.
 Path with_home(const Query& query, Path approach) {
-  if (query.problem.q_home != approach.front()) approach.insert(approach.begin(), query.problem.q_home);
+  if (query.problem.q_home != approach.front())
+    approach.insert(approach.begin(), query.problem.q_home);
   return approach;
 }
 
@@ -54,14 +55,16 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
 }  // namespace
 
 bool is_home_free(Query& query, Plan& plan) {
-  std::string a, b;
-  for (const Eigen::VectorXd& q : {query.problem.q_home, query.arm.open()}) {
-    std::tie(a, b) = query.free.collision(q);
-    if (!a.empty()) break;
-  }
-  if (a.empty()) return true;
+  const Eigen::VectorXd &home = query.problem.q_home, &open = query.arm.open();
   plan.status = Status::start_in_collision;
-  plan.reason = "at home, '" + a + "' touches '" + b + "'";
+  for (const Eigen::VectorXd& q : {home, open}) {
+    const auto [a, b] = query.free.collision(q);
+    if (a.empty()) continue;
+    plan.reason = "at home, '" + a + "' touches '" + b + "'";
+    return false;
+  }
+  if (query.is_motion_free(home, open)) return true;
+  plan.reason = "at home, the hand touches something while it opens";
   return false;
 }
 
@@ -84,18 +87,25 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
 }
 
 std::string reason(const Plan& plan) {
-  const std::string refused = plan.statistics.refusals.empty()
-                                  ? ""
-                                  : "; refused most often: " + most_frequent(plan.statistics.refusals);
+  const std::string refused =
+      plan.statistics.refusals.empty()
+          ? ""
+          : "; refused most often: " + most_frequent(plan.statistics.refusals);
   switch (plan.status) {
-    case Status::solved: return "solved";
-    case Status::start_in_collision: return plan.reason;
-    case Status::no_start_root: return "no configuration presses on the object" + refused;
-    case Status::no_goal_root: return "no configuration presses near an edge" + refused;
+    case Status::solved:
+      return "solved";
+    case Status::start_in_collision:
+      return plan.reason;
+    case Status::no_start_root:
+      return "no configuration presses on the object" + refused;
+    case Status::no_goal_root:
+      return "no configuration presses near an edge" + refused;
     case Status::no_valid_pair:
       return "starts and goals were connected, but no pair was valid" + refused;
-    case Status::not_connected: return "no start and goal were connected" + refused;
-    case Status::interrupted: return "interrupted" + refused;
+    case Status::not_connected:
+      return "no start and goal were connected" + refused;
+    case Status::interrupted:
+      return "interrupted" + refused;
   }
   return "";
 }

@@ -8,7 +8,8 @@
 namespace graspless::slide {
 
 Tip tip(const Eigen::Isometry3d& X_SF) {
-  const Eigen::Vector3d x = X_SF.linear().col(0), y = X_SF.linear().col(1), z = X_SF.linear().col(2);
+  const Eigen::Vector3d x = X_SF.linear().col(0), y = X_SF.linear().col(1),
+                        z = X_SF.linear().col(2);
   const Eigen::Vector2d across = x.head<2>().normalized();
   return {X_SF.translation().head<2>(),
           X_SF.translation().z(),

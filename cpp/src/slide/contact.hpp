@@ -8,8 +8,8 @@
 
 /// The contact between fingertip and object, seen in the support's frame S.
 ///
-/// The finger's heading h is the horizontal direction of Z_F, its pitch the angle of Z_F below the surface. With
-/// X_F level and the other finger up,
+/// The finger's heading h is the horizontal direction of Z_F, its pitch the angle of Z_F below the
+/// surface. With X_F level and the other finger up,
 ///   X_F = z x h,   Y_F = cos(pitch) z + sin(pitch) h,   Z_F = cos(pitch) h - sin(pitch) z.
 namespace graspless::slide {
 
@@ -23,26 +23,29 @@ struct Tip {
   Eigen::Vector2d heading;   ///< unit
   double pitch;              ///< [rad]
   double roll;               ///< sine of the tilt of X_F out of the surface
-  bool other_finger_up;      ///< Y_F points up: the other of the two configurations with this height and pitch
-                             ///< points it down
+  bool other_finger_up;  ///< Y_F points up: the other of the two configurations with this height
+                         ///< and pitch points it down
 };
 
 Tip tip(const Eigen::Isometry3d& X_SF);
-Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height, const Eigen::Vector2d& heading,
-                           double pitch);
+Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height,
+                           const Eigen::Vector2d& heading, double pitch);
 
-/// How far the contact runs ahead of the commanded tip, along the heading, when the tip is commanded `depth`
-/// below the top face. A finger that flexes about a point L behind its tip, with a pad of radius r:
-///   pitch' = asin(sin(pitch) - depth / L),   shift = L (cos(pitch') - cos(pitch)) + r (touch_pitch - pitch').
+/// How far the contact runs ahead of the commanded tip, along the heading, when the tip is
+/// commanded `depth` below the top face. A finger that flexes about a point L behind its tip, with
+/// a pad of radius r:
+///   pitch' = asin(sin(pitch) - depth / L),   shift = L (cos(pitch') - cos(pitch)) + r (touch_pitch
+///   - pitch').
 /// Zero for FingerModel::none.
 double contact_shift(const Hand& hand, double depth, double pitch, double touch_pitch);
 
-/// The effective tip: where the contact really is, and which way it points. This is what Eq. (2) moves the
-/// object by, in SE(2): height and pitch of the finger do not lift or tilt the object.
+/// The effective tip: where the contact really is, and which way it points. This is what Eq. (2)
+/// moves the object by, in SE(2): height and pitch of the finger do not lift or tilt the object.
 Planar effective_tip(const Hand& hand, const Tip& tip, double top, double touch_pitch);
 
 /// Eq. (2): kappa_t = Gamma(phi_t) inv(Gamma(phi_s)) kappa_s, all in the plane of S.
-inline Planar object_pose(const Planar& tip_now, const Planar& tip_start, const Planar& object_start) {
+inline Planar object_pose(const Planar& tip_now, const Planar& tip_start,
+                          const Planar& object_start) {
   return tip_now * tip_start.inverse() * object_start;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "slide/rows.hpp"
 #include "slide/scenes.hpp"
 
 namespace graspless::slide {
@@ -29,8 +30,8 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
       object_body_(scene_.world().body(kObjectBody)),
       q_(arm.open()),
       projection_(make_projection()) {
-  // The bands hold the sliding finger at the very depth that its allowances would (press_depths), so the pairs
-  // need no test of their own here; check() tests them.
+  // The bands hold the sliding finger at the very depth that its allowances would (press_depths),
+  // so the pairs need no test of their own here; check() tests them.
   for (const std::string& link : problem.hand.sliding_finger) {
     const int body = scene_.link_body(problem.robot.frame(link));
     if (body < 0) continue;
@@ -43,15 +44,19 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
 BandProjection ContactSpace::make_projection() {
   const double play = std::min(kPitchPlay, options_.pitch_tolerance / 4);
   const double tolerance = options_.pitch_tolerance - play;
-  BandProjection::Bands bands{BandProjection::Values(3), BandProjection::Values(3), BandProjection::Values(3)};
-  bands.lower << top_ - options_.max_depth, std::sin(options_.pitch - tolerance), -options_.roll_tolerance / 2;
-  bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance), options_.roll_tolerance / 2;
+  BandProjection::Bands bands{BandProjection::Values(3), BandProjection::Values(3),
+                              BandProjection::Values(3)};
+  bands.lower << top_ - options_.max_depth, std::sin(options_.pitch - tolerance),
+      -options_.roll_tolerance / 2;
+  bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance),
+      options_.roll_tolerance / 2;
   bands.slack << options_.height_tolerance,
       play * std::cos(options_.pitch + options_.pitch_tolerance), options_.roll_tolerance / 2;
-  constexpr double kBetweenSamples = 0.9;  // between two checked configurations a row may go a little further
+  constexpr double kBetweenSamples =
+      0.9;  // between two checked configurations a row may go a little further
   bands.slack *= kBetweenSamples;
-  return BandProjection([this](const auto& arm, auto& value, auto* J) { rows(arm, value, J); }, bands,
-                        {arm_.lower(), arm_.upper()});
+  return BandProjection([this](const auto& arm, auto& value, auto* J) { rows(arm, value, J); },
+                        bands, {arm_.lower(), arm_.upper()});
 }
 
 void ContactSpace::rows(const Eigen::VectorXd& arm, BandProjection::Values& value,
@@ -63,10 +68,12 @@ void ContactSpace::rows(const Eigen::VectorXd& arm, BandProjection::Values& valu
   const Eigen::Isometry3d& X_WF = X_WL_[static_cast<std::size_t>(fingertip_)];
   const Eigen::Vector3d x = X_WF.linear().col(0), z = X_WF.linear().col(2);
   problem_.robot.jacobian(fingertip_, X_WL_, J_);
-  const Eigen::Vector3d dpitch = -z.cross(normal_W_), droll = x.cross(normal_W_);  // (w x z).n = w.(z x n)
+  const Eigen::Vector3d dpitch = -z.cross(normal_W_),
+                        droll = x.cross(normal_W_);  // (w x z).n = w.(z x n)
   for (int i = 0; i < arm_.dof(); ++i) {
     const auto column = J_.col(arm_.joints()[static_cast<std::size_t>(i)]);
-    J->col(i) << normal_W_.dot(column.head<3>()), dpitch.dot(column.tail<3>()), droll.dot(column.tail<3>());
+    J->col(i) << normal_W_.dot(column.head<3>()), dpitch.dot(column.tail<3>()),
+        droll.dot(column.tail<3>());
   }
 }
 
@@ -125,7 +132,7 @@ bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carr
 bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                    const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / resolution)));
+  const int pieces = replay_steps(step.lpNorm<Eigen::Infinity>(), resolution);
   // Ends first, then inwards: what is wrong shows earliest at the far end.
   for (int i = pieces; i >= 1; --i) {
     if (!is_valid(from + step * i / pieces, carried)) return false;
@@ -133,7 +140,8 @@ bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::Vec
   return true;
 }
 
-std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from,
+                                                    const Eigen::VectorXd& to,
                                                     const std::optional<Carried>& carried) {
   planning::Path path{from};
   for (double left = (to - from).norm(); left > 0;) {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <optional>
+
+#include <Eigen/Geometry>
 
 #include "graspless/planning/path.hpp"
 #include "graspless/planning/projection.hpp"
 #include "graspless/scene/scene.hpp"
+
 #include "slide/arm.hpp"
 #include "slide/contact.hpp"
 
@@ -15,8 +17,9 @@ namespace graspless::slide {
 
 /// The arm while its fingertip presses on the object: the relaxed constraint of Section IV-C.3.
 ///
-/// Three rows over the arm's joints: height of the tip over S, sine of its pitch, roll. Beside them, what has no
-/// gradient: the tip and its effective contact stay over the support, and nothing collides.
+/// Three rows over the arm's joints: height of the tip over S, sine of its pitch, roll. Beside
+/// them, what has no gradient: the tip and its effective contact stay over the support, and nothing
+/// collides.
 class GRASPLESS_API ContactSpace {
  public:
   /// Where an object travels: the start tip it is carried by. Absent while the start is not known.
@@ -26,7 +29,8 @@ class GRASPLESS_API ContactSpace {
 
   ContactSpace(const Problem& problem, const Options& options, const Arm& arm);
 
-  /// Height of the tip over S [m], sine of its pitch, roll; and unless `J` is null, their derivatives.
+  /// Height of the tip over S [m], sine of its pitch, roll; and unless `J` is null, their
+  /// derivatives.
   void rows(const Eigen::VectorXd& arm, planning::BandProjection::Values& value,
             planning::BandProjection::Jacobian* J);
   /// Brings the arm's joints onto the constraint.
@@ -35,8 +39,9 @@ class GRASPLESS_API ContactSpace {
     return projection_.project(arm);
   }
 
-  /// Whether the motion between two near configurations keeps the constraint, free of collision, at joint steps
-  /// of `resolution` [rad]. With `carried`, the object moves along and must not collide either.
+  /// Whether the motion between two near configurations keeps the constraint, free of collision, at
+  /// joint steps of `resolution` [rad]. With `carried`, the object moves along and must not collide
+  /// either.
   bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                        const std::optional<Carried>& carried, double resolution);
   bool is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried);
@@ -52,8 +57,8 @@ class GRASPLESS_API ContactSpace {
     return object_pose(effective_tip_at(arm), carried.tip_start, carried.object_start);
   }
 
-  /// The scene without the sliding finger's contacts, the object standing still at a pose in S: for pressing and
-  /// lifting, which stay within the depths that the bands allow.
+  /// The scene without the sliding finger's contacts, the object standing still at a pose in S: for
+  /// pressing and lifting, which stay within the depths that the bands allow.
   scene::Scene& scene_with_object_at(const Planar& object_S);
   int num_checks() const { return scene_.world().num_checks(); }
   int num_projections() const { return num_projections_; }
@@ -75,8 +80,8 @@ class GRASPLESS_API ContactSpace {
   int object_body_;
   bool object_parked_ = true;
   int num_projections_ = 0;
-  Eigen::VectorXd q_;      // scratch: all joints
-  robot::Poses X_WL_;      // scratch: frames up to the fingertip
+  Eigen::VectorXd q_;  // scratch: all joints
+  robot::Poses X_WL_;  // scratch: frames up to the fingertip
   Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
   planning::BandProjection projection_;
 };

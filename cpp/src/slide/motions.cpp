@@ -14,12 +14,14 @@ using planning::Path;
 namespace {
 
 constexpr double kPressStep = 0.0025;  // between waypoints along the retreat line [m]
-constexpr double kStill = 4e-4;       // how far the contact may stray between them [m]
-constexpr double kLineStep = 0.02;    // between waypoints of other straight motions [m]
+constexpr double kStill = 4e-4;        // how far the contact may stray between them [m]
+constexpr double kLineStep = 0.02;     // between waypoints of other straight motions [m]
 constexpr std::size_t kGraspCandidates = 6;
 constexpr std::size_t kSearchedCandidates = 2;  // of which a tree is grown to the nearest
 
-int pieces(double length, double step) { return std::max(1, static_cast<int>(std::ceil(length / step))); }
+int pieces(double length, double step) {
+  return std::max(1, static_cast<int>(std::ceil(length / step)));
+}
 
 }  // namespace
 
@@ -69,7 +71,8 @@ void Motions::place_object(const Planar& object_S) {
 const std::optional<Approach>& Motions::approach_to(const Eigen::VectorXd& start) {
   KnownApproach& known = approaches_[std::vector<double>(start.begin(), start.end())];
   const int iterations = search_iterations();
-  if (!known.found && known.iterations < iterations) known = {find_approach(start, iterations), iterations};
+  if (!known.found && known.iterations < iterations)
+    known = {find_approach(start, iterations), iterations};
   return known.found;
 }
 
@@ -82,30 +85,34 @@ std::optional<Approach> Motions::find_approach(const Eigen::VectorXd& start, int
   return Approach{*free, Path(lift->rbegin(), lift->rend())};
 }
 
-// Most free motions are straight. A tree is dear, and another pair may do without: it grows longer the more pairs
-// were refused.
+// Most free motions are straight. A tree is dear, and another pair may do without: it grows longer
+// the more pairs were refused.
 int Motions::search_iterations() const {
   constexpr int kFirst = 30, kDoublings = 5;
   return kFirst << std::min(num_refused_ / 2, kDoublings);
 }
 
-// Off the object along the retreat line, on which the effective contact stands still, then straight up.
+// Off the object along the retreat line, on which the effective contact stands still, then straight
+// up.
 std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Planar& object_S) {
   const Tip tip = query_.contact.tip_at(pressed);
   const Planar contact = query_.contact.effective_tip_at(pressed);
   const double depth = query_.top - tip.height;
   std::vector<Eigen::Isometry3d> poses;
-  const int press_steps = pieces(depth, kPressStep), lift_steps = pieces(query_.options.lift_height, kLineStep);
+  const int press_steps = pieces(depth, kPressStep),
+            lift_steps = pieces(query_.options.lift_height, kLineStep);
   for (int i = press_steps - 1; i >= 0; --i) {
     poses.push_back(query_.pressed_tip(contact, depth * i / press_steps, tip.pitch));
   }
   const Eigen::Vector3d up_W = query_.problem.support.normal_W();
   const Eigen::Isometry3d touch = poses.back();
   for (int i = 1; i <= lift_steps; ++i) {
-    poses.push_back(Eigen::Translation3d(up_W * (query_.options.lift_height * i / lift_steps)) * touch);
+    poses.push_back(Eigen::Translation3d(up_W * (query_.options.lift_height * i / lift_steps)) *
+                    touch);
   }
   auto path = track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
-  if (path && !stands_still(Path(path->begin(), path->begin() + press_steps + 1), contact)) return std::nullopt;
+  if (path && !stands_still(Path(path->begin(), path->begin() + press_steps + 1), contact))
+    return std::nullopt;
   return path;
 }
 
@@ -119,7 +126,8 @@ bool Motions::stands_still(const Path& press, const Planar& contact) {
 }
 
 std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& from,
-                                   const std::vector<Eigen::Isometry3d>& poses, scene::Scene& scene) {
+                                   const std::vector<Eigen::Isometry3d>& poses,
+                                   scene::Scene& scene) {
   constexpr double kJump = 0.3;  // [rad]; a larger one has left the branch
   Path path{from};
   Eigen::VectorXd q = query_.arm.full(from);
@@ -127,7 +135,8 @@ std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& f
     ++query_.statistics.ik_calls;
     const auto next = ik.solve_near(pose, q);
     if (!next || (*next - q).lpNorm<Eigen::Infinity>() > kJump) return std::nullopt;
-    if (!scene.is_free(q, *next, query_.options.resolution)) return std::nullopt;
+    if (!scene.is_free(q, *next, replay_step(q, *next, query_.options.resolution)))
+      return std::nullopt;
     q = *next;
     path.push_back(query_.arm.part(q));
   }
@@ -139,9 +148,11 @@ std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen:
   planning::FreeSpace space;
   space.lower = query_.arm.lower();
   space.upper = query_.arm.upper();
-  space.is_free = [&](const Eigen::VectorXd& arm) { return query_.free.is_free(query_.arm.full(arm)); };
+  space.is_free = [&](const Eigen::VectorXd& arm) {
+    return query_.free.is_free(query_.arm.full(arm));
+  };
   space.is_motion_free = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return query_.free.is_free(query_.arm.full(a), query_.arm.full(b), query_.options.resolution);
+    return query_.is_motion_free(query_.arm.full(a), query_.arm.full(b));
   };
   space.is_out = [&] { return query_.clock.is_out(); };
   return planning::find_free_path(space, from, to, iterations, query_.rng);
@@ -205,7 +216,8 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
   std::vector<Eigen::Isometry3d> outwards;
   const int steps = pieces(back, kLineStep);
   for (int i = 1; i <= steps; ++i) {
-    outwards.push_back(grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
+    outwards.push_back(
+        grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
   }
   const auto out = track(query_.grasp_ik, grasp.arm, outwards, query_.free);
   if (!out) return false;
@@ -220,7 +232,8 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
   return true;
 }
 
-// Closes until the fingers touch the object; nothing when they touch something else first, or nothing at all.
+// Closes until the fingers touch the object; nothing when they touch something else first, or
+// nothing at all.
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
   constexpr double kStep = 0.02, kPrecision = 1e-4;  // of a hand joint [rad or m]
   const Eigen::VectorXd open = query_.arm.full(arm);
@@ -231,7 +244,7 @@ std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::Vec
   std::vector<Eigen::VectorXd> rows{open};
   for (int i = 1; i <= steps; ++i) {
     double apart = (i - 1.0) / steps, touching = 1.0 * i / steps;
-    if (query_.free.is_free(open + touching * (closed - open))) {
+    if (query_.is_motion_free(rows.back(), open + touching * (closed - open))) {
       rows.push_back(open + touching * (closed - open));
       continue;
     }

@@ -7,24 +7,26 @@
 #include <vector>
 
 #include "graspless/planning/path.hpp"
+
 #include "slide/query.hpp"
 
 namespace graspless::slide {
 
 /// Getting onto the object: rows are arm configurations.
 struct Approach {
-  planning::Path free;   ///< home to above the contact
-  planning::Path press;  ///< down to the touch, then on along the retreat line to the start configuration
+  planning::Path free;  ///< home to above the contact
+  planning::Path
+      press;  ///< down to the touch, then on along the retreat line to the start configuration
 };
 
 /// Getting off the object and grasping it.
 struct Handling {
-  planning::Path lift;   ///< off along the retreat line, then up
-  planning::Path reach;  ///< free motion to before the grasp
-  planning::Path grasp;  ///< straight in
+  planning::Path lift;                 ///< off along the retreat line, then up
+  planning::Path reach;                ///< free motion to before the grasp
+  planning::Path grasp;                ///< straight in
   std::vector<Eigen::VectorXd> close;  ///< whole configurations; the last one touches the object
   Placement placement;
-  Planar object_goal;     ///< kappa_g in S
+  Planar object_goal;      ///< kappa_g in S
   Eigen::Isometry3d X_WH;  ///< H_g
 };
 
@@ -33,7 +35,8 @@ class GRASPLESS_API Motions {
  public:
   explicit Motions(Query& query) : query_(query) {}
 
-  /// IsPairValid: the overhang, the centre of mass, and motions onto the start and from the goal to the grasp.
+  /// IsPairValid: the overhang, the centre of mass, and motions onto the start and from the goal to
+  /// the grasp.
   bool is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal);
   /// Whether some configuration free of collision grasps an object there.
   bool is_graspable(const Planar& object_S);
@@ -53,12 +56,14 @@ class GRASPLESS_API Motions {
   int search_iterations() const;
   bool stands_still(const planning::Path& press, const Planar& contact);
   std::optional<planning::Path> lift_from(const Eigen::VectorXd& pressed, const Planar& object_S);
-  std::vector<GraspConfiguration> grasp_configurations(const Placement& placement, std::size_t enough);
+  std::vector<GraspConfiguration> grasp_configurations(const Placement& placement,
+                                                       std::size_t enough);
   bool find_handling(Handling& handling, const Eigen::VectorXd& goal);
   bool find_reach(Handling& handling);
   bool try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling);
   std::optional<planning::Path> track(const robot::Ik& ik, const Eigen::VectorXd& from,
-                                      const std::vector<Eigen::Isometry3d>& poses, scene::Scene& scene);
+                                      const std::vector<Eigen::Isometry3d>& poses,
+                                      scene::Scene& scene);
   std::optional<planning::Path> free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                           int iterations);
   std::optional<std::vector<Eigen::VectorXd>> close_hand(const Eigen::VectorXd& arm);
@@ -77,8 +82,8 @@ class GRASPLESS_API Motions {
   };
 
   std::map<std::vector<double>, KnownApproach> approaches_;  // by start
-  int num_refused_ = 0;  // pairs, for want of a motion
-  Drawn drawn_;  // what is_graspable() found last
+  int num_refused_ = 0;                                      // pairs, for want of a motion
+  Drawn drawn_;                                              // what is_graspable() found last
   std::optional<Approach> valid_approach_;
   std::optional<Handling> handling_;
 };

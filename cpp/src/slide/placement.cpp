@@ -43,7 +43,8 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   return result;
 }
 
-Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll, double back) {
+Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll,
+                             double back) {
   const Eigen::Vector2d in = placement.edge.inward;
   const double up = roll == 0 ? 1 : -1;
   Eigen::Isometry3d X_SH = Eigen::Isometry3d::Identity();
@@ -58,12 +59,15 @@ Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
                                           std::mt19937_64& rng) {
   constexpr double kTwoPi = 6.28318530717958647692;
-  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(rng); };
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(rng);
+  };
   const geometry::Polygon::Edge edge = draw_edge(problem.support.polygon(), rng);
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(uniform(0, kTwoPi)).toRotationMatrix();
   const Eigen::RowVector2d inward_O = edge.inward.transpose() * R;
-  const double farthest = -(inward_O * problem.object.points()).minCoeff();  // outwards of O's origin
-  const double com_in = inward_O * problem.object.com().head<2>();           // inwards of O's origin
+  const double farthest =
+      -(inward_O * problem.object.points()).minCoeff();             // outwards of O's origin
+  const double com_in = inward_O * problem.object.com().head<2>();  // inwards of O's origin
   const double max_overhang = farthest + com_in - options.com_margin;
   if (max_overhang < options.min_overhang) return std::nullopt;
   const double overhang = uniform(options.min_overhang, max_overhang);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The integrated planner of Section IV-C: ForestCBiRRT (Algorithm 1) over the arm's joints, with C_s of Eq. (3),
-// C_g of Eq. (4), the relaxed contact constraint, and IsPairValid.
+// The integrated planner of Section IV-C: ForestCBiRRT (Algorithm 1) over the arm's joints, with
+// C_s of Eq. (3), C_g of Eq. (4), the relaxed contact constraint, and IsPairValid.
 #include "graspless/planning/vector_states.hpp"
+
 #include "slide/assemble.hpp"
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
@@ -25,15 +26,16 @@ bool is_detour(const planning::Path& path) {
 /// Shortens the slide while it keeps the constraint.
 planning::Path shortened(Query& query, planning::Path path) {
   const ContactSpace::Carried carried = query.carried_from(path.front());
-  const planning::Connect connect = [&](const Eigen::VectorXd& from,
-                                        const Eigen::VectorXd& to) -> std::optional<planning::Path> {
+  const planning::Connect connect =
+      [&](const Eigen::VectorXd& from, const Eigen::VectorXd& to) -> std::optional<planning::Path> {
     if (query.clock.is_out()) return std::nullopt;
     return query.contact.connect(from, to, carried);
   };
   return planning::shortcut(std::move(path), connect, kShortcutRounds, query.rng);
 }
 
-Status status_of(const ob::PlannerStatus& status, Query& query, const planning::ForestCBiRRT& planner) {
+Status status_of(const ob::PlannerStatus& status, Query& query,
+                 const planning::ForestCBiRRT& planner) {
   if (query.clock.was_interrupted()) return Status::interrupted;
   if (status == ob::PlannerStatus::INVALID_START) return Status::no_start_root;
   if (status == ob::PlannerStatus::INVALID_GOAL) return Status::no_goal_root;

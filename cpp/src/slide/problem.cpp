@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/problem.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "graspless/geometry/point_cloud.hpp"
-#include "graspless/slide/problem.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -24,27 +25,31 @@ double positive(const std::string& what, double value) {
 }
 
 double quantile(std::vector<double> values, double fraction) {
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  const auto nth = values.begin() +
+                   static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
 
 std::vector<double> heights(const std::string& what, const Eigen::Matrix3Xd& p_OP) {
   if (p_OP.cols() < 3) {
-    throw std::invalid_argument(what + " needs at least 3 points, not " + std::to_string(p_OP.cols()));
+    throw std::invalid_argument(what + " needs at least 3 points, not " +
+                                std::to_string(p_OP.cols()));
   }
   const auto bad = p_OP.cols() - p_OP.array().isFinite().colwise().all().count();
   if (bad > 0) {
-    throw std::invalid_argument(what + " has " + std::to_string(bad) + " points that are not finite, of " +
-                                std::to_string(p_OP.cols()));
+    throw std::invalid_argument(what + " has " + std::to_string(bad) +
+                                " points that are not finite, of " + std::to_string(p_OP.cols()));
   }
   return {p_OP.row(2).begin(), p_OP.row(2).end()};
 }
 
-void check_thin(const std::string& what, const std::vector<double>& z, double thickness, double width) {
+void check_thin(const std::string& what, const std::vector<double>& z, double thickness,
+                double width) {
   const double spread = quantile(z, 0.95) - quantile(z, 0.05);
   if (spread > kMaxHeightSpread) {
-    throw std::invalid_argument(what + " is not the top of a thin object: its heights spread over " +
+    throw std::invalid_argument(what +
+                                " is not the top of a thin object: its heights spread over " +
                                 std::to_string(spread) + " m (5 to 95 %), at most " +
                                 std::to_string(kMaxHeightSpread) + " allowed");
   }
@@ -65,7 +70,8 @@ double least_width(const geometry::Polygon& outline) {
 }
 
 /// The slab between two heights over a polygon, as convex prisms.
-std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom, double top) {
+std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom,
+                                          double top) {
   std::vector<geometry::PlacedShape> shapes;
   for (const geometry::Polygon& part : polygon.convex_parts()) {
     Eigen::Matrix3Xd vertices(3, 2 * part.size());
@@ -79,8 +85,8 @@ std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, doub
 
 }  // namespace
 
-Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline, double thickness,
-               const Eigen::Vector2d& com)
+Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline,
+               double thickness, const Eigen::Vector2d& com)
     : name_(std::move(name)),
       points_(std::move(points)),
       outline_(std::move(outline)),
@@ -89,10 +95,11 @@ Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outl
       shapes_(prisms(outline_, 0, thickness)),
       solid_(shapes_, "object '" + name_ + "'") {}
 
-Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline, double thickness,
-                            double spacing) {
+Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline,
+                            double thickness, double spacing) {
   check_thin("object '" + name + "'", {0}, thickness, least_width(outline));
-  return Object(name, geometry::sample_grid(outline, spacing), outline, thickness, outline.centroid());
+  return Object(name, geometry::sample_grid(outline, spacing), outline, thickness,
+                outline.centroid());
 }
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP, double thickness) {
@@ -111,9 +118,9 @@ Object Object::with_com(const Eigen::Vector3d& com_O) const {
                       (com_O.head<2>().array() <= upper.array()).all() && com_O.z() >= 0 &&
                       com_O.z() <= thickness_;
   if (!within) {
-    throw std::invalid_argument("com (" + std::to_string(com_O.x()) + ", " + std::to_string(com_O.y()) + ", " +
-                                std::to_string(com_O.z()) + ") must lie within the bounding box of object '" +
-                                name_ + "'");
+    throw std::invalid_argument("com (" + std::to_string(com_O.x()) + ", " +
+                                std::to_string(com_O.y()) + ", " + std::to_string(com_O.z()) +
+                                ") must lie within the bounding box of object '" + name_ + "'");
   }
   Object other = *this;
   other.com_ = com_O;
@@ -141,7 +148,8 @@ Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::Vect
     throw std::invalid_argument("masses has " + std::to_string(masses.size()) + " entries for " +
                                 std::to_string(points.cols()) + " points");
   }
-  if (!masses.allFinite() || !points.allFinite() || (masses.array() < 0).any() || !(masses.sum() > 0)) {
+  if (!masses.allFinite() || !points.allFinite() || (masses.array() < 0).any() ||
+      !(masses.sum() > 0)) {
     throw std::invalid_argument("masses must be finite, not negative, and positive in sum");
   }
   return points * masses / masses.sum();

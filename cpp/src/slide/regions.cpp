@@ -42,7 +42,9 @@ std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, dou
   return best;
 }
 
-double draw_depth(Query& query) { return query.uniform(query.options.min_depth, query.options.max_depth); }
+double draw_depth(Query& query) {
+  return query.uniform(query.options.min_depth, query.options.max_depth);
+}
 
 }  // namespace
 
@@ -52,14 +54,16 @@ StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
 // Eq. (3): a contact anywhere on the object's top, any yaw, the given pitch, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
   const auto& points = query_.problem.object.points();
-  const auto i = static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(points.cols()));
+  const auto i =
+      static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(points.cols()));
   const Planar contact =
       contact_at(query_.object_start * Eigen::Vector2d(points.col(i)), query_.uniform(0, 2 * kPi));
   if (!query_.problem.support.polygon().contains(contact.translation())) {
     query_.refuse("start: off the support");
     return false;
   }
-  const auto arm = press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  const auto arm =
+      press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
   if (!arm) {
     query_.refuse("start: reach");
     return false;
@@ -77,13 +81,15 @@ GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions&
 
 // Eq. (4): a contact anywhere near the edges, any yaw, the given pitch, a depth in the band.
 bool GoalRegion::try_sample(ob::State* state) const {
-  const auto point = query_.problem.support.goal_band().sample(query_.rng, query_.options.tip_margin);
+  const auto point =
+      query_.problem.support.goal_band().sample(query_.rng, query_.options.tip_margin);
   if (!point) {
     query_.refuse("goal: no room near the edges");
     return false;
   }
   const Planar contact = contact_at(*point, query_.uniform(0, 2 * kPi));
-  const auto arm = press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  const auto arm =
+      press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
   if (!arm) {
     query_.refuse("goal: reach");
     return false;
@@ -105,7 +111,8 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
     const auto object_S = draw_object_pose(carried);
     if (!object_S) continue;
     const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
-    const auto arm = press_at(query_, contact, depth, query_.arm.full(q_start), query_.free_joint_of(q_start));
+    const auto arm =
+        press_at(query_, contact, depth, query_.arm.full(q_start), query_.free_joint_of(q_start));
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {

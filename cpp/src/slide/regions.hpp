@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "graspless/planning/sampleable_region.hpp"
+
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
 
@@ -25,7 +26,8 @@ class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
   GoalRegion(const ompl::base::SpaceInformationPtr& si, Query& query, Motions& motions);
   bool try_sample(ompl::base::State* state) const override;
   bool try_sample_partner(const ompl::base::State* start, ompl::base::State* goal) const override;
-  bool isStartGoalPairValid(const ompl::base::State* start, const ompl::base::State* goal) const override;
+  bool isStartGoalPairValid(const ompl::base::State* start,
+                            const ompl::base::State* goal) const override;
 
  private:
   std::optional<Planar> draw_object_pose(const ContactSpace::Carried& carried) const;

@@ -27,7 +27,8 @@ double finger_below_tip(const Problem& problem, const Options& options) {
   constexpr int kSamples = 9;
   double below = 0;
   for (const robot::LinkShape& shape : robot.shapes()) {
-    if (!contains(problem.hand.sliding_finger, robot.frame_names()[static_cast<std::size_t>(shape.link)])) {
+    if (!contains(problem.hand.sliding_finger,
+                  robot.frame_names()[static_cast<std::size_t>(shape.link)])) {
       continue;
     }
     geometry::PlacedShape in_F = shape.placed;
@@ -40,7 +41,8 @@ double finger_below_tip(const Problem& problem, const Options& options) {
   return below;
 }
 
-Replay::Replay(const Problem& problem, const Options& options, Contacts contacts) : problem_(problem) {
+Replay::Replay(const Problem& problem, const Options& options, Contacts contacts)
+    : problem_(problem) {
   add_links();
   add_surroundings();
   if (contacts == Contacts::press) allow_press(options);
@@ -71,7 +73,8 @@ void Replay::add_surroundings() {
   const auto add = [&](const std::string& name, const auto& shapes, bool carries_base) {
     const int body = world_.add_body(name, shapes);
     for (int link = 0; link < num_links; ++link) {
-      if (carries_base && is_base(problem_.robot, link_of_body_[static_cast<std::size_t>(link)])) continue;
+      if (carries_base && is_base(problem_.robot, link_of_body_[static_cast<std::size_t>(link)]))
+        continue;
       world_.add_pair(link, body);
     }
     return body;
@@ -94,12 +97,14 @@ void Replay::allow_press(const Options& options) {
   for (const std::string& link : problem_.hand.sliding_finger) {
     const int body = world_.body(link);
     world_.allow_contact(body, object_, normal_W, deepest);
-    world_.allow_contact(body, support_, normal_W, std::max(0.0, deepest - problem_.object.thickness()));
+    world_.allow_contact(body, support_, normal_W,
+                         std::max(0.0, deepest - problem_.object.thickness()));
   }
 }
 
 void Replay::ignore_fingers() {
-  for (const std::string& link : problem_.hand.fingers) world_.remove_pair(world_.body(link), object_);
+  for (const std::string& link : problem_.hand.fingers)
+    world_.remove_pair(world_.body(link), object_);
 }
 
 std::vector<std::string> Replay::touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO) {
@@ -110,7 +115,8 @@ std::vector<std::string> Replay::touching(const Eigen::VectorXd& q, const Eigen:
   }
   world_.set_pose(object_, X_WO);
   std::vector<std::string> names;
-  for (const auto& [a, b] : world_.all_collisions()) names.push_back(world_.name(a) + " - " + world_.name(b));
+  for (const auto& [a, b] : world_.all_collisions())
+    names.push_back(world_.name(a) + " - " + world_.name(b));
   return names;
 }
 

@@ -5,8 +5,9 @@
 #include "graspless/collision/world.hpp"
 #include "graspless/slide/slide.hpp"
 
-/// What check() replays a plan in. Nothing here is shared with the search: its own bodies, its own pairs, FCL
-/// without the boxes in front, and contact allowances where the search relies on its bands.
+/// What check() replays a plan in. Nothing here is shared with the search: its own bodies, its own
+/// pairs, FCL without the boxes in front, and contact allowances where the search relies on its
+/// bands.
 namespace graspless::slide {
 
 /// Which contacts a segment may have.
@@ -35,8 +36,8 @@ class Replay {
   int support_ = 0, object_ = 0;
 };
 
-/// How far the sliding finger reaches below the origin of its tip frame while its pitch is in the tolerated range
-/// [m].
+/// How far the sliding finger reaches below the origin of its tip frame while its pitch is in the
+/// tolerated range [m].
 double finger_below_tip(const Problem& problem, const Options& options);
 
 }  // namespace graspless::slide

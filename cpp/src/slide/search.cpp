@@ -11,12 +11,14 @@ using planning::vector;
 
 namespace {
 
-constexpr double kCoarse = 0.05;  // joint step while trees grow [rad]; a path found is checked at options.resolution
+constexpr double kCoarse =
+    0.05;  // joint step while trees grow [rad]; a path found is checked at options.resolution
 
 }  // namespace
 
 ob::SpaceInformationPtr make_space(Query& query) {
-  auto si = std::make_shared<ob::SpaceInformation>(planning::make_box(query.arm.lower(), query.arm.upper()));
+  auto si = std::make_shared<ob::SpaceInformation>(
+      planning::make_box(query.arm.lower(), query.arm.upper()));
   si->setStateValidityChecker([&query, n = query.arm.dof()](const ob::State* q) {
     return query.contact.is_valid(vector(q, n), std::nullopt);
   });
@@ -49,11 +51,12 @@ SlideSearch make_search(Query& query, const ob::SpaceInformationPtr& si,
     vector(q, n) = arm;
     return projected;
   });
-  s.planner->set_motion_check([&query, n](const ob::State* start, const ob::State* a, const ob::State* b) {
-    std::optional<ContactSpace::Carried> carried;
-    if (start) carried = query.carried_from(vector(start, n));
-    return query.contact.is_motion_valid(vector(a, n), vector(b, n), carried, kCoarse);
-  });
+  s.planner->set_motion_check(
+      [&query, n](const ob::State* start, const ob::State* a, const ob::State* b) {
+        std::optional<ContactSpace::Carried> carried;
+        if (start) carried = query.carried_from(vector(start, n));
+        return query.contact.is_motion_valid(vector(a, n), vector(b, n), carried, kCoarse);
+      });
   s.planner->set_path_check([&query, n](const std::vector<ob::State*>& path) {
     const auto carried = query.carried_from(vector(path.front(), n));
     for (std::size_t i = 1; i < path.size(); ++i) {

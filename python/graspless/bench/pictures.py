@@ -58,12 +58,19 @@ def _draw_success(ax: Any, panel: Panel, limit: float) -> None:
         ax.plot(time, rate, "D", color=COLORS[index], markeredgecolor="black", markersize=5)
     if panel.paper:
         ax.plot([], [], "D", color="white", markeredgecolor="black", label="the paper")
-    last = max([limit, *(1.8 * p[0] for p in panel.paper)])
+    slowest = max(_end(curve, limit) for _, curve in panel.curves)
+    last = max([slowest, *(1.8 * p[0] for p in panel.paper)])
     ax.set(title=panel.title, xscale="log", xlim=(3e-4, last), ylim=(0, 102), xlabel="time")
     ax.xaxis.set_major_formatter(FuncFormatter(_duration))
     ax.xaxis.set_minor_locator(NullLocator())
     ax.grid(alpha=0.3)
     ax.legend(fontsize=7.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+
+
+def _end(curve: Row, limit: float) -> float:
+    """Where a curve may end in the picture [s]: some time after the last run was solved."""
+    times = curve["times_ms"]
+    return min(limit, 3 * times[-1] / 1000) if len(times) == curve["runs"] > 0 else limit
 
 
 def _duration(seconds: float, _: object = None) -> str:

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "graspless/geometry/shape.hpp"
+#include <random>
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include "graspless/geometry/shape.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -37,7 +37,8 @@ TEST(Extent, OfACapsuleIsThatOfItsEndSpheres) {
     const Eigen::Vector3d d = random_pose(rng).linear().col(1);
     const PlacedShape upper{Sphere{0.1}, X * Eigen::Translation3d(0, 0, 0.25)};
     const PlacedShape lower{Sphere{0.1}, X * Eigen::Translation3d(0, 0, -0.25)};
-    EXPECT_NEAR(extent({Capsule{0.1, 0.5}, X}, d), std::max(extent(upper, d), extent(lower, d)), 1e-12);
+    EXPECT_NEAR(extent({Capsule{0.1, 0.5}, X}, d), std::max(extent(upper, d), extent(lower, d)),
+                1e-12);
   }
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/point_cloud.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include "geometry/polygons.hpp"
 
@@ -18,7 +18,8 @@ TEST(Outline, OfAGridIsNearlyThePolygon) {
     const Eigen::Matrix2Xd points = sample_grid(polygon, spacing);
     const Polygon around = outline(points);
     for (const auto& p : points.colwise()) EXPECT_GT(around.depth(p), -spacing / 2);
-    for (const auto& v : around.vertices().colwise()) EXPECT_LT(std::abs(polygon.depth(v)), spacing);
+    for (const auto& v : around.vertices().colwise())
+      EXPECT_LT(std::abs(polygon.depth(v)), spacing);
   }
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/polygon.hpp"
 
+#include <limits>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <gtest/gtest.h>
-
-#include <limits>
 
 #include "geometry/polygons.hpp"
 
@@ -105,8 +105,8 @@ TEST(Polygon, RefusesWhatIsNotOne) {
   refused({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "crosses");
   refused({{0, 0}, {1, 0}, {nan, 1}}, "not finite");
   refused({{0, 0}, {1, 0}, {1, 0}, {0, 1}}, "repeats");
-  refused({{0, 0}, {1, 0}, {2, 0}}, "crosses");                          // flat
-  refused({{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {0, 1}}, "crosses");        // touches itself
+  refused({{0, 0}, {1, 0}, {2, 0}}, "crosses");                            // flat
+  refused({{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {0, 1}}, "crosses");          // touches itself
   refused({{0, 0}, {2, 0}, {2, 2}, {3, 3}, {2, 2.0}, {0, 2}}, "crosses");  // antenna
 }
 

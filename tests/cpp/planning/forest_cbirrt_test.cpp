@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/forest_cbirrt.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
-
-#include <cmath>
 
 #include "graspless/planning/vector_states.hpp"
 
@@ -22,7 +22,8 @@ double uniform(std::mt19937_64& rng, double a, double b) {
   return std::uniform_real_distribution<double>(a, b)(rng);
 }
 
-// --- The unit sphere in space, with a wall round the equator that has one gate; no arm anywhere. ---
+// --- The unit sphere in space, with a wall round the equator that has one gate; no arm anywhere.
+// ---
 
 bool is_on_sphere_free(const Eigen::Vector3d& p) {
   const bool in_wall = std::abs(p.z()) < 0.1;
@@ -62,7 +63,8 @@ class OnASphere : public ::testing::TestWithParam<bool> {
  protected:
   OnASphere() : setup_(make_box(Eigen::Vector3d::Constant(-1.5), Eigen::Vector3d::Constant(1.5))) {
     si_ = setup_.getSpaceInformation();
-    setup_.setStateValidityChecker([](const ob::State* s) { return is_on_sphere_free(vector(s, 3)); });
+    setup_.setStateValidityChecker(
+        [](const ob::State* s) { return is_on_sphere_free(vector(s, 3)); });
     setup_.setGoal(goal_ = std::make_shared<Cap>(si_, -1, 2));
     planner_ = std::make_shared<ForestCBiRRT>(si_);
     planner_->set_start_region(std::make_shared<Cap>(si_, 1, 1));
@@ -85,7 +87,8 @@ class OnASphere : public ::testing::TestWithParam<bool> {
       return true;
     });
     setup_.setPlanner(planner_);
-    // SimpleSetup wants a start state although the planner has a region; a given start is a root like any other.
+    // SimpleSetup wants a start state although the planner has a region; a given start is a root
+    // like any other.
     ob::ScopedState<ob::RealVectorStateSpace> start(si_->getStateSpace());
     vector(start.get(), 3) << 0, 0, 1;
     setup_.setStartState(start);
@@ -129,7 +132,8 @@ TEST_P(OnASphere, PlannerDataIsTheForest) {
   EXPECT_EQ(data.numStartVertices(), planner_->num_start_roots());
   EXPECT_EQ(data.numGoalVertices(), planner_->num_goal_roots());
   EXPECT_EQ(data.numVertices(), planner_->num_nodes());
-  EXPECT_EQ(data.numEdges(), planner_->num_nodes() - planner_->num_start_roots() - planner_->num_goal_roots());
+  EXPECT_EQ(data.numEdges(),
+            planner_->num_nodes() - planner_->num_start_roots() - planner_->num_goal_roots());
 }
 
 TEST_P(OnASphere, ClearForgetsEverything) {
@@ -141,9 +145,12 @@ TEST_P(OnASphere, ClearForgetsEverything) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ForestCBiRRT, OnASphere, ::testing::Values(false, true),
-                         [](const auto& info) { return info.param ? "ConnectFirst" : "Algorithm1"; });
+                         [](const auto& info) {
+                           return info.param ? "ConnectFirst" : "Algorithm1";
+                         });
 
-// --- SE(2) with plain OMPL pieces only: start state, goal states, OMPL's sampler and motion validator. ---
+// --- SE(2) with plain OMPL pieces only: start state, goal states, OMPL's sampler and motion
+// validator. ---
 
 TEST(ForestCBiRRT, RunsInSE2WithOmplsOwnPieces) {
   auto space = std::make_shared<ob::SE2StateSpace>();
@@ -193,19 +200,22 @@ TEST(ForestCBiRRT, SaysWhichEndHasNoRoot) {
   planner.setProblemDefinition(problem);
   EXPECT_THROW(planner.solve(ob::timedPlannerTerminationCondition(0.01)), ompl::Exception);
   planner.set_start_region(std::make_shared<Empty>(si));
-  EXPECT_EQ(planner.solve(ob::timedPlannerTerminationCondition(0.01)), ob::PlannerStatus::INVALID_START);
+  EXPECT_EQ(planner.solve(ob::timedPlannerTerminationCondition(0.01)),
+            ob::PlannerStatus::INVALID_START);
   ob::ScopedState<ob::RealVectorStateSpace> start(si->getStateSpace());
   vector(start.get(), 2).setZero();
   problem->addStartState(start);
-  EXPECT_EQ(planner.solve(ob::timedPlannerTerminationCondition(0.01)), ob::PlannerStatus::INVALID_GOAL);
+  EXPECT_EQ(planner.solve(ob::timedPlannerTerminationCondition(0.01)),
+            ob::PlannerStatus::INVALID_GOAL);
 }
 
 TEST(ForestCBiRRT, IsRepeatable) {
   const auto run = [](std::uint64_t seed) {
     auto si = std::make_shared<ob::SpaceInformation>(
         make_box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)));
-    si->setStateValidityChecker(
-        [](const ob::State* s) { return std::abs(vector(s, 2).x()) > 0.1 || vector(s, 2).y() > 0.8; });
+    si->setStateValidityChecker([](const ob::State* s) {
+      return std::abs(vector(s, 2).x()) > 0.1 || vector(s, 2).y() > 0.8;
+    });
     si->setup();
     auto problem = std::make_shared<ob::ProblemDefinition>(si);
     ob::ScopedState<ob::RealVectorStateSpace> start(si->getStateSpace()), goal(si->getStateSpace());

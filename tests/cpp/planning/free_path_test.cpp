@@ -12,8 +12,11 @@ FreeSpace walled() {
   FreeSpace space;
   space.lower = Eigen::Vector2d(0, 0);
   space.upper = Eigen::Vector2d(1, 1);
-  space.is_free = [](const Eigen::VectorXd& q) { return std::abs(q[0] - 0.5) > 0.05 || q[1] > 0.9; };
-  space.is_motion_free = [is_free = space.is_free](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  space.is_free = [](const Eigen::VectorXd& q) {
+    return std::abs(q[0] - 0.5) > 0.05 || q[1] > 0.9;
+  };
+  space.is_motion_free = [is_free = space.is_free](const Eigen::VectorXd& a,
+                                                   const Eigen::VectorXd& b) {
     for (int i = 0; i <= 200; ++i) {
       if (!is_free(a + (b - a) * i / 200)) return false;
     }
@@ -25,7 +28,8 @@ FreeSpace walled() {
 
 TEST(FindFreePath, GoesStraightWhereItCan) {
   std::mt19937_64 rng(1);
-  const auto path = find_free_path(walled(), Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.1, 0.9), 0, rng);
+  const auto path =
+      find_free_path(walled(), Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.1, 0.9), 0, rng);
   ASSERT_TRUE(path);
   EXPECT_EQ(path->size(), 2u);
 }
@@ -48,9 +52,11 @@ TEST(FindFreePath, FindsTheGap) {
 TEST(FindFreePath, EndsWhenTimeIsOutOrAnEndIsTaken) {
   std::mt19937_64 rng(1);
   FreeSpace space = walled();
-  EXPECT_FALSE(find_free_path(space, Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.5, 0.1), 5000, rng));
+  EXPECT_FALSE(
+      find_free_path(space, Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.5, 0.1), 5000, rng));
   space.is_out = [] { return true; };
-  EXPECT_FALSE(find_free_path(space, Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.9, 0.1), 5000, rng));
+  EXPECT_FALSE(
+      find_free_path(space, Eigen::Vector2d(0.1, 0.1), Eigen::Vector2d(0.9, 0.1), 5000, rng));
 }
 
 }  // namespace

@@ -32,7 +32,9 @@ TEST(Shortcut, ShortensAndKeepsEndsAndConstraint) {
 TEST(Shortcut, LeavesAPathWithoutShortcutsAlone) {
   const Path path{at(0, 0), at(1, 0), at(1, 1)};
   std::mt19937_64 rng(1);
-  const Connect never = [](const auto&, const auto&) -> std::optional<Path> { return std::nullopt; };
+  const Connect never = [](const auto&, const auto&) -> std::optional<Path> {
+    return std::nullopt;
+  };
   EXPECT_EQ(shortcut(path, never, 50, rng), path);
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/projection.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
 
 namespace graspless::planning {
 namespace {
@@ -73,9 +73,11 @@ TEST(BandProjection, GivesUpAgainstTheLimits) {
 
 TEST(BandProjection, RefusesNonsense) {
   const BandProjection::Limits limits{Eigen::Vector3d(-2, -2, -2), Eigen::Vector3d(2, 2, 2)};
-  EXPECT_THROW(BandProjection(rows, {values(1, 1), values(0, 2), values(0, 0)}, limits), std::invalid_argument);
-  EXPECT_THROW(BandProjection(rows, {values(0, 0), values(1, 1), BandProjection::Values(1)}, limits),
+  EXPECT_THROW(BandProjection(rows, {values(1, 1), values(0, 2), values(0, 0)}, limits),
                std::invalid_argument);
+  EXPECT_THROW(
+      BandProjection(rows, {values(0, 0), values(1, 1), BandProjection::Values(1)}, limits),
+      std::invalid_argument);
   EXPECT_THROW(BandProjection(rows, {values(0, 0), values(1, 1), values(0, 0)},
                               {Eigen::VectorXd::Zero(17), Eigen::VectorXd::Ones(17)}),
                std::invalid_argument);

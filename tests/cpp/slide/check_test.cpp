@@ -87,9 +87,11 @@ TEST_F(Check, AnotherStart) {
 }
 
 TEST_F(Check, AnObstacleInTheWay) {
-  const Eigen::Vector3d p = problem_.robot.pose(problem_.robot.frame("grasp"), segment("reach").positions.back())
-                                .translation();
-  problem_.obstacles = {{"post", {{geometry::Box{{0.02, 0.02, 0.02}}, Eigen::Isometry3d::Identity()}},
+  const Eigen::Vector3d p =
+      problem_.robot.pose(problem_.robot.frame("grasp"), segment("reach").positions.back())
+          .translation();
+  problem_.obstacles = {{"post",
+                         {{geometry::Box{{0.02, 0.02, 0.02}}, Eigen::Isometry3d::Identity()}},
                          Eigen::Isometry3d(Eigen::Translation3d(p + Eigen::Vector3d(0, 0, 0.04)))}};
   expect_fault("post");
 }
@@ -98,8 +100,10 @@ TEST_F(Check, AnObstacleInTheObjectsWay) {
   const Segment& slide = segment("slide");
   const Eigen::Vector3d com_O = problem_.object.com();
   // Low enough for the arm to pass above it, at a far corner of where the object ends.
-  const Eigen::Vector3d p = slide.object_poses.back() * Eigen::Vector3d(com_O.x() + 0.045, com_O.y() + 0.045, 0);
-  problem_.obstacles = {{"coin", {{geometry::Box{{0.004, 0.004, 0.004}}, Eigen::Isometry3d::Identity()}},
+  const Eigen::Vector3d p =
+      slide.object_poses.back() * Eigen::Vector3d(com_O.x() + 0.045, com_O.y() + 0.045, 0);
+  problem_.obstacles = {{"coin",
+                         {{geometry::Box{{0.004, 0.004, 0.004}}, Eigen::Isometry3d::Identity()}},
                          Eigen::Isometry3d(Eigen::Translation3d(p.x(), p.y(), 0.002))}};
   expect_fault("object - coin");
 }
@@ -115,8 +119,9 @@ TEST_F(Check, ATighterBand) {
 TEST_F(Check, ASmallerTable) {
   const auto& v = problem_.support.polygon().vertices();
   const Eigen::Vector2d middle = problem_.support.polygon().centroid();
-  problem_.support = Support(geometry::Polygon((((v.colwise() - middle) * 0.7).colwise() + middle).eval()),
-                             problem_.support.X_WS());
+  problem_.support =
+      Support(geometry::Polygon((((v.colwise() - middle) * 0.7).colwise() + middle).eval()),
+              problem_.support.X_WS());
   expect_fault("slide row");
 }
 
@@ -131,8 +136,8 @@ TEST_F(Check, ALargerOverhangAskedFor) {
 TEST_F(Check, ACenterOfMassOutside) {
   const Eigen::Vector3d out_O =
       plan_.X_WO_goal.linear().transpose() * -plan_.X_WH_grasp.linear().col(2) * 0.045;
-  problem_.object = problem_.object.with_com({std::clamp(out_O.x(), -.05, .05),
-                                              std::clamp(out_O.y(), -.05, .05), 0.0025});
+  problem_.object = problem_.object.with_com(
+      {std::clamp(out_O.x(), -.05, .05), std::clamp(out_O.y(), -.05, .05), 0.0025});
   expect_fault("centre of mass");
 }
 
@@ -149,7 +154,8 @@ TEST_F(Check, AHandThatNeverTouches) {
 }
 
 TEST_F(Check, TheOtherFingerModel) {
-  problem_.hand.finger_model = FingerModel::none;  // the paper's formula, on a plan made for a flexing finger
+  problem_.hand.finger_model =
+      FingerModel::none;  // the paper's formula, on a plan made for a flexing finger
   expect_fault("does not follow the contact");
 }
 

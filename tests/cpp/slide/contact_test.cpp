@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/contact.hpp"
 
-#include <gtest/gtest.h>
-
 #include <random>
+
+#include <gtest/gtest.h>
 
 namespace graspless::slide {
 namespace {
@@ -20,7 +20,8 @@ Eigen::Vector2d heading(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
 TEST(Contact, TipReadsWhatTipPoseWrote) {
   std::mt19937_64 rng(1);
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Vector2d p(uniform(rng, -1, 1), uniform(rng, -1, 1)), h = heading(uniform(rng, -4, 4));
+    const Eigen::Vector2d p(uniform(rng, -1, 1), uniform(rng, -1, 1)),
+        h = heading(uniform(rng, -4, 4));
     const double pitch = uniform(rng, 0.1, 1.4), height = uniform(rng, -0.02, 0.1);
     const Eigen::Isometry3d X_SF = tip_pose(p, height, h, pitch);
     EXPECT_TRUE((X_SF.linear() * X_SF.linear().transpose()).isIdentity(1e-12));
@@ -43,8 +44,8 @@ TEST(Contact, TurnedAboutItsOwnAxisTheOtherFingerPointsDown) {
   EXPECT_FALSE(read.other_finger_up);
 }
 
-// The figures of docs/architecture.md, from an independent physics engine: 5 / 13.4 / 20 mm of shift at 5 / 15 / 25 mm
-// of depth and 45 degrees.
+// The figures of docs/architecture.md, from an independent physics engine: 5 / 13.4 / 20 mm of
+// shift at 5 / 15 / 25 mm of depth and 45 degrees.
 TEST(Contact, ShiftOfAFlexingFinger) {
   Hand hand;
   const double pitch = M_PI / 4;

@@ -68,7 +68,8 @@ TEST(Placement, GraspPoseIsLevelAndFacesTheEdge) {
 TEST(Placement, GravityCountsOnATiltedSupport) {
   const Eigen::Isometry3d X_WS(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));
   const Support table(geometry::square(1), X_WS);
-  const Object tall = Object::from_polygon("tall", geometry::square(.1), .04);  // its middle is 2 cm up
+  const Object tall =
+      Object::from_polygon("tall", geometry::square(.1), .04);  // its middle is 2 cm up
   Problem problem = make_problem(table, tall, flat(0, 0, 0));
   // Tilted about x, +y is uphill: the centre of mass stands 2 cm tan(0.5) further downhill.
   const double shift = 0.02 * std::tan(0.5);

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "graspless/slide/slide.hpp"
-
 #include "graspless/geometry/point_cloud.hpp"
+#include "graspless/slide/slide.hpp"
 
 #include "geometry/polygons.hpp"
 
@@ -33,7 +32,8 @@ inline const robot::Robot& kr5() {
 inline geometry::Polygon disc(double radius, int n, const Eigen::Vector2d& center) {
   std::vector<Eigen::Vector2d> v;
   for (int i = 0; i < n; ++i) {
-    v.push_back(center + radius * Eigen::Vector2d(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n)));
+    v.push_back(center +
+                radius * Eigen::Vector2d(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n)));
   }
   return geometry::Polygon(columns(v));
 }
@@ -52,8 +52,8 @@ inline const std::vector<Object>& objects() {
   const auto triangle = columns({{0, .075}, {-.065, -.0375}, {.065, -.0375}});
   static const std::vector<Object> all{
       Object::from_polygon("square", geometry::square(.1), .005),
-          Object::from_polygon("circle", disc(.055, 48, {0, 0}), .005),
-          Object::from_polygon("triangle", geometry::Polygon(triangle), .005)};
+      Object::from_polygon("circle", disc(.055, 48, {0, 0}), .005),
+      Object::from_polygon("triangle", geometry::Polygon(triangle), .005)};
   return all;
 }
 
@@ -62,24 +62,29 @@ inline Eigen::Isometry3d flat(double x, double y, double yaw) {
 }
 
 /// A pose, in S, of the object wholly on the table.
-inline Eigen::Isometry3d random_pose(const Support& table, const Object& object, std::mt19937_64& rng) {
+inline Eigen::Isometry3d random_pose(const Support& table, const Object& object,
+                                     std::mt19937_64& rng) {
   std::uniform_real_distribution<double> yaw(0, 2 * M_PI);
   while (true) {
     const Eigen::Vector2d p = geometry::random_point(table.polygon(), rng);
     const Eigen::Isometry3d X_SO = flat(p.x(), p.y(), yaw(rng));
     bool on_table = true;
     for (const auto& v : object.outline().vertices().colwise()) {
-      on_table = on_table && table.polygon().contains((X_SO * Eigen::Vector3d(v.x(), v.y(), 0)).head<2>());
+      on_table =
+          on_table && table.polygon().contains((X_SO * Eigen::Vector3d(v.x(), v.y(), 0)).head<2>());
     }
     if (on_table) return X_SO;
   }
 }
 
-inline Problem make_problem(const Support& table, const Object& object, const Eigen::Isometry3d& X_SO) {
+inline Problem make_problem(const Support& table, const Object& object,
+                            const Eigen::Isometry3d& X_SO) {
   return Problem{wam(), Hand{}, object, table, table.X_WS() * X_SO, {}, wam().state("home")};
 }
 
-inline Problem simple_problem() { return make_problem(tables()[0], objects()[0], flat(0.65, 0.1, 0.3)); }
+inline Problem simple_problem() {
+  return make_problem(tables()[0], objects()[0], flat(0.65, 0.1, 0.3));
+}
 
 inline planning::Budget seeded(std::uint64_t seed, double seconds = 20) {
   planning::Budget budget;

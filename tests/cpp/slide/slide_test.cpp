@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/slide/slide.hpp"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <limits>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "slide/problems.hpp"
 
@@ -57,7 +57,8 @@ TEST(Plan, AlgorithmOneAsWrittenHoldsToo) {
   options.search = Search::paper;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Support& table = tables()[seed - 1];
-    expect_holds(make_problem(table, objects()[0], random_pose(table, objects()[0], rng)), options, seed);
+    expect_holds(make_problem(table, objects()[0], random_pose(table, objects()[0], rng)), options,
+                 seed);
   }
 }
 
@@ -70,7 +71,8 @@ TEST(Plan, RunsOnATiltedTableThatIsNotConvex) {
 }
 
 TEST(Plan, RunsOnASixJointArm) {
-  Problem problem{kr5(), Hand{}, objects()[0], tables()[0], flat(0.6, 0.1, 0.2), {}, kr5().state("home")};
+  Problem problem{
+      kr5(), Hand{}, objects()[0], tables()[0], flat(0.6, 0.1, 0.2), {}, kr5().state("home")};
   for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_holds(problem, {}, seed);
 }
 
@@ -80,7 +82,8 @@ TEST(Plan, GoesRoundOtherObjectsOnTheTable) {
     return Eigen::Isometry3d(Eigen::Translation3d(x, y, 0.05));
   };
   const geometry::PlacedShape box{geometry::Box{{0.06, 0.06, 0.1}}, Eigen::Isometry3d::Identity()};
-  problem.obstacles = {{"left", {box}, block(0.55, 0.25)}, {"right", {box}, block(0.78, 0.22)},
+  problem.obstacles = {{"left", {box}, block(0.55, 0.25)},
+                       {"right", {box}, block(0.78, 0.22)},
                        {"near", {box}, block(0.5, -0.1)}};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) expect_holds(problem, {}, seed);
 }
@@ -99,7 +102,8 @@ TEST(Plan, IsTheSameForTheSameSeed) {
   for (const Search search : {Search::fast, Search::paper}) {
     Options options;
     options.search = search;
-    const Plan a = plan(simple_problem(), options, seeded(5)), b = plan(simple_problem(), options, seeded(5));
+    const Plan a = plan(simple_problem(), options, seeded(5)),
+               b = plan(simple_problem(), options, seeded(5));
     ASSERT_TRUE(a);
     ASSERT_EQ(a.segments.size(), b.segments.size());
     for (std::size_t i = 0; i < a.segments.size(); ++i) {
@@ -141,7 +145,8 @@ TEST(Plan, SaysThatNoPairCanBeValid) {
 
 TEST(Plan, SaysWhatHomeTouches) {
   Problem problem = simple_problem();
-  problem.obstacles = {{"wall", {{geometry::Box{{2, 2, 2}}, Eigen::Isometry3d::Identity()}},
+  problem.obstacles = {{"wall",
+                        {{geometry::Box{{2, 2, 2}}, Eigen::Isometry3d::Identity()}},
                         Eigen::Isometry3d(Eigen::Translation3d(0.5, 0, 1.0))}};
   const Plan none = plan(problem);
   EXPECT_EQ(none.status, Status::start_in_collision);
@@ -213,7 +218,9 @@ TEST(Plan, RefusesBadProblems) {
   };
   expect_refused(with([](Problem& p) { p.X_WO_start.translation().x() = 5; }), "off the support");
   expect_refused(with([](Problem& p) { p.X_WO_start.translation().z() = 0.1; }), "height");
-  expect_refused(with([](Problem& p) { p.X_WO_start.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX())); }),
+  expect_refused(with([](Problem& p) {
+                   p.X_WO_start.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()));
+                 }),
                  "tilt");
   expect_refused(with([](Problem& p) { p.q_home.resize(3); }), "q_home");
   expect_refused(with([](Problem& p) { p.q_home[1] = 9; }), "outside its limits");
@@ -252,7 +259,8 @@ TEST(Support, RefusesNonsense) {
   const Eigen::Isometry3d steep(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitX()));
   expect_refused([&] { Support(geometry::square(1), steep); }, "tilted");
   expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), -1); }, "slab");
-  expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), .04, 0); }, "band");
+  expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), .04, 0); },
+                 "band");
 }
 
 }  // namespace

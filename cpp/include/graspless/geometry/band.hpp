@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <random>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "graspless/export.hpp"
 #include "graspless/geometry/polygon.hpp"
 
 namespace graspless::geometry {
 
-/// What is left of a polygon when its contraction by `width` is taken away: the points near its edges
-/// (Hang 2019, Section IV-B, P_g). The contraction is mitred: at a reflex corner the band is a little wider.
+/// What is left of a polygon when its contraction by `width` is taken away: the points near its
+/// edges (Hang 2019, Section IV-B, P_g). The contraction is mitred: at a reflex corner the band is
+/// a little wider.
 class GRASPLESS_API Band {
  public:
   /// Throws std::invalid_argument unless `width` [m] is finite and positive.
@@ -22,15 +24,15 @@ class GRASPLESS_API Band {
   /// Whether `p` lies in the band.
   bool contains(const Eigen::Vector2d& p) const;
 
-  /// A point of the band at least `margin` [m] inside the boundary, uniform by area where exact(). Nothing
-  /// when a thousand draws found none (a margin that leaves no room).
+  /// A point of the band at least `margin` [m] inside the boundary, uniform by area where exact().
+  /// Nothing when a thousand draws found none (a margin that leaves no room).
   std::optional<Eigen::Vector2d> sample(std::mt19937_64& rng, double margin = 0) const;
 
-  /// The contracted polygon, in pieces; empty where nothing is left. From CGAL's straight skeleton, each
-  /// piece verified to be simple and inside; `exact()` says whether that held.
+  /// The contracted polygon, in pieces; empty where nothing is left. From CGAL's straight skeleton,
+  /// each piece verified to be simple and inside; `exact()` says whether that held.
   const std::vector<Polygon>& core() const { return core_; }
-  /// False where CGAL's offset failed verification: sample() then draws (edge, place, depth) and keeps what
-  /// lies in the polygon and within `width` of its boundary.
+  /// False where CGAL's offset failed verification: sample() then draws (edge, place, depth) and
+  /// keeps what lies in the polygon and within `width` of its boundary.
   bool exact() const { return exact_; }
 
   const Polygon& polygon() const { return polygon_; }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "graspless/export.hpp"
 
@@ -13,16 +14,17 @@ namespace graspless::geometry {
 /// A simple polygon in the plane, counter-clockwise, convex or not.
 class GRASPLESS_API Polygon {
  public:
-  /// The edge nearest to a point: the line through `a` and `b`, with the unit normal that points inside.
+  /// The edge nearest to a point: the line through `a` and `b`, with the unit normal that points
+  /// inside.
   struct Edge {
     int index;
     Eigen::Vector2d a, b;
     Eigen::Vector2d inward;
   };
 
-  /// `vertices` is 2 x n [m]; a clockwise list is reversed. Throws std::invalid_argument, naming `what`, on
-  /// fewer than three vertices, a value that is not finite, a repeated vertex, or a boundary that crosses
-  /// or touches itself.
+  /// `vertices` is 2 x n [m]; a clockwise list is reversed. Throws std::invalid_argument, naming
+  /// `what`, on fewer than three vertices, a value that is not finite, a repeated vertex, or a
+  /// boundary that crosses or touches itself.
   explicit Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what = "polygon");
 
   const Eigen::Matrix2Xd& vertices() const { return vertices_; }

@@ -57,7 +57,8 @@ struct PlacedShape {
 /// mesh's vertices.
 GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 
-/// How far a shape reaches along a unit direction of B, seen from B's origin (its support function) [m].
+/// How far a shape reaches along a unit direction of B, seen from B's origin (its support function)
+/// [m].
 GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
 
 /// Reads a triangle mesh (.stl, .obj, .off, .ply; polygons are triangulated) and scales it per

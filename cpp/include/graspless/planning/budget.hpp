@@ -12,10 +12,10 @@
 
 namespace graspless::planning {
 
-/// All randomness and time of a query. The same seed and iterations give the same plan, bit by bit, provided
-/// the clock does not end the search first.
+/// All randomness and time of a query. The same seed and iterations give the same plan, bit by bit,
+/// provided the clock does not end the search first.
 struct Budget {
-  double seconds = 10;  ///< wall clock [s]
+  double seconds = 10;                                                 ///< wall clock [s]
   std::int64_t iterations = std::numeric_limits<std::int64_t>::max();  ///< rounds of the main loop
   std::uint64_t seed = 1;
   /// Ends the query when it returns true; asked at most every 10 ms, from the thread that plans.
@@ -25,11 +25,12 @@ struct Budget {
 /// Spends a budget: the clock of one query.
 class GRASPLESS_API Clock {
  public:
-  /// Throws std::invalid_argument when seconds is not positive (infinity is allowed) or iterations negative.
+  /// Throws std::invalid_argument when seconds is not positive (infinity is allowed) or iterations
+  /// negative.
   explicit Clock(const Budget& budget);
 
-  bool spend();         ///< takes one iteration; false when nothing is left
-  bool is_out();        ///< whether time is up or the query was interrupted; takes nothing
+  bool spend();   ///< takes one iteration; false when nothing is left
+  bool is_out();  ///< whether time is up or the query was interrupted; takes nothing
   bool was_interrupted() const { return interrupted_; }
   double seconds() const;  ///< since construction
   std::int64_t iterations() const { return iterations_; }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ompl/base/Planner.h>
-
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,6 +9,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+#include <ompl/base/Planner.h>
 
 #include "graspless/export.hpp"
 #include "graspless/planning/sampleable_region.hpp"
@@ -22,14 +22,16 @@ class RootComponents;
 
 /// CBiRRT with sampleable start and goal regions: Algorithm 1 of Hang, Morgan and Dollar 2019.
 ///
-/// Grows a forest of trees rooted in drawn starts and another rooted in drawn goals, and connects them over a
-/// constraint until a connected pair of roots is valid by `Goal::isStartGoalPairValid`. It runs on any state
-/// space: without a projector it is RRT-Connect over forests; without a start region the problem's start states
-/// are the roots. The goal must be an `ompl::base::GoalSampleableRegion`.
+/// Grows a forest of trees rooted in drawn starts and another rooted in drawn goals, and connects
+/// them over a constraint until a connected pair of roots is valid by `Goal::isStartGoalPairValid`.
+/// It runs on any state space: without a projector it is RRT-Connect over forests; without a start
+/// region the problem's start states are the roots. The goal must be an
+/// `ompl::base::GoalSampleableRegion`.
 ///
-/// With set_connect_first(true) it is Algorithm 1 with a shortcut in front: each new root is paired with a
-/// partner (SampleableRegion::try_sample_partner) and the two are connected straight away; and all starts and
-/// goals joined through any chain of connections count as connected (union-find over the roots).
+/// With set_connect_first(true) it is Algorithm 1 with a shortcut in front: each new root is paired
+/// with a partner (SampleableRegion::try_sample_partner) and the two are connected straight away;
+/// and all starts and goals joined through any chain of connections count as connected (union-find
+/// over the roots).
 ///
 /// Repeatable for one seed where set_random_config is given (OMPL's samplers share a global seed).
 class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
@@ -37,12 +39,13 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   using State = ompl::base::State;
   /// Brings a state onto the constraint; false when it cannot. A state on it must be left as it is.
   using Projector = std::function<bool(State*)>;
-  /// Whether the motion between two near states is valid. `start` is the start root of the tree it belongs to,
-  /// null where that is not known (in the goal forest; asked again with the root once connected).
+  /// Whether the motion between two near states is valid. `start` is the start root of the tree it
+  /// belongs to, null where that is not known (in the goal forest; asked again with the root once
+  /// connected).
   using MotionCheck = std::function<bool(const State* start, const State* from, const State* to)>;
-  /// Whether a whole path of start-forest and goal-forest motions is valid from its start root: the last word,
-  /// for what the motion check leaves out while trees grow. Without it, the motion check is asked again for those
-  /// motions whose start was not known.
+  /// Whether a whole path of start-forest and goal-forest motions is valid from its start root: the
+  /// last word, for what the motion check leaves out while trees grow. Without it, the motion check
+  /// is asked again for those motions whose start was not known.
   using PathCheck = std::function<bool(const std::vector<State*>& path)>;
   /// RandomConfig() of the algorithm.
   using RandomConfig = std::function<void(std::mt19937_64&, State*)>;
@@ -71,8 +74,10 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   std::size_t num_start_roots() const;
   std::size_t num_goal_roots() const;
   std::size_t num_nodes() const;
-  std::size_t num_pairs() const { return num_pairs_; }            ///< pairs validated
-  std::size_t num_connections() const { return num_connections_; }  ///< trees joined, valid pair or not
+  std::size_t num_pairs() const { return num_pairs_; }  ///< pairs validated
+  std::size_t num_connections() const {
+    return num_connections_;
+  }  ///< trees joined, valid pair or not
 
  private:
   struct Meeting {  // a node of either forest, at the same state
@@ -88,7 +93,8 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   bool draw(const ompl::base::GoalSampleableRegion& region, State* state) const;
   int extend(Forest& forest, int from, const State* target);
   bool is_motion_valid(const State* start, const State* from, const State* to) const;
-  bool are_motions_valid(const State* start, const std::vector<State*>& path, std::size_t first) const;
+  bool are_motions_valid(const State* start, const std::vector<State*>& path,
+                         std::size_t first) const;
   bool solves(const Meeting& meeting);
   bool is_pair_valid(int start_root, int goal_root);
   bool accept(int start_root, int goal_root, const std::vector<Meeting>& route);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <random>
+
+#include <Eigen/Core>
 
 #include "graspless/export.hpp"
 #include "graspless/planning/path.hpp"
@@ -20,9 +21,11 @@ struct FreeSpace {
   std::function<bool()> is_out;  ///< ends the search; asked once an iteration
 };
 
-/// A free path: the straight motion where that is free, else ForestCBiRRT with one start, one goal and no
-/// constraint (RRT-Connect), shortened. Nothing when an end is not free or `iterations` found none.
-GRASPLESS_API std::optional<Path> find_free_path(const FreeSpace& space, const Eigen::VectorXd& from,
+/// A free path: the straight motion where that is free, else ForestCBiRRT with one start, one goal
+/// and no constraint (RRT-Connect), shortened. Nothing when an end is not free or `iterations`
+/// found none.
+GRASPLESS_API std::optional<Path> find_free_path(const FreeSpace& space,
+                                                 const Eigen::VectorXd& from,
                                                  const Eigen::VectorXd& to, int iterations,
                                                  std::mt19937_64& rng);
 

@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
+
+#include <Eigen/Core>
 
 #include "graspless/export.hpp"
 
 namespace graspless::planning {
 
-/// Brings configurations into a set of bands: lower <= value(q) <= upper, row by row, within joint limits.
+/// Brings configurations into a set of bands: lower <= value(q) <= upper, row by row, within joint
+/// limits.
 ///
-/// Newton steps of least norm on the violated rows only (the gradient-based projection of CBiRRT; Berenson et
-/// al. 2009): a row inside its band leaves its direction free. One instance serves one thread.
+/// Newton steps of least norm on the violated rows only (the gradient-based projection of CBiRRT;
+/// Berenson et al. 2009): a row inside its band leaves its direction free. One instance serves one
+/// thread.
 class GRASPLESS_API BandProjection {
  public:
   static constexpr int kMaxRows = 6;
@@ -30,21 +33,23 @@ class GRASPLESS_API BandProjection {
     Eigen::VectorXd lower, upper;  ///< of the joints
   };
 
-  /// Throws std::invalid_argument when sizes differ or exceed the maxima, or a lower bound exceeds its upper.
+  /// Throws std::invalid_argument when sizes differ or exceed the maxima, or a lower bound exceeds
+  /// its upper.
   BandProjection(Rows rows, Bands bands, Limits limits, int max_iterations = 10);
 
   /// Whether every row lies in its band, plus slack.
   bool is_satisfied(const Eigen::VectorXd& q) const;
   bool is_satisfied(const Values& value) const;
 
-  /// Moves q into the bands. Returns false when that takes more than max_iterations or the limits are in the
-  /// way; q has then been modified all the same.
+  /// Moves q into the bands. Returns false when that takes more than max_iterations or the limits
+  /// are in the way; q has then been modified all the same.
   bool project(Eigen::VectorXd& q) const;
 
  private:
   Rows rows_;
   Bands bands_;
-  Values aim_lower_, aim_upper_;  // a little inside, so that rounding does not leave a row just outside
+  Values aim_lower_,
+      aim_upper_;  // a little inside, so that rounding does not leave a row just outside
   Limits limits_;
   int max_iterations_;
 };

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <random>
+
+#include <Eigen/Core>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
-
-#include <Eigen/Core>
-#include <memory>
-#include <random>
 
 #include "graspless/planning/path.hpp"
 
@@ -35,8 +35,8 @@ inline std::shared_ptr<ompl::base::RealVectorStateSpace> make_box(const Eigen::V
   return space;
 }
 
-inline void draw_uniform(std::mt19937_64& rng, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                         ompl::base::State* state) {
+inline void draw_uniform(std::mt19937_64& rng, const Eigen::VectorXd& lower,
+                         const Eigen::VectorXd& upper, ompl::base::State* state) {
   auto q = vector(state, lower.size());
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     q[i] = std::uniform_real_distribution<double>(lower[i], upper[i])(rng);

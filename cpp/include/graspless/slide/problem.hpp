@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "graspless/collision/solid.hpp"
 #include "graspless/export.hpp"
@@ -18,15 +19,17 @@ namespace graspless::slide {
 /// A thin flat object. Its frame O has z up, the underside in the plane z = 0.
 class GRASPLESS_API Object {
  public:
-  /// From an outline in O's x-y plane [m] and a thickness [m]; the contact points are a grid of `spacing` [m].
-  /// The centre of mass is the area's, half way up.
-  static Object from_polygon(const std::string& name, const geometry::Polygon& outline, double thickness,
-                             double spacing = 0.006);
-  /// From points on the top surface, in O (3 x n) [m], P_o of the paper. The outline is their alpha shape, the
-  /// thickness their median height unless given; the centre of mass is their mean, half way up. Throws
-  /// std::invalid_argument when a value is not finite, fewer than three points are given, they lie on a line,
-  /// or they are not thin: heights that spread (5 to 95 %) by more than 10 mm, or a thickness over half the width.
-  static Object from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP, double thickness = 0);
+  /// From an outline in O's x-y plane [m] and a thickness [m]; the contact points are a grid of
+  /// `spacing` [m]. The centre of mass is the area's, half way up.
+  static Object from_polygon(const std::string& name, const geometry::Polygon& outline,
+                             double thickness, double spacing = 0.006);
+  /// From points on the top surface, in O (3 x n) [m], P_o of the paper. The outline is their alpha
+  /// shape, the thickness their median height unless given; the centre of mass is their mean, half
+  /// way up. Throws std::invalid_argument when a value is not finite, fewer than three points are
+  /// given, they lie on a line, or they are not thin: heights that spread (5 to 95 %) by more than
+  /// 10 mm, or a thickness over half the width.
+  static Object from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
+                           double thickness = 0);
 
   const std::string& name() const { return name_; }
   const Eigen::Matrix2Xd& points() const { return points_; }  ///< contact points, x-y in O [m]
@@ -38,8 +41,8 @@ class GRASPLESS_API Object {
   const std::vector<geometry::PlacedShape>& shapes() const { return shapes_; }
   const collision::Solid& solid() const { return solid_; }
 
-  /// The same object with another centre of mass (in O). Throws unless it is finite and within the outline's
-  /// bounding box.
+  /// The same object with another centre of mass (in O). Throws unless it is finite and within the
+  /// outline's bounding box.
   Object with_com(const Eigen::Vector3d& com_O) const;
   /// The same object with another mass [kg]. Throws unless it is positive.
   Object with_mass(double mass) const;
@@ -59,20 +62,26 @@ class GRASPLESS_API Object {
   collision::Solid solid_;
 };
 
-/// The mean of points (3 x n) weighted by their masses: the centre of mass of a mass distribution. Throws
-/// std::invalid_argument unless there is one mass a point, none negative, with a positive sum.
-GRASPLESS_API Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& masses);
+/// The mean of points (3 x n) weighted by their masses: the centre of mass of a mass distribution.
+/// Throws std::invalid_argument unless there is one mass a point, none negative, with a positive
+/// sum.
+GRASPLESS_API Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points,
+                                             const Eigen::VectorXd& masses);
 
-/// A flat surface to slide on: a polygon in the plane z = 0 of its frame S (z up, out of the surface).
+/// A flat surface to slide on: a polygon in the plane z = 0 of its frame S (z up, out of the
+/// surface).
 class GRASPLESS_API Support {
  public:
-  /// `slab` is how thick the top is [m]; `band_width` how far from the edges P_g reaches [m]. Throws
-  /// std::invalid_argument unless both are positive and X_WS is a rigid pose tilted by less than 60 degrees.
+  /// `slab` is how thick the top is [m]; `band_width` how far from the edges P_g reaches [m].
+  /// Throws std::invalid_argument unless both are positive and X_WS is a rigid pose tilted by less
+  /// than 60 degrees.
   Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab = 0.04,
           double band_width = 0.06);
 
-  const geometry::Polygon& polygon() const { return goal_band_.polygon(); }  ///< Q of the paper, in S
-  const geometry::Band& goal_band() const { return goal_band_; }             ///< P_g of the paper, in S
+  const geometry::Polygon& polygon() const {
+    return goal_band_.polygon();
+  }                                                               ///< Q of the paper, in S
+  const geometry::Band& goal_band() const { return goal_band_; }  ///< P_g of the paper, in S
   const Eigen::Isometry3d& X_WS() const { return X_WS_; }
   double slab() const { return slab_; }
   Eigen::Vector3d normal_W() const { return X_WS_.linear().col(2); }
@@ -91,18 +100,21 @@ class GRASPLESS_API Support {
 /// How the sliding finger gives way under the press.
 enum class FingerModel {
   none,     ///< not at all: the contact stays at the commanded tip, as in the paper
-  flexure,  ///< it turns about one flexure behind the tip: the contact runs ahead of the commanded tip
+  flexure,  ///< it turns about one flexure behind the tip: the contact runs ahead of the commanded
+            ///< tip
 };
 
 /// What the planner must know of a hand. Links and groups are the robot's.
 struct Hand {
-  std::string arm = "arm";                  ///< group of joints that carry the hand, base to wrist
-  std::string fingertip = "left_fingertip";  ///< frame F: X along the line contact, Z out of the tip,
-                                             ///< Y towards the other finger
-  std::vector<std::string> sliding_finger = {"left_finger"};  ///< links that may press into object and support
-  std::vector<std::string> fingers = {"left_finger", "right_finger"};  ///< links that close on the object
-  std::string grasp_frame = "grasp";  ///< frame H: origin between the open tips, Z out of the hand, Y from
-                                      ///< finger to finger
+  std::string arm = "arm";                   ///< group of joints that carry the hand, base to wrist
+  std::string fingertip = "left_fingertip";  ///< frame F: X along the line contact, Z out of the
+                                             ///< tip, Y towards the other finger
+  std::vector<std::string> sliding_finger = {
+      "left_finger"};  ///< links that may press into object and support
+  std::vector<std::string> fingers = {"left_finger",
+                                      "right_finger"};  ///< links that close on the object
+  std::string grasp_frame = "grasp";  ///< frame H: origin between the open tips, Z out of the hand,
+                                      ///< Y from finger to finger
   std::string open = "open";          ///< state of the hand's joints while it slides and reaches
   std::string closed = "closed";      ///< state towards which it closes; it stops at contact
   FingerModel finger_model = FingerModel::flexure;
@@ -128,9 +140,10 @@ struct Problem {
   Eigen::VectorXd q_home;  ///< where the robot stands, all joints
 };
 
-/// Throws std::invalid_argument that names the field, the value and the choices: unknown links, groups or
-/// states; a home of the wrong size or outside its limits; an object that does not lie flat on the support
-/// (2 mm, 1 degree) or whose centre of mass is off it; finger figures that are not positive.
+/// Throws std::invalid_argument that names the field, the value and the choices: unknown links,
+/// groups or states; a home of the wrong size or outside its limits; an object that does not lie
+/// flat on the support (2 mm, 1 degree) or whose centre of mass is off it; finger figures that are
+/// not positive.
 GRASPLESS_API void validate(const Problem& problem);
 
 }  // namespace graspless::slide

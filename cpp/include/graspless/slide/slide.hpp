@@ -21,22 +21,37 @@ enum class Search {
 /// How to search. The paper's values where it gives one.
 struct Options {
   Search search = Search::fast;
-  double pitch = 0.7853981633974483;  ///< beta_0: between the finger and the surface [rad]
-  double pitch_tolerance = 0.1;       ///< Delta_beta [rad]
-  double min_depth = 0.005;           ///< Delta_Z^-: least press of the commanded tip below the top face [m]
-  double max_depth = 0.025;           ///< Delta_Z^+: deepest press below the top face [m]
-  double height_tolerance = 5e-4;     ///< numerical play of the depth band, for motions between rows [m]
-  double roll_tolerance = 1e-3;       ///< tilt of the line contact out of the surface [rad]
-  double root_scale = 100;            ///< N* in Eq. (5): larger adds roots more freely
-  double min_overhang = 0.02;         ///< u*: how far the object must stick out to be grasped [m]
-  double com_margin = 0.010;  ///< how far the centre of mass stays inside the edge [m]; at 2 mm the lift tips some
-                              ///< objects, at 10 mm none did in simulation
-  double tip_margin = 0.010;  ///< how far the effective tip stays inside the edge [m]
-  double lift_height = 0.08;  ///< clearance above the object before reaching for it [m]
-  double grasp_approach = 0.06;  ///< straight final motion of the hand [m]
-  double range = 0.1;            ///< longest step of ConstrainedExtend, Euclidean in the joints [rad]
-  double resolution = 0.01;      ///< largest joint step between checked configurations [rad]
-  bool shortcut = true;          ///< shorten the motions that came from a tree
+  /// beta_0: the angle between the finger and the surface [rad].
+  double pitch = 0.7853981633974483;
+  /// Delta_beta: how far the pitch may stray while sliding [rad].
+  double pitch_tolerance = 0.1;
+  /// Delta_Z^-: least press of the commanded tip below the object's top face [m].
+  double min_depth = 0.005;
+  /// Delta_Z^+: deepest press of the commanded tip below the object's top face [m].
+  double max_depth = 0.025;
+  /// Numerical play of the depth band, for the motions between rows [m].
+  double height_tolerance = 5e-4;
+  /// Tilt of the line contact out of the surface [rad].
+  double roll_tolerance = 1e-3;
+  /// N* in Eq. (5): larger adds roots more freely.
+  double root_scale = 100;
+  /// u*: how far the object must stick out to be grasped [m].
+  double min_overhang = 0.02;
+  /// How far the centre of mass stays inside the edge [m]. In simulation the lift tipped some
+  /// objects at 2 mm and none at 10 mm; the paper asks for no margin.
+  double com_margin = 0.010;
+  /// How far the effective tip stays inside the edge [m].
+  double tip_margin = 0.010;
+  /// Clearance above the object before the hand comes round for it [m].
+  double lift_height = 0.08;
+  /// Length of the hand's straight final motion [m].
+  double grasp_approach = 0.06;
+  /// Longest step of ConstrainedExtend, Euclidean in the joints [rad].
+  double range = 0.1;
+  /// Largest joint step between checked configurations [rad].
+  double resolution = 0.01;
+  /// Whether to shorten a slide that came from a tree.
+  bool shortcut = true;
 };
 
 /// Throws std::invalid_argument that names the field, its value and what it may be.
@@ -55,9 +70,9 @@ GRASPLESS_API std::string to_string(Status status);
 
 /// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
 struct Segment {
-  std::string name;  ///< approach, press, slide, lift, reach, grasp or close
-  std::vector<Eigen::VectorXd> positions;         ///< all joints [rad or m]
-  std::vector<Eigen::Isometry3d> object_poses;    ///< X_WO at each row
+  std::string name;                        ///< approach, press, slide, lift, reach, grasp or close
+  std::vector<Eigen::VectorXd> positions;  ///< all joints [rad or m]
+  std::vector<Eigen::Isometry3d> object_poses;  ///< X_WO at each row
 };
 
 /// What the search did.
@@ -71,8 +86,9 @@ struct Statistics {
   std::int64_t projections = 0;
   std::int64_t ik_calls = 0;
   std::int64_t pairs = 0;  ///< start-goal pairs validated
-  /// Why roots and pairs were refused: "start: reach", "start: collision", "start: home", "goal: reach",
-  /// "goal: collision", "pair: overhang", "pair: center of mass", "pair: grasp reach", "pair: grasp motion", ...
+  /// Why roots and pairs were refused: "start: reach", "start: collision", "start: home", "goal:
+  /// reach", "goal: collision", "pair: overhang", "pair: center of mass", "pair: grasp reach",
+  /// "pair: grasp motion", ...
   std::map<std::string, std::int64_t> refusals;
 };
 
@@ -82,20 +98,21 @@ struct Plan {
   std::string reason;  ///< one sentence, for people
   std::vector<std::string> joint_names;
   std::vector<Segment> segments;
-  Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();    ///< kappa_g
-  Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();   ///< H_g
-  double overhang = 0;                                            ///< u at the goal [m]
+  Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
+  Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g
+  double overhang = 0;                                           ///< u at the goal [m]
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }
 };
 
-/// Plans approach, press, slide, lift, reach, grasp and close. Throws std::invalid_argument on a bad problem,
-/// options or budget; not finding a plan is a status. Same seed and iterations: the same plan, bit by bit.
+/// Plans approach, press, slide, lift, reach, grasp and close. Throws std::invalid_argument on a
+/// bad problem, options or budget; not finding a plan is a status. Same seed and iterations: the
+/// same plan, bit by bit.
 GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 
-/// Replays a plan against its problem at steps of 0.01 rad with none of the search's code. Each entry says which
-/// segment and row fails and how; an empty list means the plan holds.
+/// Replays a plan against its problem at steps of 0.01 rad with none of the search's code. Each
+/// entry says which segment and row fails and how; an empty list means the plan holds.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

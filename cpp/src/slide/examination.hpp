@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "graspless/slide/slide.hpp"
+
+/// check(): the promises of a plan, one function each. The formulas are written anew from the paper
+/// and from docs/architecture.md, so that a mistake in the search's cannot hide here.
+namespace graspless::slide {
+
+constexpr double kReplayStep = 0.01;  // [rad]
+constexpr double kSame = 1e-6;        // [m, rad]
+
+using Faults = std::vector<std::string>;
+
+/// Whether two poses agree in place [m] and attitude [rad].
+bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance);
+
+/// Distance of a point to a polygon's boundary, positive inside by its winding number.
+double inside_by(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p);
+
+/// One plan under examination.
+class Examination {
+ public:
+  Examination(const Problem& problem, const Plan& plan, const Options& options)
+      : problem_(problem),
+        plan_(plan),
+        options_(options),
+        X_SW_(problem.support.X_WS().inverse()) {}
+
+  Faults run();
+
+ private:
+  /// The finger against the support, from the frame's pose alone.
+  struct Finger {
+    double depth, pitch, roll;
+    bool other_finger_up;
+    Eigen::Vector2d commanded, effective, heading;
+  };
+
+  void fault(const std::string& where, const std::string& what) {
+    faults_.push_back(where + ": " + what);
+  }
+  void fault(const Segment& segment, std::size_t row, const std::string& what) {
+    fault(segment.name + " row " + std::to_string(row), what);
+  }
+  static std::string figure(double value);
+  const Segment& segment(const std::string& name) const;
+
+  bool has_shape();
+  void check_rows();
+  void check_object_poses();
+  void check_collisions(const Segment& segment);
+  void check_pressing(const Segment& segment);
+  void check_slide();
+  void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);
+  geometry::Polygon::Edge faced_edge();
+  void check_pair();
+  void check_grasp();
+  void check_straight(const Segment& grasp);
+  Finger finger(const Eigen::VectorXd& q) const;
+  Eigen::Isometry3d followed(const Finger& start, const Finger& now) const;
+  /// Calls visit(row, q) at steps of 0.01 rad along a segment; `row` is the one that the step leads
+  /// to.
+  template <typename Visit>
+  void replay(const Segment& segment, Visit visit) const;
+
+  const Problem& problem_;
+  const Plan& plan_;
+  const Options& options_;
+  Eigen::Isometry3d X_SW_;
+  Faults faults_;
+};
+
+template <typename Visit>
+void Examination::replay(const Segment& segment, Visit visit) const {
+  visit(0, segment.positions[0]);
+  for (std::size_t row = 1; row < segment.positions.size(); ++row) {
+    const Eigen::VectorXd& from = segment.positions[row - 1];
+    const Eigen::VectorXd step = segment.positions[row] - from;
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / kReplayStep)));
+    for (int i = 1; i <= pieces; ++i) visit(row, from + step * i / pieces);
+  }
+}
+
+}  // namespace graspless::slide

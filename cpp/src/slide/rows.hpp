@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace graspless::slide {
+
+constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
+
+/// In how many even steps a straight motion is looked at: rows of kRowStep, each cut at
+/// `resolution`. These are the very configurations at which the plan will be replayed, so that no
+/// corner slips between two grids.
+inline int replay_steps(double span, double resolution) {
+  const double rows = std::max(1.0, std::ceil(span / kRowStep));
+  return static_cast<int>(rows * std::max(1.0, std::ceil(span / rows / resolution)));
+}
+
+/// The joint step of those, for one motion.
+inline double replay_step(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                          double resolution) {
+  const double span = (to - from).lpNorm<Eigen::Infinity>();
+  if (span == 0) return resolution;
+  constexpr double kRounding = 1 + 1e-12;
+  return span / replay_steps(span, resolution) * kRounding;
+}
+
+}  // namespace graspless::slide
