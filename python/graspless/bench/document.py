@@ -18,6 +18,20 @@ from . import pictures
 from .grid import OMPL_PEERS, PAIRS, RANGES, ROOT_SCALES
 from .pictures import Panel
 from .report import Column, columns, markdown, milliseconds, percent
+from .tables import (
+    BASELINES,
+    METHODS,
+    PAIRED,
+    SEARCHES,
+    TIMES,
+    claims_table,
+    curves_of,
+    find,
+    named,
+    rows_of,
+    section_of,
+    time_to,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -25,26 +39,6 @@ if TYPE_CHECKING:
     from .summary import Row
 
     Results = dict[str, Row]  # by the name of the file
-    Claim = tuple[str, str]
-
-SEARCHES = {"fast": "fast", "paper": "Algorithm 1"}
-METHODS = {
-    "fast": "ours, fast",
-    "paper": "ours, Algorithm 1",
-    "cbirrt2": "CBiRRT2: one fixed start",
-    "cbirrt": "CBiRRT: one fixed pair",
-    "forest": "ours, on the pair",
-    "tangent_bundle_rrt_connect": "TangentBundle + RRTConnect",
-    "projected_biest": "Projected + BiEST",
-    "atlas_rrt_connect": "Atlas + RRTConnect",
-    "projected_rrt_connect": "Projected + RRTConnect",
-}
-BASELINES = ("fast", "paper", "cbirrt2", "cbirrt")
-PAIRED = ("forest", *OMPL_PEERS)
-TIMES = columns(
-    *("runs", "median", "90 %", "99 %", "at 10 ms", "at 100 ms", "at 1 s"),
-    *("solved", "failed checks"),
-)
 
 
 def write(directory: Path) -> None:
@@ -81,25 +75,27 @@ def _paper(results: Results, directory: Path) -> dict[str, str] | None:
         return None
     limit = max(result["time_limit_s"] for result in given.values())
     panels = [
-        Panel(f"{SEARCHES[s]} search", [(_section(c["name"]), c) for c in result["curves"]])
+        Panel(f"{SEARCHES[s]} search", [(section_of(c["name"]), c) for c in result["curves"]])
         for s, result in given.items()
     ]
     pictures.write_success(panels, limit, directory / "slide_paper.png")
     groups = [
-        (title, [(SEARCHES[s], _rows(result, by)) for s, result in given.items()])
+        (title, [(SEARCHES[s], rows_of(result, by)) for s, result in given.items()])
         for title, by in (("object", "object"), ("support surface", "table"))
     ]
     pictures.write_medians(groups, directory / "slide_paper_cells.png")
     tables = [
         markdown(
-            [_named(r, _section(r["name"])) for r in _rows(result, "section")], TIMES, SEARCHES[s]
+            [named(r, section_of(r["name"])) for r in rows_of(result, "section")],
+            TIMES,
+            SEARCHES[s],
         )
         for s, result in given.items()
     ]
     return {
         "tables": "\n\n".join(tables),
         "cells": _cells(given),
-        "claims": _claims(
+        "claims": claims_table(
             [
                 ("the average planning time is similar for all objects", _medians(given, "object")),
                 ("and for objects of half the size", _medians(given, "scale")),
@@ -123,9 +119,9 @@ def _cells(given: Results) -> str:
     rows = []
     for by in ("table", "object", "scale"):
         for name in dict.fromkeys(
-            r["name"] for result in given.values() for r in _rows(result, by)
+            r["name"] for result in given.values() for r in rows_of(result, by)
         ):
-            found = {search: _find(result, by, name) for search, result in given.items()}
+            found = {search: find(result, by, name) for search, result in given.items()}
             rows.append({"name": f"{by}: {name}", **found})
     return markdown(rows, shown)
 
@@ -133,7 +129,7 @@ def _cells(given: Results) -> str:
 def _medians(given: Results, by: str) -> str:
     texts = []
     for search, result in given.items():
-        medians = [row["p50_ms"] for row in _rows(result, by)]
+        medians = [row["p50_ms"] for row in rows_of(result, by)]
         least = min((m for m in medians if m is not None), default=None)
         most = None if None in medians else max(medians)
         spread = f"{milliseconds(least)} to {milliseconds(most)} ms"
@@ -145,7 +141,7 @@ def _reconfiguration(results: Results, directory: Path) -> dict[str, str] | None
     result = results.get("slide_reconfiguration")
     if result is None:
         return None
-    curves = _curves(result)
+    curves = curves_of(result)
     searches = [s for s in SEARCHES if ("range 0 cm", s) in curves]
     said = [(20.0, 90.0, 2), (60.0, 99.0, 2), (53.0, 90.0, 1), (60.0, 2.0, 0)]
     panels = [
@@ -159,7 +155,7 @@ def _reconfiguration(results: Results, directory: Path) -> dict[str, str] | None
     pictures.write_success(panels, result["time_limit_s"], directory / "slide_reconfiguration.png")
 
     def reached(name: str, rate: float) -> str:
-        times = {s: _time_to(curves[f"range {name}", s], rate) for s in searches}
+        times = {s: time_to(curves[f"range {name}", s], rate) for s in searches}
         return ", ".join(f"{text} ({SEARCHES[s]})" for s, text in times.items())
 
     within = f"within {result['time_limit_s']:g} s"
@@ -169,12 +165,12 @@ def _reconfiguration(results: Results, directory: Path) -> dict[str, str] | None
         solved = percent(len(curve["times_ms"]), curve["runs"])
         at_zero.append(f"{solved} {within} ({SEARCHES[search]})")
     rows = []
-    for row in _rows(result, "section"):
+    for row in rows_of(result, "section"):
         method = row["name"].rsplit(", ", 1)[1]
-        rows.append(_named(row, f"{_section(row['name'])}, {SEARCHES[method]}"))
+        rows.append(named(row, f"{section_of(row['name'])}, {SEARCHES[method]}"))
     return {
         "table": markdown(rows, TIMES),
-        "claims": _claims(
+        "claims": claims_table(
             [
                 ("2 cm: more than 90 % within 20 s", f"90 % {reached('2 cm', 0.9)}"),
                 ("2 cm: 99 % at 60 s", f"99 % {reached('2 cm', 0.99)}"),
@@ -189,7 +185,7 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
     result = results.get("slide_baselines")
     if result is None:
         return None
-    curves = _curves(result)
+    curves = curves_of(result)
     panels = [
         Panel("baselines, range 2 cm", [(METHODS[m], curves["range 2 cm", m]) for m in BASELINES])
     ]
@@ -200,14 +196,14 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
     pictures.write_success(panels, result["time_limit_s"], directory / "slide_baselines.png")
 
     def row(section: str, method: str) -> Row:
-        return _find(result, "section", f"{section}, {method}")
+        return find(result, "section", f"{section}, {method}")
 
     def table(section: str, methods: Sequence[str], title: str) -> str:
-        return markdown([_named(row(section, m), METHODS[m]) for m in methods], TIMES, title)
+        return markdown([named(row(section, m), METHODS[m]) for m in methods], TIMES, title)
 
     def rates(at: str) -> str:
-        named = {METHODS[m].split(":")[0]: row("range 2 cm", m) for m in BASELINES}
-        return ", ".join(f"{name} {percent(r[at], r['runs'])}" for name, r in named.items())
+        short = {METHODS[m].split(":")[0]: row("range 2 cm", m) for m in BASELINES}
+        return ", ".join(f"{name} {percent(r[at], r['runs'])}" for name, r in short.items())
 
     return {
         "limit": f"{result['time_limit_s']:g}",
@@ -215,7 +211,7 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
         "whole": table("range 0 cm", ("fast", "paper"), "whole problem"),
         "independent": table("independent pairs", PAIRED, "independent pairs"),
         "fitting": table("fitting pairs", PAIRED, "fitting pairs"),
-        "claims": _claims(
+        "claims": claims_table(
             [
                 ("both baselines perform worse", f"at 1 s: {rates('solved_1s')}"),
                 (
@@ -244,18 +240,18 @@ def _compared(row: Callable[[str, str], Row]) -> str:
             rates = " against ".join(percent(r["solved_100ms"], r["runs"]) for r in both)
             text = f"median {medians_ms} ms; at 100 ms {rates}"
             claims.append((f"{pairs} pairs: {name}, against {METHODS[best]}", text))
-    return _claims(claims, "")
+    return claims_table(claims, "")
 
 
 def _roots(results: Results, directory: Path) -> dict[str, str] | None:
     result = results.get("slide_roots")
     if result is None:
         return None
-    sections = {row["name"]: row for row in _rows(result, "section")}
+    sections = {row["name"]: row for row in rows_of(result, "section")}
     series = []
     for search, name in SEARCHES.items():
         names = {scale: f"N* {scale}, {search}" for scale in ROOT_SCALES}
-        rows = [_named(sections[n], str(scale)) for scale, n in names.items() if n in sections]
+        rows = [named(sections[n], str(scale)) for scale, n in names.items() if n in sections]
         if rows:
             series.append((name, rows))
     pictures.write_roots(series, directory / "slide_roots.png")
@@ -267,7 +263,7 @@ def _roots(results: Results, directory: Path) -> dict[str, str] | None:
     return {
         "limit": f"{result['time_limit_s']:g}",
         "table": "\n\n".join(markdown(rows, shown, f"{name}, N*") for name, rows in series),
-        "claims": _claims(
+        "claims": claims_table(
             [
                 (
                     "a small N* is too conservative, a large one distracts; N* = 100 is best",
@@ -281,7 +277,7 @@ def _roots(results: Results, directory: Path) -> dict[str, str] | None:
 def _circumstances(results: Results, directory: Path) -> dict[str, str]:
     del directory
     ordered = [result for _, result in sorted(results.items())]
-    rows = [_named(result, f"`{result['machine']['command']}`") for result in ordered]
+    rows = [named(result, f"`{result['machine']['command']}`") for result in ordered]
     shown: list[Column] = [
         ("when", lambda r: r["machine"]["date"]),
         ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
@@ -298,35 +294,3 @@ def _circumstances(results: Results, directory: Path) -> dict[str, str]:
         "versions": ", ".join(f"{name} {version}" for name, version in some["versions"].items()),
         "failed": f"{ours} of ours, {len(faults) - ours} of OMPL's planners",
     }
-
-
-def _claims(claims: Sequence[Claim], left: str = "the paper") -> str:
-    lines = [f"| {left} | measured |", "|---|---|", *(f"| {a} | {b} |" for a, b in claims)]
-    return "\n".join(lines)
-
-
-def _rows(result: Row, by: str) -> list[Row]:
-    return [row for row in result["rows"] if row["by"] == by]
-
-
-def _find(result: Row, by: str, name: str) -> Row:
-    return next(row for row in _rows(result, by) if row["name"] == name)
-
-
-def _named(row: Row, name: str) -> Row:
-    return row | {"name": name}
-
-
-def _section(label: str) -> str:
-    return label.rsplit(", ", 1)[0].replace("frozen", "frozen grid")
-
-
-def _curves(result: Row) -> dict[tuple[str, str], Row]:
-    return {(curve["section"], curve["method"]): curve for curve in result["curves"]}
-
-
-def _time_to(curve: Row, rate: float) -> str:
-    """When a rate was reached."""
-    needed = -int(-rate * curve["runs"] // 1)
-    times = curve["times_ms"]
-    return f"at {milliseconds(times[needed - 1])} ms" if needed <= len(times) else "not reached"
