@@ -14,10 +14,10 @@ import string
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import pictures
+from . import appendix, pictures
 from .grid import OMPL_PEERS, PAIRS, RANGES, ROOT_SCALES
 from .pictures import Panel
-from .report import Column, columns, markdown, milliseconds, percent
+from .report import columns, markdown, milliseconds, percent
 from .tables import (
     BASELINES,
     METHODS,
@@ -49,7 +49,8 @@ def write(directory: Path) -> None:
         "reconfiguration": _reconfiguration,
         "baselines": _baselines,
         "roots": _roots,
-        "circumstances": _circumstances,
+        "parts": appendix.parts,
+        "circumstances": appendix.circumstances,
     }
     text = [_template()["head"]]
     for name, make in makers.items():
@@ -271,26 +272,4 @@ def _roots(results: Results, directory: Path) -> dict[str, str] | None:
                 )
             ]
         ),
-    }
-
-
-def _circumstances(results: Results, directory: Path) -> dict[str, str]:
-    del directory
-    ordered = [result for _, result in sorted(results.items())]
-    rows = [named(result, f"`{result['machine']['command']}`") for result in ordered]
-    shown: list[Column] = [
-        ("when", lambda r: r["machine"]["date"]),
-        ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
-        ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
-        ("query [MB]", lambda r: f"{r['peak_mb']:.0f}"),
-        ("process [MB]", lambda r: f"{r['process_peak_mb']:.0f}"),
-    ]
-    faults = [fault["method"] for result in ordered for fault in result["failed_checks"]]
-    ours = sum(method not in OMPL_PEERS for method in faults)
-    some = ordered[0]
-    return {
-        "machine": f"{some['machine']['cpu']}, {some['machine']['cores']} cores",
-        "table": markdown(rows, shown, "command"),
-        "versions": ", ".join(f"{name} {version}" for name, version in some["versions"].items()),
-        "failed": f"{ours} of ours, {len(faults) - ours} of OMPL's planners",
     }

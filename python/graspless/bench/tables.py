@@ -30,6 +30,17 @@ METHODS = {
 }
 BASELINES = ("fast", "paper", "cbirrt2", "cbirrt")
 PAIRED = ("forest", *OMPL_PEERS)
+PARTS = {  # of benchmarks/
+    "solve_free": "closed-form inverse kinematics, up to eight solutions",
+    "BM_SlideProjection/range_mm:0": "projection after a step of 0.1 rad, range 0",
+    "BM_SlideProjection/range_mm:20": "projection after a step of 0.1 rad, range 2 cm",
+    "BM_SlideConstraintRows/jacobian:0": "kinematics and constraint rows of one configuration",
+    "BM_SlideConstraintRows/jacobian:1": "the same with their Jacobian",
+    "BM_SlideIsValid": "constraint and collision of one configuration",
+    "BM_SlideQuery": "scenes of a query",
+    "BM_SlidePlan/min_time:1.000": "plan(), mean over 64 poses",
+    "BM_SlideCheck": "check() of a plan",
+}
 TIMES = columns(
     *("runs", "median", "90 %", "99 %", "at 10 ms", "at 100 ms", "at 1 s"),
     *("solved", "failed checks"),
