@@ -22,9 +22,9 @@ stubs:  ## python/graspless/_core/*.pyi, from the extension
 	@tools/install test
 	.venv/bin/python tools/stubs.py python/graspless/_core
 
-bench:  ## the paper's grid, a hundred queries a cell
+bench:  ## the paper's experiments anew, into docs/results: half an hour
 	@tools/install view
-	.venv/bin/graspless bench slide --grid paper --runs 100 --seed 1
+	@tools/results
 
 wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with those hidden
 	@tools/install wheel

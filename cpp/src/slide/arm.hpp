@@ -12,7 +12,7 @@ namespace graspless::slide {
 
 /// The joints that the search moves: those of the hand's arm, all others as at home with the hand
 /// open.
-class Arm {
+class GRASPLESS_API Arm {
  public:
   explicit Arm(const Problem& problem);
 

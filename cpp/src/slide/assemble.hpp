@@ -10,7 +10,8 @@ namespace graspless::slide {
 bool is_home_free(Query& query, Plan& plan);
 
 /// Writes the segments: the approach and handling of the valid pair around the slide.
-void assemble(Query& query, const Motions& motions, const planning::Path& slide, Plan& plan);
+GRASPLESS_API void assemble(Query& query, const Motions& motions, const planning::Path& slide,
+                            Plan& plan);
 
 /// One sentence on the plan's status, from its counters.
 std::string reason(const Plan& plan);

@@ -20,7 +20,7 @@ namespace graspless::slide {
 /// Three rows over the arm's joints: height of the tip over S, sine of its pitch, roll. Beside
 /// them, what has no gradient: the tip and its effective contact stay over the support, and nothing
 /// collides.
-class ContactSpace {
+class GRASPLESS_API ContactSpace {
  public:
   /// Where an object travels: the start tip it is carried by. Absent while the start is not known.
   struct Carried {
@@ -31,6 +31,10 @@ class ContactSpace {
   ContactSpace(const ContactSpace&) = delete;  // the projection calls back
   ContactSpace& operator=(const ContactSpace&) = delete;
 
+  /// Height of the tip over S [m], sine of its pitch, roll; and unless `J` is null, their
+  /// derivatives.
+  void rows(const Eigen::VectorXd& arm, planning::BandProjection::Values& value,
+            planning::BandProjection::Jacobian* J);
   /// Brings the arm's joints onto the constraint.
   bool project(Eigen::VectorXd& arm) {
     ++num_projections_;
@@ -62,8 +66,6 @@ class ContactSpace {
   int num_projections() const { return num_projections_; }
 
  private:
-  void rows(const Eigen::VectorXd& arm, planning::BandProjection::Values& value,
-            planning::BandProjection::Jacobian* J);
   void row_values(planning::BandProjection::Values& value) const;
   bool keeps_contact(Planar& effective) const;
   void place_object(const std::optional<Carried>& carried, const Planar& effective);

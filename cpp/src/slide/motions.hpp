@@ -31,7 +31,7 @@ struct Handling {
 };
 
 /// The motions around the slide, and with them IsPairValid.
-class Motions {
+class GRASPLESS_API Motions {
  public:
   explicit Motions(Query& query) : query_(query) {}
 

@@ -13,7 +13,7 @@
 namespace graspless::slide {
 
 /// What one plan() works with.
-struct Query {
+struct GRASPLESS_API Query {
   Query(const Problem& problem, const Options& options, const planning::Budget& budget);
 
   const Problem& problem;

@@ -12,7 +12,7 @@
 /// What the planner draws from: C_s of Eq. (3), C_g of Eq. (4), and goals that fit a start.
 namespace graspless::slide {
 
-class StartRegion : public planning::SampleableRegion {
+class GRASPLESS_API StartRegion : public planning::SampleableRegion {
  public:
   StartRegion(const ompl::base::SpaceInformationPtr& si, Query& query);
   bool try_sample(ompl::base::State* state) const override;
@@ -21,7 +21,7 @@ class StartRegion : public planning::SampleableRegion {
   Query& query_;
 };
 
-class GoalRegion : public planning::SampleableRegion {
+class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
  public:
   GoalRegion(const ompl::base::SpaceInformationPtr& si, Query& query, Motions& motions);
   bool try_sample(ompl::base::State* state) const override;

@@ -8,4 +8,5 @@ from . import collision
 from . import scene
 from . import planning
 from . import slide
-__all__: list[str] = ['collision', 'geometry', 'planning', 'robot', 'scene', 'slide']
+from . import bench
+__all__: list[str] = ['bench', 'collision', 'geometry', 'planning', 'robot', 'scene', 'slide']

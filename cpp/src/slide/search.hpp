@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include <ompl/base/SpaceInformation.h>
+
+#include "graspless/planning/forest_cbirrt.hpp"
+
+#include "slide/regions.hpp"
+
+namespace graspless::slide {
+
+/// Everything OMPL needs for one query: ForestCBiRRT (Algorithm 1) over the arm's joints.
+struct SlideSearch {
+  ompl::base::SpaceInformationPtr si;
+  std::shared_ptr<ompl::base::ProblemDefinition> problem;
+  std::shared_ptr<planning::ForestCBiRRT> planner;
+};
+
+/// The arm's joints as a state space; a state is valid when it presses on the support free of
+/// collision.
+GRASPLESS_API ompl::base::SpaceInformationPtr make_space(Query& query);
+
+/// The planner between two regions of that space, with the relaxed contact constraint of Section
+/// IV-C.3. What it refers to must outlive it.
+GRASPLESS_API SlideSearch
+make_search(Query& query, const ompl::base::SpaceInformationPtr& si,
+            std::shared_ptr<const ompl::base::GoalSampleableRegion> starts,
+            std::shared_ptr<ompl::base::GoalSampleableRegion> goals);
+
+}  // namespace graspless::slide

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How much memory this process takes (Linux)."""
+
+from __future__ import annotations
+
+import re
+import resource
+from pathlib import Path
+
+_SELF = Path("/proc/self")
+
+
+def reset_peak() -> bool:
+    """From here on peak_bytes() counts anew; False where the kernel does not let us."""
+    try:
+        (_SELF / "clear_refs").write_text("5")
+    except OSError:
+        return False
+    return True
+
+
+def peak_bytes() -> int:
+    """Highest resident memory since reset_peak(), or of the process where that is not to be had."""
+    return _status("VmHWM") or resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+
+
+def resident_bytes() -> int:
+    return _status("VmRSS")
+
+
+def _status(field: str) -> int:
+    try:
+        text = (_SELF / "status").read_text()
+    except OSError:
+        return 0
+    found = re.search(rf"^{field}:\s+(\d+) kB", text, re.MULTILINE)
+    return int(found[1]) * 1024 if found else 0
