@@ -372,10 +372,13 @@ void bind_slide(py::module_ m) {
   m.def(
       "check",
       [](const Problem& problem, const Plan& plan, const Options& options) {
-        return check(problem, plan, options);
+        // Copied while the GIL is held: another thread may write to them meanwhile.
+        const Plan plan_now = plan;
+        const Options options_now = options;
+        const py::gil_scoped_release release;
+        return check(problem, plan_now, options_now);
       },
       py::arg("problem"), py::arg("plan"), default_options,
-      py::call_guard<py::gil_scoped_release>(),
       "Replays a plan against its problem, with none of the search's code.\n\n"
       "Each entry says which segment and row fails and how; an empty list means the plan holds.");
 }

@@ -33,6 +33,26 @@ std::vector<Triangle> triangulate(const Polygon& polygon) {
   return triangles;
 }
 
+/// Whether a point that is deep inside for sure lies in no piece of the core. A mitre at a reflex
+/// corner takes at most `kMitre` times the width away from it, but at notches sharper than a right
+/// angle.
+bool misses_the_middle(const Polygon& polygon, double width, const std::vector<Polygon>& core) {
+  constexpr double kMitre = 1.4142135623730951 * (1 + 1e-9);
+  const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
+  const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
+  constexpr int kGrid = 24;
+  for (int i = 1; i < kGrid; ++i) {
+    for (int j = 1; j < kGrid; ++j) {
+      const Eigen::Vector2d p = lower + (upper - lower).cwiseProduct(Eigen::Vector2d(i, j)) / kGrid;
+      if (polygon.depth(p) <= kMitre * width) continue;
+      if (std::none_of(core.begin(), core.end(), [&](const Polygon& c) { return c.contains(p); })) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// The contracted pieces, if each is a simple polygon whose vertices lie `width` inside.
 std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double width) {
   const double slack = 1e-6 * (1 + width);
@@ -49,7 +69,7 @@ std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double
   } catch (const std::exception&) {  // CGAL's checks, or a piece that is not simple
     return std::nullopt;
   }
-  if (area >= polygon.area()) return std::nullopt;
+  if (area >= polygon.area() || misses_the_middle(polygon, width, core)) return std::nullopt;
   return core;
 }
 

@@ -143,7 +143,7 @@ int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
     si_->getStateSpace()->interpolate(current, target, std::min(1.0, range_ / left), next);
     if (project_ && !project_(next)) break;
     const double now_left = si_->distance(next, target);
-    constexpr double kProgress = 1e-6;  // a projection may pull back all that a step gained
+    constexpr double kProgress = 1e-3;  // a projection may pull back all that a step gained
     if (now_left > left - kProgress * range_ || si_->distance(current, next) > 2 * range_) break;
     if (!is_motion_valid(start, current, next)) break;
     last = forest.add(next, last);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <tuple>
 
 #include "slide/rows.hpp"
 
@@ -41,13 +42,16 @@ void append_slide(Query& query, const Path& slide, Plan& plan) {
   plan.segments.push_back(std::move(segment));
 }
 
-std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
-  std::vector<std::pair<std::int64_t, std::string>> sorted;
-  for (const auto& [why, times] : refusals) sorted.emplace_back(times, why);
+/// The three most frequent refusals; those of pairs first, where it came to pairs.
+std::string most_frequent(const std::map<std::string, std::int64_t>& refusals, bool pairs_first) {
+  std::vector<std::tuple<bool, std::int64_t, std::string>> sorted;
+  for (const auto& [why, times] : refusals) {
+    sorted.emplace_back(pairs_first && why.rfind("pair:", 0) == 0, times, why);
+  }
   std::sort(sorted.rbegin(), sorted.rend());
   std::ostringstream out;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, sorted.size()); ++i) {
-    out << (i ? ", " : "") << sorted[i].second << " (" << sorted[i].first << ")";
+    out << (i ? ", " : "") << std::get<2>(sorted[i]) << " (" << std::get<1>(sorted[i]) << ")";
   }
   return out.str();
 }
@@ -87,10 +91,14 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
 }
 
 std::string reason(const Plan& plan) {
+  const bool pairs = plan.status == Status::no_valid_pair;
   const std::string refused =
       plan.statistics.refusals.empty()
           ? ""
-          : "; refused most often: " + most_frequent(plan.statistics.refusals);
+          : "; refused most often: " + most_frequent(plan.statistics.refusals, pairs);
+  if (plan.status != Status::solved && plan.statistics.iterations == 0) {
+    return "the budget allowed no iteration";
+  }
   switch (plan.status) {
     case Status::solved:
       return "solved";
@@ -101,7 +109,7 @@ std::string reason(const Plan& plan) {
     case Status::no_goal_root:
       return "no configuration presses near an edge" + refused;
     case Status::no_valid_pair:
-      return "starts and goals were connected, but no pair was valid" + refused;
+      return "starts and goals were connected, but no pair of them held" + refused;
     case Status::not_connected:
       return "no start and goal were connected" + refused;
     case Status::interrupted:

@@ -46,12 +46,15 @@ Faults Examination::run() {
   if (!has_shape()) return faults_;
   check_rows();
   check_object_poses();
+  check_hand_open();
   for (const Segment& segment : plan_.segments) check_collisions(segment);
   check_pressing(segment("press"));
   check_pressing(segment("lift"));
+  check_clearance();
   check_slide();
   check_pair();
   check_grasp();
+  check_closing();
   return faults_;
 }
 
@@ -81,12 +84,14 @@ bool Examination::has_shape() {
     if (s.positions.empty() || s.positions.size() != s.object_poses.size()) {
       fault(s.name, "needs rows, and one object pose for each");
     }
-    for (std::size_t i = 0; i < s.positions.size(); ++i) {
-      const bool sound =
-          s.positions[i].size() == problem_.robot.dof() && s.positions[i].allFinite() &&
-          s.object_poses[std::min(i, s.object_poses.size() - 1)].matrix().allFinite();
+    for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
+      const bool sound = s.positions[i].size() == problem_.robot.dof() &&
+                         s.positions[i].allFinite() && s.object_poses[i].matrix().allFinite();
       if (!sound) fault(s, i, "has the wrong size or a value that is not finite");
     }
+  }
+  if (!plan_.X_WO_goal.matrix().allFinite() || !plan_.X_WH_grasp.matrix().allFinite()) {
+    fault("plan", "X_WO_goal or X_WH_grasp is not finite");
   }
   return faults_.empty();
 }
@@ -108,10 +113,18 @@ void Examination::check_rows() {
   }
 }
 
+/// Where the object begins: the given pose, laid flat on the support.
+Eigen::Isometry3d Examination::object_start() const {
+  const Eigen::Isometry3d X_SO = X_SW_ * problem_.X_WO_start;
+  const double yaw = std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0));
+  const Eigen::Vector3d p_SO(X_SO.translation().x(), X_SO.translation().y(), 0);
+  return problem_.support.X_WS() * Eigen::Translation3d(p_SO) *
+         Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
+}
+
 void Examination::check_object_poses() {
   const Eigen::Isometry3d& X_WO_slid = segment("slide").object_poses.back();
-  constexpr double kFlat = 0.0175;  // a given pose may lie this far off the surface [m, rad]
-  if (!is_same(plan_.segments[0].object_poses[0], problem_.X_WO_start, kFlat)) {
+  if (!is_same(plan_.segments[0].object_poses[0], object_start(), kSame)) {
     fault("approach row 0", "the object is not at its start");
   }
   if (!is_same(plan_.X_WO_goal, X_WO_slid, kSame))
@@ -123,6 +136,20 @@ void Examination::check_object_poses() {
     for (std::size_t i = 0; i < s.object_poses.size(); ++i) {
       if (!is_same(s.object_poses[i], still, kSame))
         fault(s, i, "the object moves though nothing slides it");
+    }
+  }
+}
+
+/// Between approach and close the search moves the arm alone: the hand stays open.
+void Examination::check_hand_open() {
+  const Eigen::VectorXd& open = problem_.robot.state(problem_.hand.open);
+  const std::vector<int>& arm = problem_.robot.group(problem_.hand.arm);
+  for (const Segment& s : plan_.segments) {
+    if (s.name == "approach" || s.name == "close") continue;
+    for (std::size_t i = 0; i < s.positions.size(); ++i) {
+      Eigen::VectorXd off = s.positions[i] - open;
+      for (int joint : arm) off[joint] = 0;
+      if (off.lpNorm<Eigen::Infinity>() > kSame) fault(s, i, "the hand is not open");
     }
   }
 }
@@ -147,8 +174,7 @@ void Examination::check_collisions(const Segment& segment) {
 }
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
-  validate(problem);
-  validate(options);
+  validate(problem, options);
   return Examination(problem, plan, options).run();
 }
 

@@ -8,6 +8,14 @@
 #include "slide/examination.hpp"
 
 namespace graspless::slide {
+namespace {
+
+constexpr double kRound = 1e-9;
+// How far the contact may stray while the finger presses or lifts, and so over a margin that the
+// slide just keeps [m].
+constexpr double kStray = 5e-4;
+
+}  // namespace
 
 Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   const Eigen::Isometry3d X_SF =
@@ -48,7 +56,7 @@ Eigen::Isometry3d Examination::followed(const Finger& start, const Finger& now) 
 
 /// While the finger presses or lifts, the object must stand still: the effective contact does.
 void Examination::check_pressing(const Segment& segment) {
-  constexpr double kStill = 5e-4;  // [m]
+  constexpr double kTurn = 1e-3;  // [rad]
   const bool press = segment.name == "press";
   const Finger pressed = finger(press ? segment.positions.back() : segment.positions.front());
   replay(segment, [&](std::size_t row, const Eigen::VectorXd& q) {
@@ -58,11 +66,21 @@ void Examination::check_pressing(const Segment& segment) {
     }
     if (now.depth <= 0) return;
     const double moved = (now.effective - pressed.effective).norm();
-    if (moved > kStill) fault(segment, row, "the contact moves by " + figure(moved) + " m");
-    if (std::abs(now.pitch - options_.pitch) > options_.pitch_tolerance) {
-      fault(segment, row, "pitch " + figure(now.pitch) + " rad");
-    }
+    if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
+    const double turned = (now.heading - pressed.heading).norm();
+    if (!(turned <= kTurn)) fault(segment, row, "the contact turns by " + figure(turned) + " rad");
+    check_touching_row(segment, row, now);
   });
+}
+
+/// The approach comes from, and the lift goes, clear of the object.
+void Examination::check_clearance() {
+  for (const auto& q : {segment("press").positions.front(), segment("lift").positions.back()}) {
+    const double clear = -finger(q).depth;
+    if (clear < options_.lift_height - 1e-4) {
+      fault("press or lift", "the fingertip is only " + figure(clear) + " m above the object");
+    }
+  }
 }
 
 void Examination::check_slide() {
@@ -74,8 +92,12 @@ void Examination::check_slide() {
   if (inside_by(problem_.object.outline().vertices(), contact_O.head<2>()) < -0.001) {
     fault(slide, 0, "the contact is not on the object");
   }
-  if (std::abs(start.pitch - options_.pitch) > 1e-4) {
-    fault(slide, 0, "does not start at the given pitch: " + figure(start.pitch) + " rad");
+  const double end_pitch = finger(slide.positions.back()).pitch;
+  for (const double pitch :
+       {start.pitch, end_pitch}) {  // Eqs. (3) and (4): beta = beta_0 at both ends
+    if (!(std::abs(pitch - options_.pitch) <= 1e-4)) {
+      fault(slide, 0, "begins or ends at pitch " + figure(pitch) + " rad");
+    }
   }
   replay(slide, [&](std::size_t row, const Eigen::VectorXd& q) { check_slide_row(slide, row, q); });
   for (std::size_t row = 0; row < slide.positions.size(); ++row) {
@@ -86,22 +108,33 @@ void Examination::check_slide() {
 }
 
 void Examination::check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q) {
-  constexpr double kRound = 1e-9;
   const Finger now = finger(q);
   const double play = options_.height_tolerance + kRound;
-  if (now.depth < options_.min_depth - play || now.depth > options_.max_depth + play) {
+  if (!(now.depth >= options_.min_depth - play && now.depth <= options_.max_depth + play)) {
     fault(slide, row, "depth " + figure(now.depth) + " m is out of its band");
   }
-  if (std::abs(now.pitch - options_.pitch) > options_.pitch_tolerance + kRound) {
-    fault(slide, row, "pitch " + figure(now.pitch) + " rad is out of its band");
-  }
-  if (std::abs(now.roll) > options_.roll_tolerance + kRound)
-    fault(slide, row, "roll " + figure(now.roll) + " rad");
-  if (!now.other_finger_up) fault(slide, row, "the other finger points down");
+  check_touching_row(slide, row, now);
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
-  if (inside_by(Q, now.commanded) < -kRound) fault(slide, row, "the fingertip leaves the support");
-  if (inside_by(Q, now.effective) < options_.tip_margin - kRound) {
-    fault(slide, row, "the contact comes too near the edge");
+  if (inside_by(Q, now.commanded) < -kRound ||
+      inside_by(Q, now.effective) < options_.tip_margin - kRound) {
+    fault(slide, row, "the fingertip or its contact is not far enough inside the support");
+  }
+}
+
+/// What holds whenever the finger touches the object.
+void Examination::check_touching_row(const Segment& segment, std::size_t row, const Finger& now) {
+  if (!(std::abs(now.pitch - options_.pitch) <= options_.pitch_tolerance + kRound)) {
+    fault(segment, row, "pitch " + figure(now.pitch) + " rad is out of its band");
+  }
+  if (!(std::abs(now.roll) <= options_.roll_tolerance + kRound)) {
+    fault(segment, row, "roll " + figure(now.roll) + " rad");
+  }
+  if (!now.other_finger_up) fault(segment, row, "the other finger points down");
+  const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
+  if (inside_by(Q, now.commanded) < -kStray)
+    fault(segment, row, "the fingertip leaves the support");
+  if (inside_by(Q, now.effective) < options_.tip_margin - kStray) {
+    fault(segment, row, "the contact comes too near the edge");
   }
 }
 

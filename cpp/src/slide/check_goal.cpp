@@ -11,78 +11,107 @@
 
 namespace graspless::slide {
 
-/// The edge that the hand faces: of those across its way, the nearest to it.
-geometry::Polygon::Edge Examination::faced_edge() {
+Examination::Protrusion Examination::protrusion() const {
+  const Eigen::Isometry3d X_SO = X_SW_ * plan_.X_WO_goal;
   const geometry::Polygon& Q = problem_.support.polygon();
-  const Eigen::Isometry3d X_SH = X_SW_ * plan_.X_WH_grasp;
-  const Eigen::Vector2d in = X_SH.linear().col(2).head<2>(), hand = X_SH.translation().head<2>();
-  geometry::Polygon::Edge faced = Q.edge(0);
+  std::vector<Eigen::Vector2d> out;
+  for (const auto& p_O : problem_.object.points().colwise()) {
+    const Eigen::Vector2d p = (X_SO * Eigen::Vector3d(p_O.x(), p_O.y(), 0)).head<2>();
+    if (inside_by(Q.vertices(), p) < 0) out.push_back(p);
+  }
+  Protrusion result;
+  result.any = !out.empty();
+  if (!result.any) return result;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const auto& p : out) sum += p;
+  result.center = sum / static_cast<double>(out.size());
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < Q.size(); ++i) {
     const auto edge = Q.edge(i);
-    const double along = std::clamp(
-        (hand - edge.a).dot(edge.b - edge.a) / (edge.b - edge.a).squaredNorm(), 0.0, 1.0);
-    const double distance = (hand - edge.a - along * (edge.b - edge.a)).norm();
-    if (edge.inward.dot(in) < 1 - 1e-6 || distance >= nearest) continue;
+    const Eigen::Vector2d along = edge.b - edge.a;
+    const double t =
+        std::clamp((result.center - edge.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (result.center - edge.a - t * along).norm();
+    if (distance >= nearest) continue;
     nearest = distance;
-    faced = edge;
+    result.edge = edge;
   }
-  if (!std::isfinite(nearest)) fault("goal", "the hand does not come perpendicularly to an edge");
-  return faced;
+  for (const auto& p : out) {
+    result.overhang = std::max(result.overhang, result.edge.inward.dot(result.edge.a - p));
+  }
+  return result;
 }
 
 /// Conditions 1 and 2 of IsPairValid.
 void Examination::check_pair() {
-  const Eigen::Isometry3d X_SO = X_SW_ * plan_.X_WO_goal;
-  const geometry::Polygon& Q = problem_.support.polygon();
-  const geometry::Polygon::Edge edge = faced_edge();
-  double overhang = 0;
-  for (const auto& p_O : problem_.object.points().colwise()) {
-    const Eigen::Vector2d p = (X_SO * Eigen::Vector3d(p_O.x(), p_O.y(), 0)).head<2>();
-    if (inside_by(Q.vertices(), p) < 0) overhang = std::max(overhang, -edge.inward.dot(p - edge.a));
+  const Protrusion out = protrusion();
+  if (!out.any || !(out.overhang >= options_.min_overhang - 1e-9)) {
+    fault("goal", "the object sticks out by " + figure(out.overhang) + " m only");
   }
-  if (!(overhang >= options_.min_overhang - 1e-9)) {
-    fault("goal", "the object sticks out by " + figure(overhang) + " m only");
-  }
-  if (std::abs(overhang - plan_.overhang) > kSame)
+  if (!(std::abs(out.overhang - plan_.overhang) <= kSame)) {
     fault("goal", "the overhang is not what the plan says");
+  }
   Eigen::Vector3d com_W = plan_.X_WO_goal * problem_.object.com();
   const Eigen::Vector3d n = problem_.support.normal_W();
-  com_W.z() -= n.dot(com_W - problem_.support.X_WS().translation()) /
-               n.z();  // along gravity, onto the surface
-  const double inside = inside_by(Q.vertices(), (X_SW_ * com_W).head<2>());
-  if (inside < options_.com_margin - 1e-9) {
+  // Along gravity, onto the surface.
+  com_W.z() -= n.dot(com_W - problem_.support.X_WS().translation()) / n.z();
+  const double inside = inside_by(problem_.support.polygon().vertices(), (X_SW_ * com_W).head<2>());
+  if (!(inside >= options_.com_margin - 1e-9)) {
     fault("goal", "the centre of mass is inside by " + figure(inside) + " m only");
   }
 }
 
-/// Condition 3: the hand arrives at H_g, straight, and closes on the object.
+/// Condition 3: the hand arrives at H_g, and comes there straight.
 void Examination::check_grasp() {
   const Segment& grasp = segment("grasp");
-  const robot::Robot& robot = problem_.robot;
-  const int H = robot.frame(problem_.hand.grasp_frame);
-  if (!is_same(robot.pose(H, grasp.positions.back()), plan_.X_WH_grasp, 1e-5)) {
+  const int H = problem_.robot.frame(problem_.hand.grasp_frame);
+  if (!is_same(problem_.robot.pose(H, grasp.positions.back()), plan_.X_WH_grasp, 1e-5)) {
     fault("grasp", "does not end at X_WH_grasp");
   }
+  const Protrusion out = protrusion();
+  if (!out.any) return;
   const Eigen::Isometry3d X_SH = X_SW_ * plan_.X_WH_grasp;
-  if (std::abs(X_SH.linear()(2, 2)) > 1e-6 || std::abs(std::abs(X_SH.linear()(2, 1)) - 1) > 1e-6) {
-    fault("grasp", "the finger plane is not vertical, or the hand not level with the surface");
+  const Eigen::Vector3d in(out.edge.inward.x(), out.edge.inward.y(), 0);
+  if (!(X_SH.linear().col(2) - in).isZero(kSame)) {
+    fault("grasp", "the hand does not come perpendicularly to the nearest edge");
   }
-  if (std::abs(X_SH.translation().z() - problem_.object.thickness() / 2) > 1e-6) {
-    fault("grasp", "the hand is not at half the object's height");
+  if (!(std::abs(X_SH.linear()(2, 1)) >= 1 - kSame)) {
+    fault("grasp", "the finger plane is not vertical");
   }
-  const Eigen::Isometry3d X_OH = plan_.X_WO_goal.inverse() * plan_.X_WH_grasp;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& p : problem_.object.points().colwise()) {
-    nearest = std::min(nearest, (X_OH.translation().head<2>() - p).norm());
+  const Eigen::Vector3d where(out.center.x(), out.center.y(), problem_.object.thickness() / 2);
+  if (!(X_SH.translation() - where).isZero(kSame)) {
+    fault("grasp", "the hand is not at the middle of what sticks out");
   }
-  if (nearest > 0.02) fault("grasp", "the hand closes beside the object");
   check_straight(grasp);
+}
 
-  Replay strict(problem_, options_, Contacts::none);
+/// The hand closes from open towards closed with the arm at rest, and stops as it touches the
+/// object.
+void Examination::check_closing() {
+  constexpr double kPrecision = 2e-4;  // of the joint that moves most, at the touch [rad or m]
   const Segment& close = segment("close");
-  if (strict.touching(close.positions.back(), close.object_poses.back()).empty()) {
+  const Eigen::VectorXd open = close.positions.front();
+  Eigen::VectorXd way = problem_.robot.state(problem_.hand.closed) - open;
+  for (int joint : problem_.robot.group(problem_.hand.arm)) way[joint] = 0;
+  Eigen::Index most = 0;
+  const double travel = way.cwiseAbs().maxCoeff(&most);
+  double before = 0;
+  for (std::size_t i = 0; i < close.positions.size(); ++i) {
+    const Eigen::VectorXd moved = close.positions[i] - open;
+    const double t = travel > 0 ? moved[most] / way[most] : 0;
+    if (!(moved - t * way).isZero(kSame) || t < before - kSame || t > 1 + kSame) {
+      fault(close, i, "does not close the hand, and the hand alone");
+    }
+    before = t;
+  }
+  Replay strict(problem_, options_, Contacts::none);
+  const Eigen::Isometry3d& X_WO = close.object_poses.back();
+  if (strict.touching(close.positions.back(), X_WO).empty()) {
     fault("close", "no finger touches the object at the end");
+  }
+  const double just_before = travel > 0 ? std::max(0.0, before - kPrecision / travel) : 0;
+  if (!strict.touching(open + just_before * way, X_WO).empty()) {
+    fault("close", "the hand closes on after it touched the object");
   }
 }
 

@@ -15,7 +15,7 @@ Tip tip(const Eigen::Isometry3d& X_SF) {
           X_SF.translation().z(),
           {across.y(), -across.x()},  // X_F x z
           std::asin(std::clamp(-z.z(), -1.0, 1.0)),
-          x.z(),
+          std::asin(std::clamp(x.z(), -1.0, 1.0)),
           y.z() > 0};
 }
 
@@ -33,7 +33,7 @@ Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height, const
 double contact_shift(const Hand& hand, double depth, double pitch, double touch_pitch) {
   if (hand.finger_model == FingerModel::none) return 0;
   const double L = hand.flexure_length, r = hand.tip_radius;
-  const double flexed = std::asin(std::clamp(std::sin(pitch) - depth / L, -1.0, 1.0));
+  const double flexed = std::asin(std::max(-1.0, std::sin(pitch) - depth / L));
   return L * (std::cos(flexed) - std::cos(pitch)) + r * (touch_pitch - flexed);
 }
 

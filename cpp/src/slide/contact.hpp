@@ -22,7 +22,7 @@ struct Tip {
   double height;             ///< of the frame's origin above S [m]
   Eigen::Vector2d heading;   ///< unit
   double pitch;              ///< [rad]
-  double roll;               ///< sine of the tilt of X_F out of the surface
+  double roll;               ///< tilt of X_F out of the surface [rad]
   bool other_finger_up;  ///< Y_F points up: the other of the two configurations with this height
                          ///< and pitch points it down
 };

@@ -30,7 +30,7 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
       object_body_(scene_.world().body(kObjectBody)),
       q_(arm.open()),
       projection_(make_projection()) {
-  // The bands hold the sliding finger at the very depth that its allowances would (press_depths),
+  // The bands hold the sliding finger at the very depth that its allowances would,
   // so the pairs need no test of their own here; check() tests them.
   for (const std::string& link : problem.hand.sliding_finger) {
     const int body = scene_.link_body(problem.robot.frame(link));

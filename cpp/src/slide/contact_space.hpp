@@ -28,6 +28,8 @@ class GRASPLESS_API ContactSpace {
   };
 
   ContactSpace(const Problem& problem, const Options& options, const Arm& arm);
+  ContactSpace(const ContactSpace&) = delete;  // the projection calls back
+  ContactSpace& operator=(const ContactSpace&) = delete;
 
   /// Height of the tip over S [m], sine of its pitch, roll; and unless `J` is null, their
   /// derivatives.

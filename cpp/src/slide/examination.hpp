@@ -59,9 +59,21 @@ class Examination {
   void check_pressing(const Segment& segment);
   void check_slide();
   void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);
-  geometry::Polygon::Edge faced_edge();
+  /// What sticks out of the support where the object ends.
+  struct Protrusion {
+    bool any = false;
+    double overhang = 0;
+    Eigen::Vector2d center;
+    geometry::Polygon::Edge edge{};
+  };
+  Protrusion protrusion() const;
+  Eigen::Isometry3d object_start() const;
+  void check_hand_open();
+  void check_clearance();
+  void check_touching_row(const Segment& segment, std::size_t row, const Finger& now);
   void check_pair();
   void check_grasp();
+  void check_closing();
   void check_straight(const Segment& grasp);
   Finger finger(const Eigen::VectorXd& q) const;
   Eigen::Isometry3d followed(const Finger& start, const Finger& now) const;

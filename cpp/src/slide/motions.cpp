@@ -116,11 +116,17 @@ std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Pla
   return path;
 }
 
-/// Whether the effective contact stays where it is also half way between waypoints.
+/// Whether the effective contact stays where it is, heading and all, also half way between
+/// waypoints.
 bool Motions::stands_still(const Path& press, const Planar& contact) {
+  constexpr double kTurn = 8e-4;  // [rad]
   for (std::size_t i = 1; i < press.size(); ++i) {
-    const Planar middle = query_.contact.effective_tip_at((press[i - 1] + press[i]) / 2);
-    if ((middle.translation() - contact.translation()).norm() > kStill) return false;
+    const Eigen::VectorXd middle = (press[i - 1] + press[i]) / 2;
+    const Planar now = query_.contact.effective_tip_at(middle);
+    if ((now.translation() - contact.translation()).norm() > kStill) return false;
+    if ((now.linear() - contact.linear()).col(0).norm() > kTurn) return false;
+    if (std::abs(query_.contact.tip_at(middle).roll) > 0.9 * query_.options.roll_tolerance)
+      return false;
   }
   return true;
 }
@@ -220,11 +226,17 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
         grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
   }
   const auto out = track(query_.grasp_ik, grasp.arm, outwards, query_.free);
-  if (!out) return false;
+  if (!out) {
+    query_.refuse("pair: straight approach");
+    return false;
+  }
+  const auto close = close_hand(grasp.arm);
+  if (!close) {
+    query_.refuse("pair: closing");
+    return false;
+  }
   const auto reach = free_path(handling.lift.back(), out->back(), iterations);
   if (!reach) return false;
-  const auto close = close_hand(grasp.arm);
-  if (!close) return false;
   handling.reach = *reach;
   handling.grasp = Path(out->rbegin(), out->rend());
   handling.close = *close;
@@ -235,7 +247,7 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
 // Closes until the fingers touch the object; nothing when they touch something else first, or
 // nothing at all.
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
-  constexpr double kStep = 0.02, kPrecision = 1e-4;  // of a hand joint [rad or m]
+  constexpr double kStep = 0.05, kPrecision = 1e-4;  // of a hand joint [rad or m]
   const Eigen::VectorXd open = query_.arm.full(arm);
   Eigen::VectorXd closed = query_.arm.closed();
   query_.arm.write(arm, closed);

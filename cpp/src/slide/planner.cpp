@@ -56,8 +56,7 @@ void count(const planning::ForestCBiRRT& planner, Query& query, Statistics& stat
 }  // namespace
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
-  validate(problem);
-  validate(options);
+  validate(problem, options);
   Query query(problem, options, budget);
   Plan plan;
   plan.joint_names = problem.robot.joint_names();

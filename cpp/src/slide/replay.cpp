@@ -95,7 +95,8 @@ void Replay::allow_press(const Options& options) {
                          options.height_tolerance + kRoundOff;
   const Eigen::Vector3d normal_W = problem_.support.normal_W();
   for (const std::string& link : problem_.hand.sliding_finger) {
-    const int body = world_.body(link);
+    const int body = body_of(link);
+    if (body < 0) continue;
     world_.allow_contact(body, object_, normal_W, deepest);
     world_.allow_contact(body, support_, normal_W,
                          std::max(0.0, deepest - problem_.object.thickness()));
@@ -103,8 +104,16 @@ void Replay::allow_press(const Options& options) {
 }
 
 void Replay::ignore_fingers() {
-  for (const std::string& link : problem_.hand.fingers)
-    world_.remove_pair(world_.body(link), object_);
+  for (const std::string& link : problem_.hand.fingers) {
+    if (body_of(link) >= 0) world_.remove_pair(body_of(link), object_);
+  }
+}
+
+/// -1 for a link without shapes.
+int Replay::body_of(const std::string& link) const {
+  const int frame = problem_.robot.frame(link);
+  const auto found = std::find(link_of_body_.begin(), link_of_body_.end(), frame);
+  return found == link_of_body_.end() ? -1 : static_cast<int>(found - link_of_body_.begin());
 }
 
 std::vector<std::string> Replay::touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO) {

@@ -29,6 +29,7 @@ class Replay {
   void add_surroundings();
   void allow_press(const Options& options);
   void ignore_fingers();
+  int body_of(const std::string& link) const;
 
   const Problem& problem_;
   collision::World world_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "graspless/slide/slide.hpp"
@@ -13,16 +14,66 @@ void require(bool holds, const std::string& field, double value, const std::stri
   if (!holds) throw std::invalid_argument(field + " " + must + ", not " + std::to_string(value));
 }
 
+/// A frame that the arm carries.
+void check_carried(const Hand& hand, const robot::Robot& robot, const std::string& field,
+                   const std::string& link) {
+  const int last = robot.group(hand.arm).back();
+  Eigen::VectorXd q = robot.state(hand.open);
+  const Eigen::Isometry3d before = robot.pose(robot.frame(link), q);
+  q[last] += 0.5;
+  if (!before.isApprox(robot.pose(robot.frame(link), q), 1e-12)) return;
+  throw std::invalid_argument("hand." + field + " '" + link + "' is not carried by the group '" +
+                              hand.arm + "': its last joint does not move it");
+}
+
+void check_links(const robot::Robot& robot, const std::string& field,
+                 const std::vector<std::string>& links) {
+  bool shaped = false;
+  for (const std::string& link : links) {
+    const int frame = robot.frame(link);
+    for (const auto& shape : robot.shapes()) shaped = shaped || shape.link == frame;
+  }
+  if (shaped) return;
+  throw std::invalid_argument("hand." + field +
+                              " must name at least one link with a collision shape");
+}
+
 void check_hand(const Hand& hand, const robot::Robot& robot) {
-  robot.group(hand.arm);
-  robot.frame(hand.fingertip);
-  robot.frame(hand.grasp_frame);
-  for (const std::string& link : hand.sliding_finger) robot.frame(link);
-  for (const std::string& link : hand.fingers) robot.frame(link);
+  if (robot.group(hand.arm).empty()) {
+    throw std::invalid_argument("hand.arm '" + hand.arm + "' is a group without joints");
+  }
   robot.state(hand.open);
   robot.state(hand.closed);
-  require(hand.flexure_length > 0, "hand.flexure_length", hand.flexure_length, "must be positive");
-  require(hand.tip_radius >= 0, "hand.tip_radius", hand.tip_radius, "must not be negative");
+  check_carried(hand, robot, "fingertip", hand.fingertip);
+  check_carried(hand, robot, "grasp_frame", hand.grasp_frame);
+  check_links(robot, "sliding_finger", hand.sliding_finger);
+  check_links(robot, "fingers", hand.fingers);
+  require(hand.flexure_length > 0 && hand.flexure_length <= 1, "hand.flexure_length",
+          hand.flexure_length, "must lie in (0, 1] m");
+  require(hand.tip_radius >= 0 && hand.tip_radius <= 0.1, "hand.tip_radius", hand.tip_radius,
+          "must lie in [0, 0.1] m");
+}
+
+void check_rigid(const std::string& field, const Eigen::Isometry3d& X) {
+  const Eigen::Matrix3d R = X.linear();
+  if (X.matrix().allFinite() && (R * R.transpose()).isIdentity(1e-6) && R.determinant() > 0) return;
+  throw std::invalid_argument(field + " must be a rigid pose: finite, with a rotation");
+}
+
+void check_obstacles(const Problem& problem) {
+  std::set<std::string> taken{"object", "support"};
+  for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
+  for (std::size_t i = 0; i < problem.obstacles.size(); ++i) {
+    const Obstacle& obstacle = problem.obstacles[i];
+    const std::string field = "obstacles[" + std::to_string(i) + "]";
+    if (!taken.insert(obstacle.name).second) {
+      throw std::invalid_argument(field + ".name '" + obstacle.name +
+                                  "' is taken: by a link, another obstacle, 'object' or 'support'");
+    }
+    if (obstacle.shapes.empty()) throw std::invalid_argument(field + ".shapes must not be empty");
+    for (const auto& placed : obstacle.shapes) geometry::validate(placed.shape, field);
+    check_rigid(field + ".X_WB", obstacle.X_WB);
+  }
 }
 
 void check_home(const Problem& problem) {
@@ -44,7 +95,6 @@ void check_home(const Problem& problem) {
 void check_object_pose(const Problem& problem) {
   constexpr double kHeight = 0.002, kTilt = 0.0175;  // [m], [rad]
   const Eigen::Isometry3d X_SO = problem.support.X_WS().inverse() * problem.X_WO_start;
-  if (!X_SO.matrix().allFinite()) throw std::invalid_argument("X_WO_start is not finite");
   const double height = X_SO.translation().z();
   const double tilt = std::acos(std::min(1.0, X_SO.linear()(2, 2)));
   require(std::abs(height) <= kHeight, "X_WO_start: height of the object above the support", height,
@@ -65,12 +115,9 @@ void check_object_pose(const Problem& problem) {
 void validate(const Problem& problem) {
   check_hand(problem.hand, problem.robot);
   check_home(problem);
+  check_rigid("X_WO_start", problem.X_WO_start);
   check_object_pose(problem);
-  for (const Obstacle& obstacle : problem.obstacles) {
-    for (const auto& placed : obstacle.shapes) {
-      geometry::validate(placed.shape, "obstacle '" + obstacle.name + "'");
-    }
-  }
+  check_obstacles(problem);
 }
 
 void validate(const Options& o) {
@@ -85,18 +132,33 @@ void validate(const Options& o) {
   require(o.max_depth >= o.min_depth, "options.max_depth", o.max_depth,
           "must be at least min_depth = " + std::to_string(o.min_depth));
   require(o.max_depth < 0.1, "options.max_depth", o.max_depth, "must be below 0.1 m");
-  require(o.height_tolerance > 0, "options.height_tolerance", o.height_tolerance,
-          "must be positive");
-  require(o.roll_tolerance > 0, "options.roll_tolerance", o.roll_tolerance, "must be positive");
+  require(o.height_tolerance > 0 && o.height_tolerance <= 0.005, "options.height_tolerance",
+          o.height_tolerance, "must lie in (0, 0.005] m");
+  require(o.roll_tolerance > 0 && o.roll_tolerance <= 0.1, "options.roll_tolerance",
+          o.roll_tolerance, "must lie in (0, 0.1] rad");
   require(o.root_scale > 0, "options.root_scale", o.root_scale, "must be positive");
   require(o.min_overhang > 0, "options.min_overhang", o.min_overhang, "must be positive");
   require(o.com_margin >= 0, "options.com_margin", o.com_margin, "must not be negative");
   require(o.tip_margin >= 0, "options.tip_margin", o.tip_margin, "must not be negative");
-  require(o.lift_height > 0, "options.lift_height", o.lift_height, "must be positive");
-  require(o.grasp_approach > 0, "options.grasp_approach", o.grasp_approach, "must be positive");
+  require(o.lift_height > 0 && o.lift_height <= 1, "options.lift_height", o.lift_height,
+          "must lie in (0, 1] m");
+  require(o.grasp_approach > 0 && o.grasp_approach <= 1, "options.grasp_approach", o.grasp_approach,
+          "must lie in (0, 1] m");
   require(o.range > 0 && o.range <= 1, "options.range", o.range, "must lie in (0, 1]");
-  require(o.resolution > 0 && o.resolution <= 0.05, "options.resolution", o.resolution,
-          "must lie in (0, 0.05]");
+  require(o.resolution > 0 && o.resolution <= 0.01, "options.resolution", o.resolution,
+          "must lie in (0, 0.01], the step of check()");
+}
+
+void validate(const Problem& problem, const Options& options) {
+  validate(problem);
+  validate(options);
+  if (problem.hand.finger_model == FingerModel::none) return;
+  const double L = problem.hand.flexure_length;
+  const double bent = std::sin(options.pitch - options.pitch_tolerance) -
+                      (options.max_depth + options.height_tolerance) / L;
+  require(
+      bent > 0, "options.max_depth", options.max_depth,
+      "would bend a finger with hand.flexure_length " + std::to_string(L) + " flat at this pitch");
 }
 
 std::string to_string(Status status) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/shapes.hpp"
+#include "complaint.hpp"
 
 namespace graspless::collision {
 namespace {
@@ -27,16 +28,6 @@ bool touch(World& world, const Isometry3d& X_WA, const Isometry3d& X_WB) {
   EXPECT_EQ(collides, !world.all_collisions().empty());
   EXPECT_EQ(world.num_failures(), 0);
   return collides;
-}
-
-template <typename Call>
-std::string error_of(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // All of these reach 0.5 above and below their origin and are at least 0.2 wide.
@@ -157,30 +148,30 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   World world = two_bodies(geometry::Sphere{1}, geometry::Sphere{1});
   const int c = world.add_body("c", {{geometry::Sphere{1}}});
   const Vector3d up = Vector3d::UnitZ();
-  EXPECT_EQ(error_of([&] { world.body("d"); }), "no body 'd'; choose from: a, b, c");
-  EXPECT_EQ(error_of([&] { world.add_body("a", {{geometry::Sphere{1}}}); }),
+  EXPECT_EQ(complaint([&] { world.body("d"); }), "no body 'd'; choose from: a, b, c");
+  EXPECT_EQ(complaint([&] { world.add_body("a", {{geometry::Sphere{1}}}); }),
             "body 'a' is already there");
-  EXPECT_EQ(error_of([&] { world.add_body("d", {}); }), "body 'd' must have a shape");
-  EXPECT_EQ(error_of([&] {
+  EXPECT_EQ(complaint([&] { world.add_body("d", {}); }), "body 'd' must have a shape");
+  EXPECT_EQ(complaint([&] {
               world.add_body("d", {{geometry::Sphere{1}}, {geometry::Sphere{0}}});
             }),
             "body 'd' shapes[1].radius must be in (0, 10000] m, not 0");
   EXPECT_EQ(world.num_bodies(), 3);
-  EXPECT_NE(error_of([&] { world.add_pair(0, 3); }).find("not 3"), std::string::npos);
-  EXPECT_NE(error_of([&] { world.add_pair(c, c); }).find("itself"), std::string::npos);
-  EXPECT_NE(error_of([&] { world.allow_contact(0, c, up, 0.1); }).find("not tested"),
+  EXPECT_NE(complaint([&] { world.add_pair(0, 3); }).find("not 3"), std::string::npos);
+  EXPECT_NE(complaint([&] { world.add_pair(c, c); }).find("itself"), std::string::npos);
+  EXPECT_NE(complaint([&] { world.allow_contact(0, c, up, 0.1); }).find("not tested"),
             std::string::npos);
-  EXPECT_NE(error_of([&] { world.allow_contact(0, 1, up, -0.1); }).find("depth"),
+  EXPECT_NE(complaint([&] { world.allow_contact(0, 1, up, -0.1); }).find("depth"),
             std::string::npos);
-  EXPECT_NE(error_of([&] { world.allow_contact(0, 1, 0 * up, 0.1); }).find("normal_W"),
+  EXPECT_NE(complaint([&] { world.allow_contact(0, 1, 0 * up, 0.1); }).find("normal_W"),
             std::string::npos);
   Isometry3d broken = Isometry3d::Identity();
   broken.translation().x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(error_of([&] { world.set_pose(0, broken); }).find("'a'"), std::string::npos);
-  EXPECT_NE(error_of([&] { world.set_pose(0, translation(2e4, 0, 0)); }).find("10000"),
+  EXPECT_NE(complaint([&] { world.set_pose(0, broken); }).find("'a'"), std::string::npos);
+  EXPECT_NE(complaint([&] { world.set_pose(0, translation(2e4, 0, 0)); }).find("10000"),
             std::string::npos);
-  EXPECT_NE(error_of([&] { world.set_pose(-1, broken); }).find("-1"), std::string::npos);
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(complaint([&] { world.set_pose(-1, broken); }).find("-1"), std::string::npos);
+  EXPECT_NE(complaint([&] {
               world.add_body("d", {{geometry::Sphere{1}, broken}});
             }).find("X_BG"),
             std::string::npos);

@@ -10,24 +10,16 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
+
 namespace graspless::geometry {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-template <typename Call>
-std::string error_of(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string error_of_shape(const Shape& shape) {
-  return error_of([&] { validate(shape, "link2"); });
+std::string complaint_about(const Shape& shape) {
+  return complaint([&] { validate(shape, "link2"); });
 }
 
 Mesh tetrahedron() {
@@ -53,35 +45,35 @@ TEST(Validate, AcceptsWholeShapes) {
 }
 
 TEST(Validate, NamesTheFieldAndTheValue) {
-  EXPECT_EQ(error_of_shape(Box{{1, 0, 3}}), "link2.size[1] must be in (0, 10000] m, not 0");
-  EXPECT_EQ(error_of_shape(Sphere{-1}), "link2.radius must be in (0, 10000] m, not -1");
-  EXPECT_EQ(error_of_shape(Capsule{kNan, 1}), "link2.radius must be in (0, 10000] m, not nan");
-  EXPECT_EQ(error_of_shape(Capsule{1, kInf}), "link2.length must be in (0, 10000] m, not inf");
+  EXPECT_EQ(complaint_about(Box{{1, 0, 3}}), "link2.size[1] must be in (0, 10000] m, not 0");
+  EXPECT_EQ(complaint_about(Sphere{-1}), "link2.radius must be in (0, 10000] m, not -1");
+  EXPECT_EQ(complaint_about(Capsule{kNan, 1}), "link2.radius must be in (0, 10000] m, not nan");
+  EXPECT_EQ(complaint_about(Capsule{1, kInf}), "link2.length must be in (0, 10000] m, not inf");
 }
 
 TEST(Validate, RefusesAHullWithoutVolume) {
   Eigen::Matrix3Xd flat = Eigen::Matrix3Xd::Random(3, 20);
   flat.row(2) = flat.row(0) - 2 * flat.row(1);
-  EXPECT_NE(error_of_shape(Convex{flat}).find("span a volume"), std::string::npos);
-  EXPECT_NE(error_of_shape(Convex{flat.leftCols(3)}).find("not 3"), std::string::npos);
-  EXPECT_NE(error_of_shape(Convex{Eigen::Matrix3Xd::Ones(3, 5)}), "");
-  EXPECT_NE(error_of_shape(Convex{Eigen::Matrix3Xd(3, 0)}), "");
+  EXPECT_NE(complaint_about(Convex{flat}).find("span a volume"), std::string::npos);
+  EXPECT_NE(complaint_about(Convex{flat.leftCols(3)}).find("not 3"), std::string::npos);
+  EXPECT_NE(complaint_about(Convex{Eigen::Matrix3Xd::Ones(3, 5)}), "");
+  EXPECT_NE(complaint_about(Convex{Eigen::Matrix3Xd(3, 0)}), "");
   flat(0, 7) = kInf;
-  EXPECT_NE(error_of_shape(Convex{flat}).find("column 7"), std::string::npos);
+  EXPECT_NE(complaint_about(Convex{flat}).find("column 7"), std::string::npos);
 }
 
 TEST(Validate, RefusesWrongIndices) {
   Mesh mesh = tetrahedron();
   mesh.triangles(1, 2) = 4;
-  EXPECT_EQ(error_of_shape(mesh),
+  EXPECT_EQ(complaint_about(mesh),
             "link2.triangles must be indices of the 4 vertices, but column 2 is (0 4 2)");
   mesh.triangles(1, 2) = -1;
-  EXPECT_NE(error_of_shape(mesh), "");
+  EXPECT_NE(complaint_about(mesh), "");
   mesh = tetrahedron();
   mesh.vertices(0, 0) = kNan;
-  EXPECT_NE(error_of_shape(mesh).find("vertices must be within 10000 m"), std::string::npos);
+  EXPECT_NE(complaint_about(mesh).find("vertices must be within 10000 m"), std::string::npos);
   mesh.triangles.resize(3, 0);
-  EXPECT_EQ(error_of_shape(mesh), "link2.triangles must not be empty");
+  EXPECT_EQ(complaint_about(mesh), "link2.triangles must not be empty");
 }
 
 class ReadMesh : public ::testing::Test {
@@ -101,7 +93,7 @@ class ReadMesh : public ::testing::Test {
   }
 
   static std::string error_of_file(const std::string& path) {
-    return error_of([&] { read_mesh(path); });
+    return complaint([&] { read_mesh(path); });
   }
 
   std::filesystem::path folder_;
@@ -206,8 +198,8 @@ TEST_F(ReadMesh, ScalesEachAxisAndKeepsOutwardOutward) {
   EXPECT_DOUBLE_EQ(mesh.vertices.row(1).maxCoeff(), 3);
   EXPECT_DOUBLE_EQ(mesh.vertices.row(2).minCoeff(), -0.5);
   EXPECT_NEAR(volume(mesh), 0.5, 1e-12);
-  EXPECT_NE(error_of([&] { read_mesh(path, {1, 0, 1}); }).find("scale"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_mesh(path, {1, kNan, 1}); }).find("scale"), std::string::npos);
+  EXPECT_NE(complaint([&] { read_mesh(path, {1, 0, 1}); }).find("scale"), std::string::npos);
+  EXPECT_NE(complaint([&] { read_mesh(path, {1, kNan, 1}); }).find("scale"), std::string::npos);
 }
 
 TEST_F(ReadMesh, NamesThePathOfABadFile) {

@@ -10,6 +10,8 @@
 
 #include "graspless/robot/robot.hpp"
 
+#include "complaint.hpp"
+
 namespace graspless::robot {
 
 inline Robot wam() { return Robot::from_urdf_file(GRASPLESS_URDF_DIR "/wam_t42.urdf"); }
@@ -28,18 +30,6 @@ inline Eigen::VectorXd random_q(const Robot& robot, std::mt19937_64& rng) {
 
 inline double distance(const Eigen::Isometry3d& X, const Eigen::Isometry3d& Y) {
   return (X.matrix() - Y.matrix()).cwiseAbs().maxCoeff();
-}
-
-/// What std::invalid_argument says; empty, and a failure, when nothing is thrown.
-template <typename Function>
-std::string complaint(Function function) {
-  try {
-    function();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return "";
 }
 
 }  // namespace graspless::robot

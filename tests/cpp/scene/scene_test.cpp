@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
+
 namespace graspless::scene {
 namespace {
 
@@ -60,16 +62,6 @@ VectorXd random_q(const Robot& robot, std::mt19937& rng) {
     q[i] = std::uniform_real_distribution<double>(robot.lower()[i], robot.upper()[i])(rng);
   }
   return q;
-}
-
-template <typename Call>
-std::string error_of(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 using Names = std::pair<std::string, std::string>;
@@ -149,20 +141,20 @@ TEST(Scene, FaultsNameTheField) {
   Scene scene(robot);
   const int object = scene.add_object("ball", {{geometry::Sphere{0.05}}});
   const Isometry3d X_LO = Isometry3d::Identity();
-  EXPECT_NE(error_of([&] { scene.attach(0, 1, X_LO, {}); }).find("'base' is a link"),
+  EXPECT_NE(complaint([&] { scene.attach(0, 1, X_LO, {}); }).find("'base' is a link"),
             std::string::npos);
-  EXPECT_NE(error_of([&] { scene.attach(object, 9, X_LO, {}); }).find("link"), std::string::npos);
-  EXPECT_NE(error_of([&] { scene.attach(object, 1, X_LO, {-1}); }).find("touching"),
+  EXPECT_NE(complaint([&] { scene.attach(object, 9, X_LO, {}); }).find("link"), std::string::npos);
+  EXPECT_NE(complaint([&] { scene.attach(object, 1, X_LO, {-1}); }).find("touching"),
             std::string::npos);
-  EXPECT_NE(error_of([&] { scene.attach(object, 1, translation(0, std::nan(""), 0), {}); }), "");
-  EXPECT_NE(error_of([&] { scene.is_free(robot::Poses(2)); }).find("not 2"), std::string::npos);
-  EXPECT_NE(error_of([&] { scene.is_free(vector({0, 0})); }).find("not 2"), std::string::npos);
-  EXPECT_NE(error_of([&] { scene.collision(vector({0, std::nan(""), 0})); }), "");
-  EXPECT_NE(error_of([&] { scene.add_object("upper", {{geometry::Sphere{1}}}); }).find("already"),
+  EXPECT_NE(complaint([&] { scene.attach(object, 1, translation(0, std::nan(""), 0), {}); }), "");
+  EXPECT_NE(complaint([&] { scene.is_free(robot::Poses(2)); }).find("not 2"), std::string::npos);
+  EXPECT_NE(complaint([&] { scene.is_free(vector({0, 0})); }).find("not 2"), std::string::npos);
+  EXPECT_NE(complaint([&] { scene.collision(vector({0, std::nan(""), 0})); }), "");
+  EXPECT_NE(complaint([&] { scene.add_object("upper", {{geometry::Sphere{1}}}); }).find("already"),
             std::string::npos);
   const VectorXd q = vector({0, 0, 0.05});
   for (const double resolution : {0.0, -1.0, std::nan(""), 1e-300}) {
-    EXPECT_NE(error_of([&] {
+    EXPECT_NE(complaint([&] {
                 scene.is_free(q, vector({1, 0, 0.05}), resolution);
               }).find("resolution"),
               std::string::npos);

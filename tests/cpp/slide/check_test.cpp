@@ -4,6 +4,8 @@
 // check() must see every way in which a plan can lie: each test breaks one promise of a good plan.
 #include <gtest/gtest.h>
 
+#include "graspless/robot/ik.hpp"
+
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -122,7 +124,7 @@ TEST_F(Check, ASmallerTable) {
   problem_.support =
       Support(geometry::Polygon((((v.colwise() - middle) * 0.7).colwise() + middle).eval()),
               problem_.support.X_WS());
-  expect_fault("slide row");
+  expect_fault("not far enough inside");
 }
 
 TEST_F(Check, ALargerOverhangAskedFor) {
@@ -151,6 +153,184 @@ TEST_F(Check, AHandThatNeverTouches) {
   close.positions = {close.positions.front()};
   close.object_poses = {close.object_poses.front()};
   expect_fault("no finger touches");
+}
+
+// --- More lies, each of which an earlier check() believed or no test had told. ---
+
+TEST_F(Check, AStartAMillimetreAside) {
+  for (Segment& s : plan_.segments) {
+    for (auto& X_WO : s.object_poses) X_WO.translation().x() += 0.001;
+  }
+  plan_.X_WO_goal.translation().x() += 0.001;
+  expect_fault("not at its start");
+}
+
+TEST_F(Check, AnObjectSunkIntoTheTable) {
+  for (Segment& s : plan_.segments) {
+    for (auto& X_WO : s.object_poses) X_WO.translation().z() -= 0.001;
+  }
+  plan_.X_WO_goal.translation().z() -= 0.001;
+  expect_fault("not at its start");
+}
+
+/// Moves the fingertip of the last row of a segment by X_FF, by inverse kinematics, and appends
+/// that row and back.
+void twitch(const Problem& problem, Segment& segment, const Eigen::Isometry3d& X_FF,
+            std::size_t row) {
+  const robot::Robot& robot = problem.robot;
+  const int F = robot.frame(problem.hand.fingertip);
+  const robot::Ik ik(robot, F, robot.group(problem.hand.arm));
+  const Eigen::VectorXd q = segment.positions[row];
+  const auto moved = ik.solve_near(robot.pose(F, q) * X_FF, q);
+  ASSERT_TRUE(moved);
+  std::vector<Eigen::VectorXd> there;
+  for (int i = 1; i <= 20; ++i) there.push_back(q + (*moved - q) * i / 20);
+  for (int i = 19; i >= 0; --i) there.push_back(q + (*moved - q) * i / 20);
+  const auto at = static_cast<std::ptrdiff_t>(row) + 1;
+  segment.positions.insert(segment.positions.begin() + at, there.begin(), there.end());
+  segment.object_poses.insert(segment.object_poses.begin() + at, there.size(),
+                              segment.object_poses[row]);
+}
+
+/// About the support's normal through the fingertip.
+Eigen::Isometry3d yawed(const Problem& problem, const Eigen::VectorXd& q, double angle) {
+  const Eigen::Isometry3d X_WF = problem.robot.pose(problem.robot.frame(problem.hand.fingertip), q);
+  const Eigen::Vector3d up_F = X_WF.linear().transpose() * problem.support.normal_W();
+  return Eigen::Isometry3d(Eigen::AngleAxisd(angle, up_F));
+}
+
+TEST_F(Check, AFingerThatTurnsWhileItPresses) {
+  Segment& press = segment("press");
+  const std::size_t last = press.positions.size() - 1;
+  twitch(problem_, press, yawed(problem_, press.positions[last], 0.1), last);
+  expect_fault("the contact turns");
+}
+
+TEST_F(Check, AFingerThatShiftsWhileItLifts) {
+  twitch(problem_, segment("lift"), Eigen::Isometry3d(Eigen::Translation3d(0.003, 0, 0)), 0);
+  expect_fault("the contact moves");
+}
+
+TEST_F(Check, APressThatGoesTooDeep) {
+  const Eigen::Vector3d down_W = -0.03 * problem_.support.normal_W();
+  Segment& press = segment("press");
+  const std::size_t last = press.positions.size() - 1;
+  const Eigen::Isometry3d X_WF =
+      problem_.robot.pose(problem_.robot.frame("left_fingertip"), press.positions[last]);
+  twitch(problem_, press,
+         Eigen::Isometry3d(Eigen::Translation3d(X_WF.linear().transpose() * down_W)), last);
+  expect_fault("m deep");
+}
+
+TEST_F(Check, APitchARollAndATurnedFingerInTheSlide) {
+  const Plan good = plan_;
+  const std::size_t middle = segment("slide").positions.size() / 2;
+  twitch(problem_, segment("slide"),
+         Eigen::Isometry3d(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX())), middle);
+  expect_fault("pitch");
+  plan_ = good;
+  twitch(problem_, segment("slide"),
+         Eigen::Isometry3d(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitZ())), middle);
+  expect_fault("roll");
+}
+
+TEST_F(Check, ACoarserPitchAtTheEnds) {
+  Options options;
+  options.pitch += 0.01;
+  std::string all;
+  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
+  EXPECT_NE(all.find("begins or ends at pitch"), std::string::npos) << all;
+}
+
+TEST_F(Check, AWiderMarginOfTheTip) {
+  Options options;
+  options.tip_margin = 0.3;
+  std::string all;
+  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
+  EXPECT_NE(all.find("too near the edge"), std::string::npos) << all;
+}
+
+TEST_F(Check, AContactBesideTheObject) {
+  problem_.object = problem_.object.scaled(0.1);
+  expect_fault("the contact is not on the object");
+}
+
+TEST_F(Check, ASegmentThatBeginsElsewhere) {
+  Segment& reach = segment("reach");
+  reach.positions.erase(reach.positions.begin());
+  reach.object_poses.erase(reach.object_poses.begin());
+  expect_fault("does not continue");
+}
+
+TEST_F(Check, ALiftThatStaysLow) {
+  Options options;
+  options.lift_height = 0.12;
+  std::string all;
+  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
+  EXPECT_NE(all.find("above the object"), std::string::npos) << all;
+}
+
+TEST_F(Check, AShorterStraightWay) {
+  Options options;
+  options.grasp_approach = 0.1;
+  std::string all;
+  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
+  EXPECT_NE(all.find("straight way"), std::string::npos) << all;
+}
+
+TEST_F(Check, AHandThatSwaysOnItsWay) {
+  Segment& grasp = segment("grasp");
+  const std::size_t middle = grasp.positions.size() / 2;
+  grasp.positions[middle][6] += 0.04;
+  expect_fault("does not come straight");
+}
+
+TEST_F(Check, OverhangsThatAreNotSo) {
+  plan_.overhang += 0.01;
+  expect_fault("overhang is not what");
+  plan_.overhang = std::numeric_limits<double>::quiet_NaN();
+  expect_fault("overhang is not what");
+}
+
+TEST_F(Check, AGoalThatIsNotWhereTheSlideEnds) {
+  plan_.X_WO_goal.translation().y() += 0.001;
+  expect_fault("X_WO_goal is not where");
+}
+
+TEST_F(Check, AGraspBesideTheMiddle) {
+  problem_.object = Object::from_polygon("wider", geometry::square(.12), .005);  // another P_out
+  expect_fault("not at the middle");
+}
+
+TEST_F(Check, AHalfClosedHandOnTheWay) {
+  for (auto& q : segment("slide").positions) q[7] = 0.05;
+  expect_fault("the hand is not open");
+}
+
+TEST_F(Check, AnArmThatMovesWhileTheHandCloses) {
+  auto& rows = segment("close").positions;
+  rows[rows.size() / 2][0] += 0.01;
+  expect_fault("the hand alone");
+}
+
+TEST_F(Check, AHandThatClosesOn) {
+  Segment& close = segment("close");
+  Eigen::VectorXd closed = close.positions.back();
+  closed[7] = problem_.robot.state("closed")[7];
+  close.positions.push_back(closed);
+  close.object_poses.push_back(close.object_poses.back());
+  expect_fault("closes on");
+}
+
+TEST_F(Check, MissingObjectPosesAreAFaultNotACrash) {
+  segment("lift").object_poses.clear();
+  expect_fault("one object pose for each");
+}
+
+TEST_F(Check, ALinkWithoutShapesAmongTheFingersIsNone) {
+  problem_.hand.sliding_finger.push_back("left_fingertip");
+  problem_.hand.fingers.push_back("right_fingertip");
+  EXPECT_TRUE(check(problem_, plan_).empty());
 }
 
 TEST_F(Check, TheOtherFingerModel) {

@@ -56,6 +56,9 @@ struct Options {
 
 /// Throws std::invalid_argument that names the field, its value and what it may be.
 GRASPLESS_API void validate(const Options& options);
+/// Both, and that the finger can bend as deep as the options ask. What plan() and check() begin
+/// with.
+GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
 enum class Status {
   solved,
@@ -79,10 +82,12 @@ struct Segment {
 struct Statistics {
   double seconds = 0;
   std::int64_t iterations = 0;
-  std::int64_t nodes = 0;             ///< in both forests
-  std::int64_t start_roots = 0;       ///< N_s
-  std::int64_t goal_roots = 0;        ///< N_g
-  std::int64_t collision_checks = 0;  ///< configurations
+  std::int64_t nodes = 0;        ///< in both forests
+  std::int64_t start_roots = 0;  ///< N_s
+  std::int64_t goal_roots = 0;   ///< N_g
+  /// Configurations tested in full; those of a motion that only some pairs were looked at are not
+  /// counted.
+  std::int64_t collision_checks = 0;
   std::int64_t projections = 0;
   std::int64_t ik_calls = 0;
   std::int64_t pairs = 0;  ///< start-goal pairs validated
