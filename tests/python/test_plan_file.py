@@ -163,7 +163,7 @@ def test_no_plan_at_all(tmp_path):
     with pytest.raises(TaskError, match=r"plan.json:2: not valid JSON"):
         graspless.load_plan(path)
     path.write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(TaskError, match=r"plan.json: not a plan file"):
+    with pytest.raises(TaskError, match=r"plan.json: not a text file in UTF-8"):
         graspless.load_plan(path)
 
 
