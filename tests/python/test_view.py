@@ -23,7 +23,7 @@ pytest.importorskip("matplotlib")
 pytest.importorskip("viser")
 
 from graspless import view  # noqa: E402
-from graspless.view import bodies, raster, visuals  # noqa: E402
+from graspless.view import bodies, raster, stage, visuals  # noqa: E402
 from graspless.view.film import film  # noqa: E402
 
 OBSTACLES = """obstacles:
@@ -256,6 +256,20 @@ def test_camera_fits_every_point():
     assert seen[:, :2].min() > 0
     assert (seen[:, :2] < [400, 300]).all()
     assert max(np.ptp(seen[:, 0]) / 400, np.ptp(seen[:, 1]) / 300) > 0.85
+
+
+def test_camera_of_a_replay_sees_every_pose_of_the_robot(plan):
+    shown = film(plan)
+    camera = stage.camera(shown, 4, 3, stage.spread(shown))
+    assert stage.spread(shown)[-1] == len(shown.times) - 1
+    robot = bodies.robot_bodies(plan.task)
+    for row in range(len(shown.times)):
+        for body, X_WB in zip(robot, shown.link_poses[row], strict=True):
+            for part in body.parts:
+                p = part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
+                seen = camera.project(p, 400, 300)[:, :2]
+                assert seen.min() > 0
+                assert (seen < [400, 300]).all()
 
 
 def test_unwritable_pictures(plan, tmp_path):

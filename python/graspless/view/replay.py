@@ -16,7 +16,7 @@ from .. import frames
 from ..errors import TaskError
 from . import bodies
 from .film import film
-from .stage import camera
+from .stage import camera, spread
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -90,7 +90,7 @@ class _Stage:
         trail = bodies.trail_body(shown)
         if trail.parts:
             _add(scene, "/fingertip", trail, np.eye(4))
-        view = camera(film(shown.plan), 4, 3)
+        view = camera(shown, 4, 3, spread(shown))  # all of the way, not some moments of it
         server.initial_camera.position = tuple(view.eye)
         server.initial_camera.look_at = tuple(view.target)
         server.initial_camera.fov = 1.08 * view.angle
