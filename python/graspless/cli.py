@@ -146,9 +146,9 @@ def _plan(options: argparse.Namespace) -> int:
     from .tasks import load_task, read_task
 
     to_stdout = options.output == "-"
-    for path in (None if to_stdout else options.output, options.png, options.html):
-        if path is not None:
-            files.check_writable(path)
+    if not to_stdout:
+        files.check_writable(options.output)
+    _check_pictures(options)
     given = load_task(options.task) if options.task != "-" else read_task(_stdin(), "stdin")
     task = _change(given, options)
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
@@ -198,11 +198,7 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _view(options: argparse.Namespace) -> int:
-    from . import files
-
-    for path in (options.png, options.html):
-        if path is not None:
-            files.check_writable(path)
+    _check_pictures(options)
     plan = _load_plan(options.plan)
     if options.png is None and options.html is None:
         from .view import serve
@@ -226,6 +222,17 @@ def _stdin() -> str:
         raise TaskError("stdin: cannot be read") from None
     except UnicodeDecodeError:
         raise TaskError("stdin: not a text file in UTF-8") from None
+
+
+def _check_pictures(options: argparse.Namespace) -> None:
+    """Raises TaskError before work whose pictures could not be written."""
+    from . import files, view
+
+    if options.png is not None:
+        view.check_png(options.png)
+    for path in (options.png, options.html):
+        if path is not None:
+            files.check_writable(path)
 
 
 def _draw(plan: Plan, options: argparse.Namespace) -> list[str]:

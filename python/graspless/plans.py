@@ -188,7 +188,9 @@ def check(plan: Plan | str | Path) -> list[str]:
     if not isinstance(plan, Plan):
         plan = load_plan(plan)
     if not plan:
-        return [f"there is no motion to check: {plan.status}: {plan.reason}"]
+        return [
+            f"nothing to check: the plan's status is {plan.status}, not solved; reason: {plan.reason}"
+        ]
     return list(slide.check(plan.task.problem, plan.to_core(), plan.task.options))
 
 

@@ -10,12 +10,13 @@ import signal
 import subprocess
 import sys
 import time
+import types
 
 import numpy as np
 import pytest
 
 import graspless
-from graspless import cli
+from graspless import cli, report
 from tasks_common import GOOD, changed
 
 
@@ -131,6 +132,7 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["plan", "task.yaml", "--seed", "-1"], "--seed: budget.seed: -1: should be greater"),
         (["plan", "task.yaml", "--seed", "x"], "invalid int value: 'x'"),
         (["plan", "task.yaml", "--search", "best"], "invalid choice: 'best'"),
+        (["plan", "task.yaml", "--png", "a.gif"], "a.gif: unknown kind of picture (choices: .png)"),
         (["check", "none.json"], "none.json: cannot be read"),
         (["check", "task.yaml"], "task.yaml: this is a task, not a plan; graspless plan reads it"),
         (["check", "task.json"], "task.json: this is a task, not a plan; graspless plan reads it"),
@@ -187,6 +189,20 @@ def test_module_runs_and_a_closed_pipe_is_no_fault(task):
     command = f"'{sys.executable}' -m graspless plan task.yaml --json | true"
     done = subprocess.run(command, shell=True, capture_output=True, text=True)
     assert done.stderr == ""
+
+
+def test_faults_are_told_by_segment_and_counted():
+    faults = [f"slide row {i}: collision a - b" for i in range(80)]
+    plan = types.SimpleNamespace(segments=[])
+    told = report.verdict(plan, [*faults, "close: no finger touches"]).splitlines()
+    assert told[0] == "does not hold:"
+    assert told[5:] == [faults[4], "slide: 75 more", "close: no finger touches", "81 faults"]
+    assert report.verdict(plan, faults[:1]).splitlines() == ["does not hold:", faults[0]]
+
+
+def test_one_is_not_plural():
+    assert report._count(1, "pairs") == "1 pair"
+    assert report._count(0, "pairs") == "0 pairs"
 
 
 @pytest.fixture

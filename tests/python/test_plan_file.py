@@ -114,7 +114,9 @@ def test_failed_plan_is_written_too(task, tmp_path):
     assert (again.status, again.reason) == (plan.status, plan.reason)
     assert again.statistics == plan.statistics
     assert again.segments == []
-    assert graspless.check(again) == [f"there is no motion to check: {plan.status}: {plan.reason}"]
+    assert graspless.check(again) == [
+        f"nothing to check: the plan's status is {plan.status}, not solved; reason: {plan.reason}"
+    ]
 
 
 def test_check_finds_a_plan_that_was_changed(plan, document, tmp_path):

@@ -176,6 +176,12 @@ def _note_lines(
         for key, value in node.value:
             if not isinstance(key, yaml.ScalarNode):
                 raise TaskError(f"{file}:{key.start_mark.line + 1}: a field's name must be a word")
+            if key.tag not in ("tag:yaml.org,2002:str", "tag:yaml.org,2002:merge"):
+                kind = {"bool": "true or false", "null": "nothing"}.get(
+                    key.tag.rpartition(":")[2], "a number"
+                )
+                where = f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}"
+                raise TaskError(f"{where}YAML takes this name for {kind}; put it in quotes")
             if key.value in seen:
                 raise TaskError(
                     f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}given twice"
