@@ -5,10 +5,9 @@
 import numpy as np
 
 from graspless import planning, slide
-from graspless._data import robot
-from graspless.robot import Robot
+from graspless.robot import Robot, builtin
 
-kr5 = Robot.from_urdf_file(str(robot("kr5_t42")))
+kr5 = Robot.from_urdf_file(str(builtin("kr5_t42")))
 angles = 2 * np.pi * np.arange(100) / 100
 ring = np.column_stack([np.cos(angles), np.sin(angles)])
 table = slide.Support(0.35 * ring + [0.65, 0.0], np.eye(4))

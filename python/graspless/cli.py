@@ -24,6 +24,13 @@ if TYPE_CHECKING:
 
 FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
+EXIT_CODES = """exit codes:
+  0    found, and it holds
+  1    not found, or it does not hold
+  2    bad input, or output that cannot be written
+  130  interrupted
+  141  the reader of our output has gone"""
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs one command.
@@ -91,7 +98,13 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def _add_plan(commands: Any) -> None:
-    parser = commands.add_parser("plan", help="plan a task, and write the plan")
+    parser = commands.add_parser(
+        "plan",
+        help="plan a task, and write the plan",
+        description="Plans a task, checks the plan and writes it, whether one was found or not.",
+        epilog=EXIT_CODES + "\n\nexample: graspless plan task.yaml -o plan.json --html plan.html",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("task", metavar="TASK.yaml", help="see docs/task-files.md; - for stdin")
     parser.add_argument(
         "-o",
@@ -103,7 +116,9 @@ def _add_plan(commands: Any) -> None:
     parser.add_argument("--seed", type=int, metavar="N", help="of all randomness")
     parser.add_argument("--time", type=float, metavar="S", help="stop after this long [s]")
     parser.add_argument("--iterations", type=int, metavar="N", help="stop after so many rounds")
-    parser.add_argument("--search", choices=["paper", "fast"])
+    parser.add_argument(
+        "--search", choices=["paper", "fast"], help="as published, or the faster one, the default"
+    )
     parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
     _add_pictures(parser)
     parser.set_defaults(run=_plan)

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -18,7 +19,7 @@ from .tasks import Task, load_task, task_from_dict
 from .tasks.source import Source, parse_yaml, read_text
 
 if TYPE_CHECKING:
-    from . import slide
+    from . import planning, slide
     from .frames import Matrix
     from .plan_model import PlanFile
 
@@ -144,6 +145,7 @@ def plan(
     seconds: float | None = None,
     iterations: int | None = None,
     seed: int | None = None,
+    budget: planning.Budget | None = None,
 ) -> Plan:
     """Plans a task. Not finding a plan is a status, never an exception.
 
@@ -155,6 +157,8 @@ def plan(
         "paper" or "fast", instead of the task's.
     seconds, iterations, seed : optional
         Instead of the task's budget [s].
+    budget : planning.Budget, optional
+        Instead of all three; another thread may stop() it.
 
     Raises
     ------
@@ -165,8 +169,14 @@ def plan(
 
     if not isinstance(task, Task):
         task = load_task(task)
+    if budget is not None:
+        if (seconds, iterations, seed) != (None, None, None):
+            raise TaskError("budget: seconds, iterations and seed must not be given beside it")
+        seconds, iterations, seed = budget.seconds, budget.iterations, budget.seed
+        if not math.isfinite(seconds):  # a plan file has no word for it
+            raise TaskError(f"budget: seconds is {seconds}; should be finite")
     task = task.with_changes(search=search, seconds=seconds, iterations=iterations, seed=seed)
-    found = slide.plan(task.problem, task.options, task.budget)
+    found = slide.plan(task.problem, task.options, task.budget if budget is None else budget)
     return from_core(found, task)
 
 
@@ -188,9 +198,8 @@ def check(plan: Plan | str | Path) -> list[str]:
     if not isinstance(plan, Plan):
         plan = load_plan(plan)
     if not plan:
-        return [
-            f"nothing to check: the plan's status is {plan.status}, not solved; reason: {plan.reason}"
-        ]
+        status = f"the plan's status is {plan.status}, not solved"
+        return [f"nothing to check: {status}; reason: {plan.reason}"]
     return list(slide.check(plan.task.problem, plan.to_core(), plan.task.options))
 
 

@@ -101,7 +101,12 @@ def _slide_line(plan: Plan) -> str:
     R = start[:3, :3].T @ goal[:3, :3]
     turn = math.degrees(math.atan2(R[1, 0], R[0, 0]))
     name = plan.task.problem.object.name
-    moved = f"{name} slides {distance * 100:.1f} cm, turns {turn:.0f} deg"
+    slides = [
+        segment.object_poses[:, :3, 3] for segment in plan.segments if segment.name == "slide"
+    ]
+    way = sum(float(np.linalg.norm(np.diff(p, axis=0), axis=1).sum()) for p in slides)
+    along = f" on a way of {way * 100:.1f} cm"
+    moved = f"{name} slides {distance * 100:.1f} cm{along}, turns {turn:.0f} deg"
     return f"{moved} and sticks out {plan.overhang * 100:.1f} cm"
 
 

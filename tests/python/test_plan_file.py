@@ -157,6 +157,24 @@ def test_broken_plan_files(document, tmp_path, change, what):
     assert str(caught.value).startswith(str(tmp_path / "plan.json"))
 
 
+def test_budget_of_a_script_is_the_one_that_is_used(task, monkeypatch):
+    budget = graspless.planning.Budget(seconds=5, seed=4)
+    used = []
+    search = slide.plan
+    monkeypatch.setattr(slide, "plan", lambda *given: used.append(given[2]) or search(*given))
+    made = graspless.plan(task, budget=budget)
+    assert used[0] is budget  # so that another thread can stop it
+    assert (made.fields.seed, made.task.budget.seconds) == (4, 5)
+    with pytest.raises(TaskError, match="must not be given beside"):
+        graspless.plan(task, budget=budget, seed=1)
+
+
+def test_builtin_robots_are_found_by_name():
+    assert graspless.robot.builtin("kr5_t42").is_file()
+    with pytest.raises(ValueError, match=r"wam: no such robot .*one of: kr5_t42, wam_t42"):
+        graspless.robot.builtin("wam")
+
+
 def test_no_plan_at_all(tmp_path):
     path = tmp_path / "plan.json"
     with pytest.raises(TaskError, match=r"plan.json: cannot be read: No such file"):
