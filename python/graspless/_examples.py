@@ -50,14 +50,14 @@ def run(name: str | None, directory: Path | None = None) -> bool:
     task = load_task(task_file)
     with progress.waiting("planning"):
         plan = plans.plan(task)
-    print(f"{source.stem}: {_about(source)}")
-    print(report.as_text(plan))
-    plan.save(directory / "plan.json")
     faults = plans.check(plan) if plan else []
-    print(report.verdict(plan, faults))
+    plan.save(directory / "plan.json")
     with progress.waiting("drawing"):
         view.write_png(plan, directory / "slide.png")
         view.write_html(plan, directory / "slide.html")
+    print(f"{source.stem}: {_about(source)}")
+    print(report.as_text(plan))
+    print(report.verdict(plan, faults))
     print(f"written: {directory}/ with {task_file.name}, plan.json, slide.png, slide.html")
     return bool(plan) and not faults
 

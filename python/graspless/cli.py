@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
+import os
 import sys
 import warnings
 from pathlib import Path
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 
     from .plans import Plan
 
-FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
+FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -29,8 +31,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        0 found or holds, 1 not found or does not hold, 2 bad input, 130 interrupted.
+        0 found or holds, 1 not found or does not hold, 2 bad input or output that cannot be
+        written, 130 interrupted, 141 the reader of our output has gone.
     """
+    try:
+        try:
+            return _run(arguments)
+        finally:  # here, not while Python ends, where it would be a traceback
+            if sys.stdout is not None:
+                sys.stdout.flush()
+    except BrokenPipeError:  # as `head` does
+        _drop_stdout()
+        return CLOSED_PIPE
+    except OSError as error:
+        if error.filename is not None:  # no stream's
+            raise
+        _drop_stdout()
+        print(f"stdout: cannot be written: {error.strerror}", file=sys.stderr)
+        return BAD_INPUT
+
+
+def _run(arguments: Sequence[str] | None) -> int:
     options = make_parser().parse_args(arguments)
     run: Callable[[argparse.Namespace], int] = options.run
     try:
@@ -44,9 +65,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
-    except BrokenPipeError:  # the reader of our output has gone, as `head` does
-        sys.stdout = None
-        return NOT_FOUND
+
+
+def _drop_stdout() -> None:
+    """What is still buffered goes nowhere, or Python would try again when it ends."""
+    with contextlib.suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -66,8 +92,14 @@ def make_parser() -> argparse.ArgumentParser:
 
 def _add_plan(commands: Any) -> None:
     parser = commands.add_parser("plan", help="plan a task, and write the plan")
-    parser.add_argument("task", metavar="TASK.yaml", help="see docs/task-files.md")
-    parser.add_argument("-o", "--output", metavar="FILE", default="plan.json", help="(%(default)s)")
+    parser.add_argument("task", metavar="TASK.yaml", help="see docs/task-files.md; - for stdin")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        default="plan.json",
+        help="(%(default)s); - for stdout, with the summary on stderr",
+    )
     parser.add_argument("--seed", type=int, metavar="N", help="of all randomness")
     parser.add_argument("--time", type=float, metavar="S", help="stop after this long [s]")
     parser.add_argument("--iterations", type=int, metavar="N", help="stop after so many rounds")
@@ -79,7 +111,7 @@ def _add_plan(commands: Any) -> None:
 
 def _add_check(commands: Any) -> None:
     parser = commands.add_parser("check", help="replay a plan against its own task")
-    parser.add_argument("plan", metavar="PLAN", help="a plan file")
+    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     parser.add_argument("--json", action="store_true", help="print what does not hold as JSON")
     parser.set_defaults(run=_check)
 
@@ -90,7 +122,7 @@ def _add_view(commands: Any) -> None:
         help="draw a plan",
         description="Without --png and --html: serves a viewer with a time slider until Ctrl-C.",
     )
-    parser.add_argument("plan", metavar="PLAN", help="a plan file")
+    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     _add_pictures(parser)
     parser.add_argument("--port", type=int, default=8080, help="of the viewer (%(default)s)")
     parser.set_defaults(run=_view)
@@ -111,23 +143,31 @@ def _add_pictures(parser: argparse.ArgumentParser) -> None:
 
 def _plan(options: argparse.Namespace) -> int:
     from . import files, plans, progress, report
-    from .tasks import load_task
+    from .tasks import load_task, read_task
 
-    for path in (options.output, options.png, options.html):
-        if path is not None:
-            files.check_writable(path)
-    task = _change(load_task(options.task), options)
+    to_stdout = options.output == "-"
+    if not to_stdout:
+        files.check_writable(options.output)
+    _check_pictures(options)
+    given = load_task(options.task) if options.task != "-" else read_task(_stdin(), "stdin")
+    task = _change(given, options)
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
         plan = plans.plan(task)
-    plan.save(options.output)
     faults = plans.check(plan) if plan else []
-    if options.json:
-        print(json.dumps(report.as_dict(plan) | {"faults": faults}))
-    else:
-        print(report.as_text(plan))
-        print(report.verdict(plan, faults))
-        print(f"written: {options.output}")
-    _draw(plan, options)
+    # Files first: who reads our output may go at any time.
+    if not to_stdout:
+        plan.save(options.output)
+    written = [] if to_stdout else [options.output]
+    try:
+        written += _draw(plan, options)
+    finally:
+        if to_stdout:
+            print(plan.to_json(), end="")
+        summary = [report.as_text(plan), report.verdict(plan, faults)]
+        summary += [f"written: {path}" for path in written]
+        if options.json:
+            summary = [json.dumps(report.as_dict(plan) | {"faults": faults})]
+        print("\n".join(summary), file=sys.stderr if to_stdout else sys.stdout)
     if plan.status == "interrupted":
         return INTERRUPTED
     return FOUND if plan and not faults else NOT_FOUND
@@ -148,7 +188,7 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
 def _check(options: argparse.Namespace) -> int:
     from . import plans, report
 
-    plan = plans.load_plan(options.plan)
+    plan = _load_plan(options.plan)
     faults = plans.check(plan)
     if options.json:
         print(json.dumps({"holds": not faults, "faults": faults}))
@@ -158,29 +198,53 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _view(options: argparse.Namespace) -> int:
-    from . import files, plans
-
-    for path in (options.png, options.html):
-        if path is not None:
-            files.check_writable(path)
-    plan = plans.load_plan(options.plan)
+    _check_pictures(options)
+    plan = _load_plan(options.plan)
     if options.png is None and options.html is None:
         from .view import serve
 
         serve(plan, port=options.port)
-    _draw(plan, options)
+    for path in _draw(plan, options):
+        print(f"written: {path}")
     return FOUND
 
 
-def _draw(plan: Plan, options: argparse.Namespace) -> None:
+def _load_plan(path: str) -> Plan:
+    from . import plans
+
+    return plans.load_plan(path) if path != "-" else plans.read_plan(_stdin(), "stdin")
+
+
+def _stdin() -> str:
+    try:
+        return sys.stdin.buffer.read().decode("utf-8")
+    except (OSError, AttributeError):  # closed
+        raise TaskError("stdin: cannot be read") from None
+    except UnicodeDecodeError:
+        raise TaskError("stdin: not a text file in UTF-8") from None
+
+
+def _check_pictures(options: argparse.Namespace) -> None:
+    """Raises TaskError before work whose pictures could not be written."""
+    from . import files, view
+
+    if options.png is not None:
+        view.check_png(options.png)
+    for path in (options.png, options.html):
+        if path is not None:
+            files.check_writable(path)
+
+
+def _draw(plan: Plan, options: argparse.Namespace) -> list[str]:
+    """Writes the pictures that are asked for; returns their names."""
     from . import progress, view
 
-    for path, write in ((options.png, view.write_png), (options.html, view.write_html)):
+    asked = ((options.png, view.write_png), (options.html, view.write_html))
+    for path, write in asked:
         if path is not None:
             with progress.waiting(f"drawing {path}"):
                 write(plan, path)
-            if not getattr(options, "json", False):
-                print(f"written: {path}")
+    return [path for path, _ in asked if path is not None]
 
 
 def _example(options: argparse.Namespace) -> int:

@@ -15,7 +15,7 @@ import numpy as np
 from . import files, frames
 from .errors import TaskError
 from .tasks import Task, load_task, task_from_dict
-from .tasks.source import Source
+from .tasks.source import Source, parse_yaml, read_text
 
 if TYPE_CHECKING:
     from . import slide
@@ -188,7 +188,9 @@ def check(plan: Plan | str | Path) -> list[str]:
     if not isinstance(plan, Plan):
         plan = load_plan(plan)
     if not plan:
-        return [f"there is no motion to check: {plan.status}: {plan.reason}"]
+        return [
+            f"nothing to check: the plan's status is {plan.status}, not solved; reason: {plan.reason}"
+        ]
     return list(slide.check(plan.task.problem, plan.to_core(), plan.task.options))
 
 
@@ -200,23 +202,30 @@ def load_plan(path: str | Path) -> Plan:
     TaskError
         The file is missing, is not a plan, or a mesh that it was made with has changed.
     """
+    return read_plan(read_text(path), str(path))
+
+
+def read_plan(text: str, file: str) -> Plan:
+    """As `load_plan`, from text; `file` is for errors."""
     from .plan_model import PlanFile
 
     try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"), parse_constant=_refuse)
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
-    except json.JSONDecodeError as error:
-        raise TaskError(f"{path}:{error.lineno}: not valid JSON: {error.msg}") from None
+        data = json.loads(text, parse_constant=_refuse)
     except ValueError as error:
-        raise TaskError(f"{path}: not a plan file: {error}") from None
+        if _is_task(text):
+            raise TaskError(_TASK.format(file)) from None
+        if isinstance(error, json.JSONDecodeError):
+            raise TaskError(f"{file}:{error.lineno}: not valid JSON: {error.msg}") from None
+        raise TaskError(f"{file}: not a plan file: {error}") from None
+    if isinstance(data, dict) and "format" not in data and "robot" in data:
+        raise TaskError(_TASK.format(file))
     if not isinstance(data, dict) or "format" not in data:
-        raise TaskError(f"{path}: not a plan file: has no 'format'")
-    source = Source(str(path), data)
+        raise TaskError(f"{file}: not a plan file: has no 'format'")
+    source = Source(file, data)
     if data["format"] != 1:
         raise source.error(("format",), "this graspless reads format 1")
     fields: PlanFile = source.validate(PlanFile)
-    return Plan(fields, task_from_dict(data["task"], f"{path}: task"))
+    return Plan(fields, task_from_dict(data["task"], f"{file}: task"))
 
 
 def from_core(found: slide.Plan, task: Task) -> Plan:
@@ -247,6 +256,19 @@ def from_core(found: slide.Plan, task: Task) -> Plan:
         "task": task.to_dict(),
     }
     return Plan(PlanFile.model_validate(document), task)
+
+
+_TASK = "{}: this is a task, not a plan; graspless plan reads it"
+
+
+def _is_task(text: str) -> bool:
+    """Whether text that is no JSON is a task."""
+    if text.lstrip().startswith("{"):  # a plan that was cut short would be slow to read as YAML
+        return False
+    try:
+        return {"kind", "robot"} <= set(parse_yaml(text, "").data)
+    except TaskError:
+        return False
 
 
 def _refuse(name: str) -> float:

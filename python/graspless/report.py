@@ -5,12 +5,16 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 if TYPE_CHECKING:
     from .plans import Plan, Segment
+
+
+MOST = 5  # faults of one segment that are printed
 
 
 def as_dict(plan: Plan) -> dict[str, Any]:
@@ -38,7 +42,7 @@ def as_text(plan: Plan) -> str:
     else:
         lines.append(f"  {plan.reason}")
     names = [name for name in stats if name not in ("seconds", "refusals")]
-    counters = [f"{stats[name]} {name.replace('_', ' ')}" for name in names]
+    counters = [_count(stats[name], name.replace("_", " ")) for name in names]
     lines.append("  " + ", ".join(counters))
     refusals = stats.get("refusals", {})
     if refusals and not plan:
@@ -52,11 +56,12 @@ def as_text(plan: Plan) -> str:
 def verdict(plan: Plan, faults: list[str]) -> str:
     """What `check` says about a plan."""
     if faults:
-        return "\n".join(["does not hold:" if plan else "not solved:", *faults])
+        return "\n".join(["does not hold:" if plan else "not solved:", *_shortened(faults)])
     if not plan:
         return "nothing to check: not solved"
     rows = sum(map(len, plan.segments))
-    return f"holds: {len(plan.segments)} segments, {rows} rows, replayed by code of its own"
+    segments = _count(len(plan.segments), "segments")
+    return f"holds: {segments}, {_count(rows, 'rows')}, replayed by code of its own"
 
 
 def least_seconds(plan: Plan, segment: Segment) -> float | None:
@@ -67,10 +72,27 @@ def least_seconds(plan: Plan, segment: Segment) -> float | None:
     return float((np.abs(np.diff(segment.positions, axis=0)) / speed).max(axis=1).sum())
 
 
+def _shortened(faults: list[str]) -> list[str]:
+    """The first faults of each segment, and how many there are."""
+    segments: dict[str, list[str]] = {}
+    for fault in faults:
+        segments.setdefault(re.split(r"\W", fault, maxsplit=1)[0], []).append(fault)
+    lines = []
+    for name, found in segments.items():
+        lines += found[:MOST]
+        if len(found) > MOST:
+            lines.append(f"{name}: {len(found) - MOST} more")
+    return [*lines, _count(len(faults), "faults")] if len(faults) > 1 else lines
+
+
+def _count(number: float, things: str) -> str:
+    return f"{number} {things.removesuffix('s') if number == 1 else things}"
+
+
 def _segment_line(plan: Plan, segment: Segment) -> str:
     seconds = least_seconds(plan, segment)
     least = "" if seconds is None else f", at least {seconds:.2f} s"
-    return f"  {segment.name:10}{len(segment):5} rows{least}"
+    return f"  {segment.name:10}{len(segment):5} {'row' if len(segment) == 1 else 'rows'}{least}"
 
 
 def _slide_line(plan: Plan) -> str:

@@ -2,25 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
-#include <graspless/scene/scene.hpp>
 #include <graspless/slide/slide.hpp>
 
-// Loads a robot, looks whether it is free above a box, and has a bad problem refused.
+using namespace graspless;
+
+// Slides a card to the edge of a table with the WAM and grasps it there: argv[1] is
+// urdf/wam_t42.urdf.
 int main(int argc, char** argv) {
-  using namespace graspless;
   if (argc != 2) return 2;
-  const auto robot = robot::Robot::from_urdf_file(argv[1]);
-  scene::Scene scene(robot);
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  X_WB.translation() << 2, 0, 0;
-  scene.add_obstacle("box", {{geometry::Box{Eigen::Vector3d::Constant(0.1)}}}, X_WB);
-  if (!scene.is_free(Eigen::VectorXd::Zero(robot.dof()))) return 1;
-  try {
-    slide::Options options;
-    options.min_depth = 1;  // above max_depth
-    slide::validate(options);
+  const auto wam = robot::Robot::from_urdf_file(argv[1]);
+
+  Eigen::Matrix2Xd card_outline(2, 4), table_outline(2, 4);
+  card_outline << -0.06, 0.06, 0.06, -0.06, -0.04, -0.04, 0.04, 0.04;
+  table_outline << 0.3, 1.0, 1.0, 0.3, -0.35, -0.35, 0.35, 0.35;
+  const auto card = slide::Object::from_polygon("card", geometry::Polygon(card_outline), 0.003);
+  const slide::Support table(geometry::Polygon(table_outline), Eigen::Isometry3d::Identity());
+  const Eigen::Isometry3d X_WO_start(Eigen::Translation3d(0.62, 0.08, 0));
+
+  const slide::Problem problem{wam, slide::Hand{}, card, table, X_WO_start, {}, wam.state("home")};
+  const slide::Plan plan = slide::plan(problem);
+  if (!plan) {
+    std::cerr << plan.reason << "\n";
     return 1;
-  } catch (const std::invalid_argument&) {
-    std::cout << robot.name() << " " << robot.dof() << "\n";
   }
+  for (const std::string& fault : slide::check(problem, plan)) std::cerr << fault << "\n";
+  std::cout << wam.name() << " " << plan.segments.size() << "\n";
 }

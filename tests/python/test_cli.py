@@ -10,12 +10,13 @@ import signal
 import subprocess
 import sys
 import time
+import types
 
 import numpy as np
 import pytest
 
 import graspless
-from graspless import cli
+from graspless import cli, report
 from tasks_common import GOOD, changed
 
 
@@ -131,8 +132,12 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["plan", "task.yaml", "--seed", "-1"], "--seed: budget.seed: -1: should be greater"),
         (["plan", "task.yaml", "--seed", "x"], "invalid int value: 'x'"),
         (["plan", "task.yaml", "--search", "best"], "invalid choice: 'best'"),
+        (["plan", "task.yaml", "--png", "a.gif"], "a.gif: unknown kind of picture (choices: .png)"),
         (["check", "none.json"], "none.json: cannot be read"),
-        (["check", "task.yaml"], "task.yaml:1: not valid JSON"),
+        (["check", "task.yaml"], "task.yaml: this is a task, not a plan; graspless plan reads it"),
+        (["check", "task.json"], "task.json: this is a task, not a plan; graspless plan reads it"),
+        (["plan", "plan.json"], "plan.json: this is a plan, not a task; graspless check reads it"),
+        (["check", "words.txt"], "words.txt:1: not valid JSON"),
         (["view", "none.json"], "none.json: cannot be read"),
         (["example", "none"], "there is no such example (one of: 01_slide_card"),
         (["dance"], "invalid choice: 'dance'"),
@@ -140,6 +145,9 @@ def test_check_says_what_does_not_hold(task, capsys):
     ],
 )
 def test_bad_input_exits_2_with_one_message(task, capsys, arguments, what):
+    pathlib.Path("words.txt").write_text("nothing of ours")
+    pathlib.Path("task.json").write_text('{"kind": "slide", "robot": {}}')
+    pathlib.Path("plan.json").write_text('{"format": 1, "segments": []}')
     code, out, err = run(capsys, *arguments)
     assert (code, out) == (2, "")
     assert what in err
@@ -181,6 +189,87 @@ def test_module_runs_and_a_closed_pipe_is_no_fault(task):
     command = f"'{sys.executable}' -m graspless plan task.yaml --json | true"
     done = subprocess.run(command, shell=True, capture_output=True, text=True)
     assert done.stderr == ""
+
+
+def test_faults_are_told_by_segment_and_counted():
+    faults = [f"slide row {i}: collision a - b" for i in range(80)]
+    plan = types.SimpleNamespace(segments=[])
+    told = report.verdict(plan, [*faults, "close: no finger touches"]).splitlines()
+    assert told[0] == "does not hold:"
+    assert told[5:] == [faults[4], "slide: 75 more", "close: no finger touches", "81 faults"]
+    assert report.verdict(plan, faults[:1]).splitlines() == ["does not hold:", faults[0]]
+
+
+def test_one_is_not_plural():
+    assert report._count(1, "pairs") == "1 pair"
+    assert report._count(0, "pairs") == "0 pairs"
+
+
+@pytest.fixture
+def shell(task):
+    """Exit code, stdout and stderr of a line of bash in the task's folder."""
+
+    def shell(line):
+        ours = f"unset PYTHONUNBUFFERED; graspless() {{ '{sys.executable}' -m graspless \"$@\"; }}; set -o pipefail; "
+        done = subprocess.run(
+            ["bash", "-c", ours + line], capture_output=True, text=True, timeout=100
+        )
+        return done.returncode, done.stdout, done.stderr
+
+    return shell
+
+
+def test_plan_from_stdin_to_stdout(shell):
+    code, out, err = shell("graspless plan - -o - <task.yaml | tee seen.json | graspless check -")
+    assert code == 0
+    assert out.startswith("holds: 7 segments")
+    assert err.startswith("solved in ")
+    assert "written" not in err
+    assert graspless.check("seen.json") == []
+    assert not pathlib.Path("plan.json").exists()
+    assert not pathlib.Path("-").exists()
+
+
+def test_faults_of_stdin_are_named(shell):
+    assert shell("graspless plan - </dev/null") == (
+        2, "", "stdin:1: should be a mapping of fields, see docs/task-files.md\n"
+    )  # fmt: skip
+    assert shell("graspless check - </dev/null")[2] == "stdin:1: not valid JSON: Expecting value\n"
+    assert shell("graspless check - <&-") == (2, "", "stdin: cannot be read\n")
+    assert shell("graspless plan - < <(printf '\\xff')")[2] == "stdin: not a text file in UTF-8\n"
+
+
+@pytest.mark.parametrize(
+    "command", ["plan task.yaml", "plan task.yaml -o -", "example --list", "--help"]
+)
+def test_full_stdout_is_told_in_one_line(shell, command):
+    code, _, err = shell(f"graspless {command} >/dev/full")
+    assert code == 2
+    assert err.splitlines()[-1] == "stdout: cannot be written: No space left on device"
+    assert "Traceback" not in err
+
+
+def test_files_are_written_though_the_reader_has_gone(shell):
+    pytest.importorskip("matplotlib")
+    code, _, err = shell("graspless plan task.yaml --png a.png | true")
+    assert (code, err) == (141, "")
+    assert graspless.check("plan.json") == []
+    assert pathlib.Path("a.png").read_bytes().startswith(b"\x89PNG")
+    code, out, err = shell("graspless plan task.yaml -o - | head -1")
+    assert code in (0, 141)  # 0 where the whole plan fits into the pipe
+    assert out == "{\n"
+    assert "Traceback" not in err
+
+
+def test_summary_is_told_though_the_picture_fails(task, capsys, monkeypatch):
+    def fail(*_):
+        raise graspless.TaskError("needs matplotlib to draw")
+
+    monkeypatch.setattr("graspless.view.write_png", fail)
+    code, out, err = run(capsys, "plan", "task.yaml", "--png", "a.png")
+    assert (code, err) == (2, "needs matplotlib to draw\n")
+    assert out.startswith("solved")
+    assert out.endswith("written: plan.json\n")
 
 
 def test_ctrl_c_ends_at_once_with_130(task):

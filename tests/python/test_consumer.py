@@ -32,4 +32,4 @@ def test_consumer_builds_and_runs(tmp_path):
     )  # fmt: skip
     run("cmake", "--build", build)
     urdf = prefix / "share" / "graspless" / "urdf" / "wam_t42.urdf"
-    assert run(build / "consumer", urdf).split() == ["wam_t42", "8"]
+    assert run(build / "consumer", urdf).split() == ["wam_t42", "7"]

@@ -114,7 +114,9 @@ def test_failed_plan_is_written_too(task, tmp_path):
     assert (again.status, again.reason) == (plan.status, plan.reason)
     assert again.statistics == plan.statistics
     assert again.segments == []
-    assert graspless.check(again) == [f"there is no motion to check: {plan.status}: {plan.reason}"]
+    assert graspless.check(again) == [
+        f"nothing to check: the plan's status is {plan.status}, not solved; reason: {plan.reason}"
+    ]
 
 
 def test_check_finds_a_plan_that_was_changed(plan, document, tmp_path):
@@ -163,7 +165,7 @@ def test_no_plan_at_all(tmp_path):
     with pytest.raises(TaskError, match=r"plan.json:2: not valid JSON"):
         graspless.load_plan(path)
     path.write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(TaskError, match=r"plan.json: not a plan file"):
+    with pytest.raises(TaskError, match=r"plan.json: not a text file in UTF-8"):
         graspless.load_plan(path)
 
 

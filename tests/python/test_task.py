@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Task files: what is read, and what is said about each fault."""
 
+import contextlib
 import math
 import re
 import shutil
@@ -171,6 +172,45 @@ def test_fault_in_the_hand_file_names_that_file(write, tmp_path):
     assert fault(path).startswith("my.hand.yaml:2: tip_radius: -1: should be greater")
     write("arm: arm\nfingertip: thumb\n", "my.hand.yaml")
     assert fault(path).startswith("my.hand.yaml:2: fingertip: thumb: ")
+
+
+def test_robot_without_srdf_or_hand_file_is_told_what_was_looked_for(write, tmp_path):
+    urdf = _data.directory("urdf")
+    shutil.copy(urdf / "wam_t42.urdf", tmp_path / "bare.urdf")
+    path = write(changed("wam_t42", "bare.urdf"))
+    assert "task.yaml:2: robot: no SRDF: looked for bare.srdf beside the URDF" in fault(path)
+    srdf = (urdf / "wam_t42.srdf").read_text().replace('"arm"', '"my_arm"')
+    (tmp_path / "bare.srdf").write_text(srdf)
+    said = fault(path)
+    assert "hand.arm: " in said
+    assert said.endswith("; the default, as there is no bare.hand.yaml beside the URDF")
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        ((CARD, "rectangle: {size: [100, 80]}"), ":7: object.rectangle: is 100 x 80 m; lengths"),
+        ((CARD, "circle: {radius: 50}"), ":7: object.circle: is 100 x 100 m; lengths"),
+        ((TABLE, "rectangle: {size: [700, 700]}"), ":11: support.rectangle: is 700 x 700 m;"),
+        (
+            ("yaw: 0.3", "yaw: 90"),
+            ":9: object.pose.yaw: 90: is more than a turn; angles are in rad",
+        ),
+        (("height: 0.0", "pose: {rpy: [0, 0, 360]}"), r"support.pose.rpy\[2\]: 360: is more than"),
+    ],
+)
+def test_millimetres_and_degrees_are_warned_of(write, change, what):
+    path = write(changed(*change))
+    with pytest.warns(UserWarning, match=what), contextlib.suppress(TaskError):
+        graspless.load_task(path)
+
+
+@pytest.mark.parametrize(("name", "kind"), [("off", "true or false"), ("1", "a number")])
+def test_name_that_yaml_takes_for_a_value(write, name, kind):
+    path = write(changed("urdf: wam_t42", f"urdf: wam_t42\n  xacro_args: {{{name}: 1}}"))
+    assert fault(path) == (
+        f"task.yaml:4: robot.xacro_args.{name}: YAML takes this name for {kind}; put it in quotes"
+    )
 
 
 def test_clockwise_polygon_is_accepted(write):

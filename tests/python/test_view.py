@@ -3,6 +3,7 @@
 """Pictures and replays: that something is on them, and that a replay needs nothing else."""
 
 import base64
+import dataclasses
 import re
 import shutil
 import socket
@@ -22,7 +23,7 @@ pytest.importorskip("matplotlib")
 pytest.importorskip("viser")
 
 from graspless import view  # noqa: E402
-from graspless.view import bodies, raster  # noqa: E402
+from graspless.view import bodies, raster, stage, visuals  # noqa: E402
 from graspless.view.film import film  # noqa: E402
 
 OBSTACLES = """obstacles:
@@ -181,6 +182,51 @@ def test_robot_without_visuals_is_drawn_by_its_collision_shapes(plan, tmp_path):
     )
 
 
+@pytest.mark.parametrize(
+    ("mesh", "why"),
+    [
+        ("none.stl", "none.stl: no such file"),
+        ("package://nopkg/x.dae", "package://nopkg/x.dae: robot.packages has no nopkg"),
+        ("broken.dae", "broken.dae: cannot be read"),
+        ("broken.nonsense", "broken.nonsense: cannot be read"),
+        ("empty.obj", "empty.obj: "),
+    ],
+)
+def test_visual_mesh_that_cannot_be_read_is_warned_of_once(plan, tmp_path, mesh, why):
+    visual = f"<visual><geometry><mesh filename='{mesh}'/></geometry></visual>"
+    for name in ("broken.dae", "broken.nonsense", "empty.obj"):
+        (tmp_path / name).write_text("")
+    robot = plan.task.fields.robot
+    text = re.sub(r"<visual>.*?</visual>", visual, robot.urdf_text, count=1, flags=re.DOTALL)
+    robot = robot.model_copy(update={"urdf_text": text, "directory": str(tmp_path)})
+    fields = plan.task.fields.model_copy(update={"robot": robot})
+    task = dataclasses.replace(plan.task, fields=fields)
+    visuals._warned.clear()
+    with pytest.warns(UserWarning, match=re.escape(why)) as caught:
+        found = [bodies.robot_bodies(task) for _ in range(2)][0]
+    assert len(caught) == 1
+    assert "\n" not in str(caught[0].message)
+    name = str(caught[0].message).partition(":")[0]
+    shapes = [i for i, _ in task.problem.robot.shapes]
+    index = list(task.problem.robot.frame_names).index(name)
+    assert len(found[index].parts) == shapes.count(index)
+
+
+@pytest.mark.parametrize("port", [-1, 0, 65536, 99999])
+def test_port_that_is_none(plan, port):
+    with pytest.raises(TaskError, match=f"--port: {port}: should be from 1 to 65535"):
+        view.serve(plan, port)
+
+
+def test_busy_port(plan):
+    with socket.socket() as busy:
+        busy.bind(("127.0.0.1", 0))
+        busy.listen()
+        port = busy.getsockname()[1]
+        with pytest.raises(TaskError, match=f"--port: {port}: cannot be served: Address already"):
+            view.serve(plan, port)
+
+
 def test_raster_hides_what_is_behind():
     import trimesh
 
@@ -210,6 +256,20 @@ def test_camera_fits_every_point():
     assert seen[:, :2].min() > 0
     assert (seen[:, :2] < [400, 300]).all()
     assert max(np.ptp(seen[:, 0]) / 400, np.ptp(seen[:, 1]) / 300) > 0.85
+
+
+def test_camera_of_a_replay_sees_every_pose_of_the_robot(plan):
+    shown = film(plan)
+    camera = stage.camera(shown, 4, 3, stage.spread(shown))
+    assert stage.spread(shown)[-1] == len(shown.times) - 1
+    robot = bodies.robot_bodies(plan.task)
+    for row in range(len(shown.times)):
+        for body, X_WB in zip(robot, shown.link_poses[row], strict=True):
+            for part in body.parts:
+                p = part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
+                seen = camera.project(p, 400, 300)[:, :2]
+                assert seen.min() > 0
+                assert (seen < [400, 300]).all()
 
 
 def test_unwritable_pictures(plan, tmp_path):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/point_cloud.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -103,6 +104,36 @@ std::optional<Polygon> outer_polygon(const AlphaShape& shape, double tolerance) 
   }
 }
 
+/// The median distance of a point to its nearest neighbour.
+double median_spacing(const AlphaShape& shape) {
+  std::map<AlphaShape::Vertex_handle, double> nearest;
+  for (auto e = shape.finite_edges_begin(); e != shape.finite_edges_end(); ++e) {
+    const auto a = e->first->vertex(AlphaShape::ccw(e->second));
+    const auto b = e->first->vertex(AlphaShape::cw(e->second));
+    const double length = std::sqrt(CGAL::squared_distance(a->point(), b->point()));
+    for (const auto& vertex : {a, b}) {
+      const auto known = nearest.emplace(vertex, length).first;
+      known->second = std::min(known->second, length);
+    }
+  }
+  std::vector<double> lengths;
+  for (const auto& [vertex, length] : nearest) lengths.push_back(length);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+/// One piece only by bridging a gap of many spacings: stray points, or several objects.
+void refuse_pieces(const AlphaShape& shape, double gap, const std::string& what) {
+  constexpr double kSpacings = 12;
+  const double spacing = median_spacing(shape);
+  if (gap <= kSpacings * spacing) return;
+  throw std::invalid_argument(what + " are not one piece: a gap of about " +
+                              std::to_string(2 * gap) + " m between points " +
+                              std::to_string(spacing) +
+                              " m apart; remove stray points and other objects");
+}
+
 }  // namespace
 
 Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
@@ -133,6 +164,7 @@ Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
   }
   double alpha = *shape.find_optimal_alpha(1);
   const double spacing = std::sqrt(alpha);  // the radius of the largest empty disc
+  refuse_pieces(shape, spacing, what);
   for (int attempt = 0; attempt < 60; ++attempt, alpha *= 1.5) {
     shape.set_alpha(alpha);
     if (auto polygon = outer_polygon(shape, spacing / 4)) return *polygon;

@@ -119,17 +119,18 @@ Polygon::Edge Polygon::edge(int index) const {
 }
 
 Polygon::Edge Polygon::nearest_edge(const Eigen::Vector2d& p) const {
-  int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < size(); ++i) {
-    const double d =
-        squared_distance_to_segment(p, vertices_.col(i), vertices_.col((i + 1) % size()));
-    if (d < least) {
-      least = d;
-      nearest = i;
-    }
+  constexpr double kTie = 1e-9;  // [m]
+  const auto distance = [&](const Edge& e) {
+    return std::sqrt(squared_distance_to_segment(p, e.a, e.b));
+  };
+  const auto outside = [&](const Edge& e) { return e.inward.dot(e.a - p); };
+  Edge nearest = edge(0);
+  for (int i = 1; i < size(); ++i) {
+    const Edge other = edge(i);
+    const double gain = distance(nearest) - distance(other);
+    if (gain > kTie || (gain > -kTie && outside(other) > outside(nearest))) nearest = other;
   }
-  return edge(nearest);
+  return nearest;
 }
 
 std::vector<Polygon> Polygon::convex_parts() const {

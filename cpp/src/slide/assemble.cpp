@@ -3,6 +3,7 @@
 #include "slide/assemble.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 #include <tuple>
 
@@ -92,10 +93,14 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
 
 std::string reason(const Plan& plan) {
   const bool pairs = plan.status == Status::no_valid_pair;
+  std::ostringstream spent;
+  spent << " within " << std::setprecision(3) << plan.statistics.seconds << " s and "
+        << plan.statistics.iterations << " iterations";
   const std::string refused =
-      plan.statistics.refusals.empty()
-          ? ""
-          : "; refused most often: " + most_frequent(plan.statistics.refusals, pairs);
+      spent.str() +
+      (plan.statistics.refusals.empty()
+           ? ""
+           : "; refused most often: " + most_frequent(plan.statistics.refusals, pairs));
   if (plan.status != Status::solved && plan.statistics.iterations == 0) {
     return "the budget allowed no iteration";
   }
@@ -113,7 +118,7 @@ std::string reason(const Plan& plan) {
     case Status::not_connected:
       return "no start and goal were connected" + refused;
     case Status::interrupted:
-      return "interrupted" + refused;
+      return "interrupted: not found" + refused;
   }
   return "";
 }

@@ -32,7 +32,13 @@ Examination::Protrusion Examination::protrusion() const {
     const double t =
         std::clamp((result.center - edge.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
     const double distance = (result.center - edge.a - t * along).norm();
-    if (distance >= nearest) continue;
+    // Round a corner both edges are equally near: then the one whose line is farther.
+    const double beyond = edge.inward.dot(edge.a - result.center);
+    const bool tie = std::abs(distance - nearest) <= 1e-9;
+    if (tie ? beyond <= result.edge.inward.dot(result.edge.a - result.center)
+            : distance > nearest) {
+      continue;
+    }
     nearest = distance;
     result.edge = edge;
   }

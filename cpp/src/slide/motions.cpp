@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPressStep = 0.0025;  // between waypoints along the retreat line [m]
 constexpr double kStill = 4e-4;        // how far the contact may stray between them [m]
+constexpr double kGraspStep = 0.01;    // between waypoints of the hand's straight final motion [m]
 constexpr double kLineStep = 0.02;     // between waypoints of other straight motions [m]
 constexpr std::size_t kGraspCandidates = 6;
 constexpr std::size_t kSearchedCandidates = 2;  // of which a tree is grown to the nearest
@@ -220,13 +221,13 @@ std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Pla
 bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling) {
   const double back = query_.options.grasp_approach;
   std::vector<Eigen::Isometry3d> outwards;
-  const int steps = pieces(back, kLineStep);
+  const int steps = pieces(back, kGraspStep);
   for (int i = 1; i <= steps; ++i) {
     outwards.push_back(
         grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
   }
   const auto out = track(query_.grasp_ik, grasp.arm, outwards, query_.free);
-  if (!out) {
+  if (!out || !is_straight(*out, handling, grasp.roll)) {
     query_.refuse("pair: straight approach");
     return false;
   }
@@ -241,6 +242,21 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
   handling.grasp = Path(out->rbegin(), out->rend());
   handling.close = *close;
   handling.X_WH = grasp_pose(query_.problem, handling.placement, grasp.roll);
+  return true;
+}
+
+// Whether the hand stays on its line, without turning, also half way between waypoints.
+bool Motions::is_straight(const Path& path, const Handling& handling, int roll) {
+  constexpr double kSideways = 0.0025, kTurn = 0.025;  // [m], [rad]
+  const robot::Robot& robot = query_.problem.robot;
+  const int H = robot.frame(query_.problem.hand.grasp_frame);
+  const Eigen::Isometry3d X_HW = grasp_pose(query_.problem, handling.placement, roll).inverse();
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Isometry3d X_HH =
+        X_HW * robot.pose(H, query_.arm.full((path[i - 1] + path[i]) / 2));
+    if (X_HH.translation().head<2>().norm() > kSideways) return false;
+    if (Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) return false;
+  }
   return true;
 }
 

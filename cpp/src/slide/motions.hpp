@@ -67,6 +67,7 @@ class GRASPLESS_API Motions {
   std::optional<planning::Path> free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                           int iterations);
   std::optional<std::vector<Eigen::VectorXd>> close_hand(const Eigen::VectorXd& arm);
+  bool is_straight(const planning::Path& path, const Handling& handling, int roll);
   bool is_finger_on_object(const Eigen::VectorXd& q);
   void place_object(const Planar& object_S);
 

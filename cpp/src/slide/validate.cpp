@@ -7,6 +7,8 @@
 
 #include "graspless/slide/slide.hpp"
 
+#include "slide/hand_frames.hpp"
+
 namespace graspless::slide {
 namespace {
 
@@ -114,6 +116,7 @@ void check_object_pose(const Problem& problem) {
 
 void validate(const Problem& problem) {
   check_hand(problem.hand, problem.robot);
+  check_hand_frames(problem);
   check_home(problem);
   check_rigid("X_WO_start", problem.X_WO_start);
   check_object_pose(problem);

@@ -4,12 +4,13 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import TaskError
-from .source import Source, read_yaml
+from .source import Source, parse_yaml, read_text
 
 if TYPE_CHECKING:
     from .. import planning, slide
@@ -80,13 +81,40 @@ def load_task(path: str | Path) -> Task:
     TaskError
         A ValueError whose lines read ``file:line: field: value: what it may be``.
     """
+    return read_task(read_text(path), str(path), Path(path).resolve().parent)
+
+
+def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
+    """As `load_task`, from text.
+
+    Parameters
+    ----------
+    text : str
+        YAML.
+    file : str
+        For errors.
+    directory : str or Path
+        What paths in it are relative to.
+    """
     from . import model
     from .resolve import resolve
 
-    source = read_yaml(path)
+    if _is_plan(text):
+        raise TaskError(f"{file}: this is a plan, not a task; graspless check reads it")
+    source = parse_yaml(text, file)
     named = source.validate(model.SlideTask)
-    fields, hand_source = resolve(named, source, Path(path).resolve().parent)
+    fields, hand_source = resolve(named, source, Path(directory).resolve())
     return _task(fields, source, hand_source)
+
+
+def _is_plan(text: str) -> bool:
+    if not text.lstrip().startswith("{"):  # a task may be JSON too, as all JSON is YAML
+        return False
+    try:
+        document = json.loads(text)
+    except ValueError:
+        return False
+    return isinstance(document, dict) and "format" in document and "segments" in document
 
 
 def task_from_dict(document: Any, file: str) -> Task:
@@ -141,4 +169,4 @@ def _in_force(fields: Any, built: Any) -> Any:
     return type(fields)(**plain)
 
 
-__all__ = ["Task", "TaskError", "load_task", "task_from_dict"]
+__all__ = ["Task", "TaskError", "load_task", "read_task", "task_from_dict"]

@@ -6,13 +6,15 @@ from __future__ import annotations
 
 import contextlib
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import frames, geometry, planning, slide
 from .. import robot as robots
-from .resolve import pose_matrix, support_pose
+from ..errors import TaskError
+from .resolve import pose_matrix, stem, support_pose
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -26,8 +28,6 @@ if TYPE_CHECKING:
 @contextlib.contextmanager
 def at(source: Source, *location: str | int) -> Iterator[None]:
     """Gives a ValueError of the core the file, line and field that caused it."""
-    from ..errors import TaskError
-
     try:
         yield
     except TaskError:
@@ -50,7 +50,11 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
         Where the task and the hand's fields stand; faults name the place.
     """
     robot = build_robot(task.robot, source)
-    hand = build_hand(task, robot, hand_source)
+    if task.robot.srdf_text is None:
+        name = Path(str(source.data["robot"].get("urdf", ""))).name
+        looked = f": looked for {stem(name)}.srdf beside the URDF" if name else ""
+        raise source.error(("robot",), f"no SRDF{looked}; it has the groups and states of the hand")
+    hand = build_hand(task, robot, hand_source, source)
     X_WS = support_pose(task.support)
     pose = task.object.pose
     assert pose is not None
@@ -105,13 +109,30 @@ def build_home(
     return q_home
 
 
-def build_hand(task: model.SlideTask, robot: robots.Robot, source: Source) -> slide.Hand:
+def build_hand(
+    task: model.SlideTask, robot: robots.Robot, source: Source, task_source: Source
+) -> slide.Hand:
     assert not isinstance(task.hand, str)
     fields = task.hand.model_dump(exclude_none=True) if task.hand else {}
     if "finger_model" in fields:
         fields["finger_model"] = slide.FingerModel.__members__[fields["finger_model"]]
     hand = slide.Hand(**fields)
-    place = ("hand",) if "hand" in _given(source) else ()
+    if source is task_source and "hand" not in _given(source):
+        try:
+            _check_hand(hand, robot, source, ("hand",))
+        except TaskError as error:
+            name = stem(Path(str(source.data["robot"].get("urdf", ""))).name)
+            hint = f"the default, as there is no {name}.hand.yaml beside the URDF"
+            raise TaskError(f"{error}; {hint}") from None
+    else:
+        _check_hand(hand, robot, source, ("hand",) if "hand" in _given(source) else ())
+    return hand
+
+
+def _check_hand(
+    hand: slide.Hand, robot: robots.Robot, source: Source, place: tuple[str, ...]
+) -> None:
+    """Raises TaskError unless the robot has all that the hand names."""
     for field in ("fingertip", "grasp_frame"):
         with at(source, *place, field):
             robot.frame(getattr(hand, field))
@@ -124,7 +145,6 @@ def build_hand(task: model.SlideTask, robot: robots.Robot, source: Source) -> sl
             robot.state(getattr(hand, field))
     with at(source, *place, "arm"):
         robot.group(hand.arm)
-    return hand
 
 
 def build_object(thing: model.Object, source: Source) -> slide.Object:

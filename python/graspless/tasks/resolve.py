@@ -16,11 +16,10 @@ from .. import _data, frames
 from . import model, shapes
 from .clouds import read_cloud
 from .source import Source, read_yaml
+from .units import LARGEST, warn_of_units
 
 if TYPE_CHECKING:
     from ..frames import Matrix
-
-LARGEST = 2.0  # [m]; wider than this, a cloud of something to slide is in millimetres
 
 
 def resolve(
@@ -42,6 +41,7 @@ def resolve(
     tuple of SlideTask and Source
         The task, and where its hand's fields stand.
     """
+    warn_of_units(task, source)
     robot, hand_file = _resolve_robot(task.robot, source, directory)
     hand, hand_source = _resolve_hand(task.hand, hand_file, source, directory)
     obstacles = [
@@ -108,14 +108,14 @@ def _resolve_robot(
             "xacro_args": {},
         }
     )
-    return resolved, path.with_name(f"{_stem(path)}.hand.yaml")
+    return resolved, path.with_name(f"{stem(path)}.hand.yaml")
 
 
 def _find_srdf(robot: model.Robot, urdf: Path, source: Source, directory: Path) -> Path | None:
     if robot.srdf_text is not None:
         return None
     if robot.srdf is None:
-        beside = (urdf.with_name(f"{_stem(urdf)}{end}") for end in (".srdf", ".srdf.xacro"))
+        beside = (urdf.with_name(f"{stem(urdf)}{end}") for end in (".srdf", ".srdf.xacro"))
         return next((path for path in beside if path.is_file()), None)
     path = directory / robot.srdf
     if not path.is_file():
@@ -123,8 +123,9 @@ def _find_srdf(robot: model.Robot, urdf: Path, source: Source, directory: Path) 
     return path
 
 
-def _stem(path: Path) -> str:
-    name = path.name
+def stem(path: str | Path) -> str:
+    """The name of a robot's file without .urdf, .xacro or both."""
+    name = Path(path).name
     for suffix in (".xacro", ".urdf"):
         name = name.removesuffix(suffix)
     return name
@@ -275,4 +276,4 @@ def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Pat
     return Path(directory or ".") / name.removeprefix("file://")
 
 
-__all__ = ["check_files", "mesh_path", "pose_matrix", "resolve", "support_pose"]
+__all__ = ["check_files", "mesh_path", "pose_matrix", "resolve", "stem", "support_pose"]

@@ -96,6 +96,16 @@ class Source:
         return self.message(place, shown + text[:1].lower() + text[1:])
 
 
+def read_text(path: str | Path) -> str:
+    """What a file holds; raises TaskError."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise TaskError(f"{path}: not a text file in UTF-8") from None
+
+
 def read_yaml(path: str | Path) -> Source:
     """Reads a YAML file with the line of each field.
 
@@ -104,14 +114,7 @@ def read_yaml(path: str | Path) -> Source:
     TaskError
         The file is missing, is not YAML, is empty, or names a field twice.
     """
-    file = str(path)
-    try:
-        text = Path(path).read_text(encoding="utf-8")
-    except OSError as error:
-        raise TaskError(f"{file}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise TaskError(f"{file}: not a text file in UTF-8") from None
-    return parse_yaml(text, file)
+    return parse_yaml(read_text(path), str(path))
 
 
 def parse_yaml(text: str, file: str) -> Source:
@@ -173,6 +176,12 @@ def _note_lines(
         for key, value in node.value:
             if not isinstance(key, yaml.ScalarNode):
                 raise TaskError(f"{file}:{key.start_mark.line + 1}: a field's name must be a word")
+            if key.tag not in ("tag:yaml.org,2002:str", "tag:yaml.org,2002:merge"):
+                kind = {"bool": "true or false", "null": "nothing"}.get(
+                    key.tag.rpartition(":")[2], "a number"
+                )
+                where = f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}"
+                raise TaskError(f"{where}YAML takes this name for {kind}; put it in quotes")
             if key.value in seen:
                 raise TaskError(
                     f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}given twice"

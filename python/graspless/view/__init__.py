@@ -24,12 +24,19 @@ def write_png(plan: Plan, path: str | Path) -> None:
     path : str or Path
         .png file.
     """
+    check_png(path)
     files.check_writable(path)
     try:
         from .picture import draw
     except ImportError as error:
         raise TaskError(_missing(error)) from None
     files.write(path, draw(plan))
+
+
+def check_png(path: str | Path) -> None:
+    """Raises TaskError where the name says that another kind of picture is wanted."""
+    if Path(path).suffix.lower() not in ("", ".png"):
+        raise TaskError(f"{path}: unknown kind of picture (choices: .png)")
 
 
 def write_html(plan: Plan, path: str | Path) -> None:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames, geometry
-from ..tasks.resolve import mesh_path, pose_matrix
+from ..tasks.resolve import pose_matrix
+from .visuals import UnreadableError, read_visual, warn_once
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,12 +69,20 @@ def robot_bodies(task: Task) -> list[Body]:
         for material in root.iter("material")
         if material.find("color") is not None
     }
+    drawn = set()
     for link in root.findall("link"):
-        body = bodies[names.index(link.get("name", ""))]
-        for visual in link.findall("visual"):
-            body.parts += _visual_parts(visual, palette, task.fields.robot)
+        name = link.get("name", "")
+        try:
+            for visual in link.findall("visual"):
+                bodies[names.index(name)].parts += _visual_parts(visual, palette, task.fields.robot)
+                drawn.add(name)
+        except UnreadableError as error:
+            # Only how it looks is lost: the plan and its check use the collision shapes.
+            bodies[names.index(name)].parts.clear()
+            drawn.discard(name)
+            warn_once(f"{name}: drawn by its collision shapes: {error}")
     for index, placed in robot.shapes:
-        if not root.findall(f"link[@name='{names[index]}']/visual"):
+        if names[index] not in drawn:
             bodies[index].parts.append(placed_part(placed, ARM))
     return bodies
 
@@ -200,8 +209,7 @@ def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: model.Ro
     elif shape.tag == "capsule":
         mesh = _capsule(float(shape.get("radius", 1)), float(shape.get("length", 1)))
     else:
-        path = mesh_path(shape.get("filename", ""), robot.packages, robot.directory)
-        mesh = trimesh.load(path, force="mesh")
+        mesh = read_visual(shape.get("filename", ""), robot)
         mesh.apply_scale(_numbers(shape.get("scale"), [1, 1, 1]))
     return [_part(mesh, _origin(visual), color)]
 

@@ -16,7 +16,7 @@ from .. import frames
 from ..errors import TaskError
 from . import bodies
 from .film import film
-from .stage import camera
+from .stage import camera, spread
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -49,6 +49,7 @@ def as_html(plan: Plan) -> str:
 
 def serve(plan: Plan, port: int) -> None:
     """Serves the replay with a slider until Ctrl-C."""
+    _check_port(port)  # before the work of drawing
     shown = film(plan).resampled(RATE)
     with _server(port) as server:
         stage = _Stage(server, shown)
@@ -89,7 +90,7 @@ class _Stage:
         trail = bodies.trail_body(shown)
         if trail.parts:
             _add(scene, "/fingertip", trail, np.eye(4))
-        view = camera(film(shown.plan), 4, 3)
+        view = camera(shown, 4, 3, spread(shown))  # all of the way, not some moments of it
         server.initial_camera.position = tuple(view.eye)
         server.initial_camera.look_at = tuple(view.target)
         server.initial_camera.fov = 1.08 * view.angle
@@ -159,6 +160,21 @@ def _plain(name: str) -> str:
     return name.replace("/", "_")
 
 
+def _check_port(port: int) -> None:
+    """Raises TaskError unless the port is free: viser waits for ever on one that it cannot have,
+    and takes the next when it is busy.
+    """
+    if not 1 <= port <= 65535:
+        raise TaskError(f"--port: {port}: should be from 1 to 65535")
+    try:
+        with socket.socket() as probe:
+            # As servers do, so that a port is free again as soon as its last server has ended.
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            probe.bind(("127.0.0.1", port))
+    except OSError as error:
+        raise TaskError(f"--port: {port}: cannot be served: {error.strerror}") from None
+
+
 def _free_port() -> int:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
@@ -170,6 +186,7 @@ def _server(port: int) -> Iterator[Any]:
     """A viser server that only this machine sees."""
     import viser
 
+    _check_port(port)
     try:
         with contextlib.redirect_stdout(io.StringIO()):  # its banner is not ours
             server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)

@@ -12,6 +12,8 @@ from . import bodies
 from .raster import Camera
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..frames import Matrix
     from .film import Film
 
@@ -46,14 +48,16 @@ def placed(shown: Film, row: int) -> list[tuple[bodies.Body, Matrix]]:
     return [(body, X_WB) for body, X_WB in found if body.parts]
 
 
-def camera(shown: Film, width: int, height: int) -> Camera:
+def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = None) -> Camera:
     """From beyond the edge where the object goes, so that the grasp is seen, and beside the robot.
 
     Parameters
     ----------
     shown : Film
     width, height : int
-        Of the picture that all the moments must fit in.
+        Of the picture that all the rows must fit in.
+    rows : sequence of int, optional
+        Default: those of `moments`.
     """
     support = shown.plan.task.problem.support
     centroid = (np.asarray(support.X_WS) @ [*np.asarray(support.polygon.centroid), 0, 1])[:3]
@@ -71,10 +75,32 @@ def camera(shown: Film, width: int, height: int) -> Camera:
     direction /= np.linalg.norm(direction)
     direction[2] = 0.62
     eye = middle + 2.7 * direction
-    points = [
-        part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-        for row, _ in moments(shown)
-        for body, X_WB in placed(shown, row)
-        for part in body.parts
+    points = _seen(shown, [row for row, _ in moments(shown)] if rows is None else rows)
+    return Camera(eye, middle).fitted(points, width, height)
+
+
+def spread(shown: Film, most: int = 60) -> list[int]:
+    """Rows from the first to the last, so many that nothing moves far between them."""
+    last = len(shown.times) - 1
+    return sorted({round(row) for row in np.linspace(0, last, min(most, last + 1))})
+
+
+def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
+    """[N, 3] vertices of all bodies at the rows, in the world."""
+    robot = bodies.robot_bodies(shown.plan.task)
+    thing = bodies.object_body(shown.plan.task)
+    moving = [
+        (body, X_WB)
+        for row in rows
+        for body, X_WB in (
+            (thing, shown.object_poses[row]),
+            *zip(robot, shown.link_poses[row], strict=True),
+        )
     ]
-    return Camera(eye, middle).fitted(np.concatenate(points), width, height)
+    return np.concatenate(
+        [
+            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
+            for body, X_WB in placed(shown, rows[0]) + moving
+            for part in body.parts
+        ]
+    )

@@ -26,7 +26,7 @@ TEST(Outline, OfAGridIsNearlyThePolygon) {
 TEST(Outline, OfScatteredPointsHoldsThemAll) {
   std::mt19937_64 rng(2);
   for (int i = 0; i < 50; ++i) {
-    const Polygon polygon = random_star(rng);
+    const Polygon polygon = l_shape();
     std::vector<Eigen::Vector2d> inside;
     while (inside.size() < 300) {
       const Eigen::Vector2d p = random_point(polygon, rng);
@@ -60,6 +60,13 @@ TEST(Outline, RefusesPointsWithoutArea) {
   EXPECT_THROW(outline(columns({{0, 0}, {1, 1}, {2, 2}, {3, 3}})), std::invalid_argument);
   EXPECT_THROW(outline(columns({{0, 0}, {1, 0}, {0, nan}})), std::invalid_argument);
   EXPECT_THROW(outline(Eigen::Matrix2Xd(2, 0)), std::invalid_argument);
+}
+
+TEST(Outline, RefusesStrayPoints) {
+  const Eigen::Matrix2Xd points = sample_grid(square(0.1), 0.005);
+  Eigen::Matrix2Xd stray(2, points.cols() + 1);
+  stray << points, Eigen::Vector2d(0.35, 0.2);
+  EXPECT_THROW(outline(stray), std::invalid_argument);
 }
 
 TEST(SampleGrid, LiesInsideAndIsNeverEmpty) {

@@ -55,6 +55,12 @@ TEST(Polygon, NearestEdgeHasItsNormalInside) {
   }
 }
 
+TEST(Polygon, NearestEdgeRoundACornerIsTheOneFartherBeyond) {
+  const Polygon polygon = square(1);
+  EXPECT_TRUE(polygon.nearest_edge({0.6, 0.7}).inward.isApprox(Eigen::Vector2d(0, -1)));
+  EXPECT_TRUE(polygon.nearest_edge({0.7, 0.6}).inward.isApprox(Eigen::Vector2d(-1, 0)));
+}
+
 TEST(Polygon, ConvexPartsCoverItWithoutOverlap) {
   std::mt19937_64 rng(4);
   for (int i = 0; i < 100; ++i) {

@@ -3,6 +3,8 @@
 #include "graspless/slide/slide.hpp"
 
 #include <atomic>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <thread>
 
@@ -238,6 +240,39 @@ TEST(Plan, RefusesBadProblems) {
                  "obstacles[0].name 'object'");
   expect_refused(with([&](Problem& p) { p.obstacles = {box}, p.obstacles[0].shapes.clear(); }),
                  "obstacles[0].shapes");
+}
+
+/// The WAM's URDF with a fixed joint turned.
+robot::Robot wam_with(const std::string& link, const std::string& rpy) {
+  std::ifstream file(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.urdf");
+  std::string xml{std::istreambuf_iterator<char>(file), {}};
+  const auto child = xml.find("<child link=\"" + link + "\"");
+  const auto joint = xml.rfind("<joint", child), end = xml.find("</joint>", child);
+  const auto origin = xml.find("<origin", joint);
+  const auto at = xml.find("rpy=\"", origin);
+  if (origin < end && at < xml.find("/>", origin)) {
+    xml.replace(at + 5, xml.find('"', at + 5) - at - 5, rpy);
+  } else {
+    xml.insert(origin + 7, " rpy=\"" + rpy + "\"");
+  }
+  std::ifstream srdf(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.srdf");
+  robot::Robot::Options options;
+  options.srdf.assign(std::istreambuf_iterator<char>(srdf), {});
+  return robot::Robot::from_urdf(xml, options);
+}
+
+TEST(Plan, RefusesFramesThatDoNotLieInTheHand) {
+  const auto with = [](const std::string& link, const std::string& rpy) {
+    return [=] {
+      Problem problem = simple_problem();
+      problem.robot = wam_with(link, rpy);
+      plan(problem);
+    };
+  };
+  expect_refused(with("grasp", "0 0 1.5708"), "finger to finger");
+  expect_refused(with("grasp", "3.1416 0 0"), "out of the hand");
+  expect_refused(with("left_fingertip", "3.1416 0 0"), "out of the tip");
+  expect_refused(with("left_fingertip", "0 0 0"), "towards the other finger");
 }
 
 TEST(Object, RefusesWhatIsNotThinOrNotThere) {

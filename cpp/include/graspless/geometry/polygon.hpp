@@ -38,6 +38,7 @@ class GRASPLESS_API Polygon {
   /// Distance from `p` to the boundary [m], positive inside and negative outside.
   double depth(const Eigen::Vector2d& p) const;
   Edge edge(int index) const;  ///< from vertex `index` to the next
+  /// Of two edges equally near, as round a corner, the one whose line `p` lies farther outside of.
   Edge nearest_edge(const Eigen::Vector2d& p) const;
 
   /// Convex polygons that cover this one without overlap (CGAL).

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "graspless/slide/problem.hpp"
+
+namespace graspless::slide {
+
+/// Throws std::invalid_argument that names the frame when F or H of the hand does not lie as
+/// docs/notation.md says.
+void check_hand_frames(const Problem& problem);
+
+}  // namespace graspless::slide
