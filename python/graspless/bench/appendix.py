@@ -25,11 +25,17 @@ def parts(results: Results, directory: Path) -> dict[str, str] | None:
         return None
     found = json.loads(path.read_text())
     rows = [
-        {"name": what, "median": f"{found[name][0]:.3g} {found[name][1]}"}
+        {"name": what, "median": _duration(*found[name])}
         for name, what in PARTS.items()
         if name in found
     ]
     return {"table": markdown(rows, [("median", lambda row: row["median"])], "part")}
+
+
+def _duration(value: float, unit: str) -> str:
+    if unit == "ns" and value >= 1000:
+        value, unit = value / 1000, "us"
+    return f"{value:.3g} {unit}"
 
 
 def circumstances(results: Results, directory: Path) -> dict[str, str]:

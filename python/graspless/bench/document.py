@@ -74,12 +74,15 @@ def _paper(results: Results, directory: Path) -> dict[str, str] | None:
     given = {s: results[f"slide_paper_{s}"] for s in SEARCHES if f"slide_paper_{s}" in results}
     if not given:
         return None
-    limit = max(result["time_limit_s"] for result in given.values())
     panels = [
-        Panel(f"{SEARCHES[s]} search", [(section_of(c["name"]), c) for c in result["curves"]])
+        Panel(
+            SEARCHES[s],
+            result["time_limit_s"],
+            [(section_of(c["name"]), c) for c in result["curves"]],
+        )
         for s, result in given.items()
     ]
-    pictures.write_success(panels, limit, directory / "slide_paper.png")
+    pictures.write_success(panels, directory / "slide_paper.png")
     groups = [
         (title, [(SEARCHES[s], rows_of(result, by)) for s, result in given.items()])
         for title, by in (("object", "object"), ("support surface", "table"))
@@ -142,24 +145,25 @@ def _reconfiguration(results: Results, directory: Path) -> dict[str, str] | None
     result = results.get("slide_reconfiguration")
     if result is None:
         return None
-    curves = curves_of(result)
+    curves, limit = curves_of(result), result["time_limit_s"]
     searches = [s for s in SEARCHES if ("range 0 cm", s) in curves]
     said = [(20.0, 90.0, 2), (60.0, 99.0, 2), (53.0, 90.0, 1), (60.0, 2.0, 0)]
     panels = [
         Panel(
             SEARCHES[search],
+            limit,
             [(f"range {name}", curves[f"range {name}", search]) for name in RANGES],
             said if search == "paper" else (),
         )
         for search in searches
     ]
-    pictures.write_success(panels, result["time_limit_s"], directory / "slide_reconfiguration.png")
+    pictures.write_success(panels, directory / "slide_reconfiguration.png")
 
     def reached(name: str, rate: float) -> str:
-        times = {s: time_to(curves[f"range {name}", s], rate) for s in searches}
+        times = {s: time_to(curves[f"range {name}", s], rate, limit) for s in searches}
         return ", ".join(f"{text} ({SEARCHES[s]})" for s, text in times.items())
 
-    within = f"within {result['time_limit_s']:g} s"
+    within = f"within {limit:g} s"
     at_zero = []
     for search in searches:
         curve = curves["range 0 cm", search]
@@ -186,15 +190,19 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
     result = results.get("slide_baselines")
     if result is None:
         return None
-    curves = curves_of(result)
+    curves, limit = curves_of(result), result["time_limit_s"]
     panels = [
-        Panel("baselines, range 2 cm", [(METHODS[m], curves["range 2 cm", m]) for m in BASELINES])
+        Panel(
+            "baselines, range 2 cm",
+            limit,
+            [(METHODS[m], curves["range 2 cm", m]) for m in BASELINES],
+        )
     ]
     for pairs in PAIRS:
         shown = [("ours, whole problem", curves["range 0 cm", "fast"])]
         shown += [(METHODS[m], curves[f"{pairs} pairs", m]) for m in PAIRED]
-        panels.append(Panel(f"{pairs} pairs, range 0", shown))
-    pictures.write_success(panels, result["time_limit_s"], directory / "slide_baselines.png")
+        panels.append(Panel(f"{pairs} pairs, range 0", limit, shown))
+    pictures.write_success(panels, directory / "slide_baselines.png")
 
     def row(section: str, method: str) -> Row:
         return find(result, "section", f"{section}, {method}")
@@ -207,7 +215,7 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
         return ", ".join(f"{name} {percent(r[at], r['runs'])}" for name, r in short.items())
 
     return {
-        "limit": f"{result['time_limit_s']:g}",
+        "limit": f"{limit:g}",
         "table": table("range 2 cm", BASELINES, ""),
         "whole": table("range 0 cm", ("fast", "paper"), "whole problem"),
         "independent": table("independent pairs", PAIRED, "independent pairs"),

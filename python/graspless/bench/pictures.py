@@ -29,27 +29,28 @@ class Panel:
     """Curves side by side, and points of the paper's."""
 
     title: str
+    limit: float  # of a query [s]: where the curves end
     curves: Sequence[tuple[str, Row]]  # a name for the legend, and what summary calls a curve
     paper: Sequence[tuple[float, float, int]] = ()  # time [s], rate [%], index of the curve
 
 
-def write_success(panels: Sequence[Panel], limit: float, path: Path) -> None:
-    """Success over time; `limit` [s] is where the curves end."""
+def write_success(panels: Sequence[Panel], path: Path) -> None:
+    """Success over time."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(4.6 * len(panels), 4), layout="constrained")
         axes = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
         for ax, panel in zip(axes, panels, strict=True):
-            _draw_success(ax, panel, limit)
+            _draw_success(ax, panel)
         axes[0].set_ylabel("solved [%]")
         figure.savefig(path, dpi=110)
 
 
-def _draw_success(ax: Any, panel: Panel, limit: float) -> None:
+def _draw_success(ax: Any, panel: Panel) -> None:
     for color, (name, curve) in zip(COLORS, panel.curves, strict=False):
         times = np.array(curve["times_ms"]) / 1000
         runs = curve["runs"]
         counts = np.arange(len(times) + 1)
-        x = np.concatenate([[1e-9], times, [limit]])
+        x = np.concatenate([[1e-9], times, [panel.limit]])
         rate = 100 * np.append(counts, len(times)) / runs
         low, high = np.array([wilson(int(k), runs) for k in np.append(counts, len(times))]).T * 100
         ax.step(x, rate, where="post", color=color, label=name, linewidth=1.5)
@@ -58,7 +59,7 @@ def _draw_success(ax: Any, panel: Panel, limit: float) -> None:
         ax.plot(time, rate, "D", color=COLORS[index], markeredgecolor="black", markersize=5)
     if panel.paper:
         ax.plot([], [], "D", color="white", markeredgecolor="black", label="the paper")
-    slowest = max(_end(curve, limit) for _, curve in panel.curves)
+    slowest = max(_end(curve, panel.limit) for _, curve in panel.curves)
     last = max([slowest, *(1.8 * p[0] for p in panel.paper)])
     ax.set(title=panel.title, xscale="log", xlim=(3e-4, last), ylim=(0, 102), xlabel="time")
     ax.xaxis.set_major_formatter(FuncFormatter(_duration))

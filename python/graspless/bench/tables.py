@@ -72,8 +72,12 @@ def curves_of(result: Row) -> dict[tuple[str, str], Row]:
     return {(curve["section"], curve["method"]): curve for curve in result["curves"]}
 
 
-def time_to(curve: Row, rate: float) -> str:
+def time_to(curve: Row, rate: float, limit: float) -> str:
     """When a rate was reached."""
     needed = -int(-rate * curve["runs"] // 1)
     times = curve["times_ms"]
-    return f"at {milliseconds(times[needed - 1])} ms" if needed <= len(times) else "not reached"
+    return (
+        f"at {milliseconds(times[needed - 1])} ms"
+        if needed <= len(times)
+        else f"not within {limit:g} s"
+    )
