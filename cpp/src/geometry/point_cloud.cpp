@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <CGAL/Alpha_shape_2.h>
@@ -53,6 +54,11 @@ std::vector<Loop> loops(const AlphaShape& shape) {
       next.erase(at);
       at = next.find(to);
     }
+    // Where the walk began is a matter of addresses; what becomes of the loop must not be.
+    const auto first = std::min_element(loop.begin(), loop.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(a.x(), a.y()) < std::make_pair(b.x(), b.y());
+    });
+    std::rotate(loop.begin(), first, loop.end());
     all.push_back(std::move(loop));
   }
   return all;

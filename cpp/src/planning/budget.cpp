@@ -12,8 +12,7 @@ constexpr std::chrono::milliseconds kPollInterval{10};
 
 }  // namespace
 
-Clock::Clock(const Budget& budget)
-    : budget_(budget), start_(Steady::now()), next_poll_(start_ + kPollInterval) {
+Clock::Clock(const Budget& budget) : budget_(budget), start_(Steady::now()), next_poll_(start_) {
   if (!(budget.seconds > 0)) {
     throw std::invalid_argument("budget.seconds must be positive, not " +
                                 std::to_string(budget.seconds));

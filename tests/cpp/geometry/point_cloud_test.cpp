@@ -44,6 +44,17 @@ TEST(Outline, IsUnchangedByRepeatedPoints) {
   EXPECT_NEAR(outline(twice).area(), outline(points).area(), 1e-12);
 }
 
+TEST(Outline, DoesNotDependOnWhereMemoryLies) {
+  const Eigen::Matrix2Xd points = sample_grid(l_shape(), 0.013);
+  const Eigen::Matrix2Xd first = outline(points).vertices();
+  std::vector<std::vector<char>> elsewhere;
+  for (std::size_t i = 1; i < 40; ++i) {
+    elsewhere.emplace_back(i * 997);  // moves what is allocated next
+    EXPECT_EQ(outline(points).vertices(), first);
+    if (i % 3 == 0) elsewhere.erase(elsewhere.begin());
+  }
+}
+
 TEST(Outline, FillsHoles) {
   std::vector<Eigen::Vector2d> ring;
   for (int i = 0; i < 120; ++i) {

@@ -18,7 +18,8 @@ struct Budget {
   double seconds = 10;                                                 ///< wall clock [s]
   std::int64_t iterations = std::numeric_limits<std::int64_t>::max();  ///< rounds of the main loop
   std::uint64_t seed = 1;
-  /// Ends the query when it returns true; asked at most every 10 ms, from the thread that plans.
+  /// Ends the query when it returns true; asked at once and then at most every 10 ms, from the
+  /// thread that plans.
   std::function<bool()> interrupted;
 };
 
