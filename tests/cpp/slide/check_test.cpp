@@ -21,9 +21,9 @@ class Check : public ::testing::Test {
     }
     throw std::logic_error(name);
   }
-  void expect_fault(const std::string& words) {
+  void expect_fault(const std::string& words, const Options& options = {}) {
     std::string all;
-    for (const std::string& fault : check(problem_, plan_)) all += fault + "\n";
+    for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
     EXPECT_NE(all.find(words), std::string::npos) << "faults found:\n" << all;
   }
 
@@ -113,9 +113,7 @@ TEST_F(Check, AnObstacleInTheObjectsWay) {
 TEST_F(Check, ATighterBand) {
   Options options;
   options.max_depth = options.min_depth;
-  std::string all;
-  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
-  EXPECT_NE(all.find("out of its band"), std::string::npos) << all;
+  expect_fault("out of its band", options);
 }
 
 TEST_F(Check, ASmallerTable) {
@@ -237,17 +235,13 @@ TEST_F(Check, APitchARollAndATurnedFingerInTheSlide) {
 TEST_F(Check, ACoarserPitchAtTheEnds) {
   Options options;
   options.pitch += 0.01;
-  std::string all;
-  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
-  EXPECT_NE(all.find("begins or ends at pitch"), std::string::npos) << all;
+  expect_fault("begins or ends at pitch", options);
 }
 
 TEST_F(Check, AWiderMarginOfTheTip) {
   Options options;
   options.tip_margin = 0.3;
-  std::string all;
-  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
-  EXPECT_NE(all.find("too near the edge"), std::string::npos) << all;
+  expect_fault("too near the edge", options);
 }
 
 TEST_F(Check, AContactBesideTheObject) {
@@ -265,17 +259,13 @@ TEST_F(Check, ASegmentThatBeginsElsewhere) {
 TEST_F(Check, ALiftThatStaysLow) {
   Options options;
   options.lift_height = 0.12;
-  std::string all;
-  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
-  EXPECT_NE(all.find("above the object"), std::string::npos) << all;
+  expect_fault("above the object", options);
 }
 
 TEST_F(Check, AShorterStraightWay) {
   Options options;
   options.grasp_approach = 0.1;
-  std::string all;
-  for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
-  EXPECT_NE(all.find("straight way"), std::string::npos) << all;
+  expect_fault("straight way", options);
 }
 
 TEST_F(Check, AHandThatSwaysOnItsWay) {
