@@ -11,6 +11,10 @@ find_package(Threads REQUIRED)
 # The SRDF is read with TinyXML, which urdfdom 3 links but urdfdom 4 does not.
 find_library(GRASPLESS_TINYXML_LIBRARY tinyxml REQUIRED)
 
+# GLPK comes without a config.
+find_library(GRASPLESS_GLPK_LIBRARY glpk REQUIRED)
+find_path(GRASPLESS_GLPK_INCLUDE_DIR glpk.h REQUIRED)
+
 # orocos_kdl's config sets variables only.
 find_package(orocos_kdl REQUIRED)
 if(NOT TARGET graspless_kdl)

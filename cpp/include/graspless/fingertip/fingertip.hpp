@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graspless/export.hpp"
+#include "graspless/fingertip/problem.hpp"
+#include "graspless/mechanics/equilibrium.hpp"
+#include "graspless/mechanics/stability.hpp"
+#include "graspless/planning/budget.hpp"
+
+namespace graspless::fingertip {
+
+using mechanics::FingerMode;
+
+enum class Search {
+  dijkstra,  ///< uniform cost over the manipulation-feasibility graph
+  paper,     ///< A* with the heuristic (11), corrected where it is not admissible
+  fast,      ///< lazy best-first search over finger placements, bounded by support functions
+};
+
+/// How to search. The paper's values where it gives one.
+struct Options {
+  Search search = Search::fast;
+  /// Fingertip locations along each side of a face's rectangle, cell-centred; the paper's 7 x 7.
+  int locations_per_side = 7;
+  /// Instead: distance between locations [m]; 0 takes locations_per_side.
+  double location_spacing = 0;
+  int cone_edges = 6;              ///< s
+  int samples_per_arc = 3;         ///< P
+  double min_stability = 0.5;      ///< z_min [N]
+  double regrasp_cost = 100;       ///< X_regr [m]
+  double stability_weight = 0.01;  ///< X_stab [N]
+  /// l_i, 6 x N.
+  mechanics::Matrix6Xd disturbance_directions = mechanics::disturbance_directions();
+  mechanics::Compliance compliance;
+  int max_regrasps = 8;
+  int threads = 1;
+  double max_memory = 4e9;  ///< refuse searches that would need more [bytes]
+  /// On failure: find which single relaxation helps (mu, f_max, z_min), by bisection.
+  bool explain = true;
+};
+
+GRASPLESS_API void validate(const Options& options);
+/// Both, and that the search fits into max_memory. What plan() and check() begin with.
+GRASPLESS_API void validate(const Problem& problem, const Options& options);
+
+enum class Status {
+  solved,
+  no_location,  ///< geometry: no placement of the fingers is clear of floor, walls and each other
+  unstable,     ///< geometry allows placements, but none carries the object all the way
+  out_of_time,  ///< nothing found in time, and nothing excluded
+  interrupted,
+};
+GRASPLESS_API std::string to_string(Status status);
+
+/// A finger at one instant.
+struct FingerState {
+  bool touches = true;                             ///< false while it regrasps
+  Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< contact point [m]
+  Eigen::Vector3d n_O = Eigen::Vector3d::UnitZ();  ///< into the object, unit
+  FingerMode mode = FingerMode::position;
+  double commanded_force = 0;  ///< f_com in force control, else 0 [N]
+  Eigen::Vector3d nominal_force_O =
+      Eigen::Vector3d::Zero();  ///< on the object: to feed forward [N]
+};
+
+/// One instant of a plan: a sample of an arc, or a rest while a finger regrasps.
+struct Row {
+  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
+  std::vector<FingerState> fingers;
+  double stability = 0;            ///< z [N]
+  double compliant_stability = 0;  ///< see mechanics::compliant_stability [N]
+  double nominal_margin = 0;       ///< mechanics::Equilibrium::margin [N]
+};
+
+/// A stretch of the plan with the fingers where they are, or one regrasp.
+struct Segment {
+  std::string name;  ///< slide, turn, tumble or regrasp
+  /// Displacement: from the first pose through every lattice pose to the last; row k * P + j lies
+  /// in the middle of the j-th of P equal parts of the motion from X_WO[k] to X_WO[k + 1]. Regrasp:
+  /// one pose, one row.
+  std::vector<Eigen::Isometry3d> X_WO;
+  std::vector<Row> rows;
+  int finger = -1;  ///< regrasp: who moves; it goes to where the next segment has it
+};
+
+/// What the search did.
+struct Statistics {
+  double seconds = 0;
+  std::int64_t locations = 0;
+  std::int64_t z_evaluations = 0;  ///< of Problem (6), each one with all its directions
+  std::int64_t bounded_tests = 0;  ///< of Problem (5)
+  std::int64_t pivots = 0;
+  std::int64_t nodes = 0;       ///< opened by the search
+  std::int64_t supports = 0;    ///< wrench functionals used as bounds
+  std::int64_t candidates = 0;  ///< motions of the object tried (Goal)
+  std::int64_t memory = 0;      ///< of the search's tables, at most [bytes]
+};
+
+/// What a failed search says of the way out.
+struct Relaxation {
+  std::string field;  ///< fingers.friction, fingers.max_normal_force, friction or min_stability
+  double value = 0;   ///< the least change that helps, to 1 %
+};
+
+/// What was found, or why not.
+struct Plan {
+  Status status = Status::out_of_time;
+  std::string reason;      ///< one sentence, for people
+  double cost = 0;         ///< by (9) and (10) [m]
+  double lower_bound = 0;  ///< no plan on this lattice is cheaper [m]; equals cost when optimal
+  int regrasps = 0;
+  std::vector<Segment> segments;
+  std::vector<std::string> warnings;
+  /// Where z is least: segment and row; -1 without a plan.
+  int weakest_segment = -1, weakest_row = -1;
+  /// Not solved: which limit blocks (reach of the lattice, geometry, friction, force limit,
+  /// stability), and the smallest single changes that help.
+  std::string limit;
+  std::vector<Relaxation> relaxations;
+  Statistics statistics;
+  explicit operator bool() const { return status == Status::solved; }
+};
+
+/// Plans where the fingers press, which holds its position and which its force, and when to change
+/// grip. Throws std::invalid_argument on a bad problem, options or budget. Out of time with a plan
+/// in hand: solved, with lower_bound < cost.
+GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
+                        const planning::Budget& budget = {});
+
+/// Re-derives every row from the problem with none of the search's code: contacts from geometry, z
+/// and jamming by the reference engine, nominal forces, clearances by FCL, cost by its definition,
+/// continuity. Each entry says which segment and row fails and how; empty: the plan holds.
+GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                             const Options& options = {});
+
+}  // namespace graspless::fingertip

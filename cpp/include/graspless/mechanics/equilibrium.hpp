@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/export.hpp"
+#include "graspless/mechanics/contact.hpp"
+
+namespace graspless::mechanics {
+
+/// Contact forces that balance a contact set, as far inside their cones and limits as they go.
+struct Equilibrium {
+  Eigen::Matrix3Xd contact_forces_O;  ///< on the object, one a contact [N]
+  Eigen::Matrix3Xd finger_forces_O;   ///< on the object, one a finger [N]
+  /// The largest t such that every cone coefficient, and what is left to every limit, is at least t
+  /// [N].
+  double margin = 0;
+};
+
+/// The interior equilibrium under no disturbance, with fingers in force control at their commanded
+/// normal forces (entries of the others are not looked at). Nothing when there is no equilibrium.
+/// Throws std::invalid_argument on a bad contact set, modes or forces.
+GRASPLESS_API std::optional<Equilibrium> interior_equilibrium(
+    const ContactSet& set, const std::vector<FingerMode>& modes,
+    const Eigen::VectorXd& commanded_forces);
+
+/// Springs at the contacts, only whose ratios matter to compliant_stability().
+struct Compliance {
+  double environment_normal = 1;        ///< stiffness along the normal [any unit of N/m]
+  double environment_tangential = 0.8;  ///< along the surface, of contacts that stick
+  double finger_normal = 0.2;           ///< of fingers in position control
+  double finger_tangential = 0.2;
+};
+
+/// A margin that does not assume that passive friction redistributes freely. Each contact is a
+/// spring about its nominal force: sticking contacts in all directions, sliding ones along the
+/// normal (friction follows it), fingers in position control in all directions, fingers in force
+/// control along the surface alone. The object moves until the springs balance a disturbance; the
+/// index is the largest t [N] such that for all directions l_i the disturbance t l_i leaves every
+/// contact pressing, within Coulomb's cone, and every finger within its limit. 0 where the springs
+/// do not hold the object.
+GRASPLESS_API double compliant_stability(const ContactSet& set,
+                                         const std::vector<FingerMode>& modes,
+                                         const Equilibrium& nominal,
+                                         const Compliance& compliance = {},
+                                         const Matrix6Xd& directions = disturbance_directions());
+
+}  // namespace graspless::mechanics

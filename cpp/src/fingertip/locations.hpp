@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/fingertip/fingertip.hpp"
+#include "graspless/mechanics/stability_solver.hpp"
+
+namespace graspless::fingertip {
+
+/// Where a fingertip may press.
+struct Location {
+  Eigen::Vector3d p_OC, n_O, t_O;  // t_O: the face's first grid axis, the cone's first edge
+  Eigen::Vector3d center_O;        // of the sphere
+  int face;
+};
+
+/// Fingers on locations: indices in ascending order, then -1. Fingers are equal, so a placement is
+/// a set.
+using Placement = std::array<std::int32_t, mechanics::kMaxFingers>;
+constexpr Placement kNoFingers = {-1, -1, -1, -1};
+
+int num_fingers(const Placement& placement);
+Placement with(const Placement& placement, int location);     // keeps the order
+Placement without(const Placement& placement, int location);  // the kept fingers of a regrasp
+
+/// The lattice of locations on the object's surface at which the sphere does not touch the object
+/// elsewhere.
+class Locations {
+ public:
+  Locations(const Object& object, const Fingers& fingers, const Options& options);
+
+  int size() const { return static_cast<int>(all_.size()); }
+  const Location& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
+  const mechanics::FingerWrenches& wrenches(int i) const {
+    return wrenches_[static_cast<std::size_t>(i)];
+  }
+  bool are_apart(int a, int b) const;  // the spheres do not overlap (touching is allowed)
+
+ private:
+  std::vector<Location> all_;
+  std::vector<mechanics::FingerWrenches> wrenches_;
+  double min_distance2_ = 0;
+};
+
+}  // namespace graspless::fingertip
