@@ -31,7 +31,10 @@ int add_at(Instants& instants, const mechanics::BodyState& state, std::size_t po
 
 PathQuery::PathQuery(const Problem& problem, const Path& path, const Locations& locations_in,
                      Instants& all_instants, const Options& options_in)
-    : options(options_in), locations(locations_in), X_WO(path.X_WO) {
+    : options(options_in),
+      locations(locations_in),
+      num_fingers(problem.fingers.count),
+      X_WO(path.X_WO) {
   const int P = options.samples_per_arc;
   for (std::size_t i = 0; i + 1 < X_WO.size(); ++i) {
     twist_O.push_back(screw_between(X_WO[i], X_WO[i + 1]));
