@@ -9,7 +9,7 @@
 #include <limits>
 #include <sstream>
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 constexpr double kRound = 1e-9;  // relative
@@ -186,9 +186,13 @@ void Examination::check_weakest() {
                     std::to_string(plan_.weakest_row) + " is not the weakest");
 }
 
+}  // namespace graspless::fingertip::checking
+
+namespace graspless::fingertip {
+
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
   validate(problem, options);
-  return Examination(problem, plan, options).run();
+  return checking::Examination(problem, plan, options).run();
 }
 
 }  // namespace graspless::fingertip

@@ -11,8 +11,9 @@
 #include "fingertip/check_instant.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
-/// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here.
-namespace graspless::fingertip {
+/// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here: nothing
+/// of this room but its public types is used.
+namespace graspless::fingertip::checking {
 
 using Faults = std::vector<std::string>;
 using Poses = std::vector<Eigen::Isometry3d>;
@@ -95,4 +96,4 @@ class Examination {
   Faults faults_;
 };
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

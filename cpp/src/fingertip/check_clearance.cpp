@@ -9,7 +9,7 @@
 
 #include "fingertip/check.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 // Of a sphere's radius: left out of FCL's tests, where just touching counts as touching.
@@ -110,4 +110,4 @@ void Examination::check_world(World& world, const std::string& where, const Row&
   }
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

@@ -6,7 +6,7 @@
 
 #include "fingertip/check.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 bool is_same_contact(const FingerState& a, const FingerState& b, double length) {
@@ -47,4 +47,4 @@ void Examination::check_contact(std::size_t s, std::size_t r, std::size_t i) {
   fault(place(s, r), who + ": contact: not on the object's surface with that normal into it");
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

@@ -6,7 +6,7 @@
 
 #include "mechanics/lp.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 using mechanics::ContactMode;
@@ -114,8 +114,11 @@ bool is_near(const Instant& a, const Instant& b, double length, double force) {
          same_contacts(a.set.fingers, b.set.fingers);
 }
 
-mechanics::ContactSet with_friction(mechanics::ContactSet set, double environment, double fingers) {
-  for (mechanics::Contact& contact : set.contacts) contact.friction = environment;
+mechanics::ContactSet with_friction(mechanics::ContactSet set, double slide, double stick,
+                                    double fingers) {
+  for (mechanics::Contact& contact : set.contacts) {
+    contact.friction = contact.mode == ContactMode::slide ? slide : stick;
+  }
   for (mechanics::Finger& finger : set.fingers) finger.friction = fingers;
   return set;
 }
@@ -165,4 +168,4 @@ std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& 
   return found.objective;
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

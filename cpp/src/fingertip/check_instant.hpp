@@ -12,7 +12,7 @@
 
 /// The mechanics of one instant as check() sees it: Eqs. (1) to (6) written out as small linear
 /// programs, one a question.
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 
 /// Contacts and the fingers that touch, with the modes and forces that a plan gives them.
 struct Instant {
@@ -25,7 +25,8 @@ struct Instant {
 bool is_near(const Instant& a, const Instant& b, double length, double force);
 
 /// The same contacts under other coefficients of friction.
-mechanics::ContactSet with_friction(mechanics::ContactSet set, double environment, double fingers);
+mechanics::ContactSet with_friction(mechanics::ContactSet set, double slide, double stick,
+                                    double fingers);
 
 /// Problem (6) with f_com fixed: the least over the directions l_d of the largest z with z l_d in
 /// balance; 0 without an equilibrium.
@@ -40,10 +41,10 @@ std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& 
 /// What was found out about an instant.
 struct Verdict {
   Instant instant;
-  double stability = 0;  // the least at the ends of the friction intervals
+  double stability = 0;  // the least at the ends of the environment's friction
   double compliant_stability = 0;
   bool is_bounded = false;  // Problem (5)
   mechanics::FrictionVerdict over_friction;
 };
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

@@ -9,7 +9,7 @@
 
 #include "fingertip/check.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 constexpr double kRound = 1e-7;  // relative, of stabilities
@@ -87,12 +87,16 @@ Verdict Examination::judge(const Instant& instant) const {
   Verdict verdict;
   verdict.instant = instant;
   verdict.stability = stability_at(instant, directions);
-  verdict.is_bounded =
-      mechanics::internal_force_is_bounded(with_friction(instant.set, env.upper, fingers.upper),
-                                           instant.modes, mechanics::Engine::reference);
+  const auto cannot_jam = [&](double slide) {
+    return mechanics::internal_force_is_bounded(
+        with_friction(instant.set, slide, env.upper, fingers.upper), instant.modes,
+        mechanics::Engine::reference);
+  };
+  verdict.is_bounded = cannot_jam(env.lower) && (!is_interval() || cannot_jam(env.upper));
   if (is_interval()) {
+    // A wider cone only helps a contact that sticks, but turns what one that slides does.
     Instant upper = instant;
-    upper.set = with_friction(instant.set, env.upper, fingers.lower);
+    upper.set = with_friction(instant.set, env.upper, env.lower, fingers.lower);
     verdict.stability = std::min(verdict.stability, stability_at(upper, directions));
     verdict.over_friction =
         mechanics::holds_over_friction(instant.set, instant.modes, instant.commanded_forces, env,
@@ -160,4 +164,4 @@ void Examination::check_nominal(std::size_t s, std::size_t r, const Instant& ins
   }
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

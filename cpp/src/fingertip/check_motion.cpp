@@ -7,7 +7,7 @@
 
 #include "fingertip/check.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 constexpr double kSameAngle = 1e-6;  // [rad]
@@ -173,4 +173,4 @@ Eigen::Isometry3d Examination::row_pose(std::size_t s, std::size_t r) const {
   return along_screw(segment(s).X_WO[r / parts], arc_twist(s, r / parts), t);
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking

@@ -6,7 +6,7 @@
 
 #include "fingertip/check.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::fingertip::checking {
 namespace {
 
 double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
@@ -47,4 +47,4 @@ bool is_on_surface(const geometry::Mesh& mesh, const Eigen::Vector3d& p_O,
   return false;
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::fingertip::checking
