@@ -81,7 +81,7 @@ void Examination::check_spheres(std::size_t s, std::size_t pose) {
     const std::string who = "finger " + std::to_string(i);
     const Eigen::Vector3d center_W = segment(s).X_WO[pose] * center(row.fingers[i]);
     for (const Plane& plane : problem_.planes) {
-      const double depth = radius - (plane.n_W.dot(center_W) - plane.offset);
+      const double depth = radius - (plane.n_W.normalized().dot(center_W) - plane.offset);
       if (depth > same_length_) {
         fault(where, who + " reaches " + figure(depth) + " m into plane '" + plane.name + "'");
       }

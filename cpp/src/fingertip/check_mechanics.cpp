@@ -19,7 +19,7 @@ bool differs(double a, double b) { return !(std::abs(a - b) <= kRound * std::max
 std::vector<mechanics::Plane> planes_of(const Problem& problem) {
   std::vector<mechanics::Plane> planes;
   for (const Plane& plane : problem.planes) {
-    planes.push_back({plane.name, plane.n_W, plane.offset, problem.friction.lower});
+    planes.push_back({plane.name, plane.n_W.normalized(), plane.offset, problem.friction.lower});
   }
   return planes;
 }
