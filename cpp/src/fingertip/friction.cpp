@@ -74,7 +74,7 @@ mechanics::BodyState state_at(const Options& options, const Plan& plan, std::siz
 
 std::string sentence(const Plan& plan, const FrictionFailure& failure) {
   std::ostringstream out;
-  out << "no plan was found that holds for every friction in the intervals: the last one fails at "
+  out << "no plan holds for every friction in the intervals: the last one found fails at "
       << failure.verdict.environment << " (environment) and " << failure.verdict.fingers
       << " (fingers) in segment " << failure.segment << " ("
       << plan.segments[static_cast<std::size_t>(failure.segment)].name << "), row " << failure.row
@@ -112,16 +112,16 @@ Plan plan_over_friction(const Problem& problem, const Options& options, Instants
   if (!is_interval(problem)) return plan;
   for (int round = 0; plan; ++round) {
     const auto failure = find_friction_failure(problem, options, instants, plan);
-    if (!failure) return plan;
-    if (round == kRounds) {
-      Plan none;
-      none.status = Status::unstable;
-      none.reason = sentence(plan, *failure);
-      none.statistics = plan.statistics;
-      return none;
+    if (!failure) break;
+    const std::string why = sentence(plan, *failure);
+    if (round < kRounds) {
+      instants.add_friction(failure->verdict.environment);
+      plan = search();
+    } else {
+      plan = Plan();
+      plan.status = Status::unstable;
     }
-    instants.add_friction(failure->verdict.environment);
-    plan = search();
+    if (plan.status == Status::unstable) plan.reason = why;
   }
   return plan;
 }
