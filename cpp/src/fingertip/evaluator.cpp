@@ -47,6 +47,13 @@ double Evaluator::stability(int instant, const Placement& placement) {
   return entry->second;
 }
 
+mechanics::ControlModes Evaluator::control_modes(int instant, const std::vector<int>& fingers,
+                                                 const std::vector<FingerMode>& previous) {
+  const mechanics::ContactSet set =
+      contact_set(instants_[instant], locations_, instants_.problem().fingers, fingers);
+  return mechanics::best_control_modes(set, previous, options_.disturbance_directions);
+}
+
 mechanics::ContactSet contact_set(const Instant& instant, const Locations& locations,
                                   const Fingers& fingers, const std::vector<int>& at) {
   mechanics::ContactSet set = instant.set;
