@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From pose to pose with any face down: contact states first, then the search of each path.
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "fingertip/goal_paths.hpp"
 #include "fingertip/goal_search.hpp"
-#include "fingertip/instants.hpp"
 #include "fingertip/motions.hpp"
 #include "fingertip/stances.hpp"
 
@@ -55,8 +51,8 @@ Plan out_of_reach(int needed, const Goal& goal) {
 
 }  // namespace
 
-Plan plan_goal(const Problem& problem, const Options& options, planning::Clock& clock) {
-  const Goal& goal = std::get<Goal>(problem.motion);
+Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock) {
+  const Problem& problem = workshop.problem;
   require_motion(problem, goal);
   const Stances stances(problem.object);
   const int from = standing_face(problem, stances, goal.X_WO_start, "motion.X_WO_start");
@@ -64,7 +60,7 @@ Plan plan_goal(const Problem& problem, const Options& options, planning::Clock& 
   const int needed = stances.tumbles_to(to)[static_cast<std::size_t>(from)];
   if (needed < 0 || needed > goal.max_tumbles) return out_of_reach(needed, goal);
 
-  GoalSearch search(problem, options, clock);
+  GoalSearch search(workshop, clock);
   for (int tumbles = needed; tumbles <= goal.max_tumbles; ++tumbles) {
     for (const TumbleSequence& sequence :
          tumble_sequences(stances, from, to, tumbles, kMaxSequences)) {

@@ -28,20 +28,12 @@ std::string plane_entered(const Problem& problem, const Eigen::Isometry3d& X_WO)
 
 }  // namespace
 
-GoalSearch::GoalSearch(const Problem& problem, const Options& options, planning::Clock& clock)
-    : problem_(problem),
-      options_(options),
+GoalSearch::GoalSearch(Workshop& workshop, planning::Clock& clock)
+    : workshop_(workshop),
       clock_(clock),
-      locations_(problem.object, problem.fingers, options),
-      instants_(problem, options),
-      clearance_(problem),
+      clearance_(workshop.problem),
       lower_bound_(kInfinity),
-      best_cost_(kInfinity) {
-  for (int i = 0; i < options.threads; ++i) {
-    evaluators_.emplace_back(instants_, locations_, options);
-  }
-  statistics_.locations = locations_.size();
-}
+      best_cost_(kInfinity) {}
 
 void GoalSearch::add(Path path) {
   const std::string complaint = fault(path);
@@ -55,7 +47,7 @@ void GoalSearch::add(Path path) {
 
 /// What the object runs into.
 std::string GoalSearch::fault(const Path& path) {
-  const int P = options_.samples_per_arc;
+  const int P = workshop_.options.samples_per_arc;
   for (std::size_t i = 0; i < path.X_WO.size(); ++i) {
     const bool is_last = i + 1 == path.X_WO.size();
     const auto twist_O = is_last ? mechanics::Vector6d(mechanics::Vector6d::Zero())
@@ -63,7 +55,7 @@ std::string GoalSearch::fault(const Path& path) {
     for (int j = 0; j < (is_last ? 1 : 1 + P); ++j) {
       const Eigen::Isometry3d X_WO =
           j == 0 ? path.X_WO[i] : along_screw(path.X_WO[i], twist_O, (j - 0.5) / P);
-      const std::string plane = plane_entered(problem_, X_WO);
+      const std::string plane = plane_entered(workshop_.problem, X_WO);
       if (!plane.empty()) return "the object would enter plane '" + plane + "'";
       const std::string obstacle = clearance_.obstacle_at(X_WO);
       if (!obstacle.empty()) return "the object would touch '" + obstacle + "'";
@@ -74,13 +66,13 @@ std::string GoalSearch::fault(const Path& path) {
 
 /// Some location goes all the way, or there is a regrasp and each arc has its own.
 double GoalSearch::bound(const Path& path) const {
-  std::vector<double> whole(static_cast<std::size_t>(locations_.size()), 0.0);
-  double pieces = options_.regrasp_cost;
+  std::vector<double> whole(static_cast<std::size_t>(workshop_.locations.size()), 0.0);
+  double pieces = workshop_.options.regrasp_cost;
   for (std::size_t i = 0; i + 1 < path.X_WO.size(); ++i) {
     const auto twist_O = screw_between(path.X_WO[i], path.X_WO[i + 1]);
     double least = kInfinity;
-    for (int l = 0; l < locations_.size(); ++l) {
-      const double moved = sphere_speed(twist_O, locations_[l]);
+    for (int l = 0; l < workshop_.locations.size(); ++l) {
+      const double moved = sphere_speed(twist_O, workshop_.locations[l]);
       whole[static_cast<std::size_t>(l)] += moved;
       least = std::min(least, moved);
     }
@@ -109,8 +101,9 @@ bool GoalSearch::run() {
 void GoalSearch::look_at(const Candidate& candidate) {
   ++statistics_.candidates;
   try {
-    const PathQuery query(problem_, candidate.path, locations_, instants_, options_);
-    const Route route = search(query);
+    const PathQuery query(workshop_.problem, candidate.path, workshop_.locations,
+                          workshop_.instants, workshop_.options);
+    const Route route = search(query, workshop_, clock_, statistics_);
     is_complete_ = is_complete_ && route.is_complete;
     if (route.found || !route.is_complete) {
       lower_bound_ = std::min(lower_bound_, std::max(candidate.bound, route.lower_bound));
@@ -123,25 +116,16 @@ void GoalSearch::look_at(const Candidate& candidate) {
   }
 }
 
-Route GoalSearch::search(const PathQuery& query) {
-  if (options_.search == Search::fast) {
-    return search_fast(query, evaluators_, clock_, statistics_);
-  }
-  return search_graph(query, evaluators_.front(), options_.search == Search::paper, clock_,
-                      statistics_);
-}
-
 Plan GoalSearch::plan() {
   Plan plan;
   plan.statistics = statistics_;
   if (best_cost_ < kInfinity) {
     plan.status = Status::solved;
-    assemble(best_, locations_, instants_, evaluators_.front(), plan);
+    assemble(best_, workshop_.locations, workshop_.instants, workshop_.evaluators.front(), plan);
     plan.lower_bound = std::min(lower_bound_, plan.cost);
   } else {
     fail(plan);
   }
-  plan.statistics.seconds = clock_.seconds();
   return plan;
 }
 

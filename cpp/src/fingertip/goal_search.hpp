@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,7 @@
 
 #include "fingertip/assemble.hpp"
 #include "fingertip/clearance.hpp"
-#include "fingertip/path_query.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 
@@ -18,7 +17,7 @@ namespace graspless::fingertip {
 /// instants, stabilities) is worked out once.
 class GoalSearch {
  public:
-  GoalSearch(const Problem& problem, const Options& options, planning::Clock& clock);
+  GoalSearch(Workshop& workshop, planning::Clock& clock);
 
   /// A path to be looked at by run(), unless the object hits something on it.
   void add(Path path);
@@ -34,19 +33,13 @@ class GoalSearch {
     double bound;  // of the cost [m]
   };
   double bound(const Path& path) const;
-  double bound(const PathQuery& query) const;
   std::string fault(const Path& path);
   void look_at(const Candidate& candidate);
-  Route search(const PathQuery& query);
   void fail(Plan& plan) const;
 
-  const Problem& problem_;
-  const Options& options_;
+  Workshop& workshop_;
   planning::Clock& clock_;
-  Locations locations_;
-  Instants instants_;
   Clearance clearance_;
-  std::vector<Evaluator> evaluators_;
   Statistics statistics_;
   std::vector<Candidate> candidates_;  // not yet searched
   std::string fault_;                  // of a path that was refused
