@@ -150,6 +150,7 @@ std::string sentence(const Found& best) {
 
 void explain(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan) {
   if (plan.status != Status::no_location && plan.status != Status::unstable) return;
+  if (!plan.limit.empty()) return;  // the motion itself was out of reach
   if (const auto blocked = find_blocked(problem, options)) {
     plan.limit = blocked->limit;
     plan.reason = blocked->reason;
