@@ -54,10 +54,17 @@ constexpr double kShorter[] = {1, 0.5, 0.25, 0.125};
 }  // namespace
 
 void Misses::note(int stage, double progress, const std::string& what) {
-  if (std::tie(stage, progress) <= std::tie(stage_, progress_)) return;
+  if (std::tie(stage, progress) < std::tie(stage_, progress_)) return;
+  if (std::tie(stage, progress) > std::tie(stage_, progress_)) counts_.clear();
   stage_ = stage;
   progress_ = progress;
-  what_ = what;
+  ++counts_[what];
+}
+
+std::string Misses::farthest() const {
+  if (counts_.empty()) return "nothing was tried";
+  const auto fewer = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return std::max_element(counts_.begin(), counts_.end(), fewer)->first;
 }
 
 Attempts::Attempts(const Problem& problem, const Plan& plan, const Eigen::VectorXd& q_home,
@@ -93,16 +100,25 @@ bool Attempts::run(int round) {
   return true;
 }
 
-/// Home first, then wider and wider about it, every other one from anywhere.
+/// Home first, then wider and wider about it, every other one from anywhere. A configuration that
+/// touches something (crossed fingers, say) seldom leads to one that does not.
 Eigen::VectorXd Attempts::draw_seed(int round, int draw) {
-  const robot::Robot& robot = hand_.ik.robot();
+  constexpr int kTries = 20;
   if (round == 0 && draw == 0) return q_home_;
+  hand_.scene.set_contacts(grips_[0].n_O, 0);
+  Eigen::VectorXd q = scatter(round, draw % 2 == 0);
+  for (int i = 1; i < kTries && !hand_.scene.is_free(q); ++i) q = scatter(round, draw % 2 == 0);
+  return q;
+}
+
+Eigen::VectorXd Attempts::scatter(int round, bool about_home) {
+  const robot::Robot& robot = hand_.ik.robot();
   std::uniform_real_distribution<double> uniform(0, 1);
   std::normal_distribution<double> normal(0, 0.1 * (1 + std::min(round, 9)));
   Eigen::VectorXd q = q_home_;
   for (const int joint : hand_.ik.joints()) {
     const double lower = robot.lower()[joint], upper = robot.upper()[joint];
-    if (draw % 2 == 0)
+    if (about_home)
       q[joint] += normal(rng_) * std::min(1.0, upper - lower);
     else
       q[joint] = lower + uniform(rng_) * (upper - lower);

@@ -4,6 +4,7 @@
 // random.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <random>
 #include <string>
@@ -16,17 +17,18 @@
 
 namespace graspless::fingertip {
 
-/// How far an attempt came, to tell what stands in the way: the farthest of all attempts counts.
+/// How far attempts came, to tell what stands in the way: the farthest count, and of those that
+/// came equally far what happened most often.
 class Misses {
  public:
   /// Farther is a higher stage, then more progress.
   void note(int stage, double progress, const std::string& what);
-  const std::string& farthest() const { return what_; }
+  std::string farthest() const;
 
  private:
   int stage_ = -1;
   double progress_ = 0;
-  std::string what_ = "nothing was tried";
+  std::map<std::string, int> counts_;
 };
 
 class Attempts {
@@ -49,6 +51,7 @@ class Attempts {
 
   std::optional<Eigen::VectorXd> draw_grip(int round);
   Eigen::VectorXd draw_seed(int round, int draw);
+  Eigen::VectorXd scatter(int round, bool about_home);
   std::optional<Eigen::VectorXd> configuration(const Grip& grip, const Eigen::Isometry3d& X_WO,
                                                Eigen::VectorXd seed, int stage,
                                                const std::string& where);

@@ -19,10 +19,12 @@ double span(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) {
   return q1.size() == 0 ? 0 : (q2 - q1).lpNorm<Eigen::Infinity>();
 }
 
-double pieces(double length, double step) { return std::max(1.0, std::ceil(length / step - 1e-9)); }
+/// How many looks the replay takes between two rows: the end and one half way at least.
+double looks(double length, double resolution) {
+  return std::max(2.0, std::ceil(length / resolution - 1e-9));
+}
 
-}  // namespace
-
+/// A box, top face in the plane: what stands for a half-space near `p_W`.
 geometry::PlacedShape plane_box() {
   geometry::PlacedShape placed{geometry::Box{{kPlaneWidth, kPlaneWidth, kPlaneThickness}}};
   placed.X_BG = Eigen::Translation3d(0, 0, -kPlaneThickness / 2);
@@ -37,7 +39,7 @@ Eigen::Isometry3d plane_pose(const Plane& plane, const Eigen::Vector3d& p_W) {
   return X_WB;
 }
 
-double contact_allowance(double position_tolerance) { return 2 * position_tolerance + 1e-4; }
+}  // namespace
 
 HandScene::HandScene(const Problem& problem, const robot::Robot& robot,
                      std::vector<std::vector<int>> links, double allowance)
@@ -82,15 +84,15 @@ bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd&
   constexpr double kRounding = 1 + 1e-12;
   const double length = span(q1, q2);
   if (length == 0) return scene_.is_free(q1);
-  const double rows = pieces(length, row_step);
-  const double steps = rows * pieces(length / rows, resolution);
+  const double rows = std::ceil(length / row_step);
+  const double steps = rows * looks(length / rows, resolution);
   return scene_.is_free(q1, q2, length / steps * kRounding);
 }
 
 bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
                                const Eigen::Isometry3d& X_WO2, double resolution) {
   const Eigen::Isometry3d X_WO1 = X_WO_;
-  const int steps = static_cast<int>(pieces(span(q1, q2), resolution));
+  const int steps = static_cast<int>(looks(span(q1, q2), resolution));
   for (int i = 1; i <= steps; ++i) {
     const double s = static_cast<double>(i) / steps;
     place_object(along_screw(X_WO1, X_WO2, s));

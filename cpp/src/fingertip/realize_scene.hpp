@@ -9,17 +9,10 @@
 #include "graspless/fingertip/problem.hpp"
 #include "graspless/scene/scene.hpp"
 
+#include "fingertip/realize_allowance.hpp"
 #include "fingertip/realize_tips.hpp"
 
 namespace graspless::fingertip {
-
-/// A box, top face in the plane: what stands for a half-space near `p_W`.
-geometry::PlacedShape plane_box();
-Eigen::Isometry3d plane_pose(const Plane& plane, const Eigen::Vector3d& p_W);
-
-/// How deep the links of a fingertip may reach into the object along the contact's normal [m]: what
-/// the tolerance on positions and rounding take.
-double contact_allowance(double position_tolerance);
 
 class HandScene {
  public:

@@ -85,6 +85,13 @@ struct BlockTumble {
   Presses pinch;
 };
 
+/// What check() says, in one text.
+inline std::string faults(const std::vector<std::string>& found) {
+  std::string all;
+  for (const std::string& fault : found) all += fault + "\n";
+  return all;
+}
+
 inline const robot::Robot& wam_tips() {
   static const auto robot =
       robot::Robot::from_urdf_file(std::string(GRASPLESS_URDF_DIR) + "/wam_t42_tips.urdf");
@@ -94,5 +101,37 @@ inline const robot::Robot& wam_tips() {
 inline Carrier t42() {
   return {{"left_tip_center", "right_tip_center"}, {{"left_finger"}, {"right_finger"}}};
 }
+
+inline const robot::Robot& two_arms() {
+  static const auto robot =
+      robot::Robot::from_urdf_file(std::string(GRASPLESS_TEST_DATA_DIR) + "/two_arms.urdf");
+  return robot;
+}
+
+inline Carrier two_tips() { return {{"left_tip", "right_tip"}, {{"left_3"}, {"right_3"}}}; }
+
+/// A cube of 6 cm pinched between the arms, slid forward, grasped anew with the right finger behind
+/// it, and slid on.
+struct CubeSlide {
+  CubeSlide()
+      : first(slide_path(at(0.22, 0, 0.03), {0.03, 0, 0}, 3)),
+        second(slide_path(first.X_WO.back(), {0.03, 0, 0}, 3)),
+        problem{Object::box("cube", {0.06, 0.06, 0.06}, 0.2),
+                {2, 0.01, 10, {0.7, 0.7}},
+                {Plane()},
+                {0.5, 0.5},
+                join({first, second}),
+                {},
+                {0, 0, -9.8}},
+        pinch{{{0, 0.03, 0}, {0, -1, 0}}, {{0, -0.03, 0}, {0, 1, 0}}},
+        behind{pinch[0], {{-0.03, -0.01, 0}, {1, 0, 0}}},
+        plan(solved({displacement("slide", first, pinch), regrasp(first.X_WO.back(), pinch, 1),
+                     displacement("slide", second, behind)})) {}
+
+  Path first, second;
+  Problem problem;
+  Presses pinch, behind;
+  Plan plan;
+};
 
 }  // namespace graspless::fingertip
