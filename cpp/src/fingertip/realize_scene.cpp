@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fingertip/realize_screw.hpp"
+#include "fingertip/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -92,10 +92,11 @@ bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd&
 bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
                                const Eigen::Isometry3d& X_WO2, double resolution) {
   const Eigen::Isometry3d X_WO1 = X_WO_;
+  const mechanics::Vector6d twist_O = screw_between(X_WO1, X_WO2);
   const int steps = static_cast<int>(looks(span(q1, q2), resolution));
   for (int i = 1; i <= steps; ++i) {
     const double s = static_cast<double>(i) / steps;
-    place_object(along_screw(X_WO1, X_WO2, s));
+    place_object(along_screw(X_WO1, twist_O, s));
     if (!scene_.is_free(q1 + s * (q2 - q1))) return false;
   }
   return true;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fingertip/realize_screw.hpp"
+#include "fingertip/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -136,7 +136,7 @@ Eigen::Isometry3d Stretch::pose(double s) const {
   if (X_WO.size() < 2) return X_WO.front();
   const int arc = std::clamp(static_cast<int>(std::floor(s)), 0, arcs() - 1);
   const auto i = static_cast<std::size_t>(arc);
-  return along_screw(X_WO[i], X_WO[i + 1], s - arc);
+  return along_screw(X_WO[i], screw_between(X_WO[i], X_WO[i + 1]), s - arc);
 }
 
 TipTargets Stretch::targets(double s) const {
