@@ -189,7 +189,8 @@ CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches
     } else {
       const Cuts::Cut found = cut(e);
       if (e == 0) keep_support(environments_[e].basis.facet());
-      if (model_.at(found) >= trial) tolerance_ *= 2;  // against the facet by rounding alone
+      // Against the facet by rounding alone; the model would not take such a cut.
+      if (model_.at(found) >= trial - kTolerance * force_scale_) tolerance_ *= 2;
       model_.add(found);
       if (model_.z() < needed || model_.z() <= kNothing * force_scale_) return finish();
       if (dims_ == 0 && model_.z() <= trial) {
