@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import frames
+from ... import frames
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..frames import Matrix
-    from ..plans import Plan
+    from ...frames import Matrix
+    from ...plans.slide import Plan
 
 SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3}  # [rad/s]
 SPEED = 0.9  # of the other segments: for watching, not for driving a robot
