@@ -27,6 +27,7 @@ struct PathQuery {
 
   const Options& options;
   const Locations& locations;
+  int num_fingers = 0;  // of the hand
   std::vector<Eigen::Isometry3d> X_WO;
   std::vector<mechanics::Vector6d> twist_O;  // body twist of each arc, over the whole arc
   std::vector<int> instants;                 // arcs x P
