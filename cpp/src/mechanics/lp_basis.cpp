@@ -154,9 +154,9 @@ double dual_error(const LinearProgram& lp, const LpBasis& basis, const Eigen::Ve
     worst = std::max(worst, wrong_sign(basis.variables[static_cast<std::size_t>(j)], reduced[j]));
   }
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    // A row is a variable r = A x of no cost: its reduced cost is -y, and what pays is +y.
+    // What a row at its bound would gain by leaving it is its dual.
     const BasisStatus status = basis.rows[static_cast<std::size_t>(i)];
-    if (status != BasisStatus::basic) worst = std::max(worst, wrong_sign(status, -y[i]));
+    if (status != BasisStatus::basic) worst = std::max(worst, wrong_sign(status, y[i]));
   }
   return worst;
 }

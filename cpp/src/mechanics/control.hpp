@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "graspless/mechanics/stability.hpp"
+
+namespace graspless::mechanics {
+
+/// Throws std::invalid_argument unless there is one control mode a finger.
+void validate_modes(const ContactSet& set, const std::vector<FingerMode>& modes);
+
+/// Throws std::invalid_argument unless there is one commanded force a finger, and those of fingers
+/// in force control lie between 0 and max_normal_force.
+void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMode>& modes,
+                               const Eigen::VectorXd& commanded_forces);
+
+}  // namespace graspless::mechanics
