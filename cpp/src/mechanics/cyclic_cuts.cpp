@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Problem (6): ray shots along the directions share f_com alone.
+#include "mechanics/cyclic_cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graspless::mechanics {
+namespace {
+
+constexpr double kTolerance = 1e-13;  // distance from a target that counts as none, relative
+constexpr double kCeiling = 1e6;      // z above this many times the forces at play is infinite
+constexpr double kNothing = 1e-12;    // z below this many forces at play is none
+constexpr double kFirstTrial = 4;     // z that is tried first, in forces at play
+
+auto ix(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+CyclicCuts::CyclicCuts(const Matrix6Xd& directions)
+    : count_(static_cast<int>(directions.cols())), stride_((count_ + 7) / 8 * 8) {
+  directions_.assign(ix(6 * stride_), 0.0);
+  for (int d = 0; d < count_; ++d) {
+    for (int i = 0; i < 6; ++i) directions_[ix(i * stride_ + d)] = directions(i, d);
+  }
+}
+
+std::int64_t CyclicCuts::pivots() const {
+  std::int64_t sum = 0;
+  for (const Environment& e : environments_) sum += e.basis.pivots();
+  return sum;
+}
+
+/// False when some environment and the fingers do not span the space.
+bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environments,
+                         const std::vector<const FingerWrenches*>& fingers, ForceMask force) {
+  fingers_ = static_cast<int>(fingers.size());
+  dims_ = 0;
+  force_scale_ = 0;
+  std::array<double, kMaxFingers> upper{};
+  for (int i = 0; i < fingers_; ++i) {
+    limit_[ix(i)] = fingers[ix(i)]->max_normal_force;
+    dim_[ix(i)] = (force >> i & 1U) == 0 ? -1 : dims_;
+    if (dim_[ix(i)] >= 0) upper[ix(dims_++)] = limit_[ix(i)];
+    force_scale_ += limit_[ix(i)];
+  }
+  used_ = environments.size();
+  if (environments_.size() < used_) environments_.resize(used_);
+  for (std::size_t e = 0; e < used_; ++e) {
+    force_scale_ = std::max(force_scale_, environments[e]->known.norm());
+  }
+  if (force_scale_ == 0) force_scale_ = 1;
+  model_.begin(dims_, upper.data(), kCeiling * force_scale_);
+  tolerance_ = kTolerance;
+  for (std::size_t e = 0; e < used_; ++e) {
+    Environment& environment = environments_[e];
+    environment.known = environments[e]->known;
+    environment.columns.assign(*environments[e], fingers, force);
+    environment.slack.assign(ix(stride_), 0.0);
+    environment.reached.assign(ix(count_), false);
+    environment.basis.begin(environment.columns);
+    if (!environment.basis.complete(target(e, critical_, 0))) return false;
+  }
+  return true;
+}
+
+/// What the columns must carry for z l_d.
+RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, double z) const {
+  RayBasis::Vector b{};
+  for (int i = 0; i < 6; ++i) {
+    b[ix(i)] = z * directions_[ix(i * stride_ + direction)] - environments_[environment].known[i];
+  }
+  for (int i = 0; i < fingers_; ++i) {
+    const int dim = dim_[ix(i)];
+    b[ix(6 + i)] = dim < 0 ? limit_[ix(i)] : model_.f()[dim];
+  }
+  return b;
+}
+
+/// Which of the targets z l_d the present basis carries.
+void CyclicCuts::sweep(std::size_t index, double z) {
+  Environment& e = environments_[index];
+  const RayBasis::Vector origin = target(index, 0, 0);
+  double* slack = e.slack.data();
+  std::fill(e.slack.begin(), e.slack.end(), std::numeric_limits<double>::max());
+  double size = 0;
+  for (double value : origin) size += value * value;
+  std::array<double, 6> step{};
+  for (int r = 0; r < e.columns.rows(); ++r) {
+    const RayBasis::Vector& row = e.basis.row(r);
+    const double scale = 1 / std::sqrt(e.basis.squared_length(r));
+    double base = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) base += row[i] * origin[i];
+    base *= scale;
+    for (int i = 0; i < 6; ++i) step[ix(i)] = z * scale * row[ix(i)];
+    for (int d = 0; d < stride_; ++d) {
+      double value = base;
+      for (int i = 0; i < 6; ++i) value += step[ix(i)] * directions_[ix(i * stride_ + d)];
+      slack[d] = std::min(slack[d], value);
+    }
+  }
+  const double allowed = -tolerance_ * std::max(std::sqrt(size), z);
+  for (int d = 0; d < count_; ++d) {
+    if (slack[d] >= allowed) e.reached[ix(d)] = true;
+  }
+}
+
+/// The nearest of those left; -1: none.
+int CyclicCuts::next_direction(std::size_t index) const {
+  const Environment& e = environments_[index];
+  int next = -1;
+  for (int d = 0; d < count_; ++d) {
+    if (e.reached[ix(d)]) continue;
+    if (next < 0 || e.slack[ix(d)] > e.slack[ix(next)]) next = d;
+  }
+  return next;
+}
+
+/// Reaches all targets z l_d in an environment, or stops at a facet that is against one.
+bool CyclicCuts::certify(std::size_t index, double z) {
+  Environment& e = environments_[index];
+  sweep(index, z);
+  int d = e.reached[ix(critical_)] ? next_direction(index) : critical_;
+  while (d >= 0) {
+    if (e.basis.reach(target(index, d, z), tolerance_) == RayBasis::Outcome::facet) {
+      critical_ = d;
+      return false;
+    }
+    e.reached[ix(d)] = true;
+    sweep(index, z);
+    d = next_direction(index);
+  }
+  return true;
+}
+
+/// The facet rho . (z l_d - known, f) >= 0 for all d, solved for z: with y = -rho,
+/// z <= (y . known + sum of rho f) / max_d y . l_d.
+Cuts::Cut CyclicCuts::cut(std::size_t index) const {
+  const Environment& e = environments_[index];
+  const RayBasis::Vector& rho = e.basis.facet();
+  double width = 0;
+  for (int d = 0; d < count_; ++d) {
+    double sum = 0;
+    for (int i = 0; i < 6; ++i) sum -= rho[ix(i)] * directions_[ix(i * stride_ + d)];
+    width = std::max(width, sum);
+  }
+  Cuts::Cut cut;
+  for (int i = 0; i < 6; ++i) cut.a -= rho[ix(i)] * e.known[i];
+  for (int i = 0; i < fingers_; ++i) {
+    if (dim_[ix(i)] < 0) {
+      cut.a += rho[ix(6 + i)] * limit_[ix(i)];
+    } else {
+      cut.b[ix(dim_[ix(i)])] = rho[ix(6 + i)] / width;
+    }
+  }
+  cut.a /= width;
+  return cut;
+}
+
+void CyclicCuts::keep_support(const RayBasis::Vector& facet) {
+  Vector6d y;
+  for (int i = 0; i < 6; ++i) y[i] = -facet[ix(i)];
+  supports_.push_back(y.normalized());
+}
+
+CyclicCuts::Result CyclicCuts::finish() const {
+  Result result;
+  result.z = model_.z() > kNothing * force_scale_ ? model_.z() : 0;
+  for (int i = 0; i < fingers_; ++i) {
+    if (dim_[ix(i)] < 0) continue;
+    result.f_com[ix(i)] = std::clamp(model_.f()[dim_[ix(i)]], 0.0, limit_[ix(i)]);
+  }
+  return result;
+}
+
+CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches*>& environments,
+                                     const std::vector<const FingerWrenches*>& fingers,
+                                     ForceMask force, double needed) {
+  if (!prepare(environments, fingers, force)) return {};
+  double trial = std::min(model_.z(), kFirstTrial * force_scale_);
+  for (std::size_t e = 0; e < used_;) {
+    if (certify(e, trial)) {
+      if (++e < used_) continue;
+      if (trial == model_.z()) break;
+      trial = model_.z();  // all of it was reached with z to spare
+    } else {
+      const Cuts::Cut found = cut(e);
+      if (e == 0) keep_support(environments_[e].basis.facet());
+      if (model_.at(found) >= trial) tolerance_ *= 2;  // against the facet by rounding alone
+      model_.add(found);
+      if (model_.z() < needed || model_.z() <= kNothing * force_scale_) return finish();
+      if (dims_ == 0 && model_.z() <= trial) {
+        trial = model_.z();
+        continue;
+      }
+      trial = std::min(trial, model_.z());
+    }
+    for (std::size_t i = 0; i < used_; ++i) {
+      environments_[i].reached.assign(ix(count_), false);
+    }
+    e = 0;
+  }
+  Result result = finish();
+  if (result.z >= kCeiling * force_scale_) result.z = std::numeric_limits<double>::infinity();
+  return result;
+}
+
+std::vector<int> CyclicCuts::binding() {
+  std::vector<int> found;
+  const double z = std::max(0.0, model_.z());
+  const double beyond = z + 1e-9 * std::max(1.0, z);
+  for (int d = 0; d < count_; ++d) {
+    for (std::size_t e = 0; e < used_; ++e) {
+      if (environments_[e].basis.reach(target(e, d, beyond), kTolerance) ==
+          RayBasis::Outcome::reached) {
+        continue;
+      }
+      found.push_back(d);
+      break;
+    }
+  }
+  return found;
+}
+
+}  // namespace graspless::mechanics

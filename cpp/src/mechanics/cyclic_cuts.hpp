@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "graspless/mechanics/stability_solver.hpp"
+
+#include "mechanics/cuts.hpp"
+#include "mechanics/ray_basis.hpp"
+
+namespace graspless::mechanics {
+
+/// Problem (6) by ray shots and cuts, for one instant and one choice of control modes at a time.
+class CyclicCuts {
+ public:
+  explicit CyclicCuts(const Matrix6Xd& directions);
+
+  struct Result {
+    double z = 0;                             ///< an upper bound when z < needed is proven
+    std::array<double, kMaxFingers> f_com{};  ///< of all fingers
+  };
+  Result solve(const std::vector<const EnvironmentWrenches*>& environments,
+               const std::vector<const FingerWrenches*>& fingers, ForceMask force, double needed);
+  /// After solve(): the directions along which (1 + 1e-9) z is out of reach, or z + 1e-9.
+  std::vector<int> binding();
+
+  std::vector<Vector6d>& supports() { return supports_; }
+  std::int64_t pivots() const;
+
+ private:
+  bool prepare(const std::vector<const EnvironmentWrenches*>& environments,
+               const std::vector<const FingerWrenches*>& fingers, ForceMask force);
+  RayBasis::Vector target(std::size_t environment, int direction, double z) const;
+  void sweep(std::size_t environment, double z);
+  int next_direction(std::size_t environment) const;
+  bool certify(std::size_t environment, double z);
+  Cuts::Cut cut(std::size_t environment) const;
+  void keep_support(const RayBasis::Vector& facet);
+  Result finish() const;
+
+  int count_;                       // directions
+  std::vector<double> directions_;  // rows of numbers, padded
+  int stride_;
+
+  struct Environment {
+    Columns columns;
+    RayBasis basis;
+    Vector6d known;
+    std::vector<double> slack;  // of each direction at the last sweep: below 0 is out of the basis
+    std::vector<bool> reached;
+  };
+  std::vector<Environment> environments_;
+  std::size_t used_ = 0;
+  std::array<double, kMaxFingers> limit_{};
+  std::array<int, kMaxFingers> dim_{};  // of the model, a finger; -1: position control
+  int fingers_ = 0, dims_ = 0;
+  double force_scale_ = 1, tolerance_ = 0;
+  Cuts model_;
+  int critical_ = 0;
+  std::vector<Vector6d> supports_;
+};
+
+}  // namespace graspless::mechanics

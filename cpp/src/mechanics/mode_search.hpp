@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/mechanics/stability_solver.hpp"
+
+namespace graspless::mechanics {
+
+constexpr double kTie = 1e-9;  ///< difference of z that is none, relative above 1 N
+
+/// Section 3.4 over any engine: the combinations of control modes, those with fewer fingers in
+/// force control first. Once one is free of jamming, those that force more fingers cannot be
+/// better. bounded(mask) is Problem (5); evaluate(mask, needed) is Problem (6) and returns z, or an
+/// upper bound below `needed`; `keep(mask)` follows whenever that mask is the best so far.
+template <typename Bounded, typename Evaluate, typename Keep>
+StabilitySolver::Best search_modes(int fingers, double needed, Bounded bounded, Evaluate evaluate,
+                                   Keep keep) {
+  StabilitySolver::Best best;
+  unsigned examined = 0;  // bounded masks, as bits
+  const auto dominated = [&](ForceMask mask) {
+    for (ForceMask subset = mask; subset > 0;) {
+      subset = (subset - 1) & mask;
+      if ((examined >> subset & 1U) != 0) return true;
+    }
+    return false;
+  };
+  for (int forced = 0; forced <= fingers; ++forced) {
+    for (ForceMask mask = 0; mask < 1U << fingers; ++mask) {
+      if (__builtin_popcount(mask) != forced || dominated(mask) || !bounded(mask)) continue;
+      examined |= 1U << mask;
+      const double slack = kTie * std::max(1.0, std::isfinite(best.z) ? best.z : 1.0);
+      const double z = evaluate(mask, std::max(needed, best.found ? best.z - slack : 0.0));
+      if (z <= 0 || z < needed) {
+        if (!best.found) best.z = std::max(best.z, z);
+        continue;
+      }
+      if (best.found && z < best.z - slack) continue;
+      if (!best.found || z > best.z + slack) {
+        best = {true, mask, z, Eigen::Vector4d::Zero(), 0};
+        keep(mask);
+      }
+      best.ties |= 1U << mask;
+    }
+  }
+  return best;
+}
+
+}  // namespace graspless::mechanics
