@@ -28,6 +28,7 @@ class Evaluator {
   void forget() { known_.clear(); }
 
   mechanics::StabilitySolver& solver() { return solver_; }
+  const Instants& instants() const { return instants_; }
   const mechanics::StabilitySolver& solver() const { return solver_; }
 
  private:

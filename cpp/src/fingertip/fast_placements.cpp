@@ -46,7 +46,7 @@ class Enumeration {
   }
 
   bool is_apart(int depth, int location) const {
-    for (int i = 0; i < depth; ++i) {
+    for (int i = 0; i < depth && i < mechanics::kMaxFingers; ++i) {
       if (!query_.locations.are_apart(placement_[static_cast<std::size_t>(i)], location)) {
         return false;
       }
@@ -74,7 +74,7 @@ class Enumeration {
   }
 
   bool place(int depth, std::size_t first) {
-    if (depth == count_) return accept();
+    if (depth >= count_ || depth >= mechanics::kMaxFingers) return accept();
     const int missing = count_ - depth - 1;
     for (std::size_t i = first; i + static_cast<std::size_t>(missing) < locations_.size(); ++i) {
       if (!extend(depth, locations_[i], missing) || !is_apart(depth, locations_[i])) continue;

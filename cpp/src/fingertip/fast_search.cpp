@@ -240,7 +240,7 @@ class BestFirst {
 FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evaluators,
                        planning::Clock& clock_in, Statistics& statistics_in)
     : query(query_in),
-      count(evaluators.front().instants().problem().fingers.count),
+      count(query_in.num_fingers),
       clock(clock_in),
       statistics(statistics_in),
       supports(query_in, evaluators.front().instants()),

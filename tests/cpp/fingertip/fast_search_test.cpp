@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The fast search against Dijkstra's.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <memory>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "fingertip/path_query.hpp"
 
@@ -56,19 +56,22 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
   problem.fingers.max_normal_force = uniform(5, 20);
   problem.fingers.friction = {0.7, 0.7};
   problem.planes = {Plane{}};
-  if (pick(0, 1) == 1) problem.planes.push_back({"behind", {1, 0, 0}, -size.x() / 2 - uniform(0.1, 1)});
+  if (pick(0, 1) == 1)
+    problem.planes.push_back({"behind", {1, 0, 0}, -size.x() / 2 - uniform(0.1, 1)});
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   X_WO.translation().z() = size.z() / 2;
   const int segments = pick(3, 7);
   if (pick(0, 2) == 0) {
     problem.motion = slide_path(X_WO, {uniform(2, 10), 0, 0}, segments);
   } else {
-    problem.motion = turn_path(X_WO, {size.x() / 2, 0, 0}, {0, 1, 0}, uniform(0.5, 1) * M_PI / 2, segments);
+    problem.motion =
+        turn_path(X_WO, {size.x() / 2, 0, 0}, {0, 1, 0}, uniform(0.5, 1) * M_PI / 2, segments);
   }
   for (int i = pick(0, 5); i > 0; --i) {
     Obstacle obstacle;
     obstacle.name = "obstacle" + std::to_string(i);
-    obstacle.shapes = {{geometry::Box{Eigen::Vector3d::Constant(uniform(0.2, 3))}, Eigen::Isometry3d::Identity()}};
+    obstacle.shapes = {
+        {geometry::Box{Eigen::Vector3d::Constant(uniform(0.2, 3))}, Eigen::Isometry3d::Identity()}};
     obstacle.X_WB.translation() = Eigen::Vector3d(uniform(-6, 10), uniform(-6, 6), uniform(0, 9));
     problem.obstacles.push_back(obstacle);
   }
