@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "graspless/fingertip/fingertip.hpp"
-#include "graspless/planning/budget.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 
@@ -12,10 +11,10 @@ namespace graspless::fingertip {
 /// (goal_paths); every path is searched as one of one degree of freedom. The best over the paths
 /// with the fewest tumbles that can be done is the answer, and lower_bound holds for these paths.
 /// Throws std::invalid_argument when the object does not stand on the floor at start or goal.
-Plan plan_goal(const Problem& problem, const Options& options, planning::Clock& clock);
+Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock);
 
 /// Plans a problem whose motion is a Lattice. Without regrasps when that can be done: then the cost
 /// is the least over all ways through the lattice and all placements of the fingers.
-Plan plan_lattice(const Problem& problem, const Options& options, planning::Clock& clock);
+Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& clock);
 
 }  // namespace graspless::fingertip

@@ -6,9 +6,9 @@
 #include "fingertip/planner.hpp"
 
 #include <sstream>
-#include <stdexcept>
 
 #include "fingertip/assemble.hpp"
+#include "fingertip/motions.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -73,9 +73,14 @@ void count(const Workshop& workshop, const planning::Clock& clock, Statistics& s
 
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock) {
   Workshop workshop(problem, options);
-  const auto* path = std::get_if<Path>(&problem.motion);
-  if (path == nullptr) throw std::invalid_argument("motion must be a Path so far");
-  Plan plan = plan_path(workshop, *path, clock);
+  Plan plan;
+  if (const auto* path = std::get_if<Path>(&problem.motion)) {
+    plan = plan_path(workshop, *path, clock);
+  } else if (const auto* goal = std::get_if<Goal>(&problem.motion)) {
+    plan = plan_goal(workshop, *goal, clock);
+  } else {
+    plan = plan_lattice(workshop, std::get<Lattice>(problem.motion), clock);
+  }
   if (plan) plan.reason = summary(plan);
   count(workshop, clock, plan.statistics);
   return plan;
