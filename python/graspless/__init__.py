@@ -18,7 +18,17 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from . import collision, fingertip, geometry, planning, robot, scene, slide, view
+    from . import (
+        collision,
+        fingertip,
+        geometry,
+        mechanics,
+        planning,
+        robot,
+        scene,
+        slide,
+        view,
+    )
     from .errors import TaskError
     from .plans import Plan, check, load_plan, plan
     from .tasks import Task, load_task
@@ -36,6 +46,7 @@ __all__ = [
     "geometry",
     "load_plan",
     "load_task",
+    "mechanics",
     "plan",
     "planning",
     "robot",
