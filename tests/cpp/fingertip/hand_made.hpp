@@ -74,9 +74,12 @@ class Builder {
       const Eigen::Vector3d step = X_WO[k + 1].translation() - X_WO[k].translation();
       Vector6d twist = Vector6d::Zero();
       twist.head<3>() = step;
+      // Nothing but the pose changes along a slide.
+      if (slide.rows.empty()) slide.rows = {row(X_WO[k], twist, false, fingers)};
       for (int j = 0; j < options_.samples_per_arc; ++j) {
         const Eigen::Translation3d part((j + 0.5) / options_.samples_per_arc * step);
-        slide.rows.push_back(row(part * X_WO[k], twist, false, fingers));
+        if (k + static_cast<std::size_t>(j) > 0) slide.rows.push_back(slide.rows.front());
+        slide.rows.back().X_WO = part * X_WO[k];
         cost += (1 + options_.stability_weight / slide.rows.back().stability) * step.norm() /
                 options_.samples_per_arc;
       }
