@@ -42,8 +42,8 @@ class TaskKind(Protocol):
         not a part of the problem.
         """
 
-    def options(self, fields: Any, source: Source) -> Any:
-        """How to search."""
+    def options(self, fields: Any, problem: Any, source: Source) -> Any:
+        """How to search; raises TaskError where the problem is too large for it."""
 
     def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
         """Fields with every value that was in force, so that a later default cannot change it."""
@@ -198,7 +198,7 @@ def _with_search(fields: Any, built: tuple[Any, Any], source: Source) -> Task:
 
     problem, arm = built
     kind: TaskKind = part("tasks", fields.kind)
-    options, budget = kind.options(fields, source), build_budget(fields.budget, source)
+    options, budget = kind.options(fields, problem, source), build_budget(fields.budget, source)
     update = kind.in_force(fields, problem, options) | {"budget": in_force(fields.budget, budget)}
     return Task(fields.model_copy(update=update), problem, arm, options, budget, source)
 

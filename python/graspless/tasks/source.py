@@ -112,10 +112,11 @@ def at(source: Source, *location: str | int) -> Iterator[None]:
     except TaskError:
         raise
     except ValueError as error:
-        named = re.match(r"(\w+)\.(\w+) (.*)", str(error), re.DOTALL)
+        text = str(error).removeprefix(f"{location[0]}: ")
+        named = re.match(r"(\w+)\.(\w+) (.*)", text, re.DOTALL)
         if named and named[1] == location[0]:  # the core names the field too
             raise source.error((named[1], named[2]), named[3]) from None
-        raise source.error(location, str(error)) from None
+        raise source.error(location, text) from None
 
 
 def read_text(path: str | Path) -> str:

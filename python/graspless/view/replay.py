@@ -109,7 +109,7 @@ class Captions:
             self.shown = text
 
 
-def add(scene: Any, name: str, body: Body, X_WB: Matrix) -> Any:
+def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None = None) -> Any:
     """A frame with one mesh a colour under it."""
     frame = scene.add_frame(name, show_axes=False, **_placed(X_WB))
     colors = list(dict.fromkeys(part.color for part in body.parts))
@@ -128,6 +128,7 @@ def add(scene: Any, name: str, body: Body, X_WB: Matrix) -> Any:
             np.concatenate(triangles).astype(np.uint32),
             color=tuple(round(255 * DIM * value) for value in color),
             flat_shading=body.is_flat,
+            opacity=opacity,
         )
     return frame
 

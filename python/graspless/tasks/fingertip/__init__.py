@@ -41,9 +41,9 @@ def build(
     return build_problem(fields, source), build_arm(fields, source)
 
 
-def options(fields: FingertipTask, source: Source) -> fingertip.Options:
-    """How to search."""
-    return build_options(fields, source)
+def options(fields: FingertipTask, problem: fingertip.Problem, source: Source) -> fingertip.Options:
+    """How to search; raises TaskError where that would take more memory than it may."""
+    return build_options(fields, problem, source)
 
 
 def in_force(

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -110,7 +110,9 @@ def build_friction(friction: float | list[float]) -> tuple[float, float]:
     return lower, upper
 
 
-def build_options(task: model.FingertipTask, source: Source) -> fingertip.Options:
+def build_options(
+    task: model.FingertipTask, problem: fingertip.Problem, source: Source
+) -> fingertip.Options:
     """How to search; what the task leaves out is the library's."""
     fields = task.options.model_dump(exclude_none=True)
     if "search" in fields:
@@ -121,6 +123,7 @@ def build_options(task: model.FingertipTask, source: Source) -> fingertip.Option
     with at(source, "options"):
         options = fingertip.Options(**fields)
         fingertip.validate(options)
+        fingertip.validate(problem, options)
     return options
 
 
@@ -143,21 +146,29 @@ def _volume(thing: fingertip.Object) -> float:
     return float(np.linalg.det(corners).sum() / 6)
 
 
-# What the core calls a part of the problem, and what it is called in a task file.
-_NAMES = {"planes": "walls", "gravity_W": "gravity", "motion.X_WO": "motion"}
+# What the core calls a part of a motion, and what it is called in a task file.
+_ENDS = {"X_WO_start": "start", "X_WO_goal": "goal"}
 
 
 def _blamed(message: str, task: model.FingertipTask) -> tuple[Location, str]:
-    """The field of the task file that a message of fingertip.validate() is about."""
-    named = re.match(r"([a-z]\w*)(?:\.(\w+))?:? ", message)
-    if named is None:
-        return ("motion",), message
-    section = _NAMES.get(named[1], named[1])
-    if section not in type(task).model_fields:
-        return ("motion",), message
-    value: Any = getattr(task, section)
-    field = named[2] if named[2] in getattr(type(value), "model_fields", {}) else None
-    return ((section, field) if field else (section,)), message
+    """The field of the task file that a message of fingertip.validate() is about, and the rest."""
+    motion = next(iter(task.motion.model_fields_set))
+    named = re.match(r"(?:motion\.)?(X_WO_start|X_WO_goal): (.*)", message, re.DOTALL)
+    if named is not None:
+        end = "pose" if motion == "goal" and named[1] == "X_WO_goal" else _ENDS[named[1]]
+        return ("motion", motion, end), named[2]
+    named = re.match(r"motion\.(\w+): (.*)", message, re.DOTALL)
+    if named is not None and named[1] in type(getattr(task.motion, motion)).model_fields:
+        return ("motion", motion, named[1]), named[2]
+    plane = re.match(r"planes\[(\d+)\]", message)
+    if plane is not None:
+        index = int(plane[1])
+        return (("walls", index - 1) if index else ("floor",)), message
+    named = re.match(r"([a-z]+)(?:\.([a-z_]+))?", message)
+    if named is not None and named[1] in type(task).model_fields and named[1] != "motion":
+        fields = getattr(type(getattr(task, named[1])), "model_fields", {})
+        return ((named[1], named[2]) if named[2] in fields else (named[1],)), message
+    return ("motion", motion), message.removeprefix("motion: ")
 
 
 __all__ = ["TaskError", "build", "build_options"]

@@ -34,7 +34,7 @@ def build(fields: SlideTask, source: Source, other: Source) -> tuple[slide.Probl
     return build_problem(fields, source, other), None
 
 
-def options(fields: SlideTask, source: Source) -> slide.Options:
+def options(fields: SlideTask, problem: slide.Problem, source: Source) -> slide.Options:
     """How to search."""
     return build_options(fields, source)
 
