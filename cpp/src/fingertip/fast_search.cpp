@@ -247,10 +247,6 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
       candidates(query_in, supports),
       hubs(query_in, supports, candidates),
       lanes(evaluators, query_in.options.threads) {
-  all_instants = candidates.instants();
-  all_instants.insert(all_instants.end(), hubs.instants().begin(), hubs.instants().end());
-  std::sort(all_instants.begin(), all_instants.end());
-  all_instants.erase(std::unique(all_instants.begin(), all_instants.end()), all_instants.end());
   for (int arc = 0; arc < query.num_arcs(); ++arc) {
     double least = kInfinity;
     for (const int location : clear_locations(query, arc, arc + 1)) {
@@ -263,7 +259,7 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
 void FastSearch::solve(std::vector<Question>& questions) {
   lanes.solve(questions);
   for (const Question& question : questions) {
-    supports.add(question.instant, question.supports, question.placement, all_instants);
+    supports.add(question.instant, question.supports, question.placement);
     question.of == Question::Of::candidate ? candidates.learn(question) : hubs.learn(question);
   }
 }
