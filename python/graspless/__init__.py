@@ -17,7 +17,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from . import collision, geometry, planning, robot, scene, slide, view
+    from . import collision, geometry, mechanics, planning, robot, scene, slide, view
     from .errors import TaskError
     from .plans import Plan, check, load_plan, plan
     from .tasks import Task, load_task
@@ -34,6 +34,7 @@ __all__ = [
     "geometry",
     "load_plan",
     "load_task",
+    "mechanics",
     "plan",
     "planning",
     "robot",
