@@ -132,9 +132,7 @@ def stability(
     finger_n = _vectors(finger_normals, "finger_normals")
     contacts, fingers = p.shape[:2], finger_p.shape[:2]
     if fingers[0] != contacts[0]:
-        raise ValueError(
-            f"finger_points are of {fingers[0]} contact sets, points of {contacts[0]}"
-        )
+        raise ValueError(f"finger_points are of {fingers[0]} contact sets, points of {contacts[0]}")
     _same(n, p, "normals", "points")
     _same(finger_n, finger_p, "finger_normals", "finger_points")
     t = np.zeros_like(p) if sliding is None else _vectors(sliding, "sliding")
