@@ -42,7 +42,7 @@ class BestFirst {
             Entry::Kind::one_regrasp});
     }
     std::vector<Question> questions;
-    while (!frontier_.empty()) {
+    while (!frontier_.empty() && frontier_.top().cost < search_.limit) {
       if (search_.clock.is_out() || !search_.clock.spend()) return give_up();
       if (gather(questions)) return finished_;
       search_.solve(questions);
@@ -50,7 +50,7 @@ class BestFirst {
     }
     Route none;
     none.is_complete = true;
-    none.lower_bound = kInfinity;
+    none.lower_bound = frontier_.empty() ? kInfinity : search_.limit;
     return none;
   }
 
@@ -149,6 +149,7 @@ class BestFirst {
     waiting_.clear();
     while (questions.size() < kBatch && !frontier_.empty()) {
       const Entry entry = frontier_.top();
+      if (entry.cost >= search_.limit) break;
       if (is_stage(entry) && !questions.empty()) break;
       frontier_.pop();
       if (entry.kind == Entry::Kind::one_regrasp) {
@@ -237,7 +238,7 @@ class BestFirst {
 }  // namespace
 
 FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evaluators,
-                       planning::Clock& clock_in, Statistics& statistics_in)
+                       planning::Clock& clock_in, Statistics& statistics_in, double limit_in)
     : query(query_in),
       count(query_in.num_fingers),
       clock(clock_in),
@@ -245,7 +246,8 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
       supports(query_in, evaluators.front().instants()),
       candidates(query_in, supports),
       hubs(query_in, supports, candidates),
-      lanes(evaluators, query_in.options.threads) {
+      lanes(evaluators, query_in.options.threads),
+      limit(limit_in) {
   for (int arc = 0; arc < query.num_arcs(); ++arc) {
     double least = kInfinity;
     for (const int location : clear_locations(query, arc, arc + 1)) {
@@ -285,8 +287,8 @@ std::vector<int> clear_locations(const PathQuery& query, int first, int last) {
 }
 
 Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
-                  planning::Clock& clock, Statistics& statistics) {
-  FastSearch search(query, evaluators, clock, statistics);
+                  planning::Clock& clock, Statistics& statistics, double limit) {
+  FastSearch search(query, evaluators, clock, statistics, limit);
   const Route route = BestFirst(search).run();
   statistics.supports += search.supports.count();
   statistics.nodes += search.candidates.size();

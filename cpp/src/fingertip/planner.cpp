@@ -6,9 +6,11 @@
 #include "fingertip/planner.hpp"
 
 #include <sstream>
-#include <stdexcept>
 
 #include "fingertip/assemble.hpp"
+#include "fingertip/explain.hpp"
+#include "fingertip/friction.hpp"
+#include "fingertip/motions.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -52,9 +54,9 @@ Workshop::Workshop(const Problem& problem_in, const Options& options_in)
 }
 
 Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
-             Statistics& statistics) {
+             Statistics& statistics, double limit) {
   if (workshop.options.search == Search::fast) {
-    return search_fast(query, workshop.evaluators, clock, statistics);
+    return search_fast(query, workshop.evaluators, clock, statistics, limit);
   }
   return search_graph(query, workshop.evaluators.front(), workshop.options.search == Search::paper,
                       clock, statistics);
@@ -73,9 +75,16 @@ void count(const Workshop& workshop, const planning::Clock& clock, Statistics& s
 
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock) {
   Workshop workshop(problem, options);
-  const auto* path = std::get_if<Path>(&problem.motion);
-  if (path == nullptr) throw std::invalid_argument("motion must be a Path so far");
-  Plan plan = plan_path(workshop, *path, clock);
+  Plan plan = plan_over_friction(problem, options, workshop.instants, [&] {
+    for (Evaluator& evaluator : workshop.evaluators) evaluator.forget();
+    if (const auto* path = std::get_if<Path>(&problem.motion)) {
+      return plan_path(workshop, *path, clock);
+    }
+    if (const auto* goal = std::get_if<Goal>(&problem.motion)) {
+      return plan_goal(workshop, *goal, clock);
+    }
+    return plan_lattice(workshop, std::get<Lattice>(problem.motion), clock);
+  });
   if (plan) plan.reason = summary(plan);
   count(workshop, clock, plan.statistics);
   return plan;
@@ -85,6 +94,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   planning::Clock clock(budget);
   validate(problem, options);
   Plan plan = solve(problem, options, clock);
+  if (options.explain) explain(problem, options, clock, plan);
   plan.statistics.seconds = clock.seconds();
   return plan;
 }
