@@ -10,9 +10,9 @@ namespace graspless::fingertip {
 
 namespace {
 
-constexpr int kRounds = 12;           // at an instant
-constexpr std::size_t kEach = 2;      // placements solved a round
-constexpr double kMany = 60000;  // placements that represent all
+constexpr int kRounds = 12;          // at an instant
+constexpr std::size_t kEach = 2;     // placements solved a round
+constexpr double kMany = 60000;      // placements that represent all
 constexpr double kStagnation = 0.9;  // what is left of them, when it no longer pays
 
 /// Every so many-th location, such that there are at most kMany placements.
