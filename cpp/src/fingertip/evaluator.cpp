@@ -5,6 +5,7 @@
 #include "fingertip/evaluator.hpp"
 
 #include <cstdint>
+#include <utility>
 
 namespace graspless::fingertip {
 
@@ -51,7 +52,35 @@ mechanics::ControlModes Evaluator::control_modes(int instant, const std::vector<
                                                  const std::vector<FingerMode>& previous) {
   const mechanics::ContactSet set =
       contact_set(instants_[instant], locations_, instants_.problem().fingers, fingers);
-  return mechanics::best_control_modes(set, previous, options_.disturbance_directions);
+  mechanics::ControlModes modes =
+      mechanics::best_control_modes(set, previous, options_.disturbance_directions);
+  const bool is_exact =
+      instants_[instant].environments.size() == 1 &&
+      instants_.problem().fingers.friction.lower == instants_.problem().fingers.friction.upper;
+  return is_exact ? modes : over_frictions(instant, fingers, std::move(modes));
+}
+
+/// The best modes and forces for all coefficients that are looked at; of ties, those of
+/// `at_lower`, the best for the lower ends.
+mechanics::ControlModes Evaluator::over_frictions(int instant, const std::vector<int>& fingers,
+                                                  mechanics::ControlModes at_lower) {
+  const std::vector<std::int32_t> at(fingers.begin(), fingers.end());
+  set(instant, at.data(), static_cast<int>(at.size()));
+  const auto best = solver_.best_control_modes();
+  mechanics::ControlModes modes;
+  modes.found = best.found;
+  if (!best.found) return modes;
+  mechanics::ForceMask mask = 0;
+  for (std::size_t i = 0; i < at_lower.modes.size(); ++i) {
+    if (at_lower.modes[i] == FingerMode::force) mask |= 1U << i;
+  }
+  if (!at_lower.found || (best.ties >> mask & 1U) == 0) mask = best.force;
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    const bool force = (mask >> i & 1U) != 0;
+    modes.modes.push_back(force ? FingerMode::force : FingerMode::position);
+  }
+  modes.stability = solver_.max_stability(mask);
+  return modes;
 }
 
 mechanics::ContactSet contact_set(const Instant& instant, const Locations& locations,

@@ -43,6 +43,8 @@ class Evaluator {
     std::size_t operator()(const Key& key) const;
   };
   void set(int instant, const std::int32_t* fingers, int count);
+  mechanics::ControlModes over_frictions(int instant, const std::vector<int>& fingers,
+                                         mechanics::ControlModes at_lower);
   const Instants& instants_;
   const Locations& locations_;
   const Options& options_;
