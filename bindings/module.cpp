@@ -9,8 +9,10 @@ void bind_geometry(py::module_ m);
 void bind_robot(py::module_ m);
 void bind_collision(py::module_ m);
 void bind_scene(py::module_ m);
+void bind_mechanics(py::module_ m);
 void bind_planning(py::module_ m);
 void bind_slide(py::module_ m);
+void bind_fingertip(py::module_ m);
 void bind_bench(py::module_ m);
 }  // namespace graspless::bindings
 
@@ -22,8 +24,12 @@ PYBIND11_MODULE(_core, m) {
   bind_robot(m.def_submodule("robot", "Robots read from URDF, and their inverse kinematics."));
   bind_collision(m.def_submodule("collision", "Bodies at poses, and which of them touch."));
   bind_scene(m.def_submodule("scene", "A robot among bodies."));
+  bind_mechanics(m.def_submodule(
+      "mechanics", "Contacts with friction: forces that balance, and how much more they can."));
   bind_planning(m.def_submodule("planning", "What every planner shares: the budget of a query."));
   bind_slide(
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
+  bind_fingertip(m.def_submodule(
+      "fingertip", "Push, slide and tumble an object with bare fingertips (Maeda, Arai)."));
   bind_bench(m.def_submodule("bench", "What the planners are measured against."));
 }

@@ -10,15 +10,17 @@ import tempfile
 
 import pybind11_stubgen
 
-ENUMS = "(Search|FingerModel|Status):graspless._core.slide"  # for the defaults of arguments
+ENUMS = [  # for the defaults of arguments
+    "(Search|FingerModel|Status):graspless._core.slide",
+    "(ContactMode|FingerMode|Engine):graspless._core.mechanics",
+]
 
 
 def write_stubs(folder: pathlib.Path) -> None:
     """Replaces `folder` by stubs of the installed extension."""
     with tempfile.TemporaryDirectory() as scratch:
-        pybind11_stubgen.main(
-            ["graspless._core", "-o", scratch, "--exit-code", "--enum-class-locations", ENUMS]
-        )
+        enums = [word for enum in ENUMS for word in ("--enum-class-locations", enum)]
+        pybind11_stubgen.main(["graspless._core", "-o", scratch, "--exit-code", *enums])
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(pathlib.Path(scratch, "graspless", "_core"), folder)
     for stub in folder.iterdir():

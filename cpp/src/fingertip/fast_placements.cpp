@@ -10,7 +10,7 @@ namespace graspless::fingertip {
 
 namespace {
 
-constexpr int kStep = 8;  // entries of a table looked at together
+constexpr int kStep = Supports::kStep;
 
 /// Depth-first over fingers. Sums of the table's rows over the fingers so far bound what any
 /// completion can reach: those with the best location for each missing finger.

@@ -249,10 +249,6 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
       hubs(query_in, supports, candidates),
       lanes(evaluators, query_in.options.threads),
       limit(limit_in) {
-  all_instants = candidates.instants();
-  all_instants.insert(all_instants.end(), hubs.instants().begin(), hubs.instants().end());
-  std::sort(all_instants.begin(), all_instants.end());
-  all_instants.erase(std::unique(all_instants.begin(), all_instants.end()), all_instants.end());
   for (int arc = 0; arc < query.num_arcs(); ++arc) {
     double least = kInfinity;
     for (const int location : clear_locations(query, arc, arc + 1)) {
@@ -265,7 +261,7 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
 void FastSearch::solve(std::vector<Question>& questions) {
   lanes.solve(questions);
   for (const Question& question : questions) {
-    supports.add(question.instant, question.supports, question.placement, all_instants);
+    supports.add(question.instant, question.supports, question.placement);
     question.of == Question::Of::candidate ? candidates.learn(question) : hubs.learn(question);
   }
 }

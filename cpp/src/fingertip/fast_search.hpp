@@ -31,7 +31,6 @@ struct FastSearch {
   Candidates candidates;
   Hubs hubs;
   Lanes lanes;
-  std::vector<int> all_instants;  // of motion and rest
   double least_displacement = 0;  // no route costs less, whatever its placements
   double limit;                   // routes of this cost or more are not looked for
 };

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "fingertip/assemble.hpp"
+#include "fingertip/explain.hpp"
+#include "fingertip/friction.hpp"
 #include "fingertip/motions.hpp"
 
 namespace graspless::fingertip {
@@ -73,14 +75,16 @@ void count(const Workshop& workshop, const planning::Clock& clock, Statistics& s
 
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock) {
   Workshop workshop(problem, options);
-  Plan plan;
-  if (const auto* path = std::get_if<Path>(&problem.motion)) {
-    plan = plan_path(workshop, *path, clock);
-  } else if (const auto* goal = std::get_if<Goal>(&problem.motion)) {
-    plan = plan_goal(workshop, *goal, clock);
-  } else {
-    plan = plan_lattice(workshop, std::get<Lattice>(problem.motion), clock);
-  }
+  Plan plan = plan_over_friction(problem, options, workshop.instants, [&] {
+    for (Evaluator& evaluator : workshop.evaluators) evaluator.forget();
+    if (const auto* path = std::get_if<Path>(&problem.motion)) {
+      return plan_path(workshop, *path, clock);
+    }
+    if (const auto* goal = std::get_if<Goal>(&problem.motion)) {
+      return plan_goal(workshop, *goal, clock);
+    }
+    return plan_lattice(workshop, std::get<Lattice>(problem.motion), clock);
+  });
   if (plan) plan.reason = summary(plan);
   count(workshop, clock, plan.statistics);
   return plan;
@@ -90,6 +94,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   planning::Clock clock(budget);
   validate(problem, options);
   Plan plan = solve(problem, options, clock);
+  if (options.explain) explain(problem, options, clock, plan);
   plan.statistics.seconds = clock.seconds();
   return plan;
 }

@@ -53,18 +53,19 @@ FixedForces::FixedForces(const ContactSet& set, const std::vector<FingerMode>& m
   }
 }
 
+double FixedForces::reach(const Vector6d& direction, double enough) const {
+  LinearProgram shot = program_;
+  set_balance(&shot, -known_);
+  shot.set_block(0, shot.add_variable(0, enough, 1), -direction);
+  return std::max(0.0, solve_lp(shot).objective);
+}
+
 double FixedForces::stability(const Matrix6Xd& directions) const {
-  LinearProgram base = program_;
-  set_balance(&base, -known_);
-  const int z = base.add_variable(0, kInfinity, 1);
   double least = kInfinity;
   for (Eigen::Index d = 0; d < directions.cols() && least > 0; ++d) {
-    LinearProgram shot = base;
-    shot.set_block(0, z, -directions.col(d));
-    shot.upper[static_cast<std::size_t>(z)] = least;  // beyond it does not matter
-    least = std::min(least, solve_lp(shot).objective);
+    least = reach(directions.col(d), least);
   }
-  return std::max(0.0, least);
+  return least;
 }
 
 Eigen::VectorXd FixedForces::sliding_forces(const Vector6d& target) const {

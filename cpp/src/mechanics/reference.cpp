@@ -4,10 +4,10 @@
 #include "mechanics/reference.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/fixed_forces.hpp"
 #include "mechanics/lp.hpp"
 
 namespace graspless::mechanics {
@@ -45,8 +45,8 @@ int add_balance_rows(LinearProgram* lp, const Vector6d& value) {
 }
 
 /// The rows of (6) that belong to one direction l_i, with k_env i and k_rob i.
-int add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector<int>& f_com,
-                  const Vector6d& l_i) {
+void add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector<int>& f_com,
+                   const Vector6d& l_i) {
   // z l_i = R^1/2 (Q_known + W_env C_env k_env i + W_rob C_rob k_rob i)
   const int balance = add_balance_rows(lp, -m.environment.known);
   lp->set_block(balance, z, -l_i);
@@ -63,19 +63,20 @@ int add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector
     lp->set_block(normal, k_rob, finger.normal.transpose());
     if (m.is_force(i)) lp->set(normal, f_com[i], -1);
   }
-  return balance;
 }
 
-/// Directions whose targets the optimum would have moved further but for the others' sake: those
-/// with a dual.
-std::vector<int> binding(const LpSolution& solution, const std::vector<int>& balance) {
-  std::vector<int> directions;
-  for (std::size_t d = 0; d < balance.size(); ++d) {
-    if (solution.duals.segment<6>(balance[d]).cwiseAbs().maxCoeff() > kBinding) {
-      directions.push_back(static_cast<int>(d));
+/// Directions whose targets cannot be moved further with these commanded forces.
+std::vector<int> binding(const ContactSet& set, const std::vector<FingerMode>& modes,
+                         const Matrix6Xd& directions, const Stability& stability) {
+  const FixedForces balance(set, modes, stability.commanded_forces);
+  const double beyond = stability.z + kBinding * std::max(1.0, stability.z);
+  std::vector<int> found;
+  for (Eigen::Index d = 0; d < directions.cols(); ++d) {
+    if (balance.reach(directions.col(d), 2 * beyond) < beyond) {
+      found.push_back(static_cast<int>(d));
     }
   }
-  return directions;
+  return found;
 }
 
 }  // namespace
@@ -89,9 +90,8 @@ Stability max_stability_reference(const ContactSet& set, const std::vector<Finge
   for (std::size_t i = 0; i < m.fingers.size(); ++i) {
     if (m.is_force(i)) f_com[i] = lp.add_variable(0, m.fingers[i].max_normal_force);
   }
-  std::vector<int> balance;
   for (Eigen::Index d = 0; d < directions.cols(); ++d) {
-    balance.push_back(add_direction(&lp, m, z, f_com, directions.col(d)));
+    add_direction(&lp, m, z, f_com, directions.col(d));
   }
   const LpSolution solution = solve_lp(lp);
 
@@ -105,7 +105,9 @@ Stability max_stability_reference(const ContactSet& set, const std::vector<Finge
     stability.commanded_forces[static_cast<Eigen::Index>(i)] =
         std::clamp(solution.x[f_com[i]], 0.0, m.fingers[i].max_normal_force);
   }
-  stability.binding_directions = binding(solution, balance);
+  if (stability.z > 0) {
+    stability.binding_directions = binding(set, modes, directions, stability);
+  }
   return stability;
 }
 

@@ -56,7 +56,8 @@ TEST(FingertipPaths, SlidesAndTurnsAreExact) {
   EXPECT_TRUE(screw_between(slide.X_WO[3], slide.X_WO[4]).tail<3>().isZero(0));
   const Path turn = turn_path(X0, {2.5, 0, 0}, {0, 2, 0}, M_PI / 2, 30);
   ASSERT_EQ(turn.X_WO.size(), 31U);
-  EXPECT_TRUE((turn.X_WO.back() * Eigen::Vector3d(2.5, 0, 5)).isApprox(Eigen::Vector3d(7.5, 0, 0)));
+  EXPECT_TRUE(
+      (turn.X_WO.back() * Eigen::Vector3d(2.5, 0, 5)).isApprox(Eigen::Vector3d(12.5, 0, 0)));
   for (const Eigen::Isometry3d& X : turn.X_WO) {  // the edge stays
     EXPECT_TRUE((X * Eigen::Vector3d(2.5, 1, -5)).isApprox(Eigen::Vector3d(2.5, 1, 0), 1e-12));
   }

@@ -63,6 +63,9 @@ struct ContactSet {
 /// edges in a cone, more than kMaxFingers fingers, a scale that is not regular.
 GRASPLESS_API void validate(const ContactSet& set, const std::string& what = "contact set");
 
+/// The same set with unit normals. Throws std::invalid_argument on one without a direction.
+GRASPLESS_API ContactSet normalized(ContactSet set, const std::string& what = "contact set");
+
 constexpr int kMaxFingers = 4;
 
 /// A unit tangent at a contact with normal n_O: t_O without its normal part; when that vanishes,
