@@ -146,10 +146,10 @@ LatticeWay LatticeAstar::find(LatticeCosts& costs, double limit, planning::Clock
     Entry entry = heap_.back();
     heap_.pop_back();
     if (closed_[ix(entry.pose)] == round_) continue;
-    if (entry.from >= 0 && !costs.is_solved(entry.from, entry.move)) {
-      const double bounded = costs.cost(entry.from, entry.move);
-      costs.solve(entry.from, entry.move);
-      const double more = costs.cost(entry.from, entry.move) - bounded;
+    if (entry.from >= 0) {
+      if (!costs.is_solved(entry.from, entry.move)) costs.solve(entry.from, entry.move);
+      // It may have been pushed with a bound.
+      const double more = best_[ix(entry.from)] + costs.cost(entry.from, entry.move) - entry.g;
       if (more > 0) {
         entry.g += more;
         entry.f += more;
@@ -157,6 +157,8 @@ LatticeWay LatticeAstar::find(LatticeCosts& costs, double limit, planning::Clock
         continue;
       }
     }
+    stamp_[ix(entry.pose)] = round_;
+    best_[ix(entry.pose)] = entry.g;
     closed_[ix(entry.pose)] = round_;
     parent_[ix(entry.pose)] = entry.from;
     ++statistics.nodes;
