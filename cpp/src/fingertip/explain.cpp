@@ -133,17 +133,26 @@ std::vector<Found> find_helpful(const Problem& problem, const Options& options, 
   return found;
 }
 
-/// What single changes help, least first: with one regrasp at most, or, when none does, with more.
-std::vector<Found> relax(const Problem& problem, const Options& options, Trials& trials) {
-  trials.allow_regrasps(1);
-  std::vector<Found> found = find_helpful(problem, options, trials);
-  if (found.empty() && options.max_regrasps > 1) {
-    trials.allow_regrasps(options.max_regrasps);
-    found = find_helpful(problem, options, trials);
-  }
+void sort_least_first(std::vector<Found>& found) {
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::abs(std::log(a.factor)) < std::abs(std::log(b.factor));
   });
+}
+
+/// What single changes help, least first. Most is settled with one regrasp at most; then, in what
+/// time is left, whether less of a change is enough with more regrasps.
+std::vector<Found> relax(const Problem& problem, const Options& options, Trials& trials) {
+  trials.allow_regrasps(1);
+  std::vector<Found> found = find_helpful(problem, options, trials);
+  sort_least_first(found);
+  if (options.max_regrasps <= 1) return found;
+  trials.allow_regrasps(options.max_regrasps);
+  if (found.empty()) found = find_helpful(problem, options, trials);
+  for (Found& each : found) {
+    const double less = each.factor > 1 ? each.factor / kFine : each.factor * kFine;
+    if (trials.solves(each.knob, less)) each.factor = bisect(trials, each.knob, 1, less);
+  }
+  sort_least_first(found);
   return found;
 }
 
