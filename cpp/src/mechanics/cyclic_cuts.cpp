@@ -194,7 +194,7 @@ CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches
     } else {
       const Cuts::Cut found = cut(e);
       if (e == 0) keep_support(environments_[e].basis.facet());
-      const bool is_against = model_.at(found) < trial - kTolerance * force_scale_;
+      const bool is_against = model_.at(found) < trial;
       const bool is_new = model_.add(found);
       if (!is_against || !is_new) tolerance_ *= 2;  // against the facet by rounding alone
       if (model_.z() < needed || model_.z() <= kNothing * force_scale_) return finish();
