@@ -46,12 +46,13 @@ class Locations {
   const mechanics::FingerWrenches& wrenches(int i) const {
     return wrenches_[static_cast<std::size_t>(i)];
   }
-  bool are_apart(int a, int b) const;  // the spheres do not overlap (touching is allowed)
+  // The spheres do not overlap (touching is allowed), and are no farther apart than fingers reach.
+  bool are_apart(int a, int b) const;
 
  private:
   std::vector<Location> all_;
   std::vector<mechanics::FingerWrenches> wrenches_;
-  double min_distance2_ = 0;
+  double min_distance2_ = 0, max_distance2_ = 0;
 };
 
 }  // namespace graspless::fingertip
