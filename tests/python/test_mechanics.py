@@ -73,8 +73,7 @@ def test_engines_give_the_same():
         assert fast.z == pytest.approx(reference.z, abs=1e-9)
         assert fast.z > 1
         bounded = [
-            mechanics.internal_force_is_bounded(cuboid(), modes, engine=engine)
-            for engine in Engine
+            mechanics.internal_force_is_bounded(cuboid(), modes, engine=engine) for engine in Engine
         ]
         assert bounded[0] == bounded[1]
 
@@ -89,9 +88,7 @@ def test_ties_go_to_force_on_the_finger_that_presses():
 
 def test_nominal_forces_balance():
     best = mechanics.best_control_modes(cuboid())
-    nominal = mechanics.interior_equilibrium(
-        cuboid(), best.modes, best.stability.commanded_forces
-    )
+    nominal = mechanics.interior_equilibrium(cuboid(), best.modes, best.stability.commanded_forces)
     forces = np.vstack([nominal.contact_forces_O, nominal.finger_forces_O])
     points = np.vstack([BOTTOM, [f.p_OC for f in cuboid().fingers]])
     np.testing.assert_allclose(forces.sum(axis=0), [0, 0, 9.8], atol=1e-9)
@@ -183,9 +180,7 @@ class TestArrays:
             "finger_friction": np.full((3, 2), 0.7),
             "max_normal_force": np.full((3, 2), 10.0),
         }
-        np.testing.assert_array_equal(
-            mechanics.stability(**Arrays(3).keywords(**each)).z, same.z
-        )
+        np.testing.assert_array_equal(mechanics.stability(**Arrays(3).keywords(**each)).z, same.z)
 
     @pytest.mark.parametrize(
         ("name", "value", "words"),

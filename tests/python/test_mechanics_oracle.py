@@ -5,10 +5,10 @@
 import collections
 import itertools
 
-import mechanics_oracle as oracle
 import numpy as np
 import pytest
 
+import mechanics_oracle as oracle
 from graspless.mechanics import (
     Engine,
     FingerMode,
