@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <unordered_map>
+#include <vector>
 
 #include "fingertip/instants.hpp"
 #include "fingertip/locations.hpp"
@@ -19,11 +20,16 @@ class Evaluator {
   double stability(int instant, const Placement& placement);
   /// Known already? Then as stability(), without work; else -1.
   double known(int instant, const Placement& placement) const;
-  /// All of it: modes and commanded forces too. Ties as mechanics::best_control_modes says.
-  mechanics::ControlModes control_modes(int instant, const Placement& placement,
+  /// All of it: modes and commanded forces too, for fingers at these locations in any order. Ties
+  /// as mechanics::best_control_modes says.
+  mechanics::ControlModes control_modes(int instant, const std::vector<int>& fingers,
                                         const std::vector<FingerMode>& previous);
+  /// Forgets what is known, after Instants::add_friction().
+  void forget() { known_.clear(); }
 
   mechanics::StabilitySolver& solver() { return solver_; }
+  const Instants& instants() const { return instants_; }
+  const mechanics::StabilitySolver& solver() const { return solver_; }
 
  private:
   struct Key {
@@ -36,11 +42,18 @@ class Evaluator {
   struct Hash {
     std::size_t operator()(const Key& key) const;
   };
+  void set(int instant, const std::int32_t* fingers, int count);
   const Instants& instants_;
   const Locations& locations_;
   const Options& options_;
   mechanics::StabilitySolver solver_;
   std::unordered_map<Key, double, Hash> known_;
+  std::vector<const mechanics::EnvironmentWrenches*> environments_;  // scratch
+  std::vector<const mechanics::FingerWrenches*> fingers_;            // scratch
 };
+
+/// The contact set of an instant with fingers at these locations.
+mechanics::ContactSet contact_set(const Instant& instant, const Locations& locations,
+                                  const Fingers& fingers, const std::vector<int>& at);
 
 }  // namespace graspless::fingertip

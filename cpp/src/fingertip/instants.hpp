@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "graspless/fingertip/fingertip.hpp"
@@ -11,14 +10,21 @@
 
 namespace graspless::fingertip {
 
+/// A vertex within this part of the object's size of a plane touches it.
+constexpr double kContactTolerance = 1e-6;
+
 /// An instant of the object's motion without its fingers. Equal mechanics, equal instant: a slide
 /// has one for all its samples, a tumble one a sample.
 struct Instant {
   mechanics::ContactSet set;  // without fingers, friction at the nominal (lower) coefficient
   // One for each environment coefficient that is looked at: both ends of the interval, and
-  // counter-examples found later.
+  // counter-examples found later. Cones that may only help are taken at the lower end, and those
+  // that may jam at the upper: contacts that slide alone follow the coefficient.
   std::vector<mechanics::EnvironmentWrenches> environments;
 };
+
+/// The planes as mechanics sees them, with this coefficient of friction.
+std::vector<mechanics::Plane> contact_planes(const Problem& problem, double friction);
 
 /// The distinct instants of a problem.
 class Instants {
@@ -36,14 +42,18 @@ class Instants {
   /// Looks at another coefficient of environment friction too from now on.
   void add_friction(double coefficient);
 
+  const Problem& problem() const { return problem_; }
+  const Options& options() const { return options_; }
+
  private:
+  void add_environment(Instant& instant, double coefficient) const;
   const Problem& problem_;
   const Options& options_;
   mechanics::Matrix6d wrench_scale_;
   std::vector<mechanics::Plane> planes_;
   std::vector<double> frictions_;
   std::vector<Instant> all_;
-  std::vector<std::vector<std::int64_t>> keys_;  // rounded contents, for comparison
+  std::vector<std::vector<double>> keys_;  // contents in units of their size, for comparison
   bool turns_in_plane_ = false;
 };
 

@@ -29,6 +29,11 @@ int num_fingers(const Placement& placement);
 Placement with(const Placement& placement, int location);     // keeps the order
 Placement without(const Placement& placement, int location);  // the kept fingers of a regrasp
 
+/// The points of an object's grid: cell-centred on each face's bounding rectangle, inside the face.
+std::vector<Location> grid_locations(const Object& object, double radius, const Options& options);
+/// How many grid_locations() would look at: no fewer than it returns.
+double num_grid_points(const Object& object, const Options& options);
+
 /// The lattice of locations on the object's surface at which the sphere does not touch the object
 /// elsewhere.
 class Locations {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "fingertip/evaluator.hpp"
@@ -27,6 +28,7 @@ struct PathQuery {
 
   const Options& options;
   const Locations& locations;
+  int num_fingers = 0;  // of the hand
   std::vector<Eigen::Isometry3d> X_WO;
   std::vector<mechanics::Vector6d> twist_O;  // body twist of each arc, over the whole arc
   std::vector<int> instants;                 // arcs x P
@@ -60,8 +62,10 @@ struct Route {
 /// Uniform cost, or A* with (11): Section 4.
 Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,
                    planning::Clock& clock, Statistics& statistics);
-/// Lazy best-first search over placements. The same cost. One evaluator a thread.
+/// Lazy best-first search over placements. The same cost. One evaluator a thread. Routes of
+/// `limit` or more are not looked for: then complete and not found means that there is none below.
 Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
-                  planning::Clock& clock, Statistics& statistics);
+                  planning::Clock& clock, Statistics& statistics,
+                  double limit = std::numeric_limits<double>::infinity());
 
 }  // namespace graspless::fingertip

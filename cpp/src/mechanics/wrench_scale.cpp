@@ -34,7 +34,7 @@ double turn_towards(const Eigen::Matrix3d& targets, Principal& principal) {
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(near, Eigen::ComputeFullU | Eigen::ComputeFullV);
   principal.axes = principal.axes * svd.matrixU() * svd.matrixV().transpose();
-  return svd.singularValues().sum();
+  return (principal.axes.transpose() * targets).trace();
 }
 
 /// Ordered and signed to be nearest to the axes of O.

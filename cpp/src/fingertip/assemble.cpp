@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a route to a plan: which finger is where, control modes and forces of every sample, the cost
+// by its definition.
+#include "fingertip/assemble.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "fingertip/clearance.hpp"
+#include "fingertip/screw.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+using mechanics::Vector6d;
+
+constexpr double kNoRotation = 1e-9;  // [rad]
+constexpr double kParallel = 1e-6;
+
+/// How an arc carries the object.
+std::string name_of(const Eigen::Isometry3d& X_WO, const Vector6d& twist_O, const Plane& floor) {
+  const Eigen::Vector3d omega_W = X_WO.linear() * twist_O.tail<3>();
+  if (omega_W.norm() < kNoRotation) return "slide";
+  return omega_W.cross(floor.n_W).norm() <= kParallel * omega_W.norm() ? "turn" : "tumble";
+}
+
+class Assembler {
+ public:
+  Assembler(const Locations& locations, Instants& instants, Evaluator& evaluator, Plan& plan)
+      : problem_(instants.problem()),
+        options_(instants.options()),
+        locations_(locations),
+        instants_(instants),
+        evaluator_(evaluator),
+        plan_(plan) {}
+
+  void run(const std::vector<Stage>& stages) {
+    const Placement& first = stages.front().placement;
+    slots_.assign(first.begin(), first.begin() + num_fingers(first));
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      if (i > 0) regrasp(stages, i);
+      displace(stages[i]);
+    }
+  }
+
+ private:
+  void displace(const Stage& stage) {
+    Segment* segment = nullptr;
+    for (std::size_t k = 0; k + 1 < stage.X_WO.size(); ++k) {
+      const Eigen::Isometry3d& X_WO = stage.X_WO[k];
+      const Vector6d twist_O = screw_between(X_WO, stage.X_WO[k + 1]);
+      const std::string name = name_of(X_WO, twist_O, problem_.planes.front());
+      if (segment == nullptr || segment->name != name) {
+        plan_.segments.emplace_back();
+        segment = &plan_.segments.back();
+        segment->name = name;
+        segment->X_WO.push_back(X_WO);
+      }
+      add_arc(X_WO, twist_O, *segment);
+      segment->X_WO.push_back(stage.X_WO[k + 1]);
+    }
+  }
+
+  void add_arc(const Eigen::Isometry3d& X_WO, const Vector6d& twist_O, Segment& segment) {
+    const int P = options_.samples_per_arc;
+    double weight = 0, speed = 0;
+    for (int j = 0; j < P; ++j) {
+      const Eigen::Isometry3d X_WO_j = along_screw(X_WO, twist_O, (j + 0.5) / P);
+      segment.rows.push_back(row(moving_state(X_WO_j, twist_O), -1));
+      weight += (1 + options_.stability_weight / segment.rows.back().stability) / P;
+    }
+    for (const int l : slots_) speed = std::max(speed, sphere_speed(twist_O, locations_[l]));
+    plan_.cost += speed * weight;  // (9)
+  }
+
+  /// The finger that is not where it was moves to the place that is new.
+  void regrasp(const std::vector<Stage>& stages, std::size_t i) {
+    const Placement& next = stages[i].placement;
+    const auto is_new = [&](int l) {
+      return std::find(slots_.begin(), slots_.end(), l) == slots_.end();
+    };
+    const auto moved = std::find_if(slots_.begin(), slots_.end(), [&](int l) {
+      return std::find(next.begin(), next.end(), l) == next.end();
+    });
+    if (moved == slots_.end()) return;
+    Segment segment;
+    segment.name = "regrasp";
+    segment.finger = static_cast<int>(moved - slots_.begin());
+    segment.X_WO = {stages[i].X_WO.front()};
+    segment.rows = {row(resting_state(segment.X_WO.front(), twist_at(stages, i)), segment.finger)};
+    plan_.segments.push_back(std::move(segment));
+    plan_.cost += options_.regrasp_cost;  // (10)
+    ++plan_.regrasps;
+    *moved = *std::find_if(next.begin(), next.end(), is_new);
+  }
+
+  /// The motion that goes on after stage i begins; where none does, the one before.
+  Vector6d twist_at(const std::vector<Stage>& stages, std::size_t i) const {
+    for (std::size_t k = i; k < stages.size(); ++k) {
+      if (stages[k].X_WO.size() > 1) return screw_between(stages[k].X_WO[0], stages[k].X_WO[1]);
+    }
+    for (std::size_t k = i; k-- > 0;) {
+      const auto& X_WO = stages[k].X_WO;
+      if (X_WO.size() > 1) return screw_between(X_WO[X_WO.size() - 2], X_WO.back());
+    }
+    return Vector6d::Zero();
+  }
+
+  /// One sample, with finger `lifted` off the object (-1: none).
+  Row row(const mechanics::BodyState& state, int lifted) {
+    const int instant = instants_.add(state);
+    if (instant != last_instant_ || lifted != last_lifted_ || slots_ != last_slots_) {
+      last_ = make_row(instant, lifted);
+      last_instant_ = instant;
+      last_lifted_ = lifted;
+      last_slots_ = slots_;
+    }
+    last_.X_WO = state.X_WO;
+    return last_;
+  }
+
+  Row make_row(int instant, int lifted) {
+    std::vector<int> fingers, at;
+    std::vector<FingerMode> previous;
+    for (int i = 0; i < static_cast<int>(slots_.size()); ++i) {
+      if (i == lifted) continue;
+      fingers.push_back(i);
+      at.push_back(slots_[static_cast<std::size_t>(i)]);
+      if (!modes_.empty()) previous.push_back(modes_[static_cast<std::size_t>(i)]);
+    }
+    const mechanics::ControlModes best = evaluator_.control_modes(instant, at, previous);
+    const mechanics::ContactSet set =
+        contact_set(instants_[instant], locations_, problem_.fingers, at);
+    const auto nominal =
+        mechanics::interior_equilibrium(set, best.modes, best.stability.commanded_forces);
+    Row row;
+    row.stability = best.stability.z;
+    if (nominal) {
+      row.nominal_margin = nominal->margin;
+      row.compliant_stability = mechanics::compliant_stability(
+          set, best.modes, *nominal, options_.compliance, options_.disturbance_directions);
+    }
+    modes_.resize(slots_.size(), FingerMode::position);
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+      row.fingers.push_back(standing_at(locations_[slots_[i]]));
+    }
+    if (lifted >= 0) row.fingers[static_cast<std::size_t>(lifted)].touches = false;
+    for (std::size_t k = 0; k < fingers.size(); ++k) {
+      const auto i = static_cast<std::size_t>(fingers[k]);
+      const auto column = static_cast<Eigen::Index>(k);
+      modes_[i] = row.fingers[i].mode = best.modes[k];
+      row.fingers[i].commanded_force = best.stability.commanded_forces[column];
+      if (nominal) row.fingers[i].nominal_force_O = nominal->finger_forces_O.col(column);
+    }
+    return row;
+  }
+
+  static FingerState standing_at(const Location& location) {
+    FingerState state;
+    state.p_OC = location.p_OC;
+    state.n_O = location.n_O;
+    return state;
+  }
+
+  const Problem& problem_;
+  const Options& options_;
+  const Locations& locations_;
+  Instants& instants_;
+  Evaluator& evaluator_;
+  Plan& plan_;
+  std::vector<int> slots_;         // where each finger is
+  std::vector<FingerMode> modes_;  // of each finger in the row before
+  // Rows of equal mechanics are equal but for the pose.
+  Row last_;
+  int last_instant_ = -1, last_lifted_ = -1;
+  std::vector<int> last_slots_;
+};
+
+void find_weakest(Plan& plan) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < plan.segments.size(); ++s) {
+    for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
+      if (!(plan.segments[s].rows[r].stability < least)) continue;
+      least = plan.segments[s].rows[r].stability;
+      plan.weakest_segment = static_cast<int>(s);
+      plan.weakest_row = static_cast<int>(r);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Stage> stages_of(const PathQuery& query, const Route& route) {
+  std::vector<Stage> stages;
+  for (const Node& node : route.nodes) {
+    if (stages.empty() || stages.back().placement != node.placement) {
+      stages.push_back({node.placement, {}});
+    }
+    stages.back().X_WO.push_back(query.X_WO[static_cast<std::size_t>(node.pose)]);
+  }
+  return stages;
+}
+
+void assemble(const std::vector<Stage>& stages, const Locations& locations, Instants& instants,
+              Evaluator& evaluator, Plan& plan) {
+  plan.cost = 0;
+  plan.regrasps = 0;
+  plan.segments.clear();
+  Assembler(locations, instants, evaluator, plan).run(stages);
+  find_weakest(plan);
+  if (!instants.turns_in_plane()) return;
+  plan.warnings.push_back(
+      "a face turns about its normal while it slides: the friction of its corners understates what "
+      "the whole face resists, so the object may turn less readily than planned");
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "graspless/geometry/shape.hpp"
+
+namespace graspless::fingertip {
+
+/// The mesh with each vertex once, closed and outward. Throws std::invalid_argument, naming `what`,
+/// when it is too large, not closed, not oriented throughout or without volume.
+geometry::Mesh closed_mesh(const geometry::Mesh& mesh, const std::string& what);
+
+/// The mesh of a box centred at the origin, sides along the axes [m].
+geometry::Mesh box_mesh(const Eigen::Vector3d& size);
+
+/// Of the solid that a closed outward mesh bounds, per unit of density.
+struct MassProperties {
+  double volume = 0;                                  // [m^3]
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center [m^5]
+};
+MassProperties mass_properties(const geometry::Mesh& mesh);
+
+}  // namespace graspless::fingertip

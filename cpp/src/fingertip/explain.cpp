@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/explain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "fingertip/explain_blocked.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+constexpr double kFine = 1.01;      // relaxations are found to 1 %
+constexpr double kFarthest = 1000;  // how far limits are turned at most, as a factor
+// How far coefficients of friction are turned: solvable ones may lie between others, so that each
+// of these is tried.
+constexpr double kLadder[] = {1.05, 1.1, 1.2, 1.4, 1.8, 2.6, 4.2, 7.4, 13.8};
+
+/// Something that can be turned to make a problem easier.
+struct Knob {
+  std::string field, limit;
+  double value;
+  std::function<void(Problem&, Options&, double factor)> turn;
+};
+
+void scale(FrictionInterval& friction, double factor) {
+  friction.lower *= factor;
+  friction.upper *= factor;
+}
+
+const auto turn_finger_friction = [](Problem& problem, Options&, double factor) {
+  scale(problem.fingers.friction, factor);
+};
+const auto turn_friction = [](Problem& problem, Options&, double factor) {
+  scale(problem.friction, factor);
+};
+const auto turn_force = [](Problem& problem, Options&, double factor) {
+  problem.fingers.max_normal_force *= factor;
+};
+const auto turn_stability = [](Problem&, Options& options, double factor) {
+  options.min_stability *= factor;
+};
+
+/// Plans anew with knobs turned.
+class Trials {
+ public:
+  Trials(const Problem& problem, const Options& options, planning::Clock& clock)
+      : problem_(problem), options_(options), clock_(clock) {
+    options_.explain = false;
+    options_.search = Search::fast;
+  }
+
+  bool solves(const std::function<void(Problem&, Options&)>& change) {
+    if (clock_.is_out()) return false;
+    Problem problem = problem_;
+    Options options = options_;
+    change(problem, options);
+    planning::Budget rest;
+    rest.seconds = std::numeric_limits<double>::infinity();
+    rest.interrupted = [this] { return clock_.is_out(); };
+    return plan(problem, options, rest).status == Status::solved;
+  }
+  bool solves(const Knob& knob, double factor) {
+    return solves([&](Problem& problem, Options& options) { knob.turn(problem, options, factor); });
+  }
+
+ private:
+  const Problem& problem_;
+  Options options_;
+  planning::Clock& clock_;
+};
+
+/// The least factor that helps, between one that does not and one that does.
+double bisect(Trials& trials, const Knob& knob, double fails, double helps) {
+  while (std::abs(std::log(helps / fails)) > std::log(kFine)) {
+    const double middle = std::sqrt(fails * helps);
+    (trials.solves(knob, middle) ? helps : fails) = middle;
+  }
+  return helps;
+}
+
+/// Where more always helps.
+std::optional<double> least_of_monotone(Trials& trials, const Knob& knob, double farthest) {
+  if (!trials.solves(knob, farthest)) return std::nullopt;
+  return bisect(trials, knob, 1, farthest);
+}
+
+/// Outward step by step, up and, if wanted, down.
+std::optional<double> least_of_ladder(Trials& trials, const Knob& knob, bool down_too) {
+  double last = 1;
+  for (const double factor : kLadder) {
+    if (trials.solves(knob, factor)) return bisect(trials, knob, last, factor);
+    if (down_too && trials.solves(knob, 1 / factor)) {
+      return bisect(trials, knob, 1 / last, 1 / factor);
+    }
+    last = factor;
+  }
+  return std::nullopt;
+}
+
+/// What single changes help, least first.
+struct Found {
+  Knob knob;
+  double factor;
+};
+
+std::vector<Found> relax(const Problem& problem, const Options& options, Trials& trials) {
+  const Knob force = {"fingers.max_normal_force", "force limit", problem.fingers.max_normal_force,
+                      turn_force};
+  const Knob fingers = {"fingers.friction", "friction", problem.fingers.friction.lower,
+                        turn_finger_friction};
+  const Knob environment = {"friction", "friction", problem.friction.lower, turn_friction};
+  const Knob stability = {"min_stability", "stability", options.min_stability, turn_stability};
+  std::vector<Found> found;
+  const auto keep = [&](const Knob& knob, std::optional<double> factor) {
+    if (factor) found.push_back({knob, *factor});
+  };
+  if (options.min_stability > 0) {
+    keep(stability, least_of_monotone(trials, stability, 1 / kFarthest));
+  }
+  keep(force, least_of_monotone(trials, force, kFarthest));
+  keep(fingers, least_of_ladder(trials, fingers, false));
+  keep(environment, least_of_ladder(trials, environment, true));
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return std::abs(std::log(a.factor)) < std::abs(std::log(b.factor));
+  });
+  return found;
+}
+
+bool all_at_once_solve(Trials& trials) {
+  return trials.solves([](Problem& problem, Options& options) {
+    turn_force(problem, options, kFarthest);
+    turn_stability(problem, options, 1 / kFarthest);
+    turn_finger_friction(problem, options, 2);
+  });
+}
+
+std::string sentence(const Found& best) {
+  std::ostringstream out;
+  out << "; " << best.knob.field << " " << best.knob.value * best.factor << " instead of "
+      << best.knob.value << " would do";
+  return out.str();
+}
+
+}  // namespace
+
+void explain(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan) {
+  if (plan.status != Status::no_location && plan.status != Status::unstable) return;
+  if (!plan.limit.empty()) return;  // the motion itself was out of reach
+  if (const auto blocked = find_blocked(problem, options)) {
+    plan.limit = blocked->limit;
+    plan.reason = blocked->reason;
+    return;
+  }
+  Trials trials(problem, options, clock);
+  const std::vector<Found> found = relax(problem, options, trials);
+  for (const Found& each : found) {
+    plan.relaxations.push_back({each.knob.field, each.knob.value * each.factor});
+  }
+  if (!found.empty()) {
+    plan.limit = found.front().knob.limit;
+    plan.reason += sentence(found.front());
+  } else if (!clock.is_out()) {
+    plan.limit = all_at_once_solve(trials) ? "stability" : "reach of the lattice";
+    plan.reason += "; no single change of friction, force limit or min_stability would help";
+  }
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "graspless/fingertip/fingertip.hpp"
+
+namespace graspless::fingertip {
+
+/// Says of a plan that was not found which limit blocks (`limit`, and where in `reason`) and the
+/// smallest single changes that make it solvable (`relaxations`), by planning anew with other
+/// values in what the clock has left. The same failure and time enough give the same answer.
+void explain(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan);
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The state of a lazy best-first search over placements.
+#pragma once
+
+#include <vector>
+
+#include "fingertip/fast_candidates.hpp"
+#include "fingertip/fast_hubs.hpp"
+#include "fingertip/fast_lanes.hpp"
+#include "fingertip/fast_supports.hpp"
+#include "fingertip/path_query.hpp"
+
+namespace graspless::fingertip {
+
+/// What all parts of the search share.
+struct FastSearch {
+  FastSearch(const PathQuery& query, std::vector<Evaluator>& evaluators, planning::Clock& clock,
+             Statistics& statistics, double limit);
+
+  /// Solves the questions, and hands what came of them to bounds, candidates and hubs.
+  void solve(std::vector<Question>& questions);
+  /// Throws std::length_error when the tables have outgrown Options::max_memory.
+  void watch_memory(std::int64_t more = 0);
+
+  const PathQuery& query;
+  const int count;  // of fingers
+  planning::Clock& clock;
+  Statistics& statistics;
+  Supports supports;
+  Candidates candidates;
+  Hubs hubs;
+  Lanes lanes;
+  double least_displacement = 0;  // no route costs less, whatever its placements
+  double limit;                   // routes of this cost or more are not looked for
+};
+
+/// Solves a few placements at the instants, until their functionals refuse nearly all that can be
+/// refused.
+void seed_supports(FastSearch& search, const std::vector<int>& locations,
+                   const std::vector<int>& instants);
+
+/// Locations clear at all poses from `first` to `last`.
+std::vector<int> clear_locations(const PathQuery& query, int first, int last);
+
+/// The cheapest route with at most `max_regrasps`, by dynamic programming over poses, regrasps and
+/// placements, solving what is open on the best one until nothing is.
+Route search_layers(FastSearch& search, int max_regrasps);
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Upper bounds on stability from wrench functionals, as tables over locations.
+#include "fingertip/fast_supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "fingertip/screw.hpp"
+
+namespace graspless::fingertip {
+
+using mechanics::Matrix6d;
+using mechanics::Matrix6Xd;
+using mechanics::Vector6d;
+
+namespace {
+
+constexpr float kFree = 1e30F;      // an empty place in a table bounds nothing
+constexpr double kPolar = 1e-12;    // y . g of a functional of length 1 that counts as <= 0
+constexpr double kRounding = 2e-6;  // of single precision, relative to the terms added
+constexpr double kProgress = 0.1;   // a functional must bound by that much more elsewhere
+constexpr std::size_t kKept = 2;    // functionals kept of those of one solution
+
+/// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
+/// in W.
+Matrix6d functional_to_world(const Eigen::Isometry3d& X_WO, const Eigen::Vector3d& com_O) {
+  const Eigen::Matrix3d R_WO = X_WO.linear();
+  const Eigen::Vector3d com_W = X_WO * com_O;
+  Eigen::Matrix3d cross;
+  cross << 0, -com_W.z(), com_W.y(), com_W.z(), 0, -com_W.x(), -com_W.y(), com_W.x(), 0;
+  Matrix6d map = Matrix6d::Zero();
+  map.topLeftCorner<3, 3>() = R_WO;
+  map.topRightCorner<3, 3>() = cross * R_WO;
+  map.bottomRightCorner<3, 3>() = R_WO;
+  return map;
+}
+
+bool are_polar(const Matrix6Xd& generators, const Vector6d& y) {
+  const double limit = kPolar * y.norm();
+  for (Eigen::Index g = 0; g < generators.cols(); ++g) {
+    if (y.dot(generators.col(g)) > limit * generators.col(g).norm()) return false;
+  }
+  return true;
+}
+
+int round_up(int n) { return (n + Supports::kStep - 1) / Supports::kStep * Supports::kStep; }
+
+}  // namespace
+
+Supports::Supports(const PathQuery& query, const Instants& instants)
+    : query_(query), instants_(instants), num_locations_(query.locations.size()) {
+  const Matrix6Xd& directions = query.options.disturbance_directions;
+  has_paper_directions_ = directions.cols() == mechanics::disturbance_directions().cols() &&
+                          directions == mechanics::disturbance_directions();
+  paper_length_ = directions.col(0).norm();
+  for (int location = 0; location < num_locations_; ++location) {
+    const mechanics::FingerWrenches& wrenches = query.locations.wrenches(location);
+    edges_ = static_cast<int>(wrenches.generators.cols());
+    for (int j = 0; j < edges_; ++j) {
+      const Vector6d w =
+          wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
+      for (int c = 0; c < 6; ++c) edge_wrenches_.push_back(static_cast<float>(w[c]));
+      most_force_ = std::max(most_force_, w.norm());
+    }
+  }
+  pools_.resize(static_cast<std::size_t>(instants.size()));
+  const int P = query.options.samples_per_arc;
+  for (int arc = 0; arc < query.num_arcs(); ++arc) {
+    for (int j = 0; j < P; ++j) {
+      const auto a = static_cast<std::size_t>(arc);
+      place(query.instant(arc, j), along_screw(query.X_WO[a], query.twist_O[a], (j + 0.5) / P));
+    }
+  }
+  for (int pose = 0; pose < query.num_poses(); ++pose) {
+    place(query.rest_instant(pose), query.X_WO[static_cast<std::size_t>(pose)]);
+  }
+  // Few instants, as in a slide, have to tell all by themselves.
+  width_ = all_.size() <= 4 ? 64 : 32;
+  find_standing();
+}
+
+void Supports::place(int instant, const Eigen::Isometry3d& X_WO) {
+  if (std::find(all_.begin(), all_.end(), instant) != all_.end()) return;
+  all_.push_back(instant);
+  const mechanics::ContactSet& set = instants_[instant].set;
+  // The inverse of a rigid map and of a scale; the scale is well conditioned.
+  pool(instant).to_world = functional_to_world(X_WO, set.com_O) * set.wrench_scale.transpose();
+  pool(instant).from_world = pool(instant).to_world.inverse();
+}
+
+void Supports::find_standing() {
+  for (const int instant : all_) {
+    const Matrix6Xd generators =
+        pool(instant).from_world.transpose() * instants_[instant].environments.front().generators;
+    int& number = pool(instant).standing;
+    for (std::size_t i = 0; i < standing_.size() && number < 0; ++i) {
+      if (standing_[i].cols() == generators.cols() &&
+          (standing_[i] - generators).norm() <= kPolar * generators.norm()) {
+        number = static_cast<int>(i);
+      }
+    }
+    if (number >= 0) continue;
+    number = static_cast<int>(standing_.size());
+    standing_.push_back(generators);
+  }
+}
+
+int Supports::used(int instant) const { return round_up(pool(instant).size); }
+
+/// Columns of a block that are new since it was last looked at.
+void Supports::fill(const Pool& p, int location) const {
+  const auto width = static_cast<std::size_t>(width_);
+  std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
+  float* h = p.h.data() + static_cast<std::size_t>(location) * width;
+  const float* edges = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
+  for (int first = 0; first < p.size; first += kStep) {
+    const auto begin = p.stamps.begin() + first;
+    if (*std::max_element(begin, begin + kStep) <= filled) continue;
+    float most[kStep] = {};
+    const float* y = p.y.data() + first;
+    for (int j = 0; j < edges_; ++j) {
+      float sum[kStep] = {};
+      for (std::size_t c = 0; c < 6; ++c) {
+        const float w = edges[static_cast<std::size_t>(j) * 6 + c];
+        for (std::size_t k = 0; k < kStep; ++k) sum[k] += w * y[c * width + k];
+      }
+      for (int k = 0; k < kStep; ++k) most[k] = sum[k] > most[k] ? sum[k] : most[k];
+    }
+    std::copy(most, most + kStep, h + first);
+  }
+  filled = p.stamp;
+}
+
+const float* Supports::block(int instant, int location) const {
+  const Pool& p = pool(instant);
+  const auto l = static_cast<std::size_t>(location);
+  if (p.filled[l] < p.stamp) fill(p, location);
+  return p.h.data() + l * static_cast<std::size_t>(width_);
+}
+
+float Supports::bound(int instant, const Placement& placement) const {
+  const Pool& p = pool(instant);
+  float least = kFree;
+  if (p.size == 0) return least;
+  const float* blocks[mechanics::kMaxFingers];
+  int fingers = 0;
+  for (const std::int32_t location : placement) {
+    if (location >= 0) blocks[fingers++] = block(instant, location);
+  }
+  const int used = round_up(p.size);
+  for (int i = 0; i < used; i += kStep) {
+    float sums[kStep];
+    for (int k = 0; k < kStep; ++k) sums[k] = p.offsets[static_cast<std::size_t>(i + k)];
+    for (int f = 0; f < fingers; ++f) {
+      for (int k = 0; k < kStep; ++k) sums[k] += blocks[f][i + k];
+    }
+    for (int k = 0; k < kStep; ++k) least = sums[k] < least ? sums[k] : least;
+  }
+  return least;
+}
+
+bool Supports::is_polar(int instant, const Vector6d& y) const {
+  return are_polar(instants_[instant].environments.front().generators, y);
+}
+
+double Supports::value(int location, const Vector6d& y) const {
+  const float* w = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
+  double most = 0;
+  for (int j = 0; j < edges_; ++j, w += 6) {
+    double sum = 0;
+    for (int c = 0; c < 6; ++c) sum += y[c] * static_cast<double>(w[c]);
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+/// Scales y such that its bound is y . known + sum of h.
+bool Supports::measure(int instant, const Placement& placement, Bound& bound) const {
+  Vector6d& y = bound.y;
+  const double sigma =
+      has_paper_directions_
+          ? paper_length_ * std::max(y.lpNorm<Eigen::Infinity>(), y.lpNorm<1>() / std::sqrt(6.0))
+          : (query_.options.disturbance_directions.transpose() * y).maxCoeff();
+  if (!(sigma > 0) || !std::isfinite(sigma)) return false;
+  y /= sigma;
+  bound.offset = y.dot(instants_[instant].environments.front().known);
+  bound.value = bound.offset;
+  for (const std::int32_t location : placement) {
+    if (location >= 0) bound.value += value(location, y);
+  }
+  return true;
+}
+
+void Supports::add(int instant, const std::vector<Vector6d>& functionals,
+                   const Placement& placement) {
+  std::vector<Bound> found;
+  for (const Vector6d& y : functionals) {
+    Bound bound{y, 0, 0};
+    if (measure(instant, placement, bound)) found.push_back(bound);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Bound& a, const Bound& b) { return a.value < b.value; });
+  if (found.size() > kKept) found.resize(kKept);
+  const auto needed = static_cast<float>(query_.options.min_stability);
+  for (const Bound& from : found) {
+    const Vector6d world = pool(instant).to_world * from.y;
+    std::vector<int> holds(standing_.size(), -1);  // in the world, for each kind of environment
+    holds[static_cast<std::size_t>(pool(instant).standing)] = 1;
+    for (const int target : all_) {
+      const float known = bound(target, placement);
+      if (known < needed && target != instant) continue;  // nothing to gain
+      Bound to = from;
+      if (target != instant) {
+        int& hold = holds[static_cast<std::size_t>(pool(target).standing)];
+        if (hold < 0)
+          hold = are_polar(standing_[static_cast<std::size_t>(pool(target).standing)], world);
+        if (hold == 1) {
+          to.y = pool(target).from_world * world;
+        } else if (!is_polar(target, to.y)) {
+          continue;
+        }
+        if (!measure(target, placement, to)) continue;
+      }
+      const double progress = target == instant ? 1e-6 : kProgress;
+      const double least = static_cast<double>(known);
+      if (to.value < std::min(least, least - progress * std::abs(least))) store(target, to);
+    }
+  }
+}
+
+void Supports::store(int instant, const Bound& bound) {
+  Pool& p = pool(instant);
+  const auto width = static_cast<std::size_t>(width_);
+  if (p.h.empty()) {
+    p.offsets.resize(width, kFree);
+    p.stamps.resize(width, 0);
+    p.y.resize(6 * width, 0.0F);
+    p.h.resize(static_cast<std::size_t>(num_locations_) * width);
+    p.filled.resize(static_cast<std::size_t>(num_locations_), 0);
+  }
+  int column = p.size;
+  if (p.size < width_) {
+    ++p.size;
+    ++count_;
+  } else {
+    column = p.oldest;
+    p.oldest = (p.oldest + 1) % width_;
+  }
+  const auto col = static_cast<std::size_t>(column);
+  const double most = bound.y.norm() * most_force_;
+  p.offsets[col] = static_cast<float>(
+      bound.offset + kRounding * (std::abs(bound.offset) + query_.num_fingers * most));
+  for (std::size_t c = 0; c < 6; ++c)
+    p.y[c * width + col] = static_cast<float>(bound.y[static_cast<Eigen::Index>(c)]);
+  p.stamp = p.stamps[col] = ++stamp_;
+}
+
+std::int64_t Supports::memory() const {
+  std::size_t bytes = edge_wrenches_.size() * sizeof(float);
+  for (const Pool& p : pools_) {
+    bytes += (p.h.size() + p.offsets.size() + p.y.size()) * sizeof(float) +
+             (p.filled.size() + p.stamps.size()) * sizeof(std::int64_t);
+  }
+  return static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace graspless::fingertip

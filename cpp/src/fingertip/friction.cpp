@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Friction known as an interval, by counter-examples: a search looks at a few coefficients alone,
+// and a plan it finds is proven for all or gives another to look at.
+#include "fingertip/friction.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "fingertip/screw.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+constexpr int kRounds = 6;
+
+bool is_interval(const Problem& problem) {
+  return problem.friction.lower < problem.friction.upper ||
+         problem.fingers.friction.lower < problem.fingers.friction.upper;
+}
+
+/// A row's contacts, modes and forces.
+struct Asked {
+  int instant;
+  std::vector<FingerState> fingers;
+};
+
+bool are_same(const FingerState& a, const FingerState& b) {
+  return a.touches == b.touches &&
+         (!a.touches || (a.mode == b.mode && a.commanded_force == b.commanded_force &&
+                         a.p_OC == b.p_OC && a.n_O == b.n_O));
+}
+
+bool are_same(const Asked& a, const Asked& b) {
+  return a.instant == b.instant &&
+         std::equal(a.fingers.begin(), a.fingers.end(), b.fingers.begin(), b.fingers.end(),
+                    [](const FingerState& x, const FingerState& y) { return are_same(x, y); });
+}
+
+mechanics::FrictionVerdict verdict(const Problem& problem, const Options& options,
+                                   const Instant& instant,
+                                   const std::vector<FingerState>& fingers) {
+  mechanics::ContactSet set = instant.set;
+  std::vector<FingerMode> modes;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fingers.size()));
+  for (const FingerState& finger : fingers) {
+    if (!finger.touches) continue;
+    forces[static_cast<Eigen::Index>(modes.size())] = finger.commanded_force;
+    modes.push_back(finger.mode);
+    set.fingers.push_back({finger.p_OC, finger.n_O, problem.fingers.friction.lower,
+                           problem.fingers.max_normal_force, Eigen::Vector3d::Zero()});
+  }
+  forces.conservativeResize(static_cast<Eigen::Index>(modes.size()));
+  return mechanics::holds_over_friction(set, modes, forces, problem.friction,
+                                        problem.fingers.friction, options.min_stability,
+                                        options.disturbance_directions);
+}
+
+/// The object's state at a row; a regrasp's cones turn with the motion that goes on after it.
+mechanics::BodyState state_at(const Options& options, const Plan& plan, std::size_t s,
+                              std::size_t r) {
+  const Segment& segment = plan.segments[s];
+  std::size_t next = s;
+  while (next + 1 < plan.segments.size() && plan.segments[next].finger >= 0) ++next;
+  const bool rests = segment.finger >= 0;
+  const std::size_t arc = rests ? 0 : r / static_cast<std::size_t>(options.samples_per_arc);
+  const std::vector<Eigen::Isometry3d>& X_WO = plan.segments[next].X_WO;
+  const mechanics::Vector6d twist_O = screw_between(X_WO[arc], X_WO[arc + 1]);
+  const Eigen::Isometry3d& at = segment.rows[r].X_WO;
+  return rests ? resting_state(at, twist_O) : moving_state(at, twist_O);
+}
+
+std::string sentence(const Plan& plan, const FrictionFailure& failure) {
+  std::ostringstream out;
+  out << "no plan holds for every friction in the intervals: the last one found fails at "
+      << failure.verdict.environment << " (environment) and " << failure.verdict.fingers
+      << " (fingers) in segment " << failure.segment << " ("
+      << plan.segments[static_cast<std::size_t>(failure.segment)].name << "), row " << failure.row
+      << ": " << failure.verdict.reason;
+  return out.str();
+}
+
+}  // namespace
+
+std::optional<FrictionFailure> find_friction_failure(const Problem& problem, const Options& options,
+                                                     Instants& instants, const Plan& plan) {
+  std::vector<Asked> held;
+  for (std::size_t s = 0; s < plan.segments.size(); ++s) {
+    for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
+      const Asked asked = {instants.add(state_at(options, plan, s, r)),
+                           plan.segments[s].rows[r].fingers};
+      if (std::any_of(held.begin(), held.end(),
+                      [&](const Asked& other) { return are_same(asked, other); })) {
+        continue;
+      }
+      const mechanics::FrictionVerdict found =
+          verdict(problem, options, instants[asked.instant], asked.fingers);
+      if (!found.holds) {
+        return FrictionFailure{static_cast<int>(s), static_cast<int>(r), found};
+      }
+      held.push_back(asked);
+    }
+  }
+  return std::nullopt;
+}
+
+Plan plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
+                        const std::function<Plan()>& search) {
+  Plan plan = search();
+  if (!is_interval(problem)) return plan;
+  for (int round = 0; plan; ++round) {
+    const auto failure = find_friction_failure(problem, options, instants, plan);
+    if (!failure) break;
+    const std::string why = sentence(plan, *failure);
+    if (round < kRounds) {
+      instants.add_friction(failure->verdict.environment);
+      plan = search();
+    } else {
+      plan = Plan();
+      plan.status = Status::unstable;
+    }
+    if (plan.status == Status::unstable) plan.reason = why;
+  }
+  return plan;
+}
+
+}  // namespace graspless::fingertip

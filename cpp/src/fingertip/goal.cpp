@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From pose to pose with any face down: contact states first, then the search of each path.
+#include <stdexcept>
+#include <string>
+
+#include "fingertip/goal_paths.hpp"
+#include "fingertip/goal_search.hpp"
+#include "fingertip/motions.hpp"
+#include "fingertip/stances.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+constexpr int kMaxSequences = 200;  // a level: a bound for hulls of many faces
+
+/// The face that the object stands on by itself.
+int standing_face(const Problem& problem, const Stances& stances, const Eigen::Isometry3d& X_WO,
+                  const std::string& field) {
+  const Plane& floor = problem.planes.front();
+  const double tolerance = kContactTolerance * problem.object.size();
+  const int face = stances.standing(X_WO, floor, tolerance);
+  if (face < 0) {
+    throw std::invalid_argument(field + " must have a face of the object's convex hull flush on '" +
+                                floor.name + "'");
+  }
+  if (!stances[face].is_stable) {
+    throw std::invalid_argument(field + " must have the centre of mass over the face on '" +
+                                floor.name + "': there the object would tip over");
+  }
+  return face;
+}
+
+void require_motion(const Problem& problem, const Goal& goal) {
+  const Eigen::Isometry3d X = goal.X_WO_start.inverse() * goal.X_WO_goal;
+  if (X.linear().isIdentity(1e-9) && X.translation().norm() < 1e-9 * problem.object.size()) {
+    throw std::invalid_argument("motion.X_WO_goal must differ from motion.X_WO_start");
+  }
+}
+
+Plan out_of_reach(int needed, const Goal& goal) {
+  Plan plan;
+  plan.status = Status::no_location;
+  plan.limit = "reach of the lattice";
+  plan.reason = needed < 0 ? "no sequence of tumbles leads to the goal's face"
+                           : "the goal's face takes " + std::to_string(needed) +
+                                 " tumbles, and max_tumbles is " + std::to_string(goal.max_tumbles);
+  return plan;
+}
+
+}  // namespace
+
+Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock) {
+  const Problem& problem = workshop.problem;
+  require_motion(problem, goal);
+  const Stances stances(problem.object);
+  const int from = standing_face(problem, stances, goal.X_WO_start, "motion.X_WO_start");
+  const int to = standing_face(problem, stances, goal.X_WO_goal, "motion.X_WO_goal");
+  const int needed = stances.tumbles_to(to)[static_cast<std::size_t>(from)];
+  if (needed < 0 || needed > goal.max_tumbles) return out_of_reach(needed, goal);
+
+  GoalSearch search(workshop, clock);
+  for (int tumbles = needed; tumbles <= goal.max_tumbles; ++tumbles) {
+    for (const TumbleSequence& sequence :
+         tumble_sequences(stances, from, to, tumbles, kMaxSequences)) {
+      for (Path& path : goal_paths(problem, goal, stances, from, sequence)) {
+        search.add(std::move(path));
+      }
+    }
+    if (search.run()) break;
+  }
+  return search.plan();
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace graspless::fingertip {
+
+/// Costs and parents of a search's nodes by their codes: one flat table with open addressing, a
+/// third of the memory and time of a map of the library.
+class NodeTable {
+ public:
+  static constexpr std::uint64_t kNone = ~std::uint64_t{0};
+  struct Entry {
+    std::uint64_t code = kNone;
+    std::uint64_t parent = kNone;
+    double cost = 0;
+  };
+
+  NodeTable() : entries_(std::size_t{1} << 12U) {}
+
+  /// The node's entry, or the empty one (code kNone) that would be its own.
+  Entry& find(std::uint64_t code) {
+    std::size_t i = hash(code);
+    while (entries_[i].code != kNone && entries_[i].code != code) i = (i + 1) & mask();
+    return entries_[i];
+  }
+  /// Enters a node or a cheaper way to it; false when no cheaper than what is known.
+  bool improve(std::uint64_t code, std::uint64_t parent, double cost) {
+    Entry& entry = find(code);
+    const bool is_new = entry.code == kNone;
+    if (!is_new && entry.cost <= cost) return false;
+    entry = {code, parent, cost};
+    if (is_new && 2 * ++size_ > entries_.size()) grow();
+    return true;
+  }
+  std::size_t size() const { return size_; }
+  std::size_t memory() const { return entries_.size() * sizeof(Entry); }  // [bytes]
+
+ private:
+  std::size_t mask() const { return entries_.size() - 1; }
+  std::size_t hash(std::uint64_t code) const {
+    code *= 0x9E3779B97F4A7C15U;
+    return static_cast<std::size_t>(code ^ (code >> 32U)) & mask();
+  }
+  void grow() {
+    std::vector<Entry> old(2 * entries_.size());
+    old.swap(entries_);
+    for (const Entry& entry : old) {
+      if (entry.code != kNone) find(entry.code) = entry;
+    }
+  }
+  std::vector<Entry> entries_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace graspless::fingertip

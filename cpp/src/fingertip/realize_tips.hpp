@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Inverse kinematics of several fingertips at once, by their positions alone.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/robot/robot.hpp"
+
+namespace graspless::fingertip {
+
+/// A set of fingers, as bits: finger i by 1 << i.
+using FingerMask = unsigned;
+
+/// Where fingertips must be: column i for finger i, those in `held` only.
+struct TipTargets {
+  Eigen::Matrix3Xd p_WT;  // [m]
+  FingerMask held = 0;
+};
+
+/// Damped least squares over all joints that move any fingertip, within limits. Joints that move
+/// none stay as they are.
+class TipIk {
+ public:
+  /// `frames`: of each finger's fingertip.
+  TipIk(const robot::Robot& robot, std::vector<int> frames);
+
+  const robot::Robot& robot() const { return robot_; }
+  const std::vector<int>& joints() const { return joints_; }  // that move a fingertip
+  const std::string& fingertip(int finger) const;
+
+  /// Moves q to the targets by steps of least norm, the joints' limits kept. Returns whether every
+  /// fingertip came to within `tolerance` [m]; q is the best that was found all the same.
+  bool solve(const TipTargets& targets, double tolerance, int max_iterations, Eigen::VectorXd& q);
+
+  /// The largest distance of a fingertip from its target [m], and which finger's.
+  std::pair<double, int> miss(const TipTargets& targets, const Eigen::VectorXd& q);
+
+ private:
+  using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+  double errors(const TipTargets& targets, const Eigen::VectorXd& q);
+  void jacobians(const TipTargets& targets);
+  Eigen::VectorXd step(const Eigen::VectorXd& q, double damping);
+
+  robot::Robot robot_;
+  std::vector<int> frames_, joints_;
+  robot::Poses X_WL_;
+  Eigen::VectorXd error_;  // stacked, 3 a held finger [m]
+  Eigen::MatrixXd J_;      // of the stacked positions by joints_
+  Jacobian J_frame_;
+};
+
+}  // namespace graspless::fingertip

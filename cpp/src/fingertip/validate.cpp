@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a caller may not ask for.
+#include "fingertip/validate.hpp"
+
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "fingertip/clearance.hpp"
+#include "fingertip/locations.hpp"
+#include "fingertip/screw.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+void require(bool holds, const std::string& field, double value, const std::string& must) {
+  if (holds) return;
+  std::ostringstream text;
+  text << field << " " << must << ", not " << value;
+  throw std::invalid_argument(text.str());
+}
+
+void require_positive(const std::string& field, double value) {
+  require(value > 0 && std::isfinite(value), field, value, "must be positive and finite");
+}
+
+void check_friction(const std::string& field, const FrictionInterval& friction) {
+  require_positive(field + ".lower", friction.lower);
+  require_positive(field + ".upper", friction.upper);
+  require(friction.lower <= friction.upper, field + ".lower", friction.lower,
+          "must not exceed " + field + ".upper = " + std::to_string(friction.upper));
+}
+
+void check_fingers(const Fingers& fingers) {
+  require(fingers.count >= 1 && fingers.count <= mechanics::kMaxFingers, "fingers.count",
+          fingers.count, "must be 1 to " + std::to_string(mechanics::kMaxFingers));
+  require(fingers.radius > 0 && fingers.radius <= geometry::kMaxLength, "fingers.radius",
+          fingers.radius, "must lie in (0, 1e4] m");
+  require_positive("fingers.max_normal_force", fingers.max_normal_force);
+  check_friction("fingers.friction", fingers.friction);
+}
+
+void check_planes(const std::vector<Plane>& planes) {
+  if (planes.empty()) {
+    throw std::invalid_argument("planes must hold the floor at least, but is empty");
+  }
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const std::string field = "planes[" + std::to_string(i) + "] '" + planes[i].name + "'";
+    require(std::abs(planes[i].n_W.norm() - 1) <= 1e-6, field + ".n_W", planes[i].n_W.norm(),
+            "must be a unit vector: its length must be 1");
+    require(std::abs(planes[i].offset) <= geometry::kMaxLength, field + ".offset", planes[i].offset,
+            "must lie within 1e4 m");
+  }
+}
+
+void check_obstacles(const Problem& problem) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < problem.obstacles.size(); ++i) {
+    const Obstacle& obstacle = problem.obstacles[i];
+    const std::string field = "obstacles[" + std::to_string(i) + "]";
+    if (!taken.insert(obstacle.name).second) {
+      throw std::invalid_argument(field + ".name '" + obstacle.name +
+                                  "' is taken by another obstacle");
+    }
+    if (obstacle.shapes.empty()) throw std::invalid_argument(field + ".shapes must not be empty");
+    for (const auto& placed : obstacle.shapes) {
+      geometry::validate(placed.shape, field);
+      check_pose(field + ".shapes.X_BG", placed.X_BG);
+    }
+    check_pose(field + ".X_WB", obstacle.X_WB);
+  }
+}
+
+}  // namespace
+
+void check_pose(const std::string& field, const Eigen::Isometry3d& X) {
+  const Eigen::Matrix3d R = X.linear();
+  const bool is_near = X.translation().cwiseAbs().maxCoeff() <= geometry::kMaxLength;
+  if (X.matrix().allFinite() && is_near && (R * R.transpose()).isIdentity(1e-6) &&
+      R.determinant() > 0) {
+    return;
+  }
+  throw std::invalid_argument(field +
+                              " must be a rigid pose within 1e4 m: finite, with a rotation");
+}
+
+void validate(const Problem& problem) {
+  check_fingers(problem.fingers);
+  check_friction("friction", problem.friction);
+  check_planes(problem.planes);
+  check_obstacles(problem);
+  if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
+  check_motion(problem);
+}
+
+void validate(const Options& o) {
+  require(o.location_spacing >= 0 && std::isfinite(o.location_spacing), "options.location_spacing",
+          o.location_spacing, "must be positive, or 0 to take locations_per_side");
+  require(o.locations_per_side >= 1 && o.locations_per_side <= 10000, "options.locations_per_side",
+          o.locations_per_side, "must be 1 to 10000");
+  require(o.cone_edges >= 3 && o.cone_edges <= 64, "options.cone_edges", o.cone_edges,
+          "must be 3 to 64");
+  require(o.samples_per_arc >= 1 && o.samples_per_arc <= 1000, "options.samples_per_arc",
+          o.samples_per_arc, "must be 1 to 1000");
+  require_positive("options.min_stability", o.min_stability);
+  require_positive("options.regrasp_cost", o.regrasp_cost);
+  require(o.stability_weight >= 0 && std::isfinite(o.stability_weight), "options.stability_weight",
+          o.stability_weight, "must not be negative, and finite");
+  require_positive("options.compliance.environment_normal", o.compliance.environment_normal);
+  require_positive("options.compliance.environment_tangential",
+                   o.compliance.environment_tangential);
+  require_positive("options.compliance.finger_normal", o.compliance.finger_normal);
+  require_positive("options.compliance.finger_tangential", o.compliance.finger_tangential);
+  require(o.max_regrasps >= 0 && o.max_regrasps <= 1000, "options.max_regrasps", o.max_regrasps,
+          "must be 0 to 1000");
+  require(o.threads >= 1 && o.threads <= 256, "options.threads", o.threads, "must be 1 to 256");
+  require(o.max_memory > 0, "options.max_memory", o.max_memory, "must be positive");
+  mechanics::StabilitySolver positively_spanning(o.disturbance_directions);
+}
+
+void validate(const Problem& problem, const Options& options) {
+  validate(problem);
+  validate(options);
+  const double locations = num_grid_points(problem.object, options);
+  const double bytes = memory_needed(problem, options, locations);
+  if (bytes <= options.max_memory) return;
+  std::ostringstream text;
+  text << "options: " << locations << " fingertip locations for " << problem.fingers.count
+       << " fingers need " << std::ceil(bytes / 1e6)
+       << " MB, more than options.max_memory = " << options.max_memory / 1e6
+       << " MB: take a smaller locations_per_side or a larger location_spacing";
+  throw std::invalid_argument(text.str());
+}
+
+std::string to_string(Status status) {
+  switch (status) {
+    case Status::solved:
+      return "solved";
+    case Status::no_location:
+      return "no_location";
+    case Status::unstable:
+      return "unstable";
+    case Status::out_of_time:
+      return "out_of_time";
+    case Status::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "graspless/fingertip/fingertip.hpp"
+
+namespace graspless::fingertip {
+
+/// Throws std::invalid_argument, naming `field`, unless a pose is rigid, finite and not far off.
+void check_pose(const std::string& field, const Eigen::Isometry3d& X);
+
+/// The part of validate(Problem) that is about its motion.
+void check_motion(const Problem& problem);
+
+/// What a search over so many locations takes, at least [bytes].
+double memory_needed(const Problem& problem, const Options& options, double num_locations);
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a resolved task to the planner's own types."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import frames, geometry, slide
+from ...errors import TaskError
+from ..obstacles import placed_obstacles
+from ..robots import build_home, build_robot, stem
+from ..shapes import regular_polygon
+from ..source import at
+from .resolve import support_pose
+
+if TYPE_CHECKING:
+    from ... import robot as robots
+    from ..source import Source
+    from . import model
+
+
+def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
+    """The problem that a resolved task states.
+
+    Parameters
+    ----------
+    task : SlideTask
+        Resolved.
+    source, hand_source : Source
+        Where the task and the hand's fields stand; faults name the place.
+    """
+    robot = build_robot(task.robot, source)
+    if task.robot.srdf_text is None:
+        name = Path(str(source.data["robot"].get("urdf", ""))).name
+        looked = f": looked for {stem(name)}.srdf beside the URDF" if name else ""
+        raise source.error(("robot",), f"no SRDF{looked}; it has the groups and states of the hand")
+    hand = build_hand(task, robot, hand_source, source)
+    X_WS = support_pose(task.support)
+    pose = task.object.pose
+    assert pose is not None
+    problem = slide.Problem(
+        robot,
+        hand,
+        build_object(task.object, source),
+        build_support(task.support, X_WS, source),
+        X_WS @ frames.planar(pose.x, pose.y, pose.yaw),
+        build_home(task.robot, robot, source, others=hand.open),
+        [slide.Obstacle(*placed) for placed in placed_obstacles(task.obstacles, source)],
+    )
+    try:
+        slide.validate(problem)
+    except ValueError as error:
+        at_home = str(error).startswith("q_home")
+        location = ("robot", "home") if at_home else ("object", "pose")
+        raise source.error(location, str(error).removeprefix("q_home: ")) from None
+    return problem
+
+
+def build_hand(
+    task: model.SlideTask, robot: robots.Robot, source: Source, task_source: Source
+) -> slide.Hand:
+    assert not isinstance(task.hand, str)
+    fields = task.hand.model_dump(exclude_none=True) if task.hand else {}
+    if "finger_model" in fields:
+        fields["finger_model"] = slide.FingerModel.__members__[fields["finger_model"]]
+    hand = slide.Hand(**fields)
+    if source is task_source and "hand" not in source.given():
+        try:
+            _check_hand(hand, robot, source, ("hand",))
+        except TaskError as error:
+            name = stem(Path(str(source.data["robot"].get("urdf", ""))).name)
+            hint = f"the default, as there is no {name}.hand.yaml beside the URDF"
+            raise TaskError(f"{error}; {hint}") from None
+    else:
+        _check_hand(hand, robot, source, ("hand",) if "hand" in source.given() else ())
+    return hand
+
+
+def _check_hand(
+    hand: slide.Hand, robot: robots.Robot, source: Source, place: tuple[str, ...]
+) -> None:
+    """Raises TaskError unless the robot has all that the hand names."""
+    for field in ("fingertip", "grasp_frame"):
+        with at(source, *place, field):
+            robot.frame(getattr(hand, field))
+    for field in ("sliding_finger", "fingers"):
+        for link in getattr(hand, field):
+            with at(source, *place, field):
+                robot.frame(link)
+    for field in ("open", "closed"):
+        with at(source, *place, field):
+            robot.state(getattr(hand, field))
+    with at(source, *place, "arm"):
+        robot.group(hand.arm)
+
+
+def build_object(thing: model.Object, source: Source) -> slide.Object:
+    location = ("object", _outline_field(thing, source, "object"))
+    with at(source, *location):
+        if thing.points is not None:
+            points = np.array(thing.points, dtype=float).reshape(-1, 3)
+            built = slide.Object.from_cloud(thing.name, points, thing.thickness or 0.0)
+        else:
+            outline = geometry.Polygon(_outline(thing), "the outline")
+            spacing = {} if thing.spacing is None else {"spacing": thing.spacing}
+            built = slide.Object.from_polygon(
+                thing.name, outline, thing.thickness or 0.0, **spacing
+            )
+        if thing.scale != 1:
+            built = built.scaled(thing.scale)
+    if thing.mass is not None:
+        with at(source, "object", "mass"):
+            built = built.with_mass(thing.mass)
+    if thing.com is not None:
+        with at(source, "object", "com"):
+            com = thing.com if len(thing.com) == 3 else [*thing.com, built.com[2]]
+            built = built.with_com(np.array(com, dtype=float))
+    if thing.masses is not None:
+        with at(source, "object", "masses"):
+            points = np.array([part.position for part in thing.masses])
+            masses = np.array([part.mass for part in thing.masses])
+            built = built.with_com(slide.center_of_mass(points, masses))
+    return built
+
+
+def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:
+    keys = {"slab": support.slab, "band_width": support.band_width}
+    given = {name: value for name, value in keys.items() if value is not None}
+    with at(source, "support", _outline_field(support, source, "support")):
+        polygon = geometry.Polygon(_outline(support), "the support")
+    with at(source, "support"):
+        return slide.Support(polygon, X_WS, **given)
+
+
+def _outline(shape: model.Object | model.Support) -> frames.Matrix:
+    """[N, 2] vertices of the polygon, rectangle or circle that is given."""
+    if shape.polygon is not None:
+        return np.array(shape.polygon, dtype=float)
+    if shape.rectangle is not None:
+        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
+        return np.array(corners * shape.rectangle.size + shape.rectangle.center)
+    assert shape.circle is not None
+    ring = regular_polygon(shape.circle.radius, shape.circle.points)
+    return np.asarray(ring + np.array(shape.circle.center))
+
+
+def build_options(task: model.SlideTask, source: Source) -> slide.Options:
+    fields = task.options.model_dump(exclude_none=True)
+    if "search" in fields:
+        fields["search"] = slide.Search.__members__[fields["search"]]
+    with at(source, "options"):
+        options = slide.Options(**fields)
+    if options.min_depth > options.max_depth:  # the core blames the second, whichever is given
+        field = "min_depth" if "min_depth" in fields else "max_depth"
+        what = f"min_depth is {options.min_depth:g}, max_depth {options.max_depth:g}; "
+        raise source.error(("options", field), what + "the first must not be larger")
+    with at(source, "options"):
+        slide.validate(options)
+    return options
+
+
+def _outline_field(shape: Any, source: Source, section: str) -> str:
+    names = ("polygon", "rectangle", "circle", "cloud", "points")
+    given = source.given(section)
+    return next((name for name in names if name in given), names[0])

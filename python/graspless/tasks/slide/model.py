@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a task file may hold: docs/task-files.md says the same in prose.
+
+A task that stands in a plan file has the same fields, with every file it names put inline
+(`urdf_text` for `urdf`, `points` for `cloud`, and so on); meshes stay files, and `files` keeps
+their checksums.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from ..budget import Budget
+from ..obstacles import Obstacles
+from ..robots import Robot
+from ..shapes import (
+    Circle,
+    Fields,
+    NotNegative,
+    PlanarPose,
+    Point3,
+    Points2,
+    Pose,
+    Positive,
+    Rectangle,
+)
+
+
+def _kind_of_hand(value: Any) -> str:
+    return "file" if isinstance(value, str) else "fields"
+
+
+class Hand(Fields):
+    """Names of the robot's parts, and how the finger gives way: graspless.slide.Hand."""
+
+    arm: str | None = Field(default=None, description="group of joints that carry the hand")
+    fingertip: str | None = Field(default=None, description="frame F of the sliding finger")
+    sliding_finger: list[str] | None = Field(default=None, description="links that may press")
+    fingers: list[str] | None = Field(default=None, description="links that close on the object")
+    grasp_frame: str | None = Field(default=None, description="frame H between the open tips")
+    open: str | None = Field(default=None, description="state of the hand while it slides")
+    closed: str | None = Field(default=None, description="state towards which it closes")
+    finger_model: Literal["none", "flexure"] | None = None
+    flexure_length: Positive | None = Field(default=None, description="flexure to tip [m]")
+    tip_radius: Positive | None = Field(default=None, description="of the rolling pad [m]")
+
+
+class PointMass(Fields):
+    """A part of a mass distribution."""
+
+    position: Point3 = Field(description="in O [m]")
+    mass: NotNegative = Field(description="[kg], or any unit shared by all")
+
+
+class Object(Fields):
+    """The thin object: an outline and a thickness, or points on its top surface."""
+
+    name: str = "object"
+    polygon: Points2 | None = Field(default=None, description="outline in O [m]")
+    rectangle: Rectangle | None = None
+    circle: Circle | None = None
+    cloud: str | None = Field(default=None, description=".ply, .pcd or .xyz file")
+    points: list[Point3] | None = Field(default=None, description="the cloud itself, in O [m]")
+    frame: Literal["object", "world"] = Field(
+        default="object", description="in which frame the cloud's file is"
+    )
+    unit: Literal["m", "mm"] = Field(default="m", description="of the cloud's file")
+    thickness: Positive | None = Field(default=None, description="[m]")
+    spacing: Positive | None = Field(default=None, description="of contact points [m]")
+    scale: Positive = Field(default=1.0, description="in the plane; thickness and mass stay")
+    com: Annotated[list[float], Field(min_length=2, max_length=3)] | None = Field(
+        default=None, description="centre of mass in O, after scaling [m]"
+    )
+    masses: Annotated[list[PointMass], Field(min_length=1)] | None = Field(
+        default=None, description="instead of com: a mass distribution"
+    )
+    mass: Positive | None = Field(default=None, description="[kg]")
+    pose: PlanarPose | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Object:
+        self.one_of("polygon", "rectangle", "circle", "cloud", "points")
+        self.one_of("com", "masses", needed=False)
+        has_points = self.cloud is not None or self.points is not None
+        if not has_points and self.thickness is None:
+            raise ValueError("thickness must be given with an outline [m]")
+        if self.cloud is not None and self.frame == "world":
+            if self.pose is not None:
+                raise ValueError("pose must not be given: a cloud in the world says where it is")
+        elif self.pose is None:
+            raise ValueError("pose must be given: where it lies on the support, {x, y, yaw}")
+        if has_points and self.spacing is not None:
+            raise ValueError("spacing is for outlines: a cloud's points are the contact points")
+        return self
+
+
+class Support(Fields):
+    """The surface to slide on."""
+
+    polygon: Points2 | None = Field(default=None, description="in S, convex or not [m]")
+    rectangle: Rectangle | None = None
+    circle: Circle | None = None
+    height: float | None = Field(default=None, description="of a level top in the world [m]")
+    pose: Pose | None = Field(default=None, description="of S in the world, z out of the top")
+    slab: Positive | None = Field(default=None, description="how thick the top is [m]")
+    band_width: Positive | None = Field(default=None, description="how far P_g reaches [m]")
+
+    @model_validator(mode="after")
+    def _check(self) -> Support:
+        self.one_of("polygon", "rectangle", "circle")
+        self.one_of("height", "pose", needed=False)
+        return self
+
+
+class Options(Fields):
+    """How to search: graspless.slide.Options has the defaults and the reasons."""
+
+    search: Literal["paper", "fast"] | None = None
+    pitch: Annotated[float, Field(gt=0, lt=math.pi / 2)] | None = Field(
+        default=None, description="[rad]"
+    )
+    pitch_tolerance: NotNegative | None = Field(default=None, description="[rad]")
+    min_depth: NotNegative | None = Field(default=None, description="[m]")
+    max_depth: NotNegative | None = Field(default=None, description="[m]")
+    height_tolerance: Positive | None = Field(default=None, description="[m]")
+    roll_tolerance: Positive | None = Field(default=None, description="[rad]")
+    root_scale: Positive | None = None
+    min_overhang: NotNegative | None = Field(default=None, description="[m]")
+    com_margin: NotNegative | None = Field(default=None, description="[m]")
+    tip_margin: NotNegative | None = Field(default=None, description="[m]")
+    lift_height: Positive | None = Field(default=None, description="[m]")
+    grasp_approach: Positive | None = Field(default=None, description="[m]")
+    range: Positive | None = Field(default=None, description="[rad]")
+    resolution: Positive | None = Field(default=None, description="[rad]")
+    shortcut: bool | None = None
+
+
+class SlideTask(Fields):
+    """A task for the sliding planner."""
+
+    kind: Literal["slide"]
+    robot: Robot
+    hand: (
+        Annotated[
+            Annotated[str, Tag("file")] | Annotated[Hand, Tag("fields")],
+            Discriminator(_kind_of_hand),
+        ]
+        | None
+    ) = Field(
+        default=None, description="fields, or a file of them; default: <urdf>.hand.yaml beside it"
+    )
+    object: Object
+    support: Support
+    obstacles: Obstacles = []
+    options: Options = Options()
+    budget: Budget = Budget()
+    files: dict[str, str] = Field(
+        default={}, description="in plan files: sha256 of each mesh that the task reads"
+    )
