@@ -82,16 +82,19 @@ class Candidates {
     return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
   }
   bool tighten(int c, int slot);
-  double cost(int c, int arc) const;
-  bool update(int c, bool all);
+  double tighten_arc(int c, int arc, bool& changed);
+  void set_stability(int c, int slot, double z);
+  bool update(int c);
 
   const PathQuery& query_;
   const Supports& supports_;
   std::vector<int> instants_, slots_;
   std::vector<Candidate> all_;
-  std::vector<double> z_;               // candidates x slots
-  std::vector<Known> known_;            // candidates x slots
-  std::vector<double> arcs_;            // candidates x arcs
+  std::vector<double> z_;       // candidates x slots
+  std::vector<double> weight_;  // candidates x slots: 1 + X_stab / z
+  std::vector<Known> known_;   // candidates x slots
+  std::vector<double> reach_;  // candidates x arcs: the longest displacement; infinite: not clear
+  std::vector<double> arcs_;   // candidates x arcs
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_middles_ = false;
