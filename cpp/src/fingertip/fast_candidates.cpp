@@ -36,6 +36,28 @@ Candidates::Candidates(const PathQuery& query, const Supports& supports)
   }
 }
 
+std::vector<int> Candidates::instants(int arc) const {
+  std::vector<int> distinct;
+  for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+    const int instant = query_.instant(arc, j);
+    if (std::find(distinct.begin(), distinct.end(), instant) == distinct.end()) {
+      distinct.push_back(instant);
+    }
+  }
+  return distinct;
+}
+
+void Candidates::reserve(std::size_t more) {
+  const std::size_t count = all_.size() + more;
+  const auto arcs = static_cast<std::size_t>(query_.num_arcs());
+  all_.reserve(count);
+  index_.reserve(count);
+  for (auto* values : {&z_, &weight_}) values->reserve(count * instants_.size());
+  known_.reserve(count * instants_.size());
+  for (auto* values : {&reach_, &arcs_}) values->reserve(count * arcs);
+  for (auto* values : {&before_, &after_}) values->reserve(count * (arcs + 1));
+}
+
 int Candidates::open(const Placement& placement) {
   const auto [entry, is_new] = index_.emplace(placement, size());
   if (!is_new) return entry->second;

@@ -30,6 +30,7 @@ class Candidates {
  public:
   Candidates(const PathQuery& query, const Supports& supports);
 
+  void reserve(std::size_t more);
   /// The candidate of this placement, with bounds as they are now. Made when there is none.
   int open(const Placement& placement);
   int size() const { return static_cast<int>(all_.size()); }
@@ -55,6 +56,7 @@ class Candidates {
 
   /// Distinct instants of the motion, in its order.
   const std::vector<int>& instants() const { return instants_; }
+  std::vector<int> instants(int arc) const;  // of an arc's samples, each once
   std::int64_t memory() const;
   static std::int64_t bytes_each(const PathQuery& query);
 
@@ -92,9 +94,9 @@ class Candidates {
   std::vector<Candidate> all_;
   std::vector<double> z_;       // candidates x slots
   std::vector<double> weight_;  // candidates x slots: 1 + X_stab / z
-  std::vector<Known> known_;   // candidates x slots
-  std::vector<double> reach_;  // candidates x arcs: the longest displacement; infinite: not clear
-  std::vector<double> arcs_;   // candidates x arcs
+  std::vector<Known> known_;    // candidates x slots
+  std::vector<double> reach_;   // candidates x arcs: the longest displacement; infinite: not clear
+  std::vector<double> arcs_;    // candidates x arcs
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_middles_ = false;

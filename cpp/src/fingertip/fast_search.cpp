@@ -15,8 +15,9 @@ namespace graspless::fingertip {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;  // of costs summed in another order
-constexpr std::size_t kBatch = 4;   // questions asked together
+constexpr double kRounding = 1e-9;    // of costs summed in another order
+constexpr std::size_t kWatch = 4096;  // placements from one look at the memory to the next
+constexpr std::size_t kBatch = 4;     // questions asked together
 
 /// A route, or many, by the least they can cost.
 struct Entry {
@@ -89,10 +90,9 @@ class BestFirst {
                          entries.push_back({way(placement), Entry::Kind::unopened,
                                             static_cast<int>(unopened_.size())});
                          unopened_.push_back(placement);
+                         if (++search_.unopened % kWatch == 0) search_.watch_memory();
                          return true;
                        });
-    search_.watch_memory(
-        static_cast<std::int64_t>(entries.size() * (sizeof(Entry) + sizeof(Placement))));
     frontier_ = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
   }
 
@@ -127,17 +127,8 @@ class BestFirst {
     const int K = search_.query.num_arcs();
     for (const int arc : {0, K - 1}) {
       const std::vector<int> locations = clear_locations(search_.query, arc, arc + 1);
-      std::vector<int> instants;
-      for (int j = 0; j < search_.query.options.samples_per_arc; ++j) {
-        instants.push_back(search_.query.instant(arc, j));
-      }
-      seed_supports(search_, locations, instants);
-      for_each_placement(search_.query, search_.supports, search_.count, locations, instants,
-                         [&](const Placement& placement) {
-                           search_.candidates.open(placement);
-                           search_.watch_memory();
-                           return true;
-                         });
+      seed_supports(search_, locations, search_.candidates.instants(arc));
+      open_all(search_, locations, search_.candidates.instants(arc));
     }
     for (int c = 0; c < search_.candidates.size(); ++c) search_.hubs.add(c);
     for (int pose = 1; pose < K; ++pose) {
@@ -284,13 +275,32 @@ void FastSearch::solve(std::vector<Question>& questions) {
   }
 }
 
-void FastSearch::watch_memory(std::int64_t more) {
-  const std::int64_t bytes = supports.memory() + candidates.memory() + more;
+void FastSearch::watch_memory(std::int64_t more_candidates) {
+  constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
+  const std::int64_t bytes = supports.memory() + candidates.memory() + unopened * kUnopened +
+                             more_candidates * Candidates::bytes_each(query);
   statistics.memory = std::max(statistics.memory, bytes);
   if (static_cast<double>(bytes) > query.options.max_memory) {
-    throw std::length_error("options.max_memory: " + std::to_string(query.options.max_memory) +
-                            " bytes do not hold the placements that remain");
+    throw std::length_error("options.max_memory: the search needs more than " +
+                            std::to_string(query.options.max_memory) +
+                            " bytes for placements that may be stable; take fewer locations");
   }
+}
+
+void open_all(FastSearch& search, const std::vector<int>& locations,
+              const std::vector<int>& instants) {
+  std::vector<Placement> found;
+  for_each_placement(search.query, search.supports, search.count, locations, instants,
+                     [&](const Placement& placement) {
+                       found.push_back(placement);
+                       if (found.size() % kWatch == 0) {
+                         search.watch_memory(static_cast<std::int64_t>(found.size()));
+                       }
+                       return true;
+                     });
+  search.watch_memory(static_cast<std::int64_t>(found.size()));
+  search.candidates.reserve(found.size());
+  for (const Placement& placement : found) search.candidates.open(placement);
 }
 
 std::vector<int> clear_locations(const PathQuery& query, int first, int last) {
@@ -309,6 +319,7 @@ Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
                   planning::Clock& clock, Statistics& statistics, double limit) {
   FastSearch search(query, evaluators, clock, statistics, limit);
   const Route route = BestFirst(search).run();
+  search.watch_memory();
   statistics.supports += search.supports.count();
   statistics.nodes += search.candidates.size();
   return route;
