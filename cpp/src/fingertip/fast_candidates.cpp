@@ -10,6 +10,7 @@ namespace graspless::fingertip {
 
 namespace {
 
+constexpr std::int64_t kUnseen = std::numeric_limits<std::int64_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -85,7 +86,9 @@ int Candidates::open(const Placement& placement) {
     reach_.push_back(clear[a] != 0 && clear[a + 1] != 0 ? reach : kInfinity);
     arcs_.push_back(reach_.back() < kInfinity ? -1 : kInfinity);
   }
+  at(c).stamp = kUnseen;  // bounds are looked at when the candidate is part of a best route
   update(c);
+  at(c).stamp = 0;
   return c;
 }
 
