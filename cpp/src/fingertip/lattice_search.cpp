@@ -28,14 +28,13 @@ struct Reach {
 class PlacementSearch {
  public:
   PlacementSearch(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                  planning::Clock& clock, Statistics& statistics)
+                  LatticeDistances& distances, planning::Clock& clock, Statistics& statistics)
       : workshop_(workshop),
         space_(space),
         bounds_(bounds),
         clock_(clock),
         statistics_(statistics),
-        distances_(space, workshop.locations),
-        astar_(space, distances_) {
+        astar_(space, distances) {
     for (int l = 0; l < workshop.locations.size(); ++l) {
       if (!space.is_clear(space.start(), l) || !space.is_clear(space.goal(), l)) continue;
       const double distance =
@@ -136,7 +135,6 @@ class PlacementSearch {
   LatticeBounds& bounds_;
   planning::Clock& clock_;
   Statistics& statistics_;
-  LatticeDistances distances_;
   LatticeAstar astar_;
   std::vector<Reach> reaches_;  // ascending
   Route route_;
@@ -145,8 +143,9 @@ class PlacementSearch {
 }  // namespace
 
 Route search_placements(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                        planning::Clock& clock, Statistics& statistics) {
-  return PlacementSearch(workshop, space, bounds, clock, statistics).run();
+                        LatticeDistances& distances, planning::Clock& clock,
+                        Statistics& statistics) {
+  return PlacementSearch(workshop, space, bounds, distances, clock, statistics).run();
 }
 
 }  // namespace graspless::fingertip
