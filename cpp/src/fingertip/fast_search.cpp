@@ -78,8 +78,7 @@ class BestFirst {
   void list_direct() {
     const std::vector<int> locations = clear_locations(search_.query, 0, search_.query.num_arcs());
     const std::vector<int>& all = search_.candidates.instants();
-    std::vector<int> probes = {all.front(), all.back(), all[all.size() / 2], all[all.size() / 4],
-                               all[all.size() * 3 / 4]};
+    std::vector<int> probes = {all.front(), all.back(), all[all.size() / 2]};
     std::vector<int> distinct;
     for (const int i : probes) {
       if (std::find(distinct.begin(), distinct.end(), i) == distinct.end()) distinct.push_back(i);

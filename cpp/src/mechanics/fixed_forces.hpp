@@ -27,6 +27,7 @@ class FixedForces {
   Eigen::VectorXd sliding_forces(const Vector6d& target) const;
 
  private:
+  Matrix6d even_;               // on both sides of the balance
   LinearProgram program_;       // coefficients k, rows of balance (right side: -known) and normals
   Vector6d known_;              // R^1/2 Q_known
   std::vector<int> sliding_;    // columns of sliding contacts

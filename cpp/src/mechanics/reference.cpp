@@ -7,6 +7,7 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/conditioning.hpp"
 #include "mechanics/fixed_forces.hpp"
 #include "mechanics/lp.hpp"
 
@@ -22,11 +23,13 @@ struct Matrices {
     for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
       fingers.push_back(finger_wrenches(set, i));
     }
+    even = balance_conditioning(environment, fingers);
   }
   bool is_force(std::size_t i) const { return modes[i] == FingerMode::force; }
 
   EnvironmentWrenches environment;      // R^1/2 W_env C_env, R^1/2 Q_known
   std::vector<FingerWrenches> fingers;  // R^1/2 W_rob C_rob and N_rob' C_rob, a finger each
+  Matrix6d even;                        // on both sides of each balance
   const std::vector<FingerMode>& modes;
 };
 
@@ -48,14 +51,14 @@ int add_balance_rows(LinearProgram* lp, const Vector6d& value) {
 void add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector<int>& f_com,
                    const Vector6d& l_i) {
   // z l_i = R^1/2 (Q_known + W_env C_env k_env i + W_rob C_rob k_rob i)
-  const int balance = add_balance_rows(lp, -m.environment.known);
-  lp->set_block(balance, z, -l_i);
+  const int balance = add_balance_rows(lp, -m.even * m.environment.known);
+  lp->set_block(balance, z, -m.even * l_i);
   const int k_env = add_coefficients(lp, m.environment.generators, kInfinity, 0);
-  lp->set_block(balance, k_env, m.environment.generators);
+  lp->set_block(balance, k_env, m.even * m.environment.generators);
   for (std::size_t i = 0; i < m.fingers.size(); ++i) {
     const FingerWrenches& finger = m.fingers[i];
     const int k_rob = add_coefficients(lp, finger.generators, kInfinity, 0);
-    lp->set_block(balance, k_rob, finger.generators);
+    lp->set_block(balance, k_rob, m.even * finger.generators);
     // N_rob' C_rob k_rob i <= f_max; N_rob' A_force C_rob k_rob i = f_com, where f_com <= f_max
     // already stands for the limit.
     const int normal =

@@ -36,6 +36,7 @@ TEST(FrictionInterval, AgreesWithSamples) {
   int proofs = 0, refutations = 0;
   for (int trial = 0; trial < 40; ++trial) {
     ContactSet set = trial % 2 == 0 ? sliding_cuboid() : random_contact_set(&rng, 4, 2);
+    for (Finger& finger : set.fingers) finger.max_normal_force = 10;
     const std::vector<FingerMode> modes = {kForce, kPosition};
     const Eigen::Vector2d forces(4 + 0.1 * trial, 0);
     const FrictionInterval environment{0.3, 0.3 + 0.01 * trial}, fingers{0.5, 0.7};

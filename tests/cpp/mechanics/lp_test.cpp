@@ -35,7 +35,8 @@ TEST(Lp, Optimal) {
 
 TEST(Lp, InfeasibleAndUnbounded) {
   LinearProgram lp = small();
-  lp.row_upper[0] = -9;
+  lp.row_lower[0] = 10;
+  lp.row_upper[0] = kInfinity;
   EXPECT_EQ(solve_lp(lp).status, LpStatus::infeasible);
   lp = small();
   lp.row_upper[0] = kInfinity;

@@ -32,7 +32,8 @@ INK = (0.15, 0.17, 0.20)
 ACROSS = 4  # panels in a row
 WIDTH = 15.0  # of the figure [inches]
 CURVES = 2.6  # height of the curves [inches]
-SEE_THROUGH = {"walls": 0.5, "object": 0.3}  # how much of what is behind is seen
+WALLS = 0.5  # how much of what is behind is seen
+HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
 
 
 def draw(plan: Plan) -> bytes:
@@ -41,9 +42,9 @@ def draw(plan: Plan) -> bytes:
     across = min(ACROSS, len(shown)) if len(shown) != 5 else 5
     down = -(-len(shown) // across)
     panel = WIDTH / max(across, 2)
-    tall = 0.92 * panel if across < 4 else 1.0 * panel
+    tall = 0.72 * panel if across < 4 else 0.9 * panel
     has_curves = bool(plan.segments)
-    heights = [0.72, *[tall] * down, *([CURVES] if has_curves else [])]
+    heights = [0.5, *[tall] * down, *([CURVES] if has_curves else [])]
     figure = Figure(figsize=(WIDTH, sum(heights) + 0.55), dpi=110, facecolor="white")
     FigureCanvasAgg(figure)
     grid = figure.add_gridspec(
@@ -57,8 +58,13 @@ def draw(plan: Plan) -> bytes:
         row = grid[1 + k // across].subgridspec(1, across, wspace=0.02)
         axes = figure.add_subplot(row[k % across])
         axes.imshow(scene.render(moment), interpolation="antialiased")
+        for k_finger, (x, y) in enumerate(scene.places(moment)):
+            axes.annotate(
+                str(k_finger + 1), (x, y), ha="center", va="center", fontsize=8, color="white",
+                weight="bold", annotation_clip=True,
+            )  # fmt: skip
         number = f"{k + 1}  " if len(shown) > 1 else ""
-        axes.set_title(number + moment.caption, fontsize=11, color=INK, loc="left", pad=2, y=0.94)
+        axes.set_title(number + moment.caption, fontsize=11, color=INK, loc="left", pad=2, y=0.96)
         axes.set_axis_off()
     if has_curves:
         curves.draw(figure.add_subplot(grid[len(heights) - 1]), plan)
@@ -77,10 +83,11 @@ class _Scene:
         points = swept(task, shown)
         tails = [bodies.arrow_ends(task, moment, self.largest) for moment in shown]
         tails_W = np.concatenate([ends.reshape(-1, 3) for ends in tails])
-        everything = np.concatenate([points, tails_W[tails_W.any(axis=1)]])
-        self.camera: Camera = camera(task, shown, everything, shape)
         eye = np.eye(4)
         floor = bodies.floor_body(task, points)
+        ground = [part.vertices for part in floor.parts]
+        everything = np.concatenate([points, tails_W[tails_W.any(axis=1)], *ground])
+        self.camera: Camera = camera(task, shown, everything, shape)
         self.still: list[tuple[Body, Matrix]] = [(floor, eye)] if floor.parts else []
         self.still += bodies.obstacles(task)
         self.walls = [(body, eye) for body in bodies.wall_bodies(task, points)]
@@ -91,20 +98,24 @@ class _Scene:
         }
 
     def render(self, moment: Moment) -> Matrix:
-        """The picture of a moment; object and walls let what is behind them shine through."""
+        """The picture of a moment; walls, and all before fingertips and forces, are glass-like."""
         fingers = [
             (self.tips[mode], frames.translation(center))
             for mode, center in zip(moment.modes, moment.centers_W, strict=True)
             if np.isfinite(center).all()
         ]
-        behind = [*self.still, *fingers, *bodies.arrows(self.task, moment, self.largest)]
-        whole = [*behind, (self.thing, moment.X_WO)]
+        forces = bodies.arrows(self.task, moment, self.largest)
+        whole = [*self.still, *fingers, *forces, (self.thing, moment.X_WO)]
         picture = self._render(whole)
-        if fingers:
-            picture = _mix(picture, self._render(behind), SEE_THROUGH["object"])
         if self.walls:
-            picture = _mix(self._render([*whole, *self.walls]), picture, SEE_THROUGH["walls"])
+            picture = _mix(self._render([*whole, *self.walls]), picture, WALLS)
+        if fingers:
+            picture = _over(self._render([*fingers, *forces]), picture, HIDDEN)
         return picture
+
+    def places(self, moment: Moment) -> Matrix:
+        """[n, 2] pixels of the fingertips; NaN for those that are off the object."""
+        return self.camera.project(moment.centers_W, *self.shape)[:, :2]
 
     def _render(self, placed: Sequence[tuple[Body, Matrix]]) -> Matrix:
         return raster.render(placed, self.camera, *self.shape)
@@ -114,6 +125,14 @@ def _mix(front: Matrix, back: Matrix, share: float) -> Matrix:
     """Two pictures with opacity, over each other: `share` of the one behind."""
     opacity = (1 - share) * front[..., 3:] + share * back[..., 3:]
     color = (1 - share) * front[..., :3] * front[..., 3:] + share * back[..., :3] * back[..., 3:]
+    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
+def _over(front: Matrix, back: Matrix, share: float) -> Matrix:
+    """A picture with `share` of the opacity of another over it."""
+    weight = share * front[..., 3:]
+    opacity = weight + (1 - weight) * back[..., 3:]
+    color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
     return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
 
 
