@@ -165,6 +165,12 @@ py::arg_v pose_arg(const char* name) {
   return {name, value, "identity"};
 }
 
+py::arg_v Python<Eigen::Vector3d>::arg(const char* name, const Eigen::Vector3d& value) {
+  Array rows(py::ssize_t{3});
+  Eigen::Map<Eigen::Vector3d>(rows.mutable_data()) = value;
+  return {name, rows};
+}
+
 int frame_index(const robot::Robot& robot, const Key& frame, const std::string& name) {
   if (const auto* text = std::get_if<std::string>(&frame)) {
     return robot.frame(*text);

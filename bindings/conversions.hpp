@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -60,6 +61,33 @@ py::arg_v pose_arg(const char* name);
 using Key = std::variant<std::string, int>;
 int frame_index(const robot::Robot& robot, const Key& frame, const std::string& name = "frame");
 
+/// How Python gives and sees a value of a plain struct; a specialization where it is not as here.
+template <class Value>
+struct Python {
+  using Given = Value;
+  static Value from(Given value, const char* /*name*/) { return value; }
+  static const Value& shown(const Value& value) { return value; }
+  static py::arg_v arg(const char* name, const Value& value) { return py::arg(name) = value; }
+};
+
+template <>
+struct Python<Eigen::Vector3d> {
+  using Given = Array;
+  static Eigen::Vector3d from(const Array& value, const char* name) {
+    return to_vector3(value, name);
+  }
+  static Eigen::Vector3d shown(const Eigen::Vector3d& value) { return value; }
+  static py::arg_v arg(const char* name, const Eigen::Vector3d& value);
+};
+
+template <>
+struct Python<Eigen::Isometry3d> {
+  using Given = Array;
+  static Eigen::Isometry3d from(const Array& X, const char* name) { return to_pose(X, name); }
+  static Pose shown(const Eigen::Isometry3d& X) { return from_pose(X); }
+  static py::arg_v arg(const char* name, const Eigen::Isometry3d&) { return pose_arg(name); }
+};
+
 /// A member of a plain struct, and what Python shall call and say of it.
 template <class Struct, class Value>
 struct Field {
@@ -72,7 +100,18 @@ Field(const char*, Value Struct::*, const char*) -> Field<Struct, Value>;
 
 template <class Struct, class Value>
 void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
-  cls.def_readwrite(field.name, field.member, field.doc);
+  using Type = Python<Value>;
+  if constexpr (std::is_same_v<typename Type::Given, Value>) {
+    cls.def_readwrite(field.name, field.member, field.doc);
+  } else {
+    cls.def_property(
+        field.name,
+        [member = field.member](const Struct& self) { return Type::shown(self.*member); },
+        [field](Struct& self, const typename Type::Given& value) {
+          self.*(field.member) = Type::from(value, field.name);
+        },
+        field.doc);
+  }
 }
 
 /// A tuple, since appending to a copy of the list would be lost.
@@ -109,12 +148,12 @@ template <class Struct, class... Values>
 void bind_fields(py::class_<Struct>& cls, const char* init_doc, Field<Struct, Values>... fields) {
   static_assert(num_members<Struct>(0) == sizeof...(Values), "a member is missing in this table");
   const Struct defaults{};
-  cls.def(py::init([fields...](Values... values) {
+  cls.def(py::init([fields...](typename Python<Values>::Given... values) {
             Struct result;
-            ((result.*(fields.member) = std::move(values)), ...);
+            ((result.*(fields.member) = Python<Values>::from(std::move(values), fields.name)), ...);
             return result;
           }),
-          py::kw_only(), (py::arg(fields.name) = defaults.*(fields.member))..., init_doc);
+          py::kw_only(), Python<Values>::arg(fields.name, defaults.*(fields.member))..., init_doc);
   (bind_field(cls, fields), ...);
   cls.def("__repr__", [names = std::vector<const char*>{fields.name...}](const py::object& self) {
     return represent(self, names);

@@ -460,44 +460,67 @@ void bind_friction_interval(py::module_& m) {
       "at.");
 }
 
-/// Three-dimensional arrays of the batch, checked in Python for their shapes.
-struct Batch {
-  Batch(const Array& array) : data(array.data()), rows(array.shape(1)) {}
-  Eigen::Vector3d at(py::ssize_t set, py::ssize_t row) const {
-    return Eigen::Map<const Eigen::Vector3d>(data + 3 * (set * rows + row));
+void require_shape(const Array& array, const std::string& name,
+                   const std::vector<py::ssize_t>& shape) {
+  bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size());
+  for (std::size_t i = 0; fits && i < shape.size(); ++i) {
+    fits = array.shape(static_cast<py::ssize_t>(i)) == shape[i];
   }
-  const double* data;
-  py::ssize_t rows;
-};
+  if (fits) return;
+  std::string text;
+  for (const py::ssize_t size : shape) text += (text.empty() ? "" : ", ") + std::to_string(size);
+  throw std::invalid_argument(name + " must have shape (" + text + ")");
+}
+
+Eigen::Vector3d vector_at(const Array& array, py::ssize_t set, py::ssize_t row) {
+  return Eigen::Map<const Eigen::Vector3d>(array.data(set, row, 0));
+}
+
+std::vector<ContactSet> contact_sets(const ContactSet& common, const Array& points,
+                                     const Array& normals, const Array& friction,
+                                     const Array& sliding, const Array& finger_points,
+                                     const Array& finger_normals, const Array& finger_friction,
+                                     const Array& max_normal_force) {
+  if (points.ndim() != 3) throw std::invalid_argument("points must have shape (N, m, 3)");
+  if (finger_points.ndim() != 3) {
+    throw std::invalid_argument("finger_points must have shape (N, n, 3)");
+  }
+  const py::ssize_t N = points.shape(0), m = points.shape(1), n = finger_points.shape(1);
+  require_shape(points, "points", {N, m, 3});
+  require_shape(normals, "normals", {N, m, 3});
+  require_shape(friction, "friction", {N, m});
+  require_shape(sliding, "sliding", {N, m, 3});
+  require_shape(finger_points, "finger_points", {N, n, 3});
+  require_shape(finger_normals, "finger_normals", {N, n, 3});
+  require_shape(finger_friction, "finger_friction", {N, n});
+  require_shape(max_normal_force, "max_normal_force", {N, n});
+  std::vector<ContactSet> sets(static_cast<std::size_t>(N), common);
+  for (py::ssize_t i = 0; i < N; ++i) {
+    ContactSet& set = sets[static_cast<std::size_t>(i)];
+    for (py::ssize_t k = 0; k < m; ++k) {
+      const Eigen::Vector3d t_O = vector_at(sliding, i, k);
+      const ContactMode mode = t_O.isZero(0) ? ContactMode::stick : ContactMode::slide;
+      set.contacts.push_back(
+          {vector_at(points, i, k), vector_at(normals, i, k), *friction.data(i, k), mode, t_O});
+    }
+    for (py::ssize_t k = 0; k < n; ++k) {
+      set.fingers.push_back({vector_at(finger_points, i, k), vector_at(finger_normals, i, k),
+                             *finger_friction.data(i, k), *max_normal_force.data(i, k),
+                             Eigen::Vector3d::Zero()});
+    }
+  }
+  return sets;
+}
 
 void bind_batch(py::module_& m) {
-  m.def(
-      "_contact_sets",
-      [](const ContactSet& common, const Array& points, const Array& normals, const Array& friction,
-         const Array& sliding, const Array& finger_points, const Array& finger_normals,
-         const Array& finger_friction, const Array& max_normal_force) {
-        const Batch p(points), n(normals), t(sliding), finger_p(finger_points),
-            finger_n(finger_normals);
-        std::vector<ContactSet> sets(static_cast<std::size_t>(points.shape(0)), common);
-        for (py::ssize_t i = 0; i < points.shape(0); ++i) {
-          ContactSet& set = sets[static_cast<std::size_t>(i)];
-          for (py::ssize_t k = 0; k < p.rows; ++k) {
-            const Eigen::Vector3d t_O = t.at(i, k);
-            set.contacts.push_back({p.at(i, k), n.at(i, k), *friction.data(i, k),
-                                    t_O.isZero(0) ? ContactMode::stick : ContactMode::slide, t_O});
-          }
-          for (py::ssize_t k = 0; k < finger_p.rows; ++k) {
-            set.fingers.push_back({finger_p.at(i, k), finger_n.at(i, k),
-                                   *finger_friction.data(i, k), *max_normal_force.data(i, k),
-                                   Eigen::Vector3d::Zero()});
-          }
-        }
-        return sets;
-      },
-      py::arg("common"), py::arg("points"), py::arg("normals"), py::arg("friction"),
-      py::arg("sliding"), py::arg("finger_points"), py::arg("finger_normals"),
-      py::arg("finger_friction"), py::arg("max_normal_force"),
-      "ContactSets of arrays whose shapes fit each other.");
+  m.def("contact_sets", &contact_sets, py::arg("common"), py::kw_only(), py::arg("points"),
+        py::arg("normals"), py::arg("friction"), py::arg("sliding"), py::arg("finger_points"),
+        py::arg("finger_normals"), py::arg("finger_friction"), py::arg("max_normal_force"),
+        "N ContactSets of m contacts and n fingers each from arrays; whatever else they hold is "
+        "that of `common`.\n\n"
+        "points, normals: (N, m, 3). friction: (N, m). sliding: (N, m, 3) where the object slides "
+        "to, zero where it sticks.\n"
+        "finger_points, finger_normals: (N, n, 3). finger_friction, max_normal_force: (N, n).");
 }
 
 }  // namespace

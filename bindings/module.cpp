@@ -12,6 +12,7 @@ void bind_scene(py::module_ m);
 void bind_mechanics(py::module_ m);
 void bind_planning(py::module_ m);
 void bind_slide(py::module_ m);
+void bind_fingertip(py::module_ m);
 void bind_bench(py::module_ m);
 }  // namespace graspless::bindings
 
@@ -28,5 +29,7 @@ PYBIND11_MODULE(_core, m) {
   bind_planning(m.def_submodule("planning", "What every planner shares: the budget of a query."));
   bind_slide(
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
+  bind_fingertip(m.def_submodule(
+      "fingertip", "Push, slide and tumble an object with bare fingertips (Maeda, Arai)."));
   bind_bench(m.def_submodule("bench", "What the planners are measured against."));
 }

@@ -8,7 +8,8 @@
 >>> assert plan and not graspless.check(plan)  # doctest: +SKIP
 >>> plan.save("plan.json")  # doctest: +SKIP
 
-`graspless.slide` has the planner itself, for problems that are made in Python.
+`graspless.slide` and `graspless.fingertip` have the planners themselves, for problems that are
+made in Python.
 """
 
 from __future__ import annotations
@@ -17,7 +18,17 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from . import collision, geometry, mechanics, planning, robot, scene, slide, view
+    from . import (
+        collision,
+        fingertip,
+        geometry,
+        mechanics,
+        planning,
+        robot,
+        scene,
+        slide,
+        view,
+    )
     from .errors import TaskError
     from .plans import Plan, check, load_plan, plan
     from .tasks import Task, load_task
@@ -31,6 +42,7 @@ __all__ = [
     "__version__",
     "check",
     "collision",
+    "fingertip",
     "geometry",
     "load_plan",
     "load_task",

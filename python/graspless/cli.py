@@ -117,7 +117,9 @@ def _add_plan(commands: Any) -> None:
     parser.add_argument("--time", type=float, metavar="S", help="stop after this long [s]")
     parser.add_argument("--iterations", type=int, metavar="N", help="stop after so many rounds")
     parser.add_argument(
-        "--search", choices=["paper", "fast"], help="as published, or the faster one, the default"
+        "--search",
+        choices=["dijkstra", "paper", "fast"],
+        help="dijkstra (fingertip tasks), as published, or the faster one, the default",
     )
     parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
     _add_pictures(parser)
@@ -190,7 +192,12 @@ def _plan(options: argparse.Namespace) -> int:
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
     """The task with what the command line says instead; its faults name the flags."""
+    from .tasks import searches
+
     flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
+    if options.search is not None and options.search not in (choices := searches(task.kind)):
+        shown = ", ".join(choices)
+        raise TaskError(f"--search: {options.search}: no such search of {task.kind} ({shown})")
     try:
         return task.with_changes(search=options.search, **flags)
     except TaskError as error:

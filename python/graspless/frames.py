@@ -80,3 +80,11 @@ def to_row(X_AB: ArrayLike) -> list[float]:
 def from_row(row: Sequence[float]) -> Matrix:
     """The 4 x 4 pose of `to_row`'s seven numbers."""
     return translation(row[:3]) @ from_quaternion(row[3:])
+
+
+def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
+    """The pose a part t of the way from X_A to X_B: 0 to 1, positions along a line."""
+    a, b = to_quaternion(X_A), to_quaternion(X_B)
+    b = -b if a @ b < 0 else b
+    p = (1 - t) * X_A[:3, 3] + t * X_B[:3, 3]
+    return translation(p) @ from_quaternion((1 - t) * a + t * b)

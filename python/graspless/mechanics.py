@@ -28,10 +28,10 @@ from ._core.mechanics import (
     FrictionVerdict,
     Plane,
     Stability,
-    _contact_sets,
     best_control_modes,
     compliant_stability,
     contact_patches,
+    contact_sets,
     disturbance_directions,
     friction_cone,
     gravity_wrench,
@@ -68,6 +68,7 @@ __all__ = [
     "best_control_modes",
     "compliant_stability",
     "contact_patches",
+    "contact_sets",
     "disturbance_directions",
     "friction_cone",
     "gravity_wrench",
@@ -127,42 +128,29 @@ def stability(
 
     Raises ValueError on bad values; normals that are not of length 1 are normalised with a warning.
     """
-    p, n = _vectors(points, "points"), _vectors(normals, "normals")
-    finger_p = _vectors(finger_points, "finger_points")
-    finger_n = _vectors(finger_normals, "finger_normals")
-    contacts, fingers = p.shape[:2], finger_p.shape[:2]
-    if fingers[0] != contacts[0]:
-        raise ValueError(
-            f"finger_points are of {fingers[0]} contact sets, points of {contacts[0]}"
-        )
-    _same(n, p, "normals", "points")
-    _same(finger_n, finger_p, "finger_normals", "finger_points")
-    t = np.zeros_like(p) if sliding is None else _vectors(sliding, "sliding")
-    _same(t, p, "sliding", "points")
-    common = ContactSet(
-        contacts=[],
-        fingers=[],
-        com_O=np.asarray(com, float),
-        known_wrench_O=gravity_wrench(mass, np.asarray(gravity, float)),
-        wrench_scale=wrench_scale(mass, np.asarray(inertia, float)),
-        cone_edges=cone_edges,
+    shape, held = np.shape(points)[:2], np.shape(finger_points)[:2]
+    sets = contact_sets(
+        ContactSet(
+            contacts=[],
+            fingers=[],
+            com_O=com,
+            known_wrench_O=gravity_wrench(mass, gravity),
+            wrench_scale=wrench_scale(mass, inertia),
+            cone_edges=cone_edges,
+        ),
+        points=points,
+        normals=normals,
+        friction=_for_each(friction, shape),
+        sliding=np.zeros(np.shape(points)) if sliding is None else sliding,
+        finger_points=finger_points,
+        finger_normals=finger_normals,
+        finger_friction=_for_each(finger_friction, held),
+        max_normal_force=_for_each(max_normal_force, held),
     )
-    sets = _contact_sets(
-        common,
-        p,
-        n,
-        _values(friction, contacts, "friction"),
-        t,
-        finger_p,
-        finger_n,
-        _values(finger_friction, fingers, "finger_friction"),
-        _values(max_normal_force, fingers, "max_normal_force"),
-    )
-    given = None if directions is None else np.asarray(directions, float)
-    best = best_control_modes(sets, directions=given, engine=engine)
-    z = np.zeros(contacts[0])
-    modes = np.full(fingers, "", dtype="<U8")
-    commanded_forces = np.zeros(fingers)
+    best = best_control_modes(sets, directions=directions, engine=engine)
+    z = np.zeros(len(sets))
+    modes = np.full(held, "", dtype="<U8")
+    commanded_forces = np.zeros(held)
     for i, found in enumerate(best):
         if found:
             z[i] = found.stability.z
@@ -171,20 +159,5 @@ def stability(
     return Stabilities(z, modes, commanded_forces)
 
 
-def _vectors(values: ArrayLike, name: str) -> NDArray[np.float64]:
-    array = np.ascontiguousarray(values, dtype=float)
-    if array.ndim != 3 or array.shape[2] != 3:
-        raise ValueError(f"{name} has shape {array.shape}; it must have shape (N, ..., 3)")
-    return array
-
-
-def _values(values: ArrayLike, shape: tuple[int, ...], name: str) -> NDArray[np.float64]:
-    array = np.asarray(values, dtype=float)
-    if array.ndim and array.shape != shape:
-        raise ValueError(f"{name} has shape {array.shape}; it must be one value or of {shape}")
-    return np.ascontiguousarray(np.broadcast_to(array, shape))
-
-
-def _same(a: NDArray[np.float64], b: NDArray[np.float64], name: str, other: str) -> None:
-    if a.shape != b.shape:
-        raise ValueError(f"{name} has shape {a.shape}, {other} has {b.shape}: they must be equal")
+def _for_each(value: ArrayLike, shape: tuple[int, ...]) -> ArrayLike:
+    return np.full(shape, value) if np.ndim(value) == 0 else value

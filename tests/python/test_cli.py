@@ -201,8 +201,8 @@ def test_faults_are_told_by_segment_and_counted():
 
 
 def test_one_is_not_plural():
-    assert report._count(1, "pairs") == "1 pair"
-    assert report._count(0, "pairs") == "0 pairs"
+    assert report.count(1, "pairs") == "1 pair"
+    assert report.count(0, "pairs") == "0 pairs"
 
 
 @pytest.fixture

@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 
 import graspless
 from graspless import TaskError, _data, frames, slide
-from graspless.tasks import model, task_from_dict
+from graspless.tasks import task_from_dict
 from graspless.tasks.clouds import read_cloud
+from graspless.tasks.slide import model
 from graspless.tasks.source import parse_yaml
 from tasks_common import GOOD, changed
 

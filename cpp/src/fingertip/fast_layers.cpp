@@ -235,6 +235,7 @@ Route search_layers(FastSearch& search, int max_regrasps) {
     const double more = search.least_displacement + (regrasps + 1) * regrasp_cost;
     route.lower_bound =
         std::max(route.lower_bound, regrasps < max_regrasps ? std::min(cost, more) : cost);
+    if (route.lower_bound >= search.limit) break;
     if (cost > more && regrasps < max_regrasps) {
       ++regrasps;
       continue;

@@ -42,7 +42,7 @@ class BestFirst {
             Entry::Kind::one_regrasp});
     }
     std::vector<Question> questions;
-    while (!frontier_.empty()) {
+    while (!frontier_.empty() && frontier_.top().cost < search_.limit) {
       if (search_.clock.is_out() || !search_.clock.spend()) return give_up();
       if (gather(questions)) return finished_;
       search_.solve(questions);
@@ -50,7 +50,7 @@ class BestFirst {
     }
     Route none;
     none.is_complete = true;
-    none.lower_bound = kInfinity;
+    none.lower_bound = frontier_.empty() ? kInfinity : search_.limit;
     return none;
   }
 
@@ -78,8 +78,7 @@ class BestFirst {
   void list_direct() {
     const std::vector<int> locations = clear_locations(search_.query, 0, search_.query.num_arcs());
     const std::vector<int>& all = search_.candidates.instants();
-    std::vector<int> probes = {all.front(), all.back(), all[all.size() / 2], all[all.size() / 4],
-                               all[all.size() * 3 / 4]};
+    std::vector<int> probes = {all.front(), all.back(), all[all.size() / 2]};
     std::vector<int> distinct;
     for (const int i : probes) {
       if (std::find(distinct.begin(), distinct.end(), i) == distinct.end()) distinct.push_back(i);
@@ -150,6 +149,7 @@ class BestFirst {
     waiting_.clear();
     while (questions.size() < kBatch && !frontier_.empty()) {
       const Entry entry = frontier_.top();
+      if (entry.cost >= search_.limit) break;
       if (is_stage(entry) && !questions.empty()) break;
       frontier_.pop();
       if (entry.kind == Entry::Kind::one_regrasp) {
@@ -238,7 +238,7 @@ class BestFirst {
 }  // namespace
 
 FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evaluators,
-                       planning::Clock& clock_in, Statistics& statistics_in)
+                       planning::Clock& clock_in, Statistics& statistics_in, double limit_in)
     : query(query_in),
       count(query_in.num_fingers),
       clock(clock_in),
@@ -246,11 +246,8 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
       supports(query_in, evaluators.front().instants()),
       candidates(query_in, supports),
       hubs(query_in, supports, candidates),
-      lanes(evaluators, query_in.options.threads) {
-  all_instants = candidates.instants();
-  all_instants.insert(all_instants.end(), hubs.instants().begin(), hubs.instants().end());
-  std::sort(all_instants.begin(), all_instants.end());
-  all_instants.erase(std::unique(all_instants.begin(), all_instants.end()), all_instants.end());
+      lanes(evaluators, query_in.options.threads),
+      limit(limit_in) {
   for (int arc = 0; arc < query.num_arcs(); ++arc) {
     double least = kInfinity;
     for (const int location : clear_locations(query, arc, arc + 1)) {
@@ -263,7 +260,7 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
 void FastSearch::solve(std::vector<Question>& questions) {
   lanes.solve(questions);
   for (const Question& question : questions) {
-    supports.add(question.instant, question.supports, question.placement, all_instants);
+    supports.add(question.instant, question.supports, question.placement);
     question.of == Question::Of::candidate ? candidates.learn(question) : hubs.learn(question);
   }
 }
@@ -290,8 +287,8 @@ std::vector<int> clear_locations(const PathQuery& query, int first, int last) {
 }
 
 Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
-                  planning::Clock& clock, Statistics& statistics) {
-  FastSearch search(query, evaluators, clock, statistics);
+                  planning::Clock& clock, Statistics& statistics, double limit) {
+  FastSearch search(query, evaluators, clock, statistics, limit);
   const Route route = BestFirst(search).run();
   statistics.supports += search.supports.count();
   statistics.nodes += search.candidates.size();

@@ -16,7 +16,7 @@ namespace graspless::fingertip {
 /// What all parts of the search share.
 struct FastSearch {
   FastSearch(const PathQuery& query, std::vector<Evaluator>& evaluators, planning::Clock& clock,
-             Statistics& statistics);
+             Statistics& statistics, double limit);
 
   /// Solves the questions, and hands what came of them to bounds, candidates and hubs.
   void solve(std::vector<Question>& questions);
@@ -31,8 +31,8 @@ struct FastSearch {
   Candidates candidates;
   Hubs hubs;
   Lanes lanes;
-  std::vector<int> all_instants;  // of motion and rest
   double least_displacement = 0;  // no route costs less, whatever its placements
+  double limit;                   // routes of this cost or more are not looked for
 };
 
 /// Solves a few placements at the instants, until their functionals refuse nearly all that can be

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -15,6 +14,7 @@
 namespace graspless::fingertip {
 
 using mechanics::Matrix6d;
+using mechanics::Matrix6Xd;
 using mechanics::Vector6d;
 
 namespace {
@@ -22,7 +22,8 @@ namespace {
 constexpr float kFree = 1e30F;      // an empty place in a table bounds nothing
 constexpr double kPolar = 1e-12;    // y . g of a functional of length 1 that counts as <= 0
 constexpr double kRounding = 2e-6;  // of single precision, relative to the terms added
-constexpr double kProgress = 1e-4;  // a functional must bound by that much more to be kept
+constexpr double kProgress = 0.1;   // a functional must bound by that much more elsewhere
+constexpr std::size_t kKept = 2;    // functionals kept of those of one solution
 
 /// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
 /// in W.
@@ -38,159 +39,223 @@ Matrix6d functional_to_world(const Eigen::Isometry3d& X_WO, const Eigen::Vector3
   return map;
 }
 
-int round_up(int n, int step) { return (n + step - 1) / step * step; }
+bool are_polar(const Matrix6Xd& generators, const Vector6d& y) {
+  const double limit = kPolar * y.norm();
+  for (Eigen::Index g = 0; g < generators.cols(); ++g) {
+    if (y.dot(generators.col(g)) > limit * generators.col(g).norm()) return false;
+  }
+  return true;
+}
+
+int round_up(int n) { return (n + Supports::kStep - 1) / Supports::kStep * Supports::kStep; }
 
 }  // namespace
 
 Supports::Supports(const PathQuery& query, const Instants& instants)
     : query_(query), instants_(instants), num_locations_(query.locations.size()) {
-  // Many instants share what one solution tells; a slide has but one or two.
-  width_ = instants.size() <= 4 ? 64 : 32;
-  edges_ =
-      num_locations_ == 0 ? 0 : static_cast<int>(query.locations.wrenches(0).generators.cols());
-  const auto L = static_cast<std::size_t>(num_locations_);
-  edge_wrenches_.resize(static_cast<std::size_t>(edges_) * 6 * L);
-  row_.resize(L);
+  const Matrix6Xd& directions = query.options.disturbance_directions;
+  has_paper_directions_ = directions.cols() == mechanics::disturbance_directions().cols() &&
+                          directions == mechanics::disturbance_directions();
+  paper_length_ = directions.col(0).norm();
   for (int location = 0; location < num_locations_; ++location) {
     const mechanics::FingerWrenches& wrenches = query.locations.wrenches(location);
+    edges_ = static_cast<int>(wrenches.generators.cols());
     for (int j = 0; j < edges_; ++j) {
       const Vector6d w =
           wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
-      for (int c = 0; c < 6; ++c) {
-        edge_wrenches_[static_cast<std::size_t>(j * 6 + c) * L +
-                       static_cast<std::size_t>(location)] = static_cast<float>(w[c]);
-      }
+      for (int c = 0; c < 6; ++c) edge_wrenches_.push_back(static_cast<float>(w[c]));
+      most_force_ = std::max(most_force_, w.norm());
     }
   }
   pools_.resize(static_cast<std::size_t>(instants.size()));
   const int P = query.options.samples_per_arc;
-  for (int arc = query.num_arcs() - 1; arc >= 0; --arc) {  // the first use counts
-    for (int j = P - 1; j >= 0; --j) {
+  for (int arc = 0; arc < query.num_arcs(); ++arc) {
+    for (int j = 0; j < P; ++j) {
       const auto a = static_cast<std::size_t>(arc);
       place(query.instant(arc, j), along_screw(query.X_WO[a], query.twist_O[a], (j + 0.5) / P));
     }
   }
-  for (int pose = query.num_poses() - 1; pose >= 0; --pose) {
+  for (int pose = 0; pose < query.num_poses(); ++pose) {
     place(query.rest_instant(pose), query.X_WO[static_cast<std::size_t>(pose)]);
   }
+  // Few instants, as in a slide, have to tell all by themselves.
+  width_ = all_.size() <= 4 ? 64 : 32;
+  find_standing();
 }
 
 void Supports::place(int instant, const Eigen::Isometry3d& X_WO) {
-  Pool& p = pools_[static_cast<std::size_t>(instant)];
+  if (std::find(all_.begin(), all_.end(), instant) != all_.end()) return;
+  all_.push_back(instant);
   const mechanics::ContactSet& set = instants_[instant].set;
-  const Matrix6d to_world = functional_to_world(X_WO, set.com_O);
-  p.to_world = to_world * set.wrench_scale.transpose();
-  p.from_world = p.to_world.inverse();
+  // The inverse of a rigid map and of a scale; the scale is well conditioned.
+  pool(instant).to_world = functional_to_world(X_WO, set.com_O) * set.wrench_scale.transpose();
+  pool(instant).from_world = pool(instant).to_world.inverse();
 }
 
-int Supports::used(int instant) const { return round_up(pool(instant).size, 8); }
+void Supports::find_standing() {
+  for (const int instant : all_) {
+    const Matrix6Xd generators =
+        pool(instant).from_world.transpose() * instants_[instant].environments.front().generators;
+    int& number = pool(instant).standing;
+    for (std::size_t i = 0; i < standing_.size() && number < 0; ++i) {
+      if (standing_[i].cols() == generators.cols() &&
+          (standing_[i] - generators).norm() <= kPolar * generators.norm()) {
+        number = static_cast<int>(i);
+      }
+    }
+    if (number >= 0) continue;
+    number = static_cast<int>(standing_.size());
+    standing_.push_back(generators);
+  }
+}
+
+int Supports::used(int instant) const { return round_up(pool(instant).size); }
+
+/// Columns of a block that are new since it was last looked at.
+void Supports::fill(const Pool& p, int location) const {
+  const auto width = static_cast<std::size_t>(width_);
+  std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
+  float* h = p.h.data() + static_cast<std::size_t>(location) * width;
+  const float* edges = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
+  for (int first = 0; first < p.size; first += kStep) {
+    const auto begin = p.stamps.begin() + first;
+    if (*std::max_element(begin, begin + kStep) <= filled) continue;
+    Step most = Step::Zero();
+    const float* y = p.y.data() + first;
+    for (int j = 0; j < edges_; ++j) {
+      Step sum = Step::Zero();
+      for (int c = 0; c < 6; ++c) {
+        sum += edges[j * 6 + c] * Eigen::Map<const Step>(y + c * width_);
+      }
+      most = most.max(sum);
+    }
+    Eigen::Map<Step>(h + first) = most;
+  }
+  filled = p.stamp;
+}
+
+const float* Supports::block(int instant, int location) const {
+  const Pool& p = pool(instant);
+  const auto l = static_cast<std::size_t>(location);
+  if (p.filled[l] < p.stamp) fill(p, location);
+  return p.h.data() + l * static_cast<std::size_t>(width_);
+}
 
 float Supports::bound(int instant, const Placement& placement) const {
   const Pool& p = pool(instant);
-  float least = kFree;
-  const int used = round_up(p.size, 8);
-  for (int i = 0; i < used; i += 8) {
-    float sums[8];
-    for (int k = 0; k < 8; ++k) sums[k] = p.offsets[static_cast<std::size_t>(i + k)];
-    for (const std::int32_t location : placement) {
-      if (location < 0) break;
-      const float* h = block(instant, location) + i;
-      for (int k = 0; k < 8; ++k) sums[k] += h[k];
-    }
-    for (int k = 0; k < 8; ++k) least = sums[k] < least ? sums[k] : least;
+  if (p.size == 0) return kFree;
+  const float* blocks[mechanics::kMaxFingers];
+  int fingers = 0;
+  for (const std::int32_t location : placement) {
+    if (location >= 0) blocks[fingers++] = block(instant, location);
   }
-  return least;
+  Step least_steps = Step::Constant(kFree);
+  const int used = round_up(p.size);
+  for (int i = 0; i < used; i += kStep) {
+    Step sums = Eigen::Map<const Step>(p.offsets.data() + i);
+    for (int f = 0; f < fingers; ++f) sums += Eigen::Map<const Step>(blocks[f] + i);
+    least_steps = least_steps.min(sums);
+  }
+  return least_steps.minCoeff();
 }
 
 bool Supports::is_polar(int instant, const Vector6d& y) const {
-  const mechanics::Matrix6Xd& generators = instants_[instant].environments.front().generators;
-  const double limit = kPolar * y.norm();
-  for (Eigen::Index g = 0; g < generators.cols(); ++g) {
-    if (y.dot(generators.col(g)) > limit) return false;
-  }
-  return true;
-}
-
-bool Supports::normalize(int instant, Vector6d& y, double& offset) const {
-  const double sigma = (query_.options.disturbance_directions.transpose() * y).maxCoeff();
-  if (!(sigma > 1e-9 * y.norm())) return false;
-  y /= sigma;
-  offset = y.dot(instants_[instant].environments.front().known);
-  return std::isfinite(offset);
+  return are_polar(instants_[instant].environments.front().generators, y);
 }
 
 double Supports::value(int location, const Vector6d& y) const {
-  const auto L = static_cast<std::size_t>(num_locations_);
+  const float* w = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
   double most = 0;
-  for (int j = 0; j < edges_; ++j) {
+  for (int j = 0; j < edges_; ++j, w += 6) {
     double sum = 0;
-    for (int c = 0; c < 6; ++c) {
-      sum += y[c] * static_cast<double>(edge_wrenches_[static_cast<std::size_t>(j * 6 + c) * L +
-                                                       static_cast<std::size_t>(location)]);
-    }
+    for (int c = 0; c < 6; ++c) sum += y[c] * static_cast<double>(w[c]);
     most = std::max(most, sum);
   }
   return most;
 }
 
-double Supports::total(const Placement& placement, const Vector6d& y) const {
-  double sum = 0;
+/// Scales y such that its bound is y . known + sum of h.
+bool Supports::measure(int instant, const Placement& placement, Bound& bound) const {
+  Vector6d& y = bound.y;
+  const double sigma =
+      has_paper_directions_
+          ? paper_length_ * std::max(y.lpNorm<Eigen::Infinity>(), y.lpNorm<1>() / std::sqrt(6.0))
+          : (query_.options.disturbance_directions.transpose() * y).maxCoeff();
+  if (!(sigma > 0) || !std::isfinite(sigma)) return false;
+  y /= sigma;
+  bound.offset = y.dot(instants_[instant].environments.front().known);
+  bound.value = bound.offset;
   for (const std::int32_t location : placement) {
-    if (location >= 0) sum += value(location, y);
+    if (location >= 0) bound.value += value(location, y);
   }
-  return sum;
+  return true;
+}
+
+/// Those that bound the placement most, best first.
+std::vector<Supports::Bound> Supports::best_of(int instant,
+                                               const std::vector<Vector6d>& functionals,
+                                               const Placement& placement) const {
+  std::vector<Bound> found;
+  for (const Vector6d& y : functionals) {
+    Bound bound{y, 0, 0};
+    if (measure(instant, placement, bound)) found.push_back(bound);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Bound& a, const Bound& b) { return a.value < b.value; });
+  if (found.size() > kKept) found.resize(kKept);
+  return found;
+}
+
+/// The functional as it is at another instant; false when it is none there.
+bool Supports::carry(int target, Carried& carried, Bound& bound) const {
+  const Pool& p = pool(target);
+  const auto kind = static_cast<std::size_t>(p.standing);
+  if (carried.holds[kind] < 0) carried.holds[kind] = are_polar(standing_[kind], carried.world);
+  bound = carried.bound;
+  if (carried.holds[kind] == 1) {
+    bound.y = p.from_world * carried.world;
+    return true;
+  }
+  return is_polar(target, bound.y);
 }
 
 void Supports::add(int instant, const std::vector<Vector6d>& functionals,
-                   const Placement& placement, const std::vector<int>& targets) {
+                   const Placement& placement) {
+  std::vector<Carried> found;
+  for (const Bound& bound : best_of(instant, functionals, placement)) {
+    found.push_back(
+        {bound, pool(instant).to_world * bound.y, std::vector<std::int8_t>(standing_.size(), -1)});
+    store(instant, bound);
+  }
   const double needed = query_.options.min_stability;
-  std::vector<Vector6d> world;
-  for (const Vector6d& y : functionals) world.push_back(pool(instant).to_world * y);
-  for (const int target : targets) {
-    const double known = static_cast<double>(bound(target, placement));
+  for (const int target : all_) {
+    if (target == instant) continue;
+    const auto known = static_cast<double>(bound(target, placement));
     if (known < needed) continue;  // nothing to gain
-    double best = known - kProgress * std::max(1.0, std::abs(known)), best_offset = 0;
-    Vector6d best_y = Vector6d::Zero();
-    for (std::size_t i = 0; i < functionals.size(); ++i) {
-      Vector6d y = target == instant ? functionals[i] : pool(target).from_world * world[i];
-      if (target != instant && !is_polar(target, y)) {
-        y = functionals[i];
-        if (!is_polar(target, y)) continue;
-      }
-      double offset = 0;
-      if (!normalize(target, y, offset)) continue;
-      const double bounded = offset + total(placement, y);
-      if (bounded < best) {
-        best = bounded;
-        best_y = y;
-        best_offset = offset;
-      }
+    Bound best;
+    best.value = known - kProgress * std::abs(known);
+    bool is_better = false;
+    for (Carried& carried : found) {
+      Bound here;
+      if (!carry(target, carried, here) || !measure(target, placement, here)) continue;
+      if (here.value >= best.value) continue;
+      best = here;
+      is_better = true;
     }
-    if (best_y != Vector6d::Zero()) store(target, best_y, best_offset);
+    if (is_better) store(target, best);
   }
 }
 
-void Supports::store(int instant, const Vector6d& y, double offset) {
-  Pool& p = pools_[static_cast<std::size_t>(instant)];
-  const auto L = static_cast<std::size_t>(num_locations_);
+void Supports::store(int instant, const Bound& bound) {
+  Pool& p = pool(instant);
+  const auto width = static_cast<std::size_t>(width_);
   if (p.h.empty()) {
-    p.h.resize(L * static_cast<std::size_t>(width_), 0.0F);
-    p.offsets.resize(static_cast<std::size_t>(width_), kFree);
+    p.offsets.resize(width, kFree);
+    p.stamps.resize(width, 0);
+    p.y.resize(6 * width, 0.0F);
+    p.h.resize(static_cast<std::size_t>(num_locations_) * width);
+    p.filled.resize(static_cast<std::size_t>(num_locations_), 0);
   }
-  std::fill(row_.begin(), row_.end(), 0.0F);
-  float most = 0;
-  for (int j = 0; j < edges_; ++j) {
-    const float* w = edge_wrenches_.data() + static_cast<std::size_t>(j) * 6 * L;
-    const float y0 = static_cast<float>(y[0]), y1 = static_cast<float>(y[1]),
-                y2 = static_cast<float>(y[2]), y3 = static_cast<float>(y[3]),
-                y4 = static_cast<float>(y[4]), y5 = static_cast<float>(y[5]);
-    for (std::size_t l = 0; l < L; ++l) {
-      const float sum = y0 * w[l] + y1 * w[L + l] + y2 * w[2 * L + l] + y3 * w[3 * L + l] +
-                        y4 * w[4 * L + l] + y5 * w[5 * L + l];
-      row_[l] = sum > row_[l] ? sum : row_[l];
-    }
-  }
-  for (const float h : row_) most = std::max(most, h);
   int column = p.size;
   if (p.size < width_) {
     ++p.size;
@@ -200,15 +265,20 @@ void Supports::store(int instant, const Vector6d& y, double offset) {
     p.oldest = (p.oldest + 1) % width_;
   }
   const auto col = static_cast<std::size_t>(column);
-  const double slack = kRounding * (std::abs(offset) + 6.0 * static_cast<double>(most) + 1.0);
-  p.offsets[col] = static_cast<float>(offset + slack);
-  for (std::size_t l = 0; l < L; ++l) p.h[l * static_cast<std::size_t>(width_) + col] = row_[l];
-  p.stamp = ++stamp_;
+  const double most = bound.y.norm() * most_force_;
+  p.offsets[col] = static_cast<float>(
+      bound.offset + kRounding * (std::abs(bound.offset) + query_.num_fingers * most));
+  for (std::size_t c = 0; c < 6; ++c)
+    p.y[c * width + col] = static_cast<float>(bound.y[static_cast<Eigen::Index>(c)]);
+  p.stamp = p.stamps[col] = ++stamp_;
 }
 
 std::int64_t Supports::memory() const {
   std::size_t bytes = edge_wrenches_.size() * sizeof(float);
-  for (const Pool& p : pools_) bytes += (p.h.size() + p.offsets.size()) * sizeof(float);
+  for (const Pool& p : pools_) {
+    bytes += (p.h.size() + p.offsets.size() + p.y.size()) * sizeof(float) +
+             (p.filled.size() + p.stamps.size()) * sizeof(std::int64_t);
+  }
   return static_cast<std::int64_t>(bytes);
 }
 

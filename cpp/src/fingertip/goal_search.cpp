@@ -5,6 +5,7 @@
 #include "fingertip/goal_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +16,8 @@ namespace graspless::fingertip {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// When regrasps are needed, paths that could be cheaper by less than this part are left out.
+constexpr double kGap = 1e-3;
 
 /// Whether the object's hull goes into a plane at this pose; which one.
 std::string plane_entered(const Problem& problem, const Eigen::Isometry3d& X_WO) {
@@ -38,8 +41,9 @@ GoalSearch::GoalSearch(Workshop& workshop, planning::Clock& clock)
 void GoalSearch::add(Path path) {
   const std::string complaint = fault(path);
   if (complaint.empty()) {
-    candidates_.push_back({std::move(path), 0});
-    candidates_.back().bound = bound(candidates_.back().path);
+    const Bounds least = bounds(path);
+    const double bound = std::min(least.whole, least.pieces + workshop_.options.regrasp_cost);
+    candidates_.push_back({std::move(path), bound, least.pieces});
   } else if (fault_.empty()) {
     fault_ = complaint;
   }
@@ -64,10 +68,10 @@ std::string GoalSearch::fault(const Path& path) {
   return "";
 }
 
-/// Some location goes all the way, or there is a regrasp and each arc has its own.
-double GoalSearch::bound(const Path& path) const {
+/// Without regrasps some location goes all the way; with them each arc has its own, at least.
+GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
   std::vector<double> whole(static_cast<std::size_t>(workshop_.locations.size()), 0.0);
-  double pieces = workshop_.options.regrasp_cost;
+  Bounds bounds{kInfinity, 0};
   for (std::size_t i = 0; i + 1 < path.X_WO.size(); ++i) {
     const auto twist_O = screw_between(path.X_WO[i], path.X_WO[i + 1]);
     double least = kInfinity;
@@ -76,42 +80,50 @@ double GoalSearch::bound(const Path& path) const {
       whole[static_cast<std::size_t>(l)] += moved;
       least = std::min(least, moved);
     }
-    pieces += least;
+    bounds.pieces += least;
   }
-  for (const double moved : whole) pieces = std::min(pieces, moved);
-  return pieces;
+  for (const double moved : whole) bounds.whole = std::min(bounds.whole, moved);
+  return bounds;
 }
 
 bool GoalSearch::run() {
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
-  std::size_t next = 0;
-  for (; next < candidates_.size() && !clock_.is_out(); ++next) {
-    if (candidates_[next].bound >= best_cost_) break;
-    look_at(candidates_[next]);
+  // Most of the work goes into regrasps: first all paths without, then with one, then the rest.
+  const double X_regr = workshop_.options.regrasp_cost;
+  for (const double limit : {X_regr, 2 * X_regr, kInfinity}) {
+    for (Candidate& candidate : candidates_) {
+      const double near = limit > X_regr ? best_cost_ * (1 - kGap) : best_cost_;
+      if (clock_.is_out()) break;
+      if (candidate.bound < std::min(limit, near)) look_at(candidate, std::min(limit, best_cost_));
+    }
+    if (best_cost_ < kInfinity) break;
   }
-  if (next < candidates_.size()) {
-    lower_bound_ = std::min(lower_bound_, candidates_[next].bound);
-    is_complete_ = is_complete_ && candidates_[next].bound >= best_cost_;
+  for (const Candidate& candidate : candidates_) {
+    lower_bound_ = std::min(lower_bound_, candidate.bound);
   }
   candidates_.clear();
   return best_cost_ < kInfinity || clock_.is_out();
 }
 
-void GoalSearch::look_at(const Candidate& candidate) {
+void GoalSearch::look_at(Candidate& candidate, double limit) {
   ++statistics_.candidates;
   try {
     const PathQuery query(workshop_.problem, candidate.path, workshop_.locations,
                           workshop_.instants, workshop_.options);
-    const Route route = search(query, workshop_, clock_, statistics_);
-    is_complete_ = is_complete_ && route.is_complete;
-    if (route.found || !route.is_complete) {
-      lower_bound_ = std::min(lower_bound_, std::max(candidate.bound, route.lower_bound));
+    const Route route = search(query, workshop_, clock_, statistics_, limit);
+    candidate.bound = std::max(candidate.bound, route.lower_bound);
+    if (route.is_complete && !route.found) {
+      // Nothing below the limit: as many regrasps as that has room for, and one more.
+      const double X_regr = workshop_.options.regrasp_cost;
+      candidate.bound =
+          std::max(candidate.bound, std::floor(limit / X_regr) * X_regr + candidate.pieces);
     }
     if (!route.found || route.cost >= best_cost_) return;
     best_cost_ = route.cost;
     best_ = stages_of(query, route);
   } catch (const std::invalid_argument& error) {
+    candidate.bound = kInfinity;
     if (fault_.empty()) fault_ = error.what();  // contacts that points cannot stand for
   }
 }
@@ -130,11 +142,11 @@ Plan GoalSearch::plan() {
 }
 
 void GoalSearch::fail(Plan& plan) const {
-  plan.lower_bound = is_complete_ ? kInfinity : lower_bound_;
+  plan.lower_bound = lower_bound_;
   if (clock_.was_interrupted()) {
     plan.status = Status::interrupted;
     plan.reason = "interrupted";
-  } else if (!is_complete_) {
+  } else if (lower_bound_ < kInfinity) {
     plan.status = Status::out_of_time;
     plan.reason = "nothing found in time over " + std::to_string(statistics_.candidates) +
                   " motions of the object";

@@ -21,8 +21,9 @@ class GoalSearch {
 
   /// A path to be looked at by run(), unless the object hits something on it.
   void add(Path path);
-  /// Searches the paths added, by ascending lower bound, until that reaches the best cost. Whether
-  /// the search is over: a plan is there, or time is out.
+  /// Searches the paths added: without regrasps by ascending lower bound until that reaches the
+  /// best cost; when that fails, with regrasps until it comes near. Whether the search is over: a
+  /// plan is there, or time is out.
   bool run();
   /// The best plan, or why there is none.
   Plan plan();
@@ -30,11 +31,15 @@ class GoalSearch {
  private:
   struct Candidate {
     Path path;
-    double bound;  // of the cost [m]
+    double bound;   // of the cost [m]
+    double pieces;  // of the displacement, with any number of regrasps [m]
   };
-  double bound(const Path& path) const;
+  struct Bounds {
+    double whole, pieces;  // of the displacement without and with regrasps [m]
+  };
+  Bounds bounds(const Path& path) const;
   std::string fault(const Path& path);
-  void look_at(const Candidate& candidate);
+  void look_at(Candidate& candidate, double limit);
   void fail(Plan& plan) const;
 
   Workshop& workshop_;
@@ -43,7 +48,6 @@ class GoalSearch {
   Statistics statistics_;
   std::vector<Candidate> candidates_;  // not yet searched
   std::string fault_;                  // of a path that was refused
-  bool is_complete_ = true;            // no search ended early
   double lower_bound_;                 // over paths searched or passed over
   double best_cost_;
   std::vector<Stage> best_;

@@ -30,6 +30,7 @@ Placement with(const Placement& placement, int location);     // keeps the order
 Placement without(const Placement& placement, int location);  // the kept fingers of a regrasp
 
 /// The points of an object's grid: cell-centred on each face's bounding rectangle, inside the face.
+/// With location_spacing, none nearer than half of it to another that faces alike.
 std::vector<Location> grid_locations(const Object& object, double radius, const Options& options);
 /// How many grid_locations() would look at: no fewer than it returns.
 double num_grid_points(const Object& object, const Options& options);

@@ -54,12 +54,12 @@ Workshop::Workshop(const Problem& problem_in, const Options& options_in)
 }
 
 Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
-             Statistics& statistics) {
+             Statistics& statistics, double limit) {
   if (workshop.options.search == Search::fast) {
-    return search_fast(query, workshop.evaluators, clock, statistics);
+    return search_fast(query, workshop.evaluators, clock, statistics, limit);
   }
   return search_graph(query, workshop.evaluators.front(), workshop.options.search == Search::paper,
-                      clock, statistics);
+                      clock, statistics, limit);
 }
 
 void count(const Workshop& workshop, const planning::Clock& clock, Statistics& statistics) {

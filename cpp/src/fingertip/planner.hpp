@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "fingertip/evaluator.hpp"
@@ -21,9 +22,10 @@ struct Workshop {
   std::vector<Evaluator> evaluators;
 };
 
-/// Searches a path by the engine of the options.
+/// Searches a path by the engine of the options, which does not look for routes of `limit`
+/// or more.
 Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
-             Statistics& statistics);
+             Statistics& statistics, double limit = std::numeric_limits<double>::infinity());
 
 /// plan() without validation and explanation; what explain() asks with other values.
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock);

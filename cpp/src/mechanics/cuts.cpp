@@ -110,7 +110,8 @@ void Cuts::make_active(const Row& row) {
   active_[ix(leaving)] = row;
 }
 
-void Cuts::add(const Cut& cut) {
+bool Cuts::add(const Cut& cut) {
+  const std::array<double, kDims> before = v_;
   Row row{};
   row[0] = 1;
   for (int k = 1; k < n_; ++k) row[ix(k)] = -cut.b[ix(k - 1)];
@@ -125,10 +126,11 @@ void Cuts::add(const Cut& cut) {
       most = value;
       worst = &candidate;
     }
-    if (worst == nullptr) return;
+    if (worst == nullptr) break;
     make_active(*worst);
     locate();
   }
+  return v_ != before;
 }
 
 }  // namespace graspless::mechanics

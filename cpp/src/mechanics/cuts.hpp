@@ -21,7 +21,8 @@ class Cuts {
   /// No cut but z <= ceiling.
   void begin(int dims, const double* upper, double ceiling);
   /// Adds a cut and moves to the new maximum.
-  void add(const Cut& cut);
+  /// False when that changes nothing: the cut was known, but for rounding.
+  bool add(const Cut& cut);
 
   double z() const { return v_[0]; }
   const double* f() const { return &v_[1]; }

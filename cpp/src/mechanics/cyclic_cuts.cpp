@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace graspless::mechanics {
 namespace {
@@ -14,18 +15,17 @@ namespace {
 constexpr double kTolerance = 1e-13;  // distance from a target that counts as none, relative
 constexpr double kCeiling = 1e6;      // z above this many times the forces at play is infinite
 constexpr double kNothing = 1e-12;    // z below this many forces at play is none
-constexpr double kFirstTrial = 4;     // z that is tried first, in forces at play
+constexpr double kFirstTrial = 1;     // z that is tried first, in forces at play
+
+using kernels::kLanes;
 
 auto ix(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-CyclicCuts::CyclicCuts(const Matrix6Xd& directions)
-    : count_(static_cast<int>(directions.cols())), stride_((count_ + 7) / 8 * 8) {
-  directions_.assign(ix(6 * stride_), 0.0);
-  for (int d = 0; d < count_; ++d) {
-    for (int i = 0; i < 6; ++i) directions_[ix(i * stride_ + d)] = directions(i, d);
-  }
+CyclicCuts::CyclicCuts(const Matrix6Xd& directions) : directions_(directions) {
+  count_ = static_cast<int>(directions.cols());
+  longest_ = directions.colwise().norm().maxCoeff();
 }
 
 std::int64_t CyclicCuts::pivots() const {
@@ -59,8 +59,7 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
     Environment& environment = environments_[e];
     environment.known = environments[e]->known;
     environment.columns.assign(*environments[e], fingers, force);
-    environment.slack.assign(ix(stride_), 0.0);
-    environment.reached.assign(ix(count_), false);
+    environment.unreached.restart(directions_);
     environment.basis.begin(environment.columns);
     if (!environment.basis.complete(target(e, critical_, 0))) return false;
   }
@@ -71,7 +70,7 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
 RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, double z) const {
   RayBasis::Vector b{};
   for (int i = 0; i < 6; ++i) {
-    b[ix(i)] = z * directions_[ix(i * stride_ + direction)] - environments_[environment].known[i];
+    b[ix(i)] = z * directions_(i, direction) - environments_[environment].known[i];
   }
   for (int i = 0; i < fingers_; ++i) {
     const int dim = dim_[ix(i)];
@@ -80,58 +79,64 @@ RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, doub
   return b;
 }
 
-/// Which of the targets z l_d the present basis carries.
-void CyclicCuts::sweep(std::size_t index, double z) {
-  Environment& e = environments_[index];
-  const RayBasis::Vector origin = target(index, 0, 0);
-  double* slack = e.slack.data();
-  std::fill(e.slack.begin(), e.slack.end(), std::numeric_limits<double>::max());
-  double size = 0;
-  for (double value : origin) size += value * value;
-  std::array<double, 6> step{};
-  for (int r = 0; r < e.columns.rows(); ++r) {
-    const RayBasis::Vector& row = e.basis.row(r);
-    const double scale = 1 / std::sqrt(e.basis.squared_length(r));
-    double base = 0;
-    for (std::size_t i = 0; i < row.size(); ++i) base += row[i] * origin[i];
-    base *= scale;
-    for (int i = 0; i < 6; ++i) step[ix(i)] = z * scale * row[ix(i)];
-    for (int d = 0; d < stride_; ++d) {
-      double value = base;
-      for (int i = 0; i < 6; ++i) value += step[ix(i)] * directions_[ix(i * stride_ + d)];
-      slack[d] = std::min(slack[d], value);
-    }
-  }
-  const double allowed = -tolerance_ * std::max(std::sqrt(size), z);
-  for (int d = 0; d < count_; ++d) {
-    if (slack[d] >= allowed) e.reached[ix(d)] = true;
+/// Begins anew with all directions, the critical one first.
+void CyclicCuts::Unreached::restart(const Matrix6Xd& all) {
+  left = static_cast<int>(all.cols());
+  if (!order.empty()) return;
+  order.resize(ix(left));
+  std::iota(order.begin(), order.end(), 0);
+  const int blocks = (left + kLanes - 1) / kLanes;
+  slack.resize(ix(blocks * kLanes));
+  table.assign(ix(blocks * 6 * kLanes), 0.0);
+  for (int at = 0; at < left; ++at) {
+    for (int i = 0; i < 6; ++i) *place(at, i) = all(i, at);
   }
 }
 
-/// The nearest of those left; -1: none.
-int CyclicCuts::next_direction(std::size_t index) const {
-  const Environment& e = environments_[index];
-  int next = -1;
-  for (int d = 0; d < count_; ++d) {
-    if (e.reached[ix(d)]) continue;
-    if (next < 0 || e.slack[ix(d)] > e.slack[ix(next)]) next = d;
+double* CyclicCuts::Unreached::place(int at, int axis) {
+  return &table[ix((at / kLanes * 6 + axis) * kLanes + at % kLanes)];
+}
+
+/// The last of those left takes the place of one that is reached.
+void CyclicCuts::Unreached::remove(int at) {
+  --left;
+  std::swap(order[ix(at)], order[ix(left)]);
+  slack[ix(at)] = slack[ix(left)];
+  for (int i = 0; i < 6; ++i) std::swap(*place(at, i), *place(left, i));
+}
+
+/// How far from a target counts as there.
+double CyclicCuts::distance(double z) const { return tolerance_ * (force_scale_ + z * longest_); }
+
+/// Drops the targets z l_d that the present basis carries. The nearest of the others; -1: none.
+int CyclicCuts::sweep(std::size_t index, double z) {
+  Environment& e = environments_[index];
+  Unreached& u = e.unreached;
+  if (u.left == 0) return -1;
+  const RayBasis::Vector origin = target(index, 0, 0);
+  const double allowed = -2 * distance(z);  // more than reach(): what that reaches is dropped
+  kernels::slacks(e.basis.inverse(), origin.data(), z, u.table.data(),
+                  (u.left + kLanes - 1) / kLanes, u.slack.data());
+  int nearest = -1;
+  for (int at = u.left - 1; at >= 0; --at) {
+    if (u.slack[ix(at)] >= allowed) {
+      u.remove(at);
+      if (nearest == u.left) nearest = at;
+    } else if (nearest < 0 || u.slack[ix(at)] > u.slack[ix(nearest)]) {
+      nearest = at;
+    }
   }
-  return next;
+  return nearest < 0 ? -1 : u.order[ix(nearest)];
 }
 
 /// Reaches all targets z l_d in an environment, or stops at a facet that is against one.
 bool CyclicCuts::certify(std::size_t index, double z) {
-  Environment& e = environments_[index];
-  sweep(index, z);
-  int d = e.reached[ix(critical_)] ? next_direction(index) : critical_;
-  while (d >= 0) {
-    if (e.basis.reach(target(index, d, z), tolerance_) == RayBasis::Outcome::facet) {
+  RayBasis& basis = environments_[index].basis;
+  for (int d = critical_; d >= 0; d = sweep(index, z)) {
+    if (basis.reach(target(index, d, z), distance(z)) == RayBasis::Outcome::facet) {
       critical_ = d;
       return false;
     }
-    e.reached[ix(d)] = true;
-    sweep(index, z);
-    d = next_direction(index);
   }
   return true;
 }
@@ -144,7 +149,7 @@ Cuts::Cut CyclicCuts::cut(std::size_t index) const {
   double width = 0;
   for (int d = 0; d < count_; ++d) {
     double sum = 0;
-    for (int i = 0; i < 6; ++i) sum -= rho[ix(i)] * directions_[ix(i * stride_ + d)];
+    for (int i = 0; i < 6; ++i) sum -= rho[ix(i)] * directions_(i, d);
     width = std::max(width, sum);
   }
   Cuts::Cut cut;
@@ -189,9 +194,9 @@ CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches
     } else {
       const Cuts::Cut found = cut(e);
       if (e == 0) keep_support(environments_[e].basis.facet());
-      // Against the facet by rounding alone; the model would not take such a cut.
-      if (model_.at(found) >= trial - kTolerance * force_scale_) tolerance_ *= 2;
-      model_.add(found);
+      const bool is_against = model_.at(found) < trial;
+      const bool is_new = model_.add(found);
+      if (!is_against || !is_new) tolerance_ *= 2;  // against the facet by rounding alone
       if (model_.z() < needed || model_.z() <= kNothing * force_scale_) return finish();
       if (dims_ == 0 && model_.z() <= trial) {
         trial = model_.z();
@@ -199,9 +204,7 @@ CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches
       }
       trial = std::min(trial, model_.z());
     }
-    for (std::size_t i = 0; i < used_; ++i) {
-      environments_[i].reached.assign(ix(count_), false);
-    }
+    for (std::size_t i = 0; i < used_; ++i) environments_[i].unreached.restart(directions_);
     e = 0;
   }
   Result result = finish();
@@ -215,7 +218,7 @@ std::vector<int> CyclicCuts::binding() {
   const double beyond = z + 1e-9 * std::max(1.0, z);
   for (int d = 0; d < count_; ++d) {
     for (std::size_t e = 0; e < used_; ++e) {
-      if (environments_[e].basis.reach(target(e, d, beyond), kTolerance) ==
+      if (environments_[e].basis.reach(target(e, d, beyond), distance(beyond)) ==
           RayBasis::Outcome::reached) {
         continue;
       }

@@ -33,23 +33,31 @@ class CyclicCuts {
   bool prepare(const std::vector<const EnvironmentWrenches*>& environments,
                const std::vector<const FingerWrenches*>& fingers, ForceMask force);
   RayBasis::Vector target(std::size_t environment, int direction, double z) const;
-  void sweep(std::size_t environment, double z);
-  int next_direction(std::size_t environment) const;
+  double distance(double z) const;
+  int sweep(std::size_t environment, double z);
   bool certify(std::size_t environment, double z);
   Cuts::Cut cut(std::size_t environment) const;
   void keep_support(const RayBasis::Vector& facet);
   Result finish() const;
 
-  int count_;                       // directions
-  std::vector<double> directions_;  // rows of numbers, padded
-  int stride_;
+  Matrix6Xd directions_;
+  int count_;
+  double longest_;  // direction
 
+  /// Directions whose targets are not reached yet come first, in blocks for kernels::slacks().
+  struct Unreached {
+    int left = 0;
+    std::vector<int> order;
+    std::vector<double> table, slack;
+    void restart(const Matrix6Xd& all);
+    double* place(int at, int axis);
+    void remove(int at);
+  };
   struct Environment {
     Columns columns;
     RayBasis basis;
     Vector6d known;
-    std::vector<double> slack;  // of each direction at the last sweep: below 0 is out of the basis
-    std::vector<bool> reached;
+    Unreached unreached;
   };
   std::vector<Environment> environments_;
   std::size_t used_ = 0;

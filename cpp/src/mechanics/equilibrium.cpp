@@ -7,6 +7,7 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/conditioning.hpp"
 #include "mechanics/control.hpp"
 #include "mechanics/lp.hpp"
 
@@ -16,18 +17,17 @@ namespace {
 /// A programme in t and k' >= 0, the coefficients being k = t + k'.
 class Interior {
  public:
-  Interior(double t_max) : t_(lp_.add_variable(0, t_max, 1)) {}
-
-  void add_balance(const Vector6d& known) {
-    for (int i = 0; i < 6; ++i) lp_.add_row(-known[i], -known[i]);
-    on_t_ = Vector6d::Zero();
+  Interior(double t_max, const Matrix6d& even, const Vector6d& known)
+      : t_(lp_.add_variable(0, t_max, 1)), even_(even) {
+    const Vector6d right = -even * known;
+    for (int i = 0; i < 6; ++i) lp_.add_row(right[i], right[i]);
   }
   /// k' of these generators; gives the first one's index.
   int add(const Matrix6Xd& generators) {
     const auto first = static_cast<int>(lp_.num_variables());
     for (Eigen::Index j = 0; j < generators.cols(); ++j) lp_.add_variable(0, kInfinity);
-    lp_.set_block(0, first, generators);
-    on_t_ += generators.rowwise().sum();
+    lp_.set_block(0, first, even_ * generators);
+    on_t_ += even_ * generators.rowwise().sum();
     return first;
   }
   /// The normal force of one finger: f_com, or f_max less t at most.
@@ -45,6 +45,7 @@ class Interior {
  private:
   LinearProgram lp_;
   int t_;
+  Matrix6d even_;                     // on both sides of the balance
   Vector6d on_t_ = Vector6d::Zero();  // what the balance gains per unit of t
 };
 
@@ -70,13 +71,15 @@ std::optional<Equilibrium> interior_equilibrium(const ContactSet& set,
   validate_modes(set, modes);
   validate_commanded_forces(set, modes, commanded_forces);
   const EnvironmentWrenches environment = environment_wrenches(set);
-  Interior interior(largest_margin(set));
-  interior.add_balance(environment.known);
-  const int first_contact = interior.add(environment.generators);
   std::vector<FingerWrenches> fingers;
+  for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
+    fingers.push_back(finger_wrenches(set, i));
+  }
+  Interior interior(largest_margin(set), balance_conditioning(environment, fingers),
+                    environment.known);
+  const int first_contact = interior.add(environment.generators);
   std::vector<int> first_finger;
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
-    fingers.push_back(finger_wrenches(set, static_cast<int>(i)));
     first_finger.push_back(interior.add(fingers[i].generators));
     const double f_com = commanded_forces[static_cast<Eigen::Index>(i)];
     interior.add_normal(first_finger[i], fingers[i], modes[i] == FingerMode::force, f_com);

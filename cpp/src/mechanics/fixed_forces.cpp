@@ -10,6 +10,8 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/conditioning.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
@@ -32,9 +34,14 @@ void set_balance(LinearProgram* program, const Vector6d& value) {
 FixedForces::FixedForces(const ContactSet& set, const std::vector<FingerMode>& modes,
                          const Eigen::VectorXd& commanded_forces) {
   const EnvironmentWrenches environment = environment_wrenches(set);
-  known_ = environment.known;
+  std::vector<FingerWrenches> fingers;
+  for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
+    fingers.push_back(finger_wrenches(set, i));
+  }
+  even_ = balance_conditioning(environment, fingers);
+  known_ = even_ * environment.known;
   for (int i = 0; i < 6; ++i) program_.add_row(0, 0);
-  int next = add_columns(&program_, environment.generators);
+  int next = add_columns(&program_, even_ * environment.generators);
   for (const Contact& contact : set.contacts) {
     if (contact.mode == ContactMode::slide) {
       sliding_.push_back(next++);
@@ -43,33 +50,35 @@ FixedForces::FixedForces(const ContactSet& set, const std::vector<FingerMode>& m
       next += set.cone_edges;
     }
   }
-  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
-    const FingerWrenches finger = finger_wrenches(set, static_cast<int>(i));
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    const FingerWrenches& finger = fingers[i];
     const double f_com = commanded_forces[static_cast<Eigen::Index>(i)];
     const int row = modes[i] == FingerMode::force
                         ? program_.add_row(f_com, f_com)
                         : program_.add_row(-kInfinity, finger.max_normal_force);
-    program_.set_block(row, add_columns(&program_, finger.generators), finger.normal.transpose());
+    program_.set_block(row, add_columns(&program_, even_ * finger.generators),
+                       finger.normal.transpose());
   }
 }
 
+double FixedForces::reach(const Vector6d& direction, double enough) const {
+  LinearProgram shot = program_;
+  set_balance(&shot, -known_);
+  shot.set_block(0, shot.add_variable(0, enough, 1), -even_ * direction);
+  return std::max(0.0, solve_lp(shot).objective);
+}
+
 double FixedForces::stability(const Matrix6Xd& directions) const {
-  LinearProgram base = program_;
-  set_balance(&base, -known_);
-  const int z = base.add_variable(0, kInfinity, 1);
   double least = kInfinity;
   for (Eigen::Index d = 0; d < directions.cols() && least > 0; ++d) {
-    LinearProgram shot = base;
-    shot.set_block(0, z, -directions.col(d));
-    shot.upper[static_cast<std::size_t>(z)] = least;  // beyond it does not matter
-    least = std::min(least, solve_lp(shot).objective);
+    least = reach(directions.col(d), least);
   }
-  return std::max(0.0, least);
+  return least;
 }
 
 Eigen::VectorXd FixedForces::sliding_forces(const Vector6d& target) const {
   LinearProgram program = program_;
-  set_balance(&program, target - known_);
+  set_balance(&program, even_ * target - known_);
   for (std::size_t i = 0; i < sliding_.size(); ++i) {
     program.objective[static_cast<std::size_t>(sliding_[i])] = -normal_[i];
   }

@@ -16,7 +16,10 @@ class FixedForces {
   FixedForces(const ContactSet& set, const std::vector<FingerMode>& modes,
               const Eigen::VectorXd& commanded_forces);
 
-  /// The largest z such that all z l_i can be balanced; 0 when there is no equilibrium.
+  /// The largest z such that z l_i can be balanced, up to `enough`; 0 when there is no equilibrium.
+  double reach(const Vector6d& direction, double enough = kInfinity) const;
+
+  /// The least of these.
   double stability(const Matrix6Xd& directions) const;
 
   /// Normal forces of the sliding contacts, one each in their order, that balance `target` with the
@@ -24,6 +27,7 @@ class FixedForces {
   Eigen::VectorXd sliding_forces(const Vector6d& target) const;
 
  private:
+  Matrix6d even_;               // on both sides of the balance
   LinearProgram program_;       // coefficients k, rows of balance (right side: -known) and normals
   Vector6d known_;              // R^1/2 Q_known
   std::vector<int> sliding_;    // columns of sliding contacts

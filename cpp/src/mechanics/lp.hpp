@@ -47,7 +47,8 @@ struct LpSolution {
 /// Solves by GLPK's dual simplex method, then works out x and the duals anew from the final basis
 /// (LU with iterative refinement). May be called from any thread. Throws std::invalid_argument on
 /// entries or bounds that are not finite where they must be, crossed, out of range or given twice,
-/// and std::runtime_error when GLPK gives up or the errors stay above 1e-6.
+/// and std::runtime_error when GLPK gives up or the errors stay above 1e-6. That a programme is
+/// infeasible or unbounded is GLPK's word, to its tolerance of 1e-9.
 LpSolution solve_lp(const LinearProgram& lp);
 
 }  // namespace graspless::mechanics

@@ -4,10 +4,11 @@
 #include "mechanics/reference.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/conditioning.hpp"
+#include "mechanics/fixed_forces.hpp"
 #include "mechanics/lp.hpp"
 
 namespace graspless::mechanics {
@@ -22,11 +23,13 @@ struct Matrices {
     for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
       fingers.push_back(finger_wrenches(set, i));
     }
+    even = balance_conditioning(environment, fingers);
   }
   bool is_force(std::size_t i) const { return modes[i] == FingerMode::force; }
 
   EnvironmentWrenches environment;      // R^1/2 W_env C_env, R^1/2 Q_known
   std::vector<FingerWrenches> fingers;  // R^1/2 W_rob C_rob and N_rob' C_rob, a finger each
+  Matrix6d even;                        // on both sides of each balance
   const std::vector<FingerMode>& modes;
 };
 
@@ -45,17 +48,17 @@ int add_balance_rows(LinearProgram* lp, const Vector6d& value) {
 }
 
 /// The rows of (6) that belong to one direction l_i, with k_env i and k_rob i.
-int add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector<int>& f_com,
-                  const Vector6d& l_i) {
+void add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector<int>& f_com,
+                   const Vector6d& l_i) {
   // z l_i = R^1/2 (Q_known + W_env C_env k_env i + W_rob C_rob k_rob i)
-  const int balance = add_balance_rows(lp, -m.environment.known);
-  lp->set_block(balance, z, -l_i);
+  const int balance = add_balance_rows(lp, -m.even * m.environment.known);
+  lp->set_block(balance, z, -m.even * l_i);
   const int k_env = add_coefficients(lp, m.environment.generators, kInfinity, 0);
-  lp->set_block(balance, k_env, m.environment.generators);
+  lp->set_block(balance, k_env, m.even * m.environment.generators);
   for (std::size_t i = 0; i < m.fingers.size(); ++i) {
     const FingerWrenches& finger = m.fingers[i];
     const int k_rob = add_coefficients(lp, finger.generators, kInfinity, 0);
-    lp->set_block(balance, k_rob, finger.generators);
+    lp->set_block(balance, k_rob, m.even * finger.generators);
     // N_rob' C_rob k_rob i <= f_max; N_rob' A_force C_rob k_rob i = f_com, where f_com <= f_max
     // already stands for the limit.
     const int normal =
@@ -63,19 +66,20 @@ int add_direction(LinearProgram* lp, const Matrices& m, int z, const std::vector
     lp->set_block(normal, k_rob, finger.normal.transpose());
     if (m.is_force(i)) lp->set(normal, f_com[i], -1);
   }
-  return balance;
 }
 
-/// Directions whose targets the optimum would have moved further but for the others' sake: those
-/// with a dual.
-std::vector<int> binding(const LpSolution& solution, const std::vector<int>& balance) {
-  std::vector<int> directions;
-  for (std::size_t d = 0; d < balance.size(); ++d) {
-    if (solution.duals.segment<6>(balance[d]).cwiseAbs().maxCoeff() > kBinding) {
-      directions.push_back(static_cast<int>(d));
+/// Directions whose targets cannot be moved further with these commanded forces.
+std::vector<int> binding(const ContactSet& set, const std::vector<FingerMode>& modes,
+                         const Matrix6Xd& directions, const Stability& stability) {
+  const FixedForces balance(set, modes, stability.commanded_forces);
+  const double beyond = stability.z + kBinding * std::max(1.0, stability.z);
+  std::vector<int> found;
+  for (Eigen::Index d = 0; d < directions.cols(); ++d) {
+    if (balance.reach(directions.col(d), 2 * beyond) < beyond) {
+      found.push_back(static_cast<int>(d));
     }
   }
-  return directions;
+  return found;
 }
 
 }  // namespace
@@ -89,9 +93,8 @@ Stability max_stability_reference(const ContactSet& set, const std::vector<Finge
   for (std::size_t i = 0; i < m.fingers.size(); ++i) {
     if (m.is_force(i)) f_com[i] = lp.add_variable(0, m.fingers[i].max_normal_force);
   }
-  std::vector<int> balance;
   for (Eigen::Index d = 0; d < directions.cols(); ++d) {
-    balance.push_back(add_direction(&lp, m, z, f_com, directions.col(d)));
+    add_direction(&lp, m, z, f_com, directions.col(d));
   }
   const LpSolution solution = solve_lp(lp);
 
@@ -105,7 +108,9 @@ Stability max_stability_reference(const ContactSet& set, const std::vector<Finge
     stability.commanded_forces[static_cast<Eigen::Index>(i)] =
         std::clamp(solution.x[f_com[i]], 0.0, m.fingers[i].max_normal_force);
   }
-  stability.binding_directions = binding(solution, balance);
+  if (stability.z > 0) {
+    stability.binding_directions = binding(set, modes, directions, stability);
+  }
   return stability;
 }
 

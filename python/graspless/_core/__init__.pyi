@@ -6,7 +6,8 @@ from . import geometry
 from . import robot
 from . import collision
 from . import scene
+from . import mechanics
 from . import planning
 from . import slide
 from . import bench
-__all__: list[str] = ['bench', 'collision', 'geometry', 'planning', 'robot', 'scene', 'slide']
+__all__: list[str] = ['bench', 'collision', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']

@@ -7,14 +7,46 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from ..errors import TaskError
+from ..kinds import KINDS, part
+from .meshes import check_files
 from .source import Source, parse_yaml, read_text
 
 if TYPE_CHECKING:
-    from .. import planning, slide
-    from . import model
+    import pydantic
+
+    from .. import planning
+
+
+class TaskKind(Protocol):
+    """What `tasks` needs of a kind."""
+
+    SEARCHES: tuple[str, ...]
+    """Choices of options.search, the default last."""
+
+    Fields: type[pydantic.BaseModel]
+    """The task file: kind, options and budget among its fields."""
+
+    def resolve(self, named: Any, source: Source, directory: Path) -> tuple[Any, Source]:
+        """The fields with every file that they name put inline, and where those of another file
+        stand.
+        """
+
+    def require_resolved(self, fields: Any, source: Source) -> None:
+        """Raises TaskError unless fields of a plan file name no file that is not beside it."""
+
+    def build(self, fields: Any, source: Source, other: Source) -> tuple[Any, Any]:
+        """The problem of resolved fields, and the robot that carries the plan out where that is
+        not a part of the problem.
+        """
+
+    def options(self, fields: Any, problem: Any, source: Source) -> Any:
+        """How to search; raises TaskError where the problem is too large for it."""
+
+    def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
+        """Fields with every value that was in force, so that a later default cannot change it."""
 
 
 @dataclass(frozen=True)
@@ -23,21 +55,29 @@ class Task:
 
     Attributes
     ----------
-    fields : SlideTask
+    fields : SlideTask or FingertipTask
         The whole task; no file but meshes is needed beside it.
-    problem : slide.Problem
+    problem : slide.Problem or fingertip.Problem
         What is given.
-    options : slide.Options
+    options : slide.Options or fingertip.Options
         How to search.
     budget : planning.Budget
         Time and randomness.
+    arm : tasks.fingertip.Arm or None
+        Of a fingertip task with a robot.
     """
 
-    fields: model.SlideTask
-    problem: slide.Problem
-    options: slide.Options
+    fields: Any
+    problem: Any
+    arm: Any
+    options: Any
     budget: planning.Budget
     source: Source
+
+    @property
+    def kind(self) -> str:
+        """Which planner it is for: slide or fingertip."""
+        return str(self.fields.kind)
 
     @property
     def seed(self) -> int:
@@ -46,7 +86,8 @@ class Task:
 
     def to_dict(self) -> dict[str, Any]:
         """The task as it stands in a plan file: whole, in plain types."""
-        return self.fields.model_dump(mode="json", exclude_none=True)
+        document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
+        return document
 
     def with_changes(
         self,
@@ -65,7 +106,7 @@ class Task:
             document["options"] = document.get("options", {}) | {"search": search}
         source = Source(self.source.file, document)
         fields = source.validate(type(self.fields))
-        return _with_search(fields, self.problem, self.source)
+        return _with_search(fields, (self.problem, self.arm), self.source)
 
 
 def load_task(path: str | Path) -> Task:
@@ -96,25 +137,13 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
     directory : str or Path
         What paths in it are relative to.
     """
-    from . import model
-    from .resolve import resolve
-
     if _is_plan(text):
         raise TaskError(f"{file}: this is a plan, not a task; graspless check reads it")
     source = parse_yaml(text, file)
-    named = source.validate(model.SlideTask)
-    fields, hand_source = resolve(named, source, Path(directory).resolve())
-    return _task(fields, source, hand_source)
-
-
-def _is_plan(text: str) -> bool:
-    if not text.lstrip().startswith("{"):  # a task may be JSON too, as all JSON is YAML
-        return False
-    try:
-        document = json.loads(text)
-    except ValueError:
-        return False
-    return isinstance(document, dict) and "format" in document and "segments" in document
+    kind = task_kind(source)
+    named = source.validate(kind.Fields)
+    fields, other = kind.resolve(named, source, Path(directory).resolve())
+    return _with_search(fields, kind.build(fields, source, other), source)
 
 
 def task_from_dict(document: Any, file: str) -> Task:
@@ -127,46 +156,51 @@ def task_from_dict(document: Any, file: str) -> Task:
     file : str
         For errors.
     """
-    from . import model
-    from .resolve import check_files
-
     source = Source(file, document)
-    fields = source.validate(model.SlideTask)
-    for section, field in (("robot", "urdf"), ("object", "cloud")):
-        if getattr(getattr(fields, section), field) is not None:
-            raise source.error((section, field), "must stand in the plan file itself")
-    if isinstance(fields.hand, str):
-        raise source.error(("hand",), "must stand in the plan file itself")
-    check_files(fields, source)
-    return _task(fields, source, source)
+    kind = task_kind(source)
+    fields = source.validate(kind.Fields)
+    kind.require_resolved(fields, source)
+    check_files(fields.files, source)
+    return _with_search(fields, kind.build(fields, source, source), source)
 
 
-def _task(fields: model.SlideTask, source: Source, hand_source: Source) -> Task:
-    from .build import build
-
-    return _with_search(fields, build(fields, source, hand_source), source)
-
-
-def _with_search(fields: model.SlideTask, problem: slide.Problem, source: Source) -> Task:
-    from .build import build_budget, build_options
-
-    options, budget = build_options(fields, source), build_budget(fields, source)
-    # A plan file says every value that was in force, so that a later default cannot change it.
-    in_force = {
-        "hand": _in_force(fields.hand, problem.hand),
-        "options": _in_force(fields.options, options),
-        "budget": _in_force(fields.budget, budget),
-    }
-    return Task(fields.model_copy(update=in_force), problem, options, budget, source)
+def task_kind(source: Source) -> TaskKind:
+    """What is a document's own kind's; raises TaskError unless it has a known one."""
+    name = source.data.get("kind") if isinstance(source.data, dict) else None
+    choices = " or ".join(f"'{kind}'" for kind in KINDS)
+    if name is None:
+        raise source.error(("kind",), f"missing; should be {choices}")
+    if name not in KINDS:
+        raise source.error(("kind",), f"should be {choices}")
+    kind: TaskKind = part("tasks", name)
+    return kind
 
 
-def _in_force(fields: Any, built: Any) -> Any:
-    values = {name: getattr(built, name) for name in type(fields).model_fields}
-    plain = {
-        name: list(value) if isinstance(value, tuple) else getattr(value, "name", value)
-        for name, value in values.items()
-    }
-    return type(fields)(**plain)
+def searches(kind: str) -> tuple[str, ...]:
+    """Choices of options.search."""
+    choices: tuple[str, ...] = part("tasks", kind).SEARCHES
+    return choices
+
+
+def _is_plan(text: str) -> bool:
+    if not text.lstrip().startswith("{"):  # a task may be JSON too, as all JSON is YAML
+        return False
+    try:
+        document = json.loads(text)
+    except ValueError:
+        return False
+    return isinstance(document, dict) and "format" in document and "segments" in document
+
+
+def _with_search(fields: Any, built: tuple[Any, Any], source: Source) -> Task:
+    from .budget import build_budget
+    from .force import in_force
+
+    problem, arm = built
+    kind: TaskKind = part("tasks", fields.kind)
+    options, budget = kind.options(fields, problem, source), build_budget(fields.budget, source)
+    update = kind.in_force(fields, problem, options) | {"budget": in_force(fields.budget, budget)}
+    return Task(fields.model_copy(update=update), problem, arm, options, budget, source)
 
 
 __all__ = ["Task", "TaskError", "load_task", "read_task", "task_from_dict"]

@@ -5,9 +5,15 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from .. import frames
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
 
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
@@ -47,6 +53,13 @@ class Pose(Fields):
         if self.quaternion and abs(math.hypot(*self.quaternion) - 1) > 1e-3:
             raise ValueError(f"quaternion has length {math.hypot(*self.quaternion):.4g}, not 1")
         return self
+
+
+def pose_matrix(pose: Pose) -> Matrix:
+    """The 4 x 4 matrix of a pose in a file."""
+    if pose.quaternion is not None:
+        return frames.translation(pose.position) @ frames.from_quaternion(pose.quaternion)
+    return frames.translation(pose.position) @ frames.from_rpy(pose.rpy or [0.0, 0.0, 0.0])
 
 
 class PlanarPose(Fields):
@@ -107,3 +120,9 @@ class Obstacle(Fields):
     def _check(self) -> Obstacle:
         self.one_of("box", "sphere", "capsule", "cylinder", "mesh")
         return self
+
+
+def regular_polygon(radius: float, n: int) -> Matrix:
+    """[n, 2] corners about the origin, the first on x."""
+    angles = 2 * np.pi * np.arange(n) / n
+    return np.asarray(radius * np.column_stack([np.cos(angles), np.sin(angles)]))

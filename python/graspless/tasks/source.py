@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import re
 from dataclasses import dataclass, field
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import TaskError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     import pydantic
 
@@ -45,6 +46,13 @@ class Source:
 
     def error(self, location: Iterable[str | int], what: str) -> TaskError:
         return TaskError(self.message(location, what))
+
+    def given(self, *location: str) -> set[str]:
+        """Names of the fields that stand in a section of the file."""
+        data = self.data
+        for key in location:
+            data = data.get(key, {}) if isinstance(data, dict) else {}
+        return set(data) if isinstance(data, dict) else set()
 
     def validate(self, model: type[pydantic.BaseModel]) -> Any:
         """The data as a `model`; raises TaskError with one line a fault."""
@@ -94,6 +102,21 @@ class Source:
         value = self._look_up(place)[0]
         shown = f"{_shorten(value)}: " if isinstance(value, list) and kind != "value_error" else ""
         return self.message(place, shown + text[:1].lower() + text[1:])
+
+
+@contextlib.contextmanager
+def at(source: Source, *location: str | int) -> Iterator[None]:
+    """Gives a ValueError of the core the file, line and field that caused it."""
+    try:
+        yield
+    except TaskError:
+        raise
+    except ValueError as error:
+        text = str(error).removeprefix(f"{location[0]}: ")
+        named = re.match(r"(\w+)\.(\w+) (.*)", text, re.DOTALL)
+        if named and named[1] == location[0]:  # the core names the field too
+            raise source.error((named[1], named[2]), named[3]) from None
+        raise source.error(location, text) from None
 
 
 def read_text(path: str | Path) -> str:

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 from .. import files
 from ..errors import TaskError
+from ..kinds import part
 
 if TYPE_CHECKING:
     from ..plans import Plan
 
 
 def write_png(plan: Plan, path: str | Path) -> None:
-    """Draws a plan: its slide from above, and the robot at four moments of it.
+    """Draws a plan: what moves, at some moments of it, and what there is to know of it.
 
     Parameters
     ----------
@@ -27,10 +28,10 @@ def write_png(plan: Plan, path: str | Path) -> None:
     check_png(path)
     files.check_writable(path)
     try:
-        from .picture import draw
+        picture: bytes = part("view", plan.kind).draw(plan)
     except ImportError as error:
         raise TaskError(_missing(error)) from None
-    files.write(path, draw(plan))
+    files.write(path, picture)
 
 
 def check_png(path: str | Path) -> None:

@@ -11,15 +11,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames, geometry
-from ..tasks.resolve import pose_matrix
+from ..tasks.shapes import pose_matrix
 from .visuals import UnreadableError, read_visual, warn_once
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from ..frames import Matrix
-    from ..tasks import Task, model, shapes
-    from .film import Film
+    from ..robot import Robot
+    from ..tasks import shapes
+    from ..tasks.robots import Robot as RobotFields
 
 Color = tuple[float, float, float]
 
@@ -28,7 +31,6 @@ OBJECT: Color = (0.95, 0.65, 0.15)
 TABLE: Color = (0.80, 0.72, 0.60)
 OBSTACLE: Color = (0.45, 0.55, 0.68)
 TRAIL: Color = (0.78, 0.10, 0.32)
-TRAIL_WIDTH = 0.008  # [m]
 
 
 @dataclass
@@ -52,18 +54,18 @@ class Part:
 
 @dataclass
 class Body:
-    """Parts that move together."""
+    """Parts that move together; flat ones are shaded by face."""
 
     name: str
     parts: list[Part] = field(default_factory=list)
+    is_flat: bool = False
 
 
-def robot_bodies(task: Task) -> list[Body]:
+def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
     """One body a link, in the order of Robot.frame_names: its visuals, or else its shapes."""
-    robot = task.problem.robot
     names = list(robot.frame_names)
     bodies = [Body(name) for name in names]
-    root = ET.fromstring(task.fields.robot.urdf_text or "")
+    root = ET.fromstring(fields.urdf_text or "")
     palette = {
         material.get("name", ""): _color(material)
         for material in root.iter("material")
@@ -74,7 +76,7 @@ def robot_bodies(task: Task) -> list[Body]:
         name = link.get("name", "")
         try:
             for visual in link.findall("visual"):
-                bodies[names.index(name)].parts += _visual_parts(visual, palette, task.fields.robot)
+                bodies[names.index(name)].parts += _visual_parts(visual, palette, fields)
                 drawn.add(name)
         except UnreadableError as error:
             # Only how it looks is lost: the plan and its check use the collision shapes.
@@ -87,45 +89,12 @@ def robot_bodies(task: Task) -> list[Body]:
     return bodies
 
 
-def table_body(task: Task) -> Body:
-    """The support, in S."""
-    support = task.problem.support
-    return Body("table", [prism(support.polygon, -support.slab, 0.0, TABLE)])
-
-
-def object_body(task: Task) -> Body:
-    """The object, in O."""
-    thing = task.problem.object
-    return Body("object", [prism(thing.outline, 0.0, thing.thickness, OBJECT)])
-
-
-def obstacle_bodies(task: Task) -> list[tuple[Body, Matrix]]:
+def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Matrix]]:
     """The obstacles with their poses in the world."""
     return [
         (Body(obstacle.name, [_obstacle_part(obstacle)]), pose_matrix(obstacle.pose))
-        for obstacle in task.fields.obstacles
+        for obstacle in obstacles
     ]
-
-
-def prism(outline: geometry.Polygon, bottom: float, top: float, color: Color) -> Part:
-    """A polygon between two heights [m]."""
-    vertices: list[Any] = []
-    triangles: list[list[int]] = []
-
-    def add(points: Any, faces: list[list[int]]) -> None:
-        triangles.extend([[i + len(vertices) for i in face] for face in faces])
-        vertices.extend(points)
-
-    for part in outline.convex_parts():
-        ring = np.asarray(part.vertices)
-        fan = [[0, i, i + 1] for i in range(1, len(ring) - 1)]
-        add(np.column_stack([ring, np.full(len(ring), top)]), fan)
-        add(np.column_stack([ring, np.full(len(ring), bottom)]), [face[::-1] for face in fan])
-    ring = np.asarray(outline.vertices)
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        side = [[*a, bottom], [*b, bottom], [*b, top], [*a, top]]
-        add(side, [[0, 1, 2], [0, 2, 3]])
-    return Part(np.array(vertices), np.array(triangles), color)
 
 
 def placed_part(placed: geometry.PlacedShape, color: Color) -> Part:
@@ -146,30 +115,6 @@ def placed_part(placed: geometry.PlacedShape, color: Color) -> Part:
     return _part(mesh, np.asarray(placed.X_BG), color)
 
 
-def trail_body(shown: Film) -> Body:
-    """The way of the fingertip while it slides, a ribbon just above the object, in the world."""
-    rows = shown.rows("slide")
-    problem = shown.plan.task.problem
-    X_WS = np.asarray(problem.support.X_WS)
-    X_SW = np.linalg.inv(X_WS)
-    tips = shown.frame(problem.hand.fingertip)[rows, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3]
-    steps = np.linalg.norm(np.diff(tips[:, :2], axis=0), axis=1)
-    tips = tips[np.concatenate([[True], steps > 1e-9])] if len(tips) else tips
-    if len(tips) < 2:
-        return Body("trail")
-    way = np.gradient(tips[:, :2], axis=0)
-    way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-12)
-    across = np.column_stack([-way[:, 1], way[:, 0], np.zeros(len(way))]) * TRAIL_WIDTH / 2
-    middle = np.column_stack([tips[:, :2], np.full(len(tips), problem.object.thickness + 0.002)])
-    ribbon = np.concatenate([middle + across, middle - across])
-    n = len(tips)
-    i = np.arange(n - 1)
-    quads = [np.stack([i, i + n, i + n + 1], axis=1), np.stack([i, i + n + 1, i + 1], axis=1)]
-    return Body(
-        "trail", [Part(ribbon @ X_WS[:3, :3].T + X_WS[:3, 3], np.concatenate(quads), TRAIL)]
-    )
-
-
 def _obstacle_part(obstacle: shapes.Obstacle) -> Part:
     import trimesh
 
@@ -188,7 +133,7 @@ def _obstacle_part(obstacle: shapes.Obstacle) -> Part:
     return _part(mesh, np.eye(4), OBSTACLE)
 
 
-def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: model.Robot) -> list[Part]:
+def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: RobotFields) -> list[Part]:
     import trimesh
 
     shape = visual.find("geometry/*")

@@ -8,22 +8,19 @@ import contextlib
 import io
 import socket
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from .. import frames
+from .. import frames, kinds
 from ..errors import TaskError
-from . import bodies
-from .film import film
-from .stage import camera, spread
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from ..frames import Matrix
     from ..plans import Plan
-    from .film import Film
+    from .bodies import Body
     from .raster import Camera
 
 RATE = 20.0  # rows a second
@@ -31,17 +28,26 @@ HOLD = 1.5  # at the end, before the replay starts again [s]
 DIM = 0.82  # viser's lights are bright
 
 
+class Stage(Protocol):
+    """The scene of a plan on a viser server."""
+
+    rows: int
+    """Moments, RATE a second."""
+
+    def show(self, row: int) -> None:
+        """Moves what moves to a moment; what stays is not sent again."""
+
+
 def as_html(plan: Plan) -> str:
     """The replay as the text of one HTML file, a time slider below."""
-    shown = film(plan).resampled(RATE)
     with _server(_free_port()) as server:
-        stage = _Stage(server, shown)
+        stage = _stage(server, plan)
         stage.show(0)
         serializer = server.get_scene_serializer()
-        for row in range(1, len(shown.times)):
+        for row in range(1, stage.rows):
             serializer.insert_sleep(1 / RATE)
             stage.show(row)
-        serializer.insert_sleep(HOLD if len(shown.names) > 2 else 0.0)
+        serializer.insert_sleep(HOLD if stage.rows > 2 else 0.0)
         text: str = serializer.as_html()
     title = f"<title>graspless: {plan.task.problem.object.name}, {plan.status}</title>"
     return text.replace("<title>Viser</title>", title, 1)
@@ -50,12 +56,11 @@ def as_html(plan: Plan) -> str:
 def serve(plan: Plan, port: int) -> None:
     """Serves the replay with a slider until Ctrl-C."""
     _check_port(port)  # before the work of drawing
-    shown = film(plan).resampled(RATE)
     with _server(port) as server:
-        stage = _Stage(server, shown)
+        stage = _stage(server, plan)
         stage.show(0)
         playing = server.gui.add_checkbox("play", initial_value=True)
-        last = float(shown.times[-1])
+        last = (stage.rows - 1) / RATE
         now = server.gui.add_slider(
             "time [s]", min=0.0, max=max(last, 0.05), step=0.05, initial_value=0.0
         )
@@ -67,60 +72,44 @@ def serve(plan: Plan, port: int) -> None:
                 now.value = 0.0 if now.value >= last else min(now.value + 1 / RATE, last)
 
 
-class _Stage:
-    """The scene of a film on a viser server; `show` moves what moves."""
+def _stage(server: Any, plan: Plan) -> Stage:
+    server.scene.set_up_direction("+z")
+    server.scene.configure_default_lights(cast_shadow=True)
+    make: Callable[[Any, Plan], Stage] = kinds.part("view", plan.kind).set_stage
+    return make(server, plan)
 
-    def __init__(self, server: Any, shown: Film) -> None:
-        self.shown = shown
-        self.row = -1
-        task = shown.plan.task
-        scene = server.scene
-        scene.set_up_direction("+z")
-        scene.configure_default_lights(cast_shadow=True)
-        X_WS = np.asarray(task.problem.support.X_WS)
-        _add(scene, "/table", bodies.table_body(task), X_WS)
-        for body, X_WB in bodies.obstacle_bodies(task):
-            _add(scene, f"/obstacles/{_plain(body.name)}", body, X_WB)
-        self.links = [
-            (i, _add(scene, f"/robot/{_plain(body.name)}", body, shown.link_poses[0, i]))
-            for i, body in enumerate(bodies.robot_bodies(task))
-            if body.parts
-        ]
-        self.thing = _add(scene, "/object", bodies.object_body(task), shown.object_poses[0])
-        trail = bodies.trail_body(shown)
-        if trail.parts:
-            _add(scene, "/fingertip", trail, np.eye(4))
-        view = camera(shown, 4, 3, spread(shown))  # all of the way, not some moments of it
-        server.initial_camera.position = tuple(view.eye)
-        server.initial_camera.look_at = tuple(view.target)
-        server.initial_camera.fov = 1.08 * view.angle
-        self._add_captions(scene, view)
 
-    def show(self, row: int) -> None:
-        """Moves the robot and the object to a row; what stays is not sent again."""
-        row = min(max(row, 0), len(self.shown.times) - 1)
-        before, self.row = self.row, row
-        for i, handle in self.links:
-            _move(handle, self.shown.link_poses[row, i], self.shown.link_poses[before, i], before)
-        _move(self.thing, self.shown.object_poses[row], self.shown.object_poses[before], before)
-        name = self.shown.names[row]
-        for other, caption in self.captions.items():
-            if before < 0 or (other == name) != (other == self.shown.names[before]):
-                caption.visible = other == name
+def look(server: Any, view: Camera) -> None:
+    """Where the viewer stands at first."""
+    server.initial_camera.position = tuple(view.eye)
+    server.initial_camera.look_at = tuple(view.target)
+    server.initial_camera.fov = 1.08 * view.angle
 
-    def _add_captions(self, scene: Any, view: Camera) -> None:
-        """The name of the segment, like a subtitle."""
+
+class Captions:
+    """One line of text at a time, like a subtitle."""
+
+    def __init__(self, scene: Any, view: Camera, texts: list[str]) -> None:
         reach = np.linalg.norm(view.target - view.eye)
         at = tuple(view.target - 0.88 * reach * np.tan(view.angle / 2) * view.axes()[1])
-        self.captions = {
-            name: scene.add_label(
-                f"/captions/{_plain(name)}", name, position=at, visible=False, font_screen_scale=1.6
+        self.labels = {
+            text: scene.add_label(
+                f"/captions/{plain(text)}", text, position=at, visible=False, font_screen_scale=1.6
             )
-            for name in dict.fromkeys(self.shown.names)
+            for text in dict.fromkeys(texts)
         }
+        self.shown: str | None = None
+
+    def show(self, text: str) -> None:
+        """Shows one of the texts and hides the others."""
+        if text != self.shown:
+            if self.shown is not None:
+                self.labels[self.shown].visible = False
+            self.labels[text].visible = True
+            self.shown = text
 
 
-def _add(scene: Any, name: str, body: bodies.Body, X_WB: Matrix) -> Any:
+def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None = None) -> Any:
     """A frame with one mesh a colour under it."""
     frame = scene.add_frame(name, show_axes=False, **_placed(X_WB))
     colors = list(dict.fromkeys(part.color for part in body.parts))
@@ -138,7 +127,8 @@ def _add(scene: Any, name: str, body: bodies.Body, X_WB: Matrix) -> Any:
             np.concatenate(vertices).astype(np.float32),
             np.concatenate(triangles).astype(np.uint32),
             color=tuple(round(255 * DIM * value) for value in color),
-            flat_shading=body.name in ("table", "object"),
+            flat_shading=body.is_flat,
+            opacity=opacity,
         )
     return frame
 
@@ -147,7 +137,8 @@ def _placed(X_WB: Matrix) -> dict[str, Any]:
     return {"wxyz": tuple(frames.to_quaternion(X_WB)), "position": tuple(X_WB[:3, 3])}
 
 
-def _move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
+def move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
+    """Moves a frame from where it was in row `before`, which is negative at first."""
     if before >= 0 and np.array_equal(X, X_before):
         return
     if before < 0 or not np.array_equal(X[:3, :3], X_before[:3, :3]):
@@ -156,7 +147,8 @@ def _move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
         handle.position = tuple(np.round(X[:3, 3], 6))
 
 
-def _plain(name: str) -> str:
+def plain(name: str) -> str:
+    """A name that is one step of a scene's path."""
     return name.replace("/", "_")
 
 

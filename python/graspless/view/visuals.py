@@ -7,17 +7,17 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from ..tasks.resolve import mesh_path
+from ..tasks.robots import mesh_path
 
 if TYPE_CHECKING:
-    from ..tasks import model
+    from ..tasks.robots import Robot
 
 
 class UnreadableError(Exception):
     """A visual mesh that cannot be drawn, and why."""
 
 
-def read_visual(name: str, robot: model.Robot) -> Any:
+def read_visual(name: str, robot: Robot) -> Any:
     """The trimesh of a URDF's visual mesh; raises UnreadableError."""
     import trimesh
 

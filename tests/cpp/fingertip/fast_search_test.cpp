@@ -60,7 +60,7 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
     problem.planes.push_back({"behind", {1, 0, 0}, -size.x() / 2 - uniform(0.1, 1)});
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   X_WO.translation().z() = size.z() / 2;
-  const int segments = pick(3, 7);
+  const int segments = problem.fingers.count == 3 ? 3 : pick(3, 7);
   if (pick(0, 2) == 0) {
     problem.motion = slide_path(X_WO, {uniform(2, 10), 0, 0}, segments);
   } else {
@@ -77,10 +77,10 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
   }
   Options options;
   options.locations_per_side = problem.fingers.count == 3 ? 2 : pick(2, 3);
-  options.samples_per_arc = pick(1, 3);
+  options.samples_per_arc = problem.fingers.count == 3 ? 1 : pick(1, 3);
   options.min_stability = uniform(0.05, 0.6);
   options.regrasp_cost = pick(0, 1) == 0 ? 100 : uniform(0.01, 1);
-  options.max_regrasps = pick(0, 4);
+  options.max_regrasps = pick(1, 4);
   return std::make_unique<Instance>(std::move(problem), std::move(options));
 }
 

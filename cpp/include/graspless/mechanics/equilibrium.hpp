@@ -16,8 +16,9 @@ namespace graspless::mechanics {
 struct Equilibrium {
   Eigen::Matrix3Xd contact_forces_O;  ///< on the object, one a contact [N]
   Eigen::Matrix3Xd finger_forces_O;   ///< on the object, one a finger [N]
-  /// The largest t such that every cone coefficient, and what is left to every limit, is at least t
-  /// [N].
+  /// The largest t such that every cone coefficient, and what is left to the limit of every finger
+  /// in position control, is at least t [N]. Where the environment alone can jam, t has no limit:
+  /// it ends at the sum of the known force and all force limits.
   double margin = 0;
 };
 
@@ -28,7 +29,10 @@ GRASPLESS_API std::optional<Equilibrium> interior_equilibrium(
     const ContactSet& set, const std::vector<FingerMode>& modes,
     const Eigen::VectorXd& commanded_forces);
 
-/// Springs at the contacts, only whose ratios matter to compliant_stability().
+/// Springs at the contacts, only whose ratios matter to compliant_stability(). Along the surface a
+/// contact of elastic bodies is 2 (1 - nu) / (2 - nu) times as stiff as along its normal (Mindlin):
+/// 0.8 for most materials. A finger is as stiff as the servo behind it, in all directions alike,
+/// and that is softer than a floor; five times is a guess.
 struct Compliance {
   double environment_normal = 1;        ///< stiffness along the normal [any unit of N/m]
   double environment_tangential = 0.8;  ///< along the surface, of contacts that stick

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from . import model, shapes
-    from .source import Location, Source
+    from .. import shapes
+    from ..source import Location, Source
+    from . import model
 
 LARGEST = 2.0  # [m]; something wider than this is not slid over a table by one finger
 LARGEST_SUPPORT = 5.0  # [m]

@@ -6,44 +6,37 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
-import numpy as np
-
-from . import files, frames
-from .errors import TaskError
-from .tasks import Task, load_task, task_from_dict
-from .tasks.source import Source, parse_yaml, read_text
+from .. import files
+from ..errors import TaskError
+from ..kinds import part
+from ..tasks import Task, load_task, task_from_dict, task_kind
+from ..tasks.source import Source, parse_yaml, read_text
 
 if TYPE_CHECKING:
-    from . import planning, slide
-    from .frames import Matrix
-    from .plan_model import PlanFile
+    from .. import planning
+    from .model import PlanFields
 
 
-@dataclass(frozen=True)
-class Segment:
-    """A stretch of motion.
+class PlanKind(Protocol):
+    """What `plans` needs of a kind."""
 
-    Attributes
-    ----------
-    name : str
-        approach, press, slide, lift, reach, grasp or close.
-    positions : array [N, dof]
-        All joints [rad or m].
-    object_poses : array [N, 4, 4]
-        X_WO at each row.
-    """
+    File: type[PlanFields]
+    """The plan file."""
 
-    name: str
-    positions: Matrix
-    object_poses: Matrix
+    Plan: type[Plan]
+    """A plan with what it has beyond other kinds'."""
 
-    def __len__(self) -> int:
-        return len(self.positions)
+    def search(self, task: Task, budget: planning.Budget) -> Any:
+        """What the planner finds: has status, reason and statistics."""
+
+    def document(self, found: Any, task: Task) -> dict[str, Any]:
+        """What a plan file holds of this kind alone."""
+
+    def check(self, plan: Any) -> list[str]:
+        """What does not hold of a plan that is solved."""
 
 
 class Plan:
@@ -53,12 +46,12 @@ class Plan:
     by bit.
     """
 
-    def __init__(self, fields: PlanFile, task: Task) -> None:
+    def __init__(self, fields: Any, task: Task) -> None:
         self.fields = fields
         self.task = task
 
     def __bool__(self) -> bool:
-        return self.fields.status == "solved"
+        return bool(self.fields.status == "solved")
 
     def __repr__(self) -> str:
         names = ", ".join(f"{segment.name} {len(segment)}" for segment in self.segments)
@@ -66,68 +59,29 @@ class Plan:
 
     @property
     def status(self) -> str:
-        """solved, or why not: a name of slide.Status."""
-        return self.fields.status
+        """solved, or why not."""
+        return str(self.fields.status)
 
     @property
     def reason(self) -> str:
         """One sentence, for people."""
-        return self.fields.reason
+        return str(self.fields.reason)
 
     @property
-    def joint_names(self) -> list[str]:
-        """The columns of positions."""
-        return self.fields.joint_names
+    def kind(self) -> str:
+        """Which planner made it: slide or fingertip."""
+        return str(self.fields.kind)
 
     @property
     def statistics(self) -> dict[str, Any]:
         """What the search did."""
-        return self.fields.stats
+        stats: dict[str, Any] = self.fields.stats
+        return stats
 
     @property
-    def overhang(self) -> float:
-        """How far the object sticks out at the goal [m]."""
-        return self.fields.overhang
-
-    @cached_property
-    def X_WO_goal(self) -> Matrix:  # noqa: N802
-        """[4, 4] pose of the object after the slide."""
-        return frames.from_row(self.fields.X_WO_goal)
-
-    @cached_property
-    def X_WH_grasp(self) -> Matrix:  # noqa: N802
-        """[4, 4] pose of the hand's grasp frame at the grasp."""
-        return frames.from_row(self.fields.X_WH_grasp)
-
-    @cached_property
-    def segments(self) -> list[Segment]:
-        """Stretches of motion, in order."""
-        dof = len(self.fields.joint_names)
-        return [
-            Segment(
-                segment.name,
-                np.array(segment.positions, dtype=float).reshape(-1, dof),
-                np.array([frames.from_row(row) for row in segment.object_poses]).reshape(-1, 4, 4),
-            )
-            for segment in self.fields.segments
-        ]
-
-    def to_core(self) -> slide.Plan:
-        """The planner's own type."""
-        from . import slide
-
-        plan = slide.Plan()
-        plan.status = slide.Status.__members__[self.status]
-        plan.reason = self.reason
-        plan.joint_names = self.joint_names
-        plan.segments = [
-            slide.Segment(segment.name, segment.positions, segment.object_poses)
-            for segment in self.segments
-        ]
-        plan.X_WO_goal = self.X_WO_goal
-        plan.X_WH_grasp = self.X_WH_grasp
-        plan.overhang = self.overhang
-        return plan
+    def segments(self) -> list[Any]:
+        """Stretches of motion, in order; each kind has its own."""
+        raise NotImplementedError
 
     def to_json(self) -> str:
         """The text of the plan file."""
@@ -154,7 +108,7 @@ def plan(
     task : Task, str or Path
         A task, or the file it stands in.
     search : str, optional
-        "paper" or "fast", instead of the task's.
+        Instead of the task's: "paper" or "fast", of a fingertip task also "dijkstra".
     seconds, iterations, seed : optional
         Instead of the task's budget [s].
     budget : planning.Budget, optional
@@ -165,8 +119,6 @@ def plan(
     TaskError
         A ValueError: the task is not as it may be.
     """
-    from . import slide
-
     if not isinstance(task, Task):
         task = load_task(task)
     if budget is not None:
@@ -176,7 +128,7 @@ def plan(
         if not math.isfinite(seconds):  # a plan file has no word for it
             raise TaskError(f"budget: seconds is {seconds}; should be finite")
     task = task.with_changes(search=search, seconds=seconds, iterations=iterations, seed=seed)
-    found = slide.plan(task.problem, task.options, task.budget if budget is None else budget)
+    found = plan_kind(task.kind).search(task, task.budget if budget is None else budget)
     return from_core(found, task)
 
 
@@ -193,14 +145,12 @@ def check(plan: Plan | str | Path) -> list[str]:
     list of str
         What does not hold, by segment and row; empty when all does.
     """
-    from . import slide
-
     if not isinstance(plan, Plan):
         plan = load_plan(plan)
     if not plan:
         status = f"the plan's status is {plan.status}, not solved"
         return [f"nothing to check: {status}; reason: {plan.reason}"]
-    return list(slide.check(plan.task.problem, plan.to_core(), plan.task.options))
+    return plan_kind(plan.kind).check(plan)
 
 
 def load_plan(path: str | Path) -> Plan:
@@ -216,8 +166,6 @@ def load_plan(path: str | Path) -> Plan:
 
 def read_plan(text: str, file: str) -> Plan:
     """As `load_plan`, from text; `file` is for errors."""
-    from .plan_model import PlanFile
-
     try:
         data = json.loads(text, parse_constant=_refuse)
     except ValueError as error:
@@ -226,45 +174,41 @@ def read_plan(text: str, file: str) -> Plan:
         if isinstance(error, json.JSONDecodeError):
             raise TaskError(f"{file}:{error.lineno}: not valid JSON: {error.msg}") from None
         raise TaskError(f"{file}: not a plan file: {error}") from None
-    if isinstance(data, dict) and "format" not in data and "robot" in data:
+    if isinstance(data, dict) and "kind" in data and not {"format", "segments"} & set(data):
         raise TaskError(_TASK.format(file))
     if not isinstance(data, dict) or "format" not in data:
         raise TaskError(f"{file}: not a plan file: has no 'format'")
     source = Source(file, data)
     if data["format"] != 1:
         raise source.error(("format",), "this graspless reads format 1")
-    fields: PlanFile = source.validate(PlanFile)
-    return Plan(fields, task_from_dict(data["task"], f"{file}: task"))
+    task_kind(source)  # raises unless there is such a kind
+    kind = plan_kind(data["kind"])
+    fields = source.validate(kind.File)
+    return kind.Plan(fields, task_from_dict(data["task"], f"{file}: task"))
 
 
-def from_core(found: slide.Plan, task: Task) -> Plan:
+def from_core(found: Any, task: Task) -> Plan:
     """Joins what the planner found with the task it was given."""
-    from . import __version__
-    from .plan_model import PlanFile
+    from .. import __version__
 
+    kind = plan_kind(task.kind)
     document = {
         "format": 1,
-        "kind": "slide",
+        "kind": task.kind,
         "version": __version__,
         "status": found.status.name,
         "reason": found.reason,
         "seed": task.seed,
-        "joint_names": list(found.joint_names),
-        "overhang": float(found.overhang),
-        "X_WO_goal": frames.to_row(found.X_WO_goal),
-        "X_WH_grasp": frames.to_row(found.X_WH_grasp),
         "stats": found.statistics.as_dict(),
-        "segments": [
-            {
-                "name": segment.name,
-                "positions": np.asarray(segment.positions, dtype=float).tolist(),
-                "object_poses": [frames.to_row(X_WO) for X_WO in segment.object_poses],
-            }
-            for segment in found.segments
-        ],
         "task": task.to_dict(),
     }
-    return Plan(PlanFile.model_validate(document), task)
+    return kind.Plan(kind.File.model_validate(document | kind.document(found, task)), task)
+
+
+def plan_kind(name: str) -> PlanKind:
+    """What is a kind's own."""
+    kind: PlanKind = part("plans", name)
+    return kind
 
 
 _TASK = "{}: this is a task, not a plan; graspless plan reads it"
@@ -275,7 +219,7 @@ def _is_task(text: str) -> bool:
     if text.lstrip().startswith("{"):  # a plan that was cut short would be slow to read as YAML
         return False
     try:
-        return {"kind", "robot"} <= set(parse_yaml(text, "").data)
+        return "kind" in parse_yaml(text, "").data
     except TaskError:
         return False
 

@@ -12,13 +12,15 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import Discriminator, Field, Tag, model_validator
 
-from .shapes import (
+from ..budget import Budget
+from ..obstacles import Obstacles
+from ..robots import Robot
+from ..shapes import (
     Circle,
     Fields,
     NotNegative,
-    Obstacle,
     PlanarPose,
     Point3,
     Points2,
@@ -28,49 +30,8 @@ from .shapes import (
 )
 
 
-def _kind_of_home(value: Any) -> str:
-    return "joints" if isinstance(value, dict) else "all" if isinstance(value, list) else "state"
-
-
 def _kind_of_hand(value: Any) -> str:
     return "file" if isinstance(value, str) else "fields"
-
-
-Home = Annotated[
-    Annotated[str, Tag("state")]
-    | Annotated[dict[str, float], Tag("joints")]
-    | Annotated[list[float], Tag("all")],
-    Discriminator(_kind_of_home),
-]
-
-
-class Robot(Fields):
-    """Which robot, where it stands and where its joints are."""
-
-    urdf: str | None = Field(default=None, description=".urdf or .xacro file, or a built-in name")
-    urdf_text: str | None = Field(default=None, description="the URDF itself")
-    srdf: str | None = Field(
-        default=None, description="SRDF file; default: that of the same name beside the URDF"
-    )
-    srdf_text: str | None = Field(default=None, description="the SRDF itself")
-    packages: dict[str, str] = Field(default={}, description="where package://NAME/ points")
-    directory: str | None = Field(
-        default=None, description="what relative mesh paths are relative to; default: the URDF's"
-    )
-    xacro_args: dict[str, str | float | int | bool] = Field(
-        default={}, description="arguments of a .xacro file"
-    )
-    pose: Pose = Field(default=Pose(), description="of the root link in the world")
-    home: Home = Field(
-        default="home",
-        description="where the robot stands: a state of the SRDF, {joint: value} or all joints",
-    )
-
-    @model_validator(mode="after")
-    def _check(self) -> Robot:
-        self.one_of("urdf", "urdf_text")
-        self.one_of("srdf", "srdf_text", needed=False)
-        return self
 
 
 class Hand(Fields):
@@ -178,14 +139,6 @@ class Options(Fields):
     shortcut: bool | None = None
 
 
-class Budget(Fields):
-    """Time and randomness: graspless.planning.Budget."""
-
-    seconds: Positive | None = Field(default=None, description="wall clock [s]")
-    iterations: Annotated[int, Field(ge=0, lt=2**63)] | None = None
-    seed: Annotated[int, Field(ge=0, lt=2**64)] | None = None
-
-
 class SlideTask(Fields):
     """A task for the sliding planner."""
 
@@ -202,17 +155,9 @@ class SlideTask(Fields):
     )
     object: Object
     support: Support
-    obstacles: list[Obstacle] = []
+    obstacles: Obstacles = []
     options: Options = Options()
     budget: Budget = Budget()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that the task reads"
     )
-
-    @field_validator("obstacles")
-    @classmethod
-    def _check_names(cls, obstacles: list[Obstacle]) -> list[Obstacle]:
-        names = [obstacle.name for obstacle in obstacles]
-        if twice := {name for name in names if names.count(name) > 1}:
-            raise ValueError(f"name given twice: {', '.join(sorted(twice))}")
-        return obstacles

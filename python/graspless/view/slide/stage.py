@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..raster import Camera
 from . import bodies
-from .raster import Camera
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ..frames import Matrix
+    from ...frames import Matrix
+    from ..bodies import Body
     from .film import Film
 
 MOMENTS = {
@@ -35,14 +36,14 @@ def moments(shown: Film) -> list[tuple[int, str]]:
     return rows or [(0, "start")]
 
 
-def placed(shown: Film, row: int) -> list[tuple[bodies.Body, Matrix]]:
+def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
     """Every body with its pose in the world at a row."""
     task = shown.plan.task
     found = [
         (bodies.table_body(task), np.asarray(task.problem.support.X_WS)),
         (bodies.object_body(task), shown.object_poses[row]),
-        *bodies.obstacle_bodies(task),
-        *zip(bodies.robot_bodies(task), shown.link_poses[row], strict=True),
+        *bodies.obstacles(task),
+        *zip(bodies.robot(task), shown.link_poses[row], strict=True),
         (bodies.trail_body(shown), np.eye(4)),
     ]
     return [(body, X_WB) for body, X_WB in found if body.parts]
@@ -87,7 +88,7 @@ def spread(shown: Film, most: int = 60) -> list[int]:
 
 def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
     """[N, 3] vertices of all bodies at the rows, in the world."""
-    robot = bodies.robot_bodies(shown.plan.task)
+    robot = bodies.robot(shown.plan.task)
     thing = bodies.object_body(shown.plan.task)
     moving = [
         (body, X_WB)

@@ -11,12 +11,14 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from . import bodies, raster, stage
+from .. import raster
+from ..bodies import OBJECT
+from . import bodies, stage
 from .film import film
 
 if TYPE_CHECKING:
-    from ..frames import Matrix
-    from ..plans import Plan
+    from ...frames import Matrix
+    from ...plans.slide import Plan
     from .film import Film
 
 TRAIL = (0.78, 0.10, 0.32)
@@ -70,7 +72,7 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     for core in getattr(support.goal_band, "core", []):
         ring = np.asarray(core.vertices)
         _fill(axes, ring, facecolor="#e6d9c3", edgecolor="#b8a88c", linewidth=0.8, zorder=2)
-    for body, X_WB in bodies.obstacle_bodies(task):
+    for body, X_WB in bodies.obstacles(task):
         points = body.parts[0].vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
         ring = _hull((points @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2])
         _fill(axes, ring, facecolor="#7f93ab", edgecolor=INK, linewidth=0.8, zorder=3)
@@ -81,7 +83,7 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     for k, X_SO in enumerate(poses):
         first, last = k == 0, k == len(poses) - 1
         ring = outline @ X_SO[:2, :2].T + X_SO[:2, 3]
-        axes.fill(*ring.T, color=bodies.OBJECT, alpha=0.95 if last else 0.16, zorder=4, lw=0)
+        axes.fill(*ring.T, color=OBJECT, alpha=0.95 if last else 0.16, zorder=4, lw=0)
         style = "--" if first else "-"
         width = 1.4 if first or last else 0.5
         axes.plot(*np.vstack([ring, ring[:1]]).T, style, color="#8a5a00", lw=width, zorder=5)

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import frames
+from ... import frames
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..frames import Matrix
-    from ..plans import Plan
+    from ...frames import Matrix
+    from ...plans.slide import Plan
 
 SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3}  # [rad/s]
 SPEED = 0.9  # of the other segments: for watching, not for driving a robot
@@ -75,7 +75,7 @@ class Film:
             self.positions[after] - self.positions[before]
         )
         poses = [
-            _blend(self.object_poses[i], self.object_poses[j], t)
+            frames.between(self.object_poses[i], self.object_poses[j], t)
             for i, j, t in zip(before, after, blend, strict=True)
         ]
         return Film(self.plan, times, positions, np.array(poses), [self.names[i] for i in after])
@@ -105,10 +105,3 @@ def film(plan: Plan) -> Film:
         np.concatenate([segment.object_poses for segment in segments]),
         names,
     )
-
-
-def _blend(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
-    a, b = frames.to_quaternion(X_A), frames.to_quaternion(X_B)
-    b = -b if a @ b < 0 else b
-    between = (1 - t) * X_A[:3, 3] + t * X_B[:3, 3]
-    return frames.translation(between) @ frames.from_quaternion((1 - t) * a + t * b)

@@ -4,39 +4,23 @@
 
 from __future__ import annotations
 
-import contextlib
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import frames, geometry, planning, slide
-from .. import robot as robots
-from ..errors import TaskError
-from .resolve import pose_matrix, stem, support_pose
+from ... import frames, geometry, slide
+from ...errors import TaskError
+from ..obstacles import placed_obstacles
+from ..robots import build_home, build_robot, stem
+from ..shapes import regular_polygon
+from ..source import at
+from .resolve import support_pose
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    Shape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
-
-    from . import model, shapes
-    from .source import Source
-
-
-@contextlib.contextmanager
-def at(source: Source, *location: str | int) -> Iterator[None]:
-    """Gives a ValueError of the core the file, line and field that caused it."""
-    try:
-        yield
-    except TaskError:
-        raise
-    except ValueError as error:
-        named = re.match(r"(options|hand)\.(\w+) (.*)", str(error), re.DOTALL)
-        if named and named[1] == location[0]:  # the core names the field too
-            raise source.error((named[1], named[2]), named[3]) from None
-        raise source.error(location, str(error)) from None
+    from ... import robot as robots
+    from ..source import Source
+    from . import model
 
 
 def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
@@ -64,8 +48,8 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
         build_object(task.object, source),
         build_support(task.support, X_WS, source),
         X_WS @ frames.planar(pose.x, pose.y, pose.yaw),
-        build_home(task.robot, hand, robot, source),
-        [build_obstacle(obstacle, source, i) for i, obstacle in enumerate(task.obstacles)],
+        build_home(task.robot, robot, source, others=hand.open),
+        [slide.Obstacle(*placed) for placed in placed_obstacles(task.obstacles, source)],
     )
     try:
         slide.validate(problem)
@@ -76,39 +60,6 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
     return problem
 
 
-def build_robot(robot: model.Robot, source: Source) -> robots.Robot:
-    with at(source, "robot", "urdf" if "urdf" in _given(source, "robot") else "urdf_text"):
-        return robots.Robot.from_urdf(
-            robot.urdf_text or "",
-            srdf=robot.srdf_text or "",
-            packages=robot.packages,
-            directory=robot.directory or "",
-            X_WB=pose_matrix(robot.pose),
-        )
-
-
-def build_home(
-    robot: model.Robot, hand: slide.Hand, built: robots.Robot, source: Source
-) -> frames.Matrix:
-    location = ("robot", "home")
-    with at(source, *location):
-        if isinstance(robot.home, str):
-            return np.array(built.state(robot.home))
-    names = list(built.joint_names)
-    if isinstance(robot.home, list):
-        if len(robot.home) != len(names):
-            what = f"has {len(robot.home)} values, not one for each of: {', '.join(names)}"
-            raise source.error(location, what)
-        return np.array(robot.home)
-    with at(source, *location):
-        q_home = np.array(built.state(hand.open))
-    for name, value in robot.home.items():
-        if name not in names:
-            raise source.error((*location, name), f"no such joint (one of: {', '.join(names)})")
-        q_home[names.index(name)] = value
-    return q_home
-
-
 def build_hand(
     task: model.SlideTask, robot: robots.Robot, source: Source, task_source: Source
 ) -> slide.Hand:
@@ -117,7 +68,7 @@ def build_hand(
     if "finger_model" in fields:
         fields["finger_model"] = slide.FingerModel.__members__[fields["finger_model"]]
     hand = slide.Hand(**fields)
-    if source is task_source and "hand" not in _given(source):
+    if source is task_source and "hand" not in source.given():
         try:
             _check_hand(hand, robot, source, ("hand",))
         except TaskError as error:
@@ -125,7 +76,7 @@ def build_hand(
             hint = f"the default, as there is no {name}.hand.yaml beside the URDF"
             raise TaskError(f"{error}; {hint}") from None
     else:
-        _check_hand(hand, robot, source, ("hand",) if "hand" in _given(source) else ())
+        _check_hand(hand, robot, source, ("hand",) if "hand" in source.given() else ())
     return hand
 
 
@@ -185,33 +136,6 @@ def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -
         return slide.Support(polygon, X_WS, **given)
 
 
-def build_obstacle(obstacle: shapes.Obstacle, source: Source, index: int) -> slide.Obstacle:
-    with at(source, "obstacles", index):
-        shape = _shape(obstacle)
-        return slide.Obstacle(
-            obstacle.name, [geometry.PlacedShape(shape, np.eye(4))], pose_matrix(obstacle.pose)
-        )
-
-
-def _shape(obstacle: shapes.Obstacle) -> Shape:
-    if obstacle.box is not None:
-        return geometry.Box(np.array(obstacle.box))
-    if obstacle.sphere is not None:
-        return geometry.Sphere(obstacle.sphere.radius)
-    if obstacle.capsule is not None:
-        return geometry.Capsule(obstacle.capsule.radius, obstacle.capsule.length)
-    if obstacle.cylinder is not None:
-        rod = obstacle.cylinder
-        # A prism that holds the cylinder: FCL's own cylinders have open faults.
-        ring = _regular(rod.radius / np.cos(np.pi / 24), 24)
-        heights = (-rod.length / 2, rod.length / 2)
-        return geometry.Convex(
-            np.concatenate([np.column_stack([ring, np.full(24, z)]) for z in heights])
-        )
-    assert obstacle.mesh is not None
-    return geometry.read_mesh(obstacle.mesh.file, np.array(obstacle.mesh.scale))
-
-
 def _outline(shape: model.Object | model.Support) -> frames.Matrix:
     """[N, 2] vertices of the polygon, rectangle or circle that is given."""
     if shape.polygon is not None:
@@ -220,13 +144,8 @@ def _outline(shape: model.Object | model.Support) -> frames.Matrix:
         corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
         return np.array(corners * shape.rectangle.size + shape.rectangle.center)
     assert shape.circle is not None
-    ring = _regular(shape.circle.radius, shape.circle.points)
+    ring = regular_polygon(shape.circle.radius, shape.circle.points)
     return np.asarray(ring + np.array(shape.circle.center))
-
-
-def _regular(radius: float, n: int) -> frames.Matrix:
-    angles = 2 * np.pi * np.arange(n) / n
-    return np.asarray(radius * np.column_stack([np.cos(angles), np.sin(angles)]))
 
 
 def build_options(task: model.SlideTask, source: Source) -> slide.Options:
@@ -244,19 +163,7 @@ def build_options(task: model.SlideTask, source: Source) -> slide.Options:
     return options
 
 
-def build_budget(task: model.SlideTask, source: Source) -> planning.Budget:
-    with at(source, "budget"):
-        return planning.Budget(**task.budget.model_dump(exclude_none=True))
-
-
-def _given(source: Source, *location: str) -> set[str]:
-    data = source.data
-    for key in location:
-        data = data.get(key, {}) if isinstance(data, dict) else {}
-    return set(data) if isinstance(data, dict) else set()
-
-
 def _outline_field(shape: Any, source: Source, section: str) -> str:
     names = ("polygon", "rectangle", "circle", "cloud", "points")
-    given = _given(source, section)
+    given = source.given(section)
     return next((name for name in names if name in given), names[0])

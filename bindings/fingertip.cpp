@@ -1,0 +1,599 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/fingertip/fingertip.hpp"
+
+#include <pybind11/native_enum.h>
+
+#include "graspless/fingertip/realize.hpp"
+
+#include "conversions.hpp"
+#include "planning.hpp"
+
+namespace graspless::bindings {
+
+using Interval = mechanics::FrictionInterval;
+using Directions = mechanics::Matrix6Xd;
+using Rows6 = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+/// One number, or both bounds.
+template <>
+struct Python<Interval> {
+  using Given = std::variant<double, std::pair<double, double>>;
+  static Interval from(const Given& value, const char* /*name*/) {
+    if (const auto* number = std::get_if<double>(&value)) return {*number, *number};
+    const auto& bounds = std::get<std::pair<double, double>>(value);
+    return {bounds.first, bounds.second};
+  }
+  static std::pair<double, double> shown(const Interval& value) {
+    return {value.lower, value.upper};
+  }
+  static py::arg_v arg(const char* name, const Interval& value) {
+    return py::arg(name) = shown(value);
+  }
+};
+
+/// Rows, as points are.
+template <>
+struct Python<Directions> {
+  using Given = Array;
+  static Directions from(const Array& rows, const char* name) {
+    if (rows.ndim() != 2 || rows.shape(1) != 6) {
+      throw std::invalid_argument(std::string(name) + " must have shape (N, 6)");
+    }
+    return Eigen::Map<const Rows6>(rows.data(), rows.shape(0), 6).transpose();
+  }
+  static Rows6 shown(const Directions& value) { return value.transpose(); }
+  static py::arg_v arg(const char* name, const Directions& value) {
+    return {name, Array::ensure(py::cast(shown(value))), "the paper's 76"};
+  }
+};
+
+namespace {
+
+using namespace fingertip;
+
+/// A Mesh, a pair of arrays (vertices, triangles), or anything with `vertices` and `faces`.
+geometry::Mesh to_mesh(const py::object& given) {
+  if (py::isinstance<geometry::Mesh>(given)) return given.cast<geometry::Mesh>();
+  py::object vertices, triangles;
+  if (py::hasattr(given, "vertices") && py::hasattr(given, "faces")) {
+    vertices = given.attr("vertices");
+    triangles = given.attr("faces");
+  } else if (py::isinstance<py::sequence>(given) && py::len(given) == 2) {
+    vertices = given[py::int_(0)];
+    triangles = given[py::int_(1)];
+  } else {
+    throw std::invalid_argument(
+        "mesh must be a geometry.Mesh, a trimesh.Trimesh or a pair (vertices, triangles)");
+  }
+  const Array rows = Array::ensure(vertices);
+  const Indices faces = Indices::ensure(triangles);
+  if (!rows || !faces) {
+    PyErr_Clear();
+    throw std::invalid_argument(
+        "mesh must have vertices of shape (N, 3) and triangles of shape (M, 3)");
+  }
+  return {to_points3(rows, "vertices"), to_triangles(faces, "triangles")};
+}
+
+Eigen::Matrix3d to_inertia(const Array& rows) {
+  if (rows.ndim() != 2 || rows.shape(0) != 3 || rows.shape(1) != 3) {
+    throw std::invalid_argument("inertia_O must have shape (3, 3)");
+  }
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.data());
+}
+
+void bind_object(py::module_& m) {
+  py::class_<Face>(m, "Face", "A flat part of an object's surface.")
+      .def_property_readonly(
+          "n_O", [](const Face& self) { return self.n_O; }, "(3,) into the object, unit.")
+      .def_property_readonly(
+          "first_O", [](const Face& self) { return self.first_O; },
+          "(3,) first grid axis, unit, on the face.")
+      .def_property_readonly(
+          "second_O", [](const Face& self) { return self.second_O; },
+          "(3,) second grid axis: n_O x first_O.")
+      .def_readonly("offset", &Face::offset, "n_O . p of its points [m].")
+      .def_readonly("triangles", &Face::triangles, "Rows of the mesh's triangles.")
+      .def_readonly("area", &Face::area, "[m^2].")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"n_O", "offset", "area"});
+      });
+
+  py::class_<Object>(m, "Object",
+                     "A rigid polyhedron to be moved: any closed mesh, in a frame O of your "
+                     "choice.")
+      .def_static(
+          "box",
+          [](const std::string& name, const Array& size, double mass) {
+            return Object::box(name, to_vector3(size, "size"), mass);
+          },
+          py::arg("name"), py::arg("size"), py::arg("mass"),
+          "A box centred at O, sides along the axes, (3,) [m], of uniform density, mass [kg].")
+      .def_static(
+          "from_mesh",
+          [](const std::string& name, const py::object& mesh, double mass) {
+            const geometry::Mesh read = to_mesh(mesh);
+            const py::gil_scoped_release release;
+            return Object::from_mesh(name, read, mass);
+          },
+          py::arg("name"), py::arg("mesh"), py::arg("mass"),
+          "A closed mesh in O [m], of uniform density, mass [kg]: a geometry.Mesh, a "
+          "trimesh.Trimesh, or a\npair of vertices (N, 3) and triangles (M, 3).\n\n"
+          "Raises ValueError when it is not closed, has no volume or too many triangles.")
+      .def(
+          "with_com",
+          [](const Object& self, const Array& com_O) {
+            return self.with_com(to_vector3(com_O, "com_O"));
+          },
+          py::arg("com_O"), "The same object with another centre of mass, (3,) in O [m].")
+      .def(
+          "with_inertia",
+          [](const Object& self, const Array& inertia_O) {
+            return self.with_inertia(to_inertia(inertia_O));
+          },
+          py::arg("inertia_O"),
+          "The same object with another inertia about its centre of mass, (3, 3) in O [kg m^2].")
+      .def_property_readonly("name", &Object::name, "What errors and pictures call it.")
+      .def_property_readonly(
+          "mesh", [](const Object& self) { return self.mesh(); }, "Closed, outward, in O.")
+      .def_property_readonly("faces", &Object::faces, "Faces, coplanar neighbours joined.")
+      .def_property_readonly(
+          "hull", [](const Object& self) -> Rows3 { return self.hull().transpose(); },
+          "(N, 3) corners of the convex hull, in O [m].")
+      .def_property_readonly("is_convex", &Object::is_convex, "Whether it is its own hull.")
+      .def_property_readonly("mass", &Object::mass, "[kg].")
+      .def_property_readonly(
+          "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
+          "(3,) centre of mass in O [m].")
+      .def_property_readonly(
+          "inertia", [](const Object& self) -> Eigen::Matrix3d { return self.inertia(); },
+          "(3, 3) about the centre of mass, in O [kg m^2].")
+      .def_property_readonly("size", &Object::size, "Diagonal of the box around it [m].")
+      .def("__repr__", [](const Object& self) {
+        return "<Object '" + self.name() + "' of " + std::to_string(self.faces().size()) +
+               " faces>";
+      });
+}
+
+void bind_surroundings(py::module_& m) {
+  py::class_<Plane>(m, "Plane",
+                    "Floor or wall: a half-space that the object may touch and fingertips may not.")
+      .def(py::init([](const std::string& name, const Array& n_W, double offset) {
+             return Plane{name, to_vector3(n_W, "n_W"), offset};
+           }),
+           py::arg("name") = "floor", Python<Eigen::Vector3d>::arg("n_W", Plane{}.n_W),
+           py::arg("offset") = 0.0,
+           "n_W: (3,) unit, out of the solid, in the world. offset: n_W . p of its points [m].")
+      .def_readonly("name", &Plane::name, "What errors and pictures call it.")
+      .def_property_readonly(
+          "n_W", [](const Plane& self) { return self.n_W; },
+          "(3,) unit, out of the solid, in the world.")
+      .def_readonly("offset", &Plane::offset, "n_W . p of its points [m].")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"name", "n_W", "offset"});
+      });
+
+  py::class_<Obstacle>(m, "Obstacle", "Something that neither object nor fingertips may touch.")
+      .def(py::init([](const std::string& name, const std::vector<geometry::PlacedShape>& shapes,
+                       const Array& X_WB) {
+             return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
+           }),
+           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
+           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
+      .def_readonly("name", &Obstacle::name, "What errors call it.")
+      .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
+      .def_property_readonly(
+          "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
+          "(4, 4) pose in the world.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"name", "shapes", "X_WB"});
+      });
+
+  py::class_<Fingers> fingers(
+      m, "Fingers",
+      "The fingertips: equal spheres in one-point contact that do not slide or roll.");
+  bind_fields(fingers, "Any field by keyword; the others keep their defaults.",
+              Field{"count", &Fingers::count, "1 to 4."}, Field{"radius", &Fingers::radius, "[m]."},
+              Field{"max_normal_force", &Fingers::max_normal_force, "f_max of each [N]."},
+              Field{"friction", &Fingers::friction,
+                    "Between fingertip and object: a number, or (lower, upper)."});
+}
+
+void bind_motion(py::module_& m) {
+  py::class_<Path>(m, "Path",
+                   "Poses that the object passes through, along a screw from each to the next.")
+      .def(py::init([](const Array& X_WO) { return Path{to_poses(X_WO, "X_WO")}; }),
+           py::arg("X_WO"), "X_WO: (K, 4, 4) poses of O in the world, two or more.")
+      .def_property_readonly(
+          "X_WO", [](const Path& self) { return from_poses(self.X_WO); },
+          "(K, 4, 4) poses of O in the world.")
+      .def(
+          "__len__", [](const Path& self) { return self.X_WO.size(); }, "Number of poses.")
+      .def("__repr__", [](const Path& self) {
+        return "<Path of " + std::to_string(self.X_WO.size()) + " poses>";
+      });
+
+  py::class_<Lattice> lattice(
+      m, "Lattice",
+      "The object slides and turns on the floor from start to goal, through a lattice of positions "
+      "and yaws.");
+  bind_fields(
+      lattice, "Any field by keyword; the others keep their defaults.",
+      Field{"X_WO_start", &Lattice::X_WO_start, "(4, 4) pose of O in the world."},
+      Field{"X_WO_goal", &Lattice::X_WO_goal, "(4, 4) pose of O in the world."},
+      Field{"lower", &Lattice::lower, "(3,) least x, y, yaw relative to the start [m, m, rad]."},
+      Field{"upper", &Lattice::upper, "(3,) largest x, y, yaw relative to the start [m, m, rad]."},
+      Field{"counts", &Lattice::counts, "How many values of x, y and yaw."});
+
+  py::class_<Goal> goal(m, "Goal",
+                        "The object shall stand at a pose, any face down: the planner finds where "
+                        "to slide it, turn it and\ntumble it over which edges.");
+  bind_fields(goal, "Any field by keyword; the others keep their defaults.",
+              Field{"X_WO_start", &Goal::X_WO_start, "(4, 4) pose of O in the world."},
+              Field{"X_WO_goal", &Goal::X_WO_goal, "(4, 4) pose of O in the world."},
+              Field{"slide_step", &Goal::slide_step, "Longest step of a slide [m]."},
+              Field{"turn_step", &Goal::turn_step, "Largest step of a turn or a tumble [rad]."},
+              Field{"max_tumbles", &Goal::max_tumbles, "At most so many."});
+
+  m.def(
+      "slide_path",
+      [](const Array& X_WO_start, const Array& translation_W, int segments) {
+        return slide_path(to_pose(X_WO_start, "X_WO_start"),
+                          to_vector3(translation_W, "translation_W"), segments);
+      },
+      py::arg("X_WO_start"), py::arg("translation_W"), py::arg("segments"),
+      "A straight slide from X_WO_start, (4, 4), by translation_W, (3,) in the world [m], in equal "
+      "segments.");
+  m.def(
+      "turn_path",
+      [](const Array& X_WO_start, const Array& point_W, const Array& axis_W, double angle,
+         int segments) {
+        return turn_path(to_pose(X_WO_start, "X_WO_start"), to_vector3(point_W, "point_W"),
+                         to_vector3(axis_W, "axis_W"), angle, segments);
+      },
+      py::arg("X_WO_start"), py::arg("point_W"), py::arg("axis_W"), py::arg("angle"),
+      py::arg("segments"),
+      "A turn from X_WO_start, (4, 4), about the line through point_W along axis_W, both (3,) in "
+      "the world,\nby angle [rad, right hand] in equal segments: a tumble over an edge, or a turn "
+      "on the floor.");
+  m.def("join", &join, py::arg("paths"),
+        "One path after another; each must start where the last one ended.");
+}
+
+void bind_problem(py::module_& m) {
+  using Friction = Python<Interval>;
+  py::class_<Problem>(m, "Problem",
+                      "What is given: bring an object through a motion with fingertips alone.")
+      .def(py::init([](const Object& object, const Motion& motion, const Fingers& fingers,
+                       const std::vector<Plane>& planes, const Friction::Given& friction,
+                       const std::vector<Obstacle>& obstacles, const Array& gravity_W) {
+             return Problem{object,
+                            fingers,
+                            planes,
+                            Friction::from(friction, "friction"),
+                            motion,
+                            obstacles,
+                            to_vector3(gravity_W, "gravity_W")};
+           }),
+           py::kw_only(), py::arg("object"), py::arg("motion"),
+           py::arg_v("fingers", Fingers{}, "Fingers()"),
+           py::arg_v("planes", std::vector<Plane>{Plane{}}, "[Plane()]"),
+           Friction::arg("friction", {}), py::arg("obstacles") = std::vector<Obstacle>{},
+           py::arg_v("gravity_W", Array(py::cast(Eigen::Vector3d(0, 0, -9.8))), "[0, 0, -9.8]"),
+           "planes: the floor first, then walls. friction: between object and planes, a number or "
+           "(lower, upper).\ngravity_W: (3,) in the world [m/s^2].")
+      .def_property_readonly(
+          "object", [](const Problem& self) { return self.object; }, "What is moved.")
+      .def_property_readonly(
+          "fingers", [](const Problem& self) { return self.fingers; }, "A copy of the fingers.")
+      .def_readonly("planes", &Problem::planes, "The floor first, then walls.")
+      .def_property_readonly(
+          "friction", [](const Problem& self) { return Friction::shown(self.friction); },
+          "Between object and planes, (lower, upper).")
+      .def_readonly("motion", &Problem::motion, "A Path, Lattice or Goal; a copy.")
+      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
+      .def_property_readonly(
+          "gravity_W", [](const Problem& self) { return self.gravity_W; },
+          "(3,) in the world [m/s^2].")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"object", "fingers", "planes", "friction", "motion", "obstacles"});
+      });
+}
+
+void bind_options(py::module_& m) {
+  py::native_enum<Search>(m, "Search", "enum.Enum",
+                          "Which search finds the plan; all find the "
+                          "same cost.")
+      .value("dijkstra", Search::dijkstra, "Uniform cost over the whole graph.")
+      .value("paper", Search::paper, "A* with the paper's heuristic, corrected.")
+      .value("fast", Search::fast, "Lazy best-first search with bounds.")
+      .finalize();
+  py::class_<Options> options(m, "Options",
+                              "How to search. The paper's values where it gives one.");
+  bind_fields(
+      options, "Any field by keyword; the others keep their defaults.",
+      Field{"search", &Options::search, "Which search finds the plan."},
+      Field{"locations_per_side", &Options::locations_per_side,
+            "Fingertip locations along each side of a face's rectangle."},
+      Field{"location_spacing", &Options::location_spacing,
+            "Instead: distance between locations [m]; 0 takes locations_per_side."},
+      Field{"cone_edges", &Options::cone_edges, "Edges of a friction cone."},
+      Field{"samples_per_arc", &Options::samples_per_arc, "Instants that are looked at in an arc."},
+      Field{"min_stability", &Options::min_stability, "z_min [N]."},
+      Field{"regrasp_cost", &Options::regrasp_cost, "X_regr [m]."},
+      Field{"stability_weight", &Options::stability_weight, "X_stab [N]."},
+      Field{"disturbance_directions", &Options::disturbance_directions,
+            "(N, 6) the disturbances l_i, forces first, in scaled wrench space."},
+      Field{"compliance", &Options::compliance, "Springs at the contacts, of the second index."},
+      Field{"max_regrasps", &Options::max_regrasps, "At most so many."},
+      Field{"threads", &Options::threads, "How many may work."},
+      Field{"max_memory", &Options::max_memory,
+            "Searches that would need more are refused "
+            "[bytes]."},
+      Field{"explain", &Options::explain,
+            "On failure: find which single relaxation helps, by bisection."});
+}
+
+void bind_rows(py::module_& m) {
+  py::class_<FingerState> finger(m, "FingerState", "A finger at one instant.");
+  bind_fields(finger, "Any field by keyword; the others keep their defaults.",
+              Field{"touches", &FingerState::touches, "False while it regrasps."},
+              Field{"p_OC", &FingerState::p_OC, "(3,) contact point in O [m]."},
+              Field{"n_O", &FingerState::n_O, "(3,) into the object, unit."},
+              Field{"mode", &FingerState::mode, "Position or force control."},
+              Field{"commanded_force", &FingerState::commanded_force,
+                    "Normal force in force control, else 0 [N]."},
+              Field{"nominal_force_O", &FingerState::nominal_force_O,
+                    "(3,) on the object, in O: to feed forward [N]."});
+
+  py::class_<Row> row(m, "Row", "One instant of a plan: a sample of an arc, or a regrasp.");
+  bind_fields(row, "Any field by keyword; the others keep their defaults.",
+              Field{"X_WO", &Row::X_WO, "(4, 4) pose of O in the world."},
+              Field{"fingers", &Row::fingers, "A FingerState each."},
+              Field{"stability", &Row::stability, "z [N]."},
+              Field{"compliant_stability", &Row::compliant_stability,
+                    "See mechanics.compliant_stability [N]."},
+              Field{"nominal_margin", &Row::nominal_margin, "Of the nominal forces [N]."});
+
+  py::class_<Segment>(m, "Segment",
+                      "A stretch of the plan with the fingers where they are, or one regrasp.")
+      .def(py::init([](const std::string& name, const Array& X_WO, const std::vector<Row>& rows,
+                       int moves) {
+             return Segment{name, to_poses(X_WO, "X_WO"), rows, moves};
+           }),
+           py::arg("name"), py::arg("X_WO"), py::arg("rows"), py::arg("finger") = -1,
+           "X_WO: (K, 4, 4) poses of the lattice, first to last. rows: the instants. finger: of a "
+           "regrasp, who moves.")
+      .def_readonly("name", &Segment::name, "slide, turn, tumble or regrasp.")
+      .def_property_readonly(
+          "X_WO", [](const Segment& self) { return from_poses(self.X_WO); },
+          "(K, 4, 4) poses of the lattice in the world, first to last.")
+      .def_readonly("rows", &Segment::rows, "The instants, in order.")
+      .def_readonly("finger", &Segment::finger, "Of a regrasp: who moves; else -1.")
+      .def(
+          "__len__", [](const Segment& self) { return self.rows.size(); }, "Number of rows.")
+      .def("__repr__", [](const Segment& self) {
+        return "<Segment '" + self.name + "' of " + std::to_string(self.rows.size()) + " rows>";
+      });
+}
+
+void bind_statistics(py::module_& m) {
+  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
+  bind_fields(statistics, "Any field by keyword; the others are zero.",
+              Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+              Field{"locations", &Statistics::locations, "Places where a fingertip may press."},
+              Field{"z_evaluations", &Statistics::z_evaluations, "Of Problem (6)."},
+              Field{"bounded_tests", &Statistics::bounded_tests, "Of Problem (5)."},
+              Field{"pivots", &Statistics::pivots, "Of the simplex."},
+              Field{"nodes", &Statistics::nodes, "Opened by the search."},
+              Field{"supports", &Statistics::supports, "Wrench functionals used as bounds."},
+              Field{"candidates", &Statistics::candidates, "Motions of the object tried (Goal)."},
+              Field{"memory", &Statistics::memory, "Of the search's tables, at most [bytes]."});
+  statistics.def(
+      "as_dict",
+      [](const py::object& self) {
+        py::typing::Dict<py::str, py::object> result;
+        for (const char* name : {"seconds", "locations", "z_evaluations", "bounded_tests", "pivots",
+                                 "nodes", "supports", "candidates", "memory"}) {
+          result[name] = self.attr(name);
+        }
+        return result;
+      },
+      "All fields by name.");
+
+  py::class_<Relaxation> relaxation(m, "Relaxation", "What a failed search says of the way out.");
+  bind_fields(relaxation, "Any field by keyword; the others keep their defaults.",
+              Field{"field", &Relaxation::field,
+                    "fingers.friction, fingers.max_normal_force, friction or min_stability."},
+              Field{"value", &Relaxation::value, "The least change that helps, to 1 %."});
+}
+
+void bind_plan(py::module_& m) {
+  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
+      .value("solved", Status::solved, "A plan was found.")
+      .value("no_location", Status::no_location, "No placement of the fingers is clear.")
+      .value("unstable", Status::unstable, "No placement carries the object all the way.")
+      .value("out_of_time", Status::out_of_time, "Nothing found in time, nothing excluded.")
+      .value("interrupted", Status::interrupted, "Stopped from outside.")
+      .finalize();
+  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
+      .def(
+          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
+          "Whether it is solved.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"status", "reason", "cost", "regrasps", "segments"});
+      });
+  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
+  field(Field{"status", &Plan::status, "How the query ended."});
+  field(Field{"reason", &Plan::reason, "One sentence, for people."});
+  field(Field{"cost", &Plan::cost, "By Eqs. (9) and (10) [m]."});
+  field(Field{"lower_bound", &Plan::lower_bound,
+              "No plan on this lattice is cheaper [m]; equals cost when optimal."});
+  field(Field{"regrasps", &Plan::regrasps, "How often a finger moves to another place."});
+  field(Field{"segments", &Plan::segments, "Stretches of motion and regrasps, in order."});
+  field(Field{"warnings", &Plan::warnings, "What to be careful of."});
+  field(Field{"weakest_segment", &Plan::weakest_segment, "Where z is least; -1 without a plan."});
+  field(Field{"weakest_row", &Plan::weakest_row, "Where z is least; -1 without a plan."});
+  field(Field{"limit", &Plan::limit, "Not solved: what blocks."});
+  field(Field{"relaxations", &Plan::relaxations, "Not solved: what would help, alone."});
+  field(Field{"statistics", &Plan::statistics, "What the search did."});
+}
+
+void bind_realization(py::module_& m) {
+  py::class_<Carrier> carrier(m, "Carrier", "Which parts of a robot carry the fingertips.");
+  bind_fields(
+      carrier, "Any field by keyword; the others keep their defaults.",
+      Field{"fingertips", &Carrier::fingertips,
+            "Frames at the centres of the spheres, one a finger."},
+      Field{"links", &Carrier::links, "Of each fingertip: links that may touch the object."});
+  py::class_<RealizeOptions> options(m, "RealizeOptions", "How to find joint paths.");
+  bind_fields(
+      options, "Any field by keyword; the others keep their defaults.",
+      Field{"approach", &RealizeOptions::approach,
+            "A finger leaves and comes to the surface along its normal [m]."},
+      Field{"resolution", &RealizeOptions::resolution,
+            "Largest joint step between checked configurations [rad]."},
+      Field{"max_jump", &RealizeOptions::max_jump, "Largest joint step between rows [rad]."},
+      Field{"position_tolerance", &RealizeOptions::position_tolerance, "Of fingertips [m]."},
+      Field{"restarts", &RealizeOptions::restarts, "Configurations to start from."});
+
+  py::class_<JointSegment>(m, "JointSegment", "A stretch of joint motion.")
+      .def(py::init([](const std::string& name, const Array& positions, const Array& X_WO,
+                       int plan_segment) {
+             JointSegment segment{name, to_configurations(positions, "positions"),
+                                  to_poses(X_WO, "X_WO"), plan_segment};
+             if (segment.positions.size() != segment.X_WO.size()) {
+               throw std::invalid_argument(
+                   "segment '" + name + "' has " + std::to_string(segment.positions.size()) +
+                   " positions but " + std::to_string(segment.X_WO.size()) + " X_WO");
+             }
+             return segment;
+           }),
+           py::arg("name"), py::arg("positions"), py::arg("X_WO"), py::arg("plan_segment") = -1,
+           "positions: (N, dof) [rad or m]. X_WO: (N, 4, 4) poses of O in the world.")
+      .def_readonly("name", &JointSegment::name,
+                    "approach, push, turn, slide, tumble, release, reach, touch or retreat.")
+      .def_property_readonly(
+          "positions",
+          [](const JointSegment& self) {
+            return from_configurations(self.positions,
+                                       self.positions.empty() ? 0 : self.positions.front().size());
+          },
+          "(N, dof) all joints [rad or m].")
+      .def_property_readonly(
+          "X_WO", [](const JointSegment& self) { return from_poses(self.X_WO); },
+          "(N, 4, 4) pose of O in the world at each row.")
+      .def_readonly("plan_segment", &JointSegment::plan_segment,
+                    "The segment of the plan that it carries out, or -1.")
+      .def(
+          "__len__", [](const JointSegment& self) { return self.positions.size(); },
+          "Number of rows.")
+      .def("__repr__", [](const JointSegment& self) {
+        return "<JointSegment '" + self.name + "' of " + std::to_string(self.positions.size()) +
+               " rows>";
+      });
+
+  py::class_<Realization> found(
+      m, "Realization", "Joint paths that carry a plan's fingertips, or where it is impossible.");
+  bind_fields(
+      found, "Any field by keyword; the others keep their defaults.",
+      Field{"found", &Realization::found, "Whether there are joint paths."},
+      Field{"reason", &Realization::reason, "Which segment, row and finger fails, and why."},
+      Field{"joint_names", &Realization::joint_names, "The columns of positions."},
+      Field{"finger_of_fingertip", &Realization::finger_of_fingertip,
+            "Which finger of the plan each fingertip plays."},
+      Field{"segments", &Realization::segments, "Stretches of joint motion, in order."});
+  found.def(
+      "__bool__", [](const Realization& self) { return static_cast<bool>(self); },
+      "Whether there are joint paths.");
+}
+
+void bind_planner(py::module_& m) {
+  const py::arg_v default_options("options", Options{}, "Options()");
+  const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
+  m.def("validate", py::overload_cast<const Problem&>(&validate), py::arg("problem"),
+        py::call_guard<py::gil_scoped_release>(),
+        "Raises ValueError that names the field at fault, its value and the choices.");
+  m.def("validate", py::overload_cast<const Options&>(&validate), py::arg("options"),
+        "Raises ValueError that names the option at fault, its value and what it may be.");
+  m.def("validate", py::overload_cast<const Problem&, const Options&>(&validate),
+        py::arg("problem"), py::arg("options"), py::call_guard<py::gil_scoped_release>(),
+        "Both, and that the search fits into options.max_memory.");
+  m.def(
+      "plan",
+      [](const Problem& problem, const Options& options, const StoppableBudget& budget) {
+        return run_interruptibly(budget, [&problem, options](const planning::Budget& b) {
+          return plan(problem, options, b);
+        });
+      },
+      py::arg("problem"), default_options, default_budget,
+      "Plans where the fingers press, which holds its position and which its force, and when to "
+      "change grip.\nNot finding a plan is a status.\n\n"
+      "Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns "
+      "the best so far.\n"
+      "Raises ValueError on a bad problem or bad options.");
+  m.def(
+      "check",
+      [](const Problem& problem, const Plan& plan, const Options& options) {
+        // Copied while the GIL is held: another thread may write to them meanwhile.
+        const Plan plan_now = plan;
+        const Options options_now = options;
+        const py::gil_scoped_release release;
+        return check(problem, plan_now, options_now);
+      },
+      py::arg("problem"), py::arg("plan"), default_options,
+      "Derives every row of a plan anew from its problem, with none of the search's code.\n\n"
+      "Each entry says which segment and row fails and how; an empty list means the plan holds.");
+  const py::arg_v default_realize("options", RealizeOptions{}, "RealizeOptions()");
+  m.def(
+      "realize",
+      [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
+         const Carrier& carrier, const Array& q_home, const RealizeOptions& options,
+         const StoppableBudget& budget) {
+        const Eigen::VectorXd q = to_configuration(robot, q_home, "q_home");
+        return run_interruptibly(
+            budget, [&problem, &robot, plan, carrier, q, options](const planning::Budget& b) {
+              return realize(problem, plan, robot, carrier, q, options, b);
+            });
+      },
+      py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"), py::arg("q_home"),
+      default_realize, default_budget,
+      "Joint paths that carry a plan's fingertips: from q_home, (dof,), to the first grip, through "
+      "every row,\nthrough regrasps, and away; or where that is impossible.\n\n"
+      "Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt.\n"
+      "Raises ValueError on unknown frames, a home outside the limits or a plan not solved.");
+  m.def(
+      "check_realization",
+      [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
+         const Carrier& carrier, const Realization& realization, const RealizeOptions& options) {
+        const Plan plan_now = plan;
+        const Carrier carrier_now = carrier;
+        const Realization realization_now = realization;
+        const RealizeOptions options_now = options;
+        const py::gil_scoped_release release;
+        return check(problem, plan_now, robot, carrier_now, realization_now, options_now);
+      },
+      py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"),
+      py::arg("realization"), default_realize,
+      "Replays joint paths against problem and plan: limits, steps, fingertips, collisions.\n\n"
+      "Each entry says what fails; an empty list means that they hold.");
+}
+
+}  // namespace
+
+void bind_fingertip(py::module_ m) {
+  bind_object(m);
+  bind_surroundings(m);
+  bind_motion(m);
+  bind_problem(m);
+  bind_options(m);
+  bind_rows(m);
+  bind_statistics(m);
+  bind_plan(m);
+  bind_realization(m);
+  bind_planner(m);
+}
+
+}  // namespace graspless::bindings

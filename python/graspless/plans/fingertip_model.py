@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a plan file of kind fingertip holds."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from ..tasks.fingertip.model import FingertipTask
+from ..tasks.shapes import Fields, Point3
+from .model import PlanFields, PoseRow, require_unit_quaternions
+
+Index = Annotated[int, Field(ge=-1)]
+Status = Literal[
+    "solved",
+    "no_location",
+    "unstable",
+    "out_of_time",
+    "interrupted",
+    "not_realized",
+]
+
+
+class Segment(Fields):
+    """A stretch with the fingers where they are, or one regrasp: N rows, n fingers."""
+
+    name: str = Field(description="slide, turn, tumble or regrasp")
+    finger: Index = Field(description="regrasp: who moves, from 0; else -1")
+    X_WO: list[PoseRow] = Field(
+        description="[K][7] poses of the lattice, x y z qw qx qy qz in the world"
+    )
+    object_poses: list[PoseRow] = Field(description="[N][7] of each row")
+    fingers: list[list[Point3 | None]] = Field(
+        description="[N][n][3] contact points in the object frame [m]; null: off the object"
+    )
+    normals: list[list[Point3 | None]] = Field(
+        description="[N][n][3] into the object, in the object frame"
+    )
+    modes: list[list[Literal["position", "force"]]] = Field(description="[N][n]")
+    commanded_forces: list[list[float]] = Field(
+        description="[N][n] normal force in force control, else 0 [N]"
+    )
+    nominal_forces: list[list[Point3]] = Field(
+        description="[N][n][3] on the object, in the object frame, to feed forward [N]"
+    )
+    stability: list[float] = Field(description="[N] z [N]")
+    compliant_stability: list[float] = Field(description="[N] [N]")
+    nominal_margin: list[float] = Field(description="[N] of the nominal forces [N]")
+
+    def check(self, where: str, fingers: int) -> None:
+        """Raises unless there is one of everything a row, and one a finger in each."""
+        rows = len(self.object_poses)
+        of_rows = (
+            "fingers", "normals", "modes", "commanded_forces", "nominal_forces",
+            "stability", "compliant_stability", "nominal_margin",
+        )  # fmt: skip
+        for field in of_rows:
+            values = getattr(self, field)
+            if len(values) != rows:
+                what = f"{len(values)} {field} and {rows} object_poses: one a row are needed"
+                raise ValueError(f"{where} has {what}")
+            for i, row in enumerate(values):
+                if isinstance(row, list) and len(row) != fingers:
+                    what = f"{len(row)} {field} for {fingers} fingers"
+                    raise ValueError(f"row {i} of {where} has {what}")
+        for i, (points, normals) in enumerate(zip(self.fingers, self.normals, strict=True)):
+            if [p is None for p in points] != [n is None for n in normals]:
+                raise ValueError(f"row {i} of {where}: a finger has a point or a normal alone")
+        if not -1 <= self.finger < fingers:
+            raise ValueError(f"{where} moves finger {self.finger} of {fingers}")
+        require_unit_quaternions([*self.X_WO, *self.object_poses])
+
+
+class JointSegment(Fields):
+    """A stretch of joint motion."""
+
+    name: str = Field(
+        description="approach, push, turn, slide, tumble, release, reach, touch or retreat"
+    )
+    plan_segment: Index = Field(description="which of `segments` it carries out, or -1")
+    positions: list[list[float]] = Field(description="[N][dof], rad or m")
+    object_poses: list[PoseRow] = Field(description="[N][7], x y z qw qx qy qz in the world")
+
+
+class Realization(Fields):
+    """Joint paths that carry the fingertips, or where that is impossible."""
+
+    found: bool
+    reason: str = Field(description="which segment, row and finger fails, and why")
+    joint_names: list[str]
+    finger_of_fingertip: list[Index] = Field(
+        description="which finger of the plan each fingertip of the task's carrier plays"
+    )
+    segments: list[JointSegment]
+
+    def check(self) -> None:
+        """Raises unless there is one value a joint in each row, and one pose a row."""
+        dof = len(self.joint_names)
+        for segment in self.segments:
+            if len(segment.positions) != len(segment.object_poses):
+                counts = f"{len(segment.positions)} positions and {len(segment.object_poses)} poses"
+                raise ValueError(f"'{segment.name}' has {counts}: one a row are needed")
+            for i, row in enumerate(segment.positions):
+                if len(row) != dof:
+                    where = f"row {i} of '{segment.name}'"
+                    raise ValueError(f"{where} has {len(row)} values for {dof} joint_names")
+            require_unit_quaternions(segment.object_poses)
+
+
+class Relaxation(Fields):
+    """The least change of one field that helps."""
+
+    field: str
+    value: float
+
+
+class Weakest(Fields):
+    """Where the stability is least."""
+
+    segment: Index
+    row: Index
+
+
+class FingertipPlanFile(PlanFields):
+    """A plan with its whole task."""
+
+    kind: Literal["fingertip"]
+    status: Status
+    cost: float | None = Field(default=None, description="by (9) and (10) [m]; null unless solved")
+    lower_bound: float | None = Field(
+        default=None, description="no plan on this lattice is cheaper [m]"
+    )
+    regrasps: int
+    weakest: Weakest | None = Field(default=None, description="where the stability is least")
+    warnings: list[str]
+    limit: str = Field(description="not solved: what blocks; else empty")
+    relaxations: list[Relaxation] = Field(description="not solved: what would help, alone")
+    segments: list[Segment]
+    realization: Realization | None = Field(
+        default=None, description="joint paths, of a task with a robot"
+    )
+    task: FingertipTask = Field(description="the task file, with all that it names")
+
+    @model_validator(mode="after")
+    def _check(self) -> FingertipPlanFile:
+        for k, segment in enumerate(self.segments):
+            segment.check(f"segment {k} '{segment.name}'", self.task.fingers.count)
+        if self.weakest is not None:
+            rows = [len(segment.object_poses) for segment in self.segments]
+            place = self.weakest
+            if not (0 <= place.segment < len(rows) and 0 <= place.row < rows[place.segment]):
+                raise ValueError(f"weakest: there is no row {place.row} of {place.segment}")
+        if self.realization is not None:
+            self.realization.check()
+        return self

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a plan found, in a few lines or as a dictionary."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any, Protocol
+
+from ..kinds import part
+
+if TYPE_CHECKING:
+    from ..plans import Plan
+
+
+MOST = 5  # faults of one segment that are printed
+
+
+class ReportKind(Protocol):
+    """What `report` needs of a kind."""
+
+    def details(self, plan: Any) -> dict[str, Any]:
+        """What `--json` prints of this kind alone, `segments` among it."""
+
+    def lines(self, plan: Any) -> list[str]:
+        """For people, of a plan that was found."""
+
+    def lines_not_found(self, plan: Any) -> list[str]:
+        """For people, after the reason."""
+
+
+def as_dict(plan: Plan) -> dict[str, Any]:
+    """Status, statistics and the rows of each segment: what `--json` prints."""
+    return {
+        "status": plan.status,
+        "reason": plan.reason,
+        "seed": plan.fields.seed,
+        "stats": plan.statistics,
+        **_kind(plan).details(plan),
+    }
+
+
+def as_text(plan: Plan) -> str:
+    """A few lines for people."""
+    stats = plan.statistics
+    lines = [f"{plan.status} in {_duration(stats.get('seconds', 0))}, seed {plan.fields.seed}"]
+    if plan:
+        lines += [f"  {line}" for line in _kind(plan).lines(plan)]
+    else:
+        lines.append(f"  {plan.reason}")
+    numbers = {name: value for name, value in stats.items() if not isinstance(value, dict)}
+    counters = [_counter(name, value) for name, value in numbers.items() if name != "seconds"]
+    lines.append("  " + ", ".join(counters))
+    if not plan:
+        lines += [f"  {line}" for line in _kind(plan).lines_not_found(plan)]
+    return "\n".join(lines)
+
+
+def verdict(plan: Plan, faults: list[str]) -> str:
+    """What `check` says about a plan."""
+    if faults:
+        return "\n".join(["does not hold:" if plan else "not solved:", *_shortened(faults)])
+    if not plan:
+        return "nothing to check: not solved"
+    rows = sum(map(len, plan.segments))
+    segments = count(len(plan.segments), "segments")
+    return f"holds: {segments}, {count(rows, 'rows')}, replayed by code of its own"
+
+
+def count(number: float, things: str) -> str:
+    """ "3 rows", "1 row"."""
+    return f"{number} {things.removesuffix('s') if number == 1 else things}"
+
+
+def _kind(plan: Plan) -> ReportKind:
+    kind: ReportKind = part("report", plan.kind)
+    return kind
+
+
+def _shortened(faults: list[str]) -> list[str]:
+    """The first faults of each segment, and how many there are."""
+    segments: dict[str, list[str]] = {}
+    for fault in faults:
+        named = re.match(r"segment \d+|\w*", fault)
+        segments.setdefault(named[0] if named else "", []).append(fault)
+    lines = []
+    for name, found in segments.items():
+        lines += found[:MOST]
+        if len(found) > MOST:
+            lines.append(f"{name}: {len(found) - MOST} more")
+    return [*lines, count(len(faults), "faults")] if len(faults) > 1 else lines
+
+
+def _counter(name: str, value: float) -> str:
+    if name == "memory":
+        return f"{value / 1e6:.1f} MB"
+    return count(value, name.replace("_", " "))
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds * 1000:.1f} ms" if seconds < 1 else f"{seconds:.2f} s"

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the fingertip planner found."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import count
+
+if TYPE_CHECKING:
+    from ..plans.fingertip import JointSegment, Plan, Segment
+
+UNITS = {"fingers.max_normal_force": " N", "min_stability": " N"}
+
+
+def details(plan: Plan) -> dict[str, Any]:
+    """What `--json` prints of this kind alone."""
+    place = plan.weakest
+    return {
+        "cost": plan.cost,
+        "lower_bound": plan.lower_bound,
+        "regrasps": plan.regrasps,
+        "weakest": None if place is None else {"segment": place[0], "row": place[1]},
+        "warnings": plan.warnings,
+        "limit": plan.limit,
+        "relaxations": [r.model_dump() for r in plan.fields.relaxations],
+        "segments": [
+            {
+                "name": s.name,
+                "rows": len(s),
+                "finger": s.finger,
+                "least_stability": float(s.stability.min()) if len(s) else None,
+            }
+            for s in plan.segments
+        ],
+        "joint_segments": [{"name": s.name, "rows": len(s)} for s in plan.joint_segments],
+    }
+
+
+def lines(plan: Plan) -> list[str]:
+    """What it costs, where it is weakest, and a line a segment."""
+    cost, bound = plan.cost or 0.0, plan.lower_bound
+    optimal = bound is not None and cost - bound <= 1e-9 * max(1.0, cost)
+    gap = "optimal on this lattice" if optimal else f"no less than {_length(bound)} is possible"
+    found = [f"cost {_length(cost)} ({gap}), {count(plan.regrasps, 'regrasps')}"]
+    found += [f"warning: {warning}" for warning in plan.warnings]
+    found += [_segment_line(segment) for segment in plan.segments]
+    found += [_joint_line(segment) for segment in plan.joint_segments]
+    if plan.weakest is not None:
+        k, row = plan.weakest
+        weak = plan.segments[k]
+        where = f"row {row} of {_name(weak)}" if len(plan.segments) == 1 else _place(k, row, weak)
+        z, compliant = weak.stability[row], weak.compliant_stability[row]
+        found.append(f"weakest at {where}: withstands {z:.3g} N (compliant {compliant:.3g} N)")
+    return found
+
+
+def lines_not_found(plan: Plan) -> list[str]:
+    """Which limit blocks, and the least change that helps."""
+    found = [f"what blocks: {plan.limit}"] if plan.limit else []
+    return found + [
+        f"would do, alone: {r.field} {r.value:.4g}{UNITS.get(r.field, '')}"
+        for r in plan.fields.relaxations
+    ]
+
+
+def _segment_line(segment: Segment) -> str:
+    number, _, rows = count(len(segment), "rows").partition(" ")
+    head = f"{segment.name:10}{number:>5} {rows:5}"
+    if segment.name == "regrasp":
+        return f"{head} finger {segment.finger + 1} moves, z {segment.stability.min():.3g} N"
+    return f"{head} {_moved(segment)}, z {_range(segment.stability)} N, {_modes(segment)}"
+
+
+def _joint_line(segment: JointSegment) -> str:
+    number, _, rows = count(len(segment), "rows").partition(" ")
+    return f"  joints: {segment.name:10}{number:>5} {rows}"
+
+
+def _moved(segment: Segment) -> str:
+    """How far the object goes: cm for a slide, degrees for a turn or tumble."""
+    poses = segment.X_WO
+    if segment.name == "slide":
+        steps = np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1)
+        return f"{100 * steps.sum():.1f} cm"
+    turns = np.einsum("kji,kjl->kil", poses[:-1, :3, :3], poses[1:, :3, :3])
+    traces = np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)
+    return f"{np.degrees(np.arccos(traces)).sum():.0f} deg"
+
+
+def _modes(segment: Segment) -> str:
+    """The fingers' control, where it stays the same throughout."""
+    changes = len({tuple(row) for row in segment.modes}) > 1
+    shown = " ".join(segment.modes[0]) if segment.modes else ""
+    return f"{shown} at first" if changes else shown
+
+
+def _range(values: Any) -> str:
+    return f"{values.min():.3g} to {values.max():.3g}"
+
+
+def _name(segment: Segment) -> str:
+    return f"the {segment.name}"
+
+
+def _place(k: int, row: int, segment: Segment) -> str:
+    return f"row {row} of segment {k + 1}, {_name(segment)}"
+
+
+def _length(metres: float | None) -> str:
+    return "nothing" if metres is None else f"{metres:.6g} m"

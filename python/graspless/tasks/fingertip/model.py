@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a task file of kind fingertip may hold: docs/task-files.md says the same in prose.
+
+A task that stands in a plan file has the same fields, with the robot's files put inline; meshes
+stay files, and `files` keeps their checksums.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from ..budget import Budget
+from ..obstacles import Obstacles
+from ..robots import Robot
+from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3
+from .motion import Motion
+
+Count = Annotated[int, Field(ge=1)]
+Triangle = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=3, max_length=3)]
+Direction = Annotated[list[float], Field(min_length=6, max_length=6)]
+
+
+def _kind_of_friction(value: Any) -> str:
+    return "interval" if isinstance(value, list) else "number"
+
+
+def _kind_of_inertia(value: Any) -> str:
+    return "matrix" if value and isinstance(value, list) and isinstance(value[0], list) else "axes"
+
+
+Friction = Annotated[
+    Annotated[Positive, Tag("number")]
+    | Annotated[Annotated[list[Positive], Field(min_length=2, max_length=2)], Tag("interval")],
+    Discriminator(_kind_of_friction),
+]
+Inertia = Annotated[
+    Annotated[Size3, Tag("axes")]
+    | Annotated[Annotated[list[Point3], Field(min_length=3, max_length=3)], Tag("matrix")],
+    Discriminator(_kind_of_inertia),
+]
+
+
+class ObjectMesh(MeshFile):
+    """A closed triangle mesh in a file."""
+
+    unit: Literal["m", "mm"] = Field(default="m", description="of the file")
+
+
+class Object(Fields):
+    """What is moved: a box or any closed mesh, in a frame O."""
+
+    name: str = "object"
+    box: Size3 | None = Field(default=None, description="side lengths, centred at O [m]")
+    mesh: ObjectMesh | None = None
+    vertices: Annotated[list[Point3], Field(min_length=4)] | None = Field(
+        default=None, description="of the mesh, in O [m]"
+    )
+    triangles: Annotated[list[Triangle], Field(min_length=4)] | None = Field(
+        default=None, description="of the mesh: three vertices each, from 0"
+    )
+    mass: Positive | None = Field(default=None, description="[kg]")
+    density: Positive | None = Field(default=None, description="instead of mass [kg/m^3]")
+    com: Point3 | None = Field(
+        default=None, description="centre of mass in O [m]; default: of a uniform density"
+    )
+    inertia: Inertia | None = Field(
+        default=None,
+        description="about the centre of mass, in O [kg m^2]: 3 x 3, or its diagonal; "
+        "default: of a uniform density",
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Object:
+        self.one_of("box", "mesh", "vertices")
+        self.one_of("mass", "density")
+        if (self.vertices is None) != (self.triangles is None):
+            raise ValueError("vertices and triangles must be given together")
+        return self
+
+
+class Fingers(Fields):
+    """The fingertips: equal spheres that neither slide nor roll."""
+
+    count: Annotated[int, Field(ge=1, le=4)] = 2
+    radius: Positive = Field(default=0.01, description="[m]")
+    max_normal_force: Positive = Field(default=10.0, description="of each [N]")
+    friction: Friction = Field(
+        default=0.7, description="between fingertip and object, or [lower, upper]"
+    )
+
+
+class Floor(Fields):
+    """The level plane under the object."""
+
+    height: float = Field(default=0.0, description="in the world [m]")
+
+
+class Wall(Fields):
+    """A half-space that the object may touch and the fingertips may not."""
+
+    name: str = "wall"
+    normal: Point3 = Field(description="out of the wall, in the world")
+    offset: float | None = Field(default=None, description="of its surface along the normal [m]")
+    point: Point3 | None = Field(default=None, description="instead: a point on it [m]")
+
+    @model_validator(mode="after")
+    def _check(self) -> Wall:
+        self.one_of("offset", "point")
+        return self
+
+
+class Compliance(Fields):
+    """Springs at the contacts; only their ratios matter: graspless.mechanics.Compliance."""
+
+    environment_normal: Positive | None = None
+    environment_tangential: Positive | None = None
+    finger_normal: Positive | None = None
+    finger_tangential: Positive | None = None
+
+
+class Options(Fields):
+    """How to search: graspless.fingertip.Options has the defaults and the reasons."""
+
+    search: Literal["dijkstra", "paper", "fast"] | None = None
+    locations_per_side: Count | None = Field(default=None, description="of a face's rectangle")
+    location_spacing: NotNegative | None = Field(
+        default=None, description="instead: distance between locations [m]"
+    )
+    cone_edges: Annotated[int, Field(ge=3)] | None = None
+    samples_per_arc: Count | None = None
+    min_stability: Positive | None = Field(default=None, description="z_min [N]")
+    regrasp_cost: NotNegative | None = Field(default=None, description="X_regr [m]")
+    stability_weight: NotNegative | None = Field(default=None, description="X_stab [N]")
+    disturbance_directions: list[Direction] | None = Field(
+        default=None, description="[N][6]; default: the paper's 76"
+    )
+    compliance: Compliance = Compliance()
+    max_regrasps: Annotated[int, Field(ge=0)] | None = None
+    threads: Count | None = None
+    max_memory: Positive | None = Field(default=None, description="[bytes]")
+    explain: bool | None = Field(
+        default=None, description="on failure: which single relaxation helps"
+    )
+
+
+class Carrier(Fields):
+    """Which parts of the robot carry the fingertips."""
+
+    fingertips: Annotated[list[str], Field(min_length=1)] | None = Field(
+        default=None, description="frames at the centres of the spheres, one a finger"
+    )
+    links: list[list[str]] | None = Field(
+        default=None, description="of each finger: links that may touch the object"
+    )
+
+
+class Realize(Fields):
+    """How to find joint paths: graspless.fingertip.RealizeOptions."""
+
+    approach: Positive | None = Field(
+        default=None, description="how far a finger leaves the surface along its normal [m]"
+    )
+    resolution: Positive | None = Field(default=None, description="[rad]")
+    max_jump: Positive | None = Field(default=None, description="between rows [rad]")
+    position_tolerance: Positive | None = Field(default=None, description="of fingertips [m]")
+    restarts: Count | None = None
+
+
+class FingertipTask(Fields):
+    """A task for the fingertip planner."""
+
+    kind: Literal["fingertip"]
+    object: Object
+    fingers: Fingers = Fingers()
+    floor: Floor = Floor()
+    walls: list[Wall] = []
+    friction: Friction = Field(
+        default=0.5, description="between the object and floor and walls, or [lower, upper]"
+    )
+    gravity: Point3 = Field(default=[0.0, 0.0, -9.8], description="in the world [m/s^2]")
+    motion: Motion
+    obstacles: Obstacles = []
+    robot: Robot | None = Field(default=None, description="carries the fingertips")
+    carrier: Carrier | None = None
+    realize: Realize | None = None
+    options: Options = Options()
+    budget: Budget = Budget()
+    files: dict[str, str] = Field(
+        default={}, description="in plan files: sha256 of each mesh that the task reads"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> FingertipTask:
+        names = ["floor", *(wall.name for wall in self.walls)]
+        if twice := {name for name in names if names.count(name) > 1}:
+            raise ValueError(f"walls: name given twice: {', '.join(sorted(twice))}")
+        for field in ("carrier", "realize"):
+            if getattr(self, field) is not None and self.robot is None:
+                raise ValueError(f"{field} is for a robot, and none is given")
+        return self

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How the object moves, as a task file says it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from ..shapes import Fields, Point3, Pose, Positive
+
+Segments = Annotated[int, Field(ge=1, le=100_000)]
+Side = Literal["+x", "-x", "+y", "-y"]
+STANDING = "of O in the world; default: standing on the floor over the origin, unturned"
+
+
+class Slide(Fields):
+    """A straight slide."""
+
+    pose: Pose | None = Field(default=None, description=STANDING)
+    translation: Point3 = Field(description="in the world [m]")
+    segments: Segments = 30
+
+
+class Turn(Fields):
+    """A turn on the floor."""
+
+    pose: Pose | None = Field(default=None, description=STANDING)
+    point: Point3 | None = Field(
+        default=None, description="on the axis [m]; default: the centre of mass"
+    )
+    axis: Point3 = Field(default=[0.0, 0.0, 1.0], description="in the world")
+    angle: float = Field(description="right-handed about the axis [rad]")
+    segments: Segments = 30
+
+
+class Tumble(Fields):
+    """A tumble over an edge of the face that the object stands on."""
+
+    pose: Pose | None = Field(default=None, description=STANDING)
+    over: Side | None = Field(
+        default=None, description="the edge on this side of the face it stands on"
+    )
+    point: Point3 | None = Field(default=None, description="instead of over: on the edge [m]")
+    axis: Point3 | None = Field(default=None, description="with point: along the edge")
+    angle: Positive | None = Field(
+        default=None, description="[rad]; with over: default until the next face lies down"
+    )
+    segments: Segments = 30
+
+    @model_validator(mode="after")
+    def _check(self) -> Tumble:
+        self.one_of("over", "point")
+        if (self.point is None) != (self.axis is None):
+            raise ValueError("point and axis must be given together")
+        if self.point is not None and self.angle is None:
+            raise ValueError("angle must be given with point and axis [rad]")
+        return self
+
+
+class Step(Fields):
+    """A part of a sequence; it starts where the one before it ended."""
+
+    slide: Slide | None = None
+    turn: Turn | None = None
+    tumble: Tumble | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Step:
+        self.one_of("slide", "turn", "tumble")
+        return self
+
+
+class Lattice(Fields):
+    """From start to goal over the floor, through a lattice of positions and yaws."""
+
+    start: Pose | None = Field(default=None, description=STANDING)
+    goal: Pose = Field(description="of O in the world; on the lattice")
+    lower: Point3 = Field(description="x, y, yaw relative to the start, least [m, m, rad]")
+    upper: Point3 = Field(description="x, y, yaw relative to the start, largest [m, m, rad]")
+    counts: Annotated[list[Annotated[int, Field(ge=1)]], Field(min_length=3, max_length=3)] = [
+        30,
+        30,
+        30,
+    ]
+
+
+class Goal(Fields):
+    """Where the object shall stand, any face down; the planner finds the way."""
+
+    start: Pose | None = Field(default=None, description=STANDING)
+    pose: Pose = Field(description="of O in the world")
+    slide_step: Positive | None = Field(default=None, description="longest step of a slide [m]")
+    turn_step: Positive | None = Field(default=None, description="largest step of a turn [rad]")
+    max_tumbles: Annotated[int, Field(ge=0)] | None = None
+
+
+class Motion(Fields):
+    """How the object moves, in one of these ways."""
+
+    slide: Slide | None = None
+    turn: Turn | None = None
+    tumble: Tumble | None = None
+    path: Annotated[list[Pose], Field(min_length=2)] | None = Field(
+        default=None, description="poses of O in the world, a screw motion from each to the next"
+    )
+    sequence: Annotated[list[Step], Field(min_length=1)] | None = None
+    lattice: Lattice | None = None
+    goal: Goal | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> Motion:
+        self.one_of("slide", "turn", "tumble", "path", "sequence", "lattice", "goal")
+        return self

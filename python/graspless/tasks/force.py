@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Values in force: a plan file says them all, so that a later default cannot change it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def in_force(fields: Any, built: Any) -> Any:
+    """The fields with the values of what was built from them."""
+    names = type(fields).model_fields
+    return type(fields)(**{name: _plain(getattr(built, name)) for name in names})
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return getattr(value, "name", value)

@@ -1,0 +1,212 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The robot of a task: its fields, its files, and the robot itself."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from .. import _data
+from .shapes import Fields, Pose, pose_matrix
+from .source import Source, at
+
+if TYPE_CHECKING:
+    from .. import robot as robots
+    from ..frames import Matrix
+
+
+def _kind_of_home(value: Any) -> str:
+    return "joints" if isinstance(value, dict) else "all" if isinstance(value, list) else "state"
+
+
+Home = Annotated[
+    Annotated[str, Tag("state")]
+    | Annotated[dict[str, float], Tag("joints")]
+    | Annotated[list[float], Tag("all")],
+    Discriminator(_kind_of_home),
+]
+
+
+class Robot(Fields):
+    """Which robot, where it stands and where its joints are."""
+
+    urdf: str | None = Field(default=None, description=".urdf or .xacro file, or a built-in name")
+    urdf_text: str | None = Field(default=None, description="the URDF itself")
+    srdf: str | None = Field(
+        default=None, description="SRDF file; default: that of the same name beside the URDF"
+    )
+    srdf_text: str | None = Field(default=None, description="the SRDF itself")
+    packages: dict[str, str] = Field(default={}, description="where package://NAME/ points")
+    directory: str | None = Field(
+        default=None, description="what relative mesh paths are relative to; default: the URDF's"
+    )
+    xacro_args: dict[str, str | float | int | bool] = Field(
+        default={}, description="arguments of a .xacro file"
+    )
+    pose: Pose = Field(default=Pose(), description="of the root link in the world")
+    home: Home = Field(
+        default="home",
+        description="where the robot stands: a state of the SRDF, {joint: value} or all joints",
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Robot:
+        self.one_of("urdf", "urdf_text")
+        self.one_of("srdf", "srdf_text", needed=False)
+        return self
+
+
+def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
+    if robot.urdf is None:
+        return robot, None
+    path = directory / robot.urdf
+    if not path.is_file():
+        built_in = _data.robot(robot.urdf)
+        if built_in is None:
+            names = ", ".join(_data.robots())
+            what = f"no such file, nor a robot that comes with graspless (one of: {names})"
+            raise source.error(("robot", "urdf"), what)
+        path = built_in
+    packages = {name: str((directory / place).resolve()) for name, place in robot.packages.items()}
+    for name, place in packages.items():
+        if not Path(place).is_dir():
+            raise source.error(("robot", "packages", name), "no such folder")
+    meshes = directory / robot.directory if robot.directory else path.parent
+    if robot.directory and not meshes.is_dir():
+        raise source.error(("robot", "directory"), "no such folder")
+    srdf = _find_srdf(robot, path, source, directory)
+    resolved = robot.model_copy(
+        update={
+            "urdf": None,
+            "urdf_text": _read_xml(path, robot, packages, source, ("robot", "urdf")),
+            "srdf": None,
+            "srdf_text": robot.srdf_text
+            or (srdf and _read_xml(srdf, robot, packages, source, ("robot", "srdf"))),
+            "packages": packages,
+            "directory": str(meshes.resolve()),
+            "xacro_args": {},
+        }
+    )
+    return resolved, path.with_name(f"{stem(path)}.hand.yaml")
+
+
+def _find_srdf(robot: Robot, urdf: Path, source: Source, directory: Path) -> Path | None:
+    if robot.srdf_text is not None:
+        return None
+    if robot.srdf is None:
+        beside = (urdf.with_name(f"{stem(urdf)}{end}") for end in (".srdf", ".srdf.xacro"))
+        return next((path for path in beside if path.is_file()), None)
+    path = directory / robot.srdf
+    if not path.is_file():
+        raise source.error(("robot", "srdf"), "no such file")
+    return path
+
+
+def stem(path: str | Path) -> str:
+    """The name of a robot's file without .urdf, .xacro or both."""
+    name = Path(path).name
+    for suffix in (".xacro", ".urdf"):
+        name = name.removesuffix(suffix)
+    return name
+
+
+def _read_xml(
+    path: Path,
+    robot: Robot,
+    packages: dict[str, str],
+    source: Source,
+    location: tuple[str, ...],
+) -> str:
+    try:
+        if path.suffix == ".xacro":
+            return _expand_xacro(path, robot.xacro_args, packages)
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise source.error(location, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise source.error(location, "is not a text file in UTF-8") from None
+    except ValueError as error:
+        raise source.error(location, str(error)) from None
+
+
+def _expand_xacro(path: Path, arguments: dict[str, Any], packages: dict[str, str]) -> str:
+    """The URDF that a xacro file stands for; $(find NAME) is looked up in `packages` first."""
+    try:
+        import xacro
+        from xacro import substitution_args
+    except ImportError:
+        raise ValueError("needs xacro to be read: pip install xacro") from None
+    words = {
+        name: str(value).lower() if isinstance(value, bool) else str(value)
+        for name, value in arguments.items()
+    }
+    find = substitution_args._eval_find
+    substitution_args._eval_find = lambda name: packages.get(name) or find(name)
+    try:
+        return str(xacro.process_file(str(path), mappings=words).toprettyxml(indent="  "))
+    except Exception as error:  # xacro raises many kinds, some of them private
+        first = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise ValueError(f"xacro cannot expand it: {first}") from None
+    finally:
+        substitution_args._eval_find = find
+
+
+def build_robot(robot: Robot, source: Source) -> robots.Robot:
+    from .. import robot as robots
+
+    with at(source, "robot", "urdf" if "urdf" in source.given("robot") else "urdf_text"):
+        return robots.Robot.from_urdf(
+            robot.urdf_text or "",
+            srdf=robot.srdf_text or "",
+            packages=robot.packages,
+            directory=robot.directory or "",
+            X_WB=pose_matrix(robot.pose),
+        )
+
+
+def build_home(
+    robot: Robot, built: robots.Robot, source: Source, others: str | None = None
+) -> Matrix:
+    """[dof] joints of robot.home; those that it leaves out are as in the state `others`, or 0."""
+    location = ("robot", "home")
+    with at(source, *location):
+        if isinstance(robot.home, str):
+            return np.array(built.state(robot.home))
+    names = list(built.joint_names)
+    if isinstance(robot.home, list):
+        if len(robot.home) != len(names):
+            what = f"has {len(robot.home)} values, not one for each of: {', '.join(names)}"
+            raise source.error(location, what)
+        return np.array(robot.home)
+    with at(source, *location):
+        q_home = np.zeros(len(names)) if others is None else np.array(built.state(others))
+    for name, value in robot.home.items():
+        if name not in names:
+            raise source.error((*location, name), f"no such joint (one of: {', '.join(names)})")
+        q_home[names.index(name)] = value
+    return q_home
+
+
+def robot_meshes(robot: Robot) -> set[Path]:
+    """The mesh files that a resolved robot reads; those that exist."""
+    try:
+        names = [
+            mesh.get("filename", "") for mesh in ET.fromstring(robot.urdf_text or "").iter("mesh")
+        ]
+    except ET.ParseError:
+        return set()  # the robot's reader says what is wrong
+    paths = (mesh_path(name, robot.packages, robot.directory) for name in names)
+    return {path for path in paths if path.is_file()}
+
+
+def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
+    """Where a URDF's mesh is: package://NAME/..., file://..., or relative to `directory`."""
+    if name.startswith("package://"):
+        package, _, rest = name.removeprefix("package://").partition("/")
+        return Path(packages.get(package, package)) / rest
+    return Path(directory or ".") / name.removeprefix("file://")

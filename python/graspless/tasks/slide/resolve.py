@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Puts every file that a task names inline, so that a plan with its task stands alone."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import frames
+from .. import shapes
+from ..clouds import read_cloud
+from ..meshes import checksums
+from ..obstacles import obstacle_meshes, resolve_obstacles
+from ..robots import resolve_robot, robot_meshes
+from ..shapes import pose_matrix
+from ..source import Source, read_yaml
+from . import model
+from .units import LARGEST, warn_of_units
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+
+
+def resolve(
+    task: model.SlideTask, source: Source, directory: Path
+) -> tuple[model.SlideTask, Source]:
+    """The same task with URDF, SRDF, hand and cloud inline and with absolute paths of meshes.
+
+    Parameters
+    ----------
+    task : SlideTask
+        As read from `source`.
+    source : Source
+        Where it stands; for errors.
+    directory : Path
+        What relative paths are relative to.
+
+    Returns
+    -------
+    tuple of SlideTask and Source
+        The task, and where its hand's fields stand.
+    """
+    warn_of_units(task, source)
+    robot, hand_file = resolve_robot(task.robot, source, directory)
+    hand, hand_source = _resolve_hand(task.hand, hand_file, source, directory)
+    resolved = task.model_copy(
+        update={
+            "robot": robot,
+            "hand": hand,
+            "object": _resolve_object(task.object, task.support, source, directory),
+            "obstacles": resolve_obstacles(task.obstacles, source, directory),
+        }
+    )
+    resolved.files = checksums(obstacle_meshes(resolved.obstacles) | robot_meshes(robot))
+    return resolved, hand_source
+
+
+def _resolve_hand(
+    hand: model.Hand | str | None, beside: Path | None, source: Source, directory: Path
+) -> tuple[model.Hand, Source]:
+    if isinstance(hand, model.Hand):
+        return hand, source
+    path = beside
+    if isinstance(hand, str):
+        path = directory / hand
+        if not path.is_file():
+            raise source.error(("hand",), "no such file")
+    if path is None or not path.is_file():
+        return model.Hand(), source
+    read = read_yaml(path)
+    return read.validate(model.Hand), read
+
+
+def _resolve_object(
+    thing: model.Object, support: model.Support, source: Source, directory: Path
+) -> model.Object:
+    if thing.cloud is None:
+        return thing
+    location = ("object", "cloud")
+    try:
+        points = read_cloud(directory / thing.cloud)
+    except ValueError as error:
+        raise source.error(location, str(error)) from None
+    if thing.unit == "mm":
+        points = points / 1000
+    size = np.ptp(points, axis=0)
+    if size.max() > LARGEST:
+        what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m"
+        hint = "if it is in millimetres, write 'unit: mm' beside it; taken as metres"
+        warnings.warn(source.message(location, f"{what}; {hint}"), stacklevel=4)
+    pose = thing.pose
+    if thing.frame == "world":
+        p_SP = _transform(np.linalg.inv(support_pose(support)), points)
+        center = np.array([*p_SP[:, :2].mean(axis=0), 0.0])
+        points, pose = p_SP - center, shapes.PlanarPose(x=center[0], y=center[1])
+    return thing.model_copy(
+        update={
+            "cloud": None,
+            "points": points.tolist(),
+            "frame": "object",
+            "unit": "m",
+            "pose": pose,
+        }
+    )
+
+
+def support_pose(support: model.Support) -> Matrix:
+    """X_WS of a support."""
+    if support.pose is not None:
+        return pose_matrix(support.pose)
+    return frames.translation([0.0, 0.0, support.height or 0.0])
+
+
+def _transform(X_AB: Any, p_BP: Matrix) -> Matrix:
+    return np.asarray(p_BP @ X_AB[:3, :3].T + X_AB[:3, 3])
+
+
+__all__ = ["resolve", "support_pose"]

@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The object, its floor and walls, the fingertips and their forces."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import frames
+from ..bodies import OBJECT, Body, Color, Part, obstacle_bodies
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...tasks import Task
+    from .moments import Moment
+
+FLOOR: Color = (0.86, 0.83, 0.78)
+WALL: Color = (0.62, 0.70, 0.80)
+POSITION: Color = (0.12, 0.42, 0.78)
+FORCE: Color = (0.84, 0.18, 0.24)
+FREE: Color = (0.70, 0.71, 0.73)
+ARROW: Color = (0.16, 0.74, 0.45)
+MODES = {"position": POSITION, "force": FORCE, "free": FREE}
+LONGEST_ARROW = 0.7  # of the object's size
+
+
+def object_body(task: Task) -> Body:
+    """The object, in O."""
+    mesh = task.problem.object.mesh
+    corners = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)]
+    # Corners of their own, so that edges stay sharp.
+    triangles = np.arange(3 * len(corners)).reshape(-1, 3)
+    return Body("object", [Part(corners.reshape(-1, 3), triangles, OBJECT)], is_flat=True)
+
+
+def floor_body(task: Task, points: Matrix) -> Body:
+    """The floor under points in the world [N, 3], but not behind the walls."""
+    height = task.problem.planes[0].offset
+    low, high = _extent(task, points)
+    thick = 0.02 * float((high - low).max())
+    outline = [(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])]
+    ring = np.array(outline)
+    for wall in task.problem.planes[1:]:
+        ring = _clipped(ring, np.asarray(wall.n_W), float(wall.offset), height)
+    if len(ring) < 3:
+        return Body("floor")
+    return Body("floor", [_slab(ring, height - thick, height, FLOOR)], is_flat=True)
+
+
+def wall_bodies(task: Task, points: Matrix) -> list[Body]:
+    """The walls, as high as the object comes."""
+    found = []
+    low, high = _extent(task, points)
+    height = task.problem.planes[0].offset
+    top = height + 1.05 * float(points[:, 2].max() - height)
+    for wall in task.problem.planes[1:]:
+        normal = np.asarray(wall.n_W)
+        level = np.linalg.norm(normal[:2])
+        if level < 0.1:  # a ceiling would hide everything
+            continue
+        found.append(Body(wall.name, [_plate(normal, wall.offset, low, high, height, top)], True))
+    return found
+
+
+def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
+    """The obstacles with their poses in the world."""
+    return obstacle_bodies(task.fields.obstacles)
+
+
+def fingertip_body(radius: float, color: Color) -> Body:
+    """A fingertip, centred at its frame."""
+    import trimesh
+
+    ball = trimesh.creation.uv_sphere(radius, count=(24, 36))
+    return Body("fingertip", [Part(np.asarray(ball.vertices), np.asarray(ball.faces), color)])
+
+
+def arrows(task: Task, moment: Moment, largest: float) -> list[tuple[Body, Matrix]]:
+    """Nominal forces, from outside on to the fingertips: each with its pose in the world."""
+    size, radius = task.problem.object.size, task.problem.fingers.radius
+    found = []
+    for tail, tip in arrow_ends(task, moment, largest):
+        length = float(np.linalg.norm(tip - tail))
+        if length > 1e-6 * size:
+            body = Body("force", [_arrow(length, min(0.018 * size, 0.4 * radius))])
+            found.append((body, _along(tail, tip)))
+    return found
+
+
+def arrow_ends(task: Task, moment: Moment, largest: float) -> Matrix:
+    """[n, 2, 3] tails and tips of the nominal forces' arrows in the world; of no length without.
+
+    Parameters
+    ----------
+    task : Task
+    moment : Moment
+    largest : float
+        The force [N] that is drawn longest.
+    """
+    radius = task.problem.fingers.radius
+    scale = LONGEST_ARROW * task.problem.object.size / max(largest, 1e-9)
+    found = np.zeros((len(moment.modes), 2, 3))
+    for k, (center, force) in enumerate(zip(moment.centers_W, moment.forces_W, strict=True)):
+        strength = float(np.linalg.norm(force))
+        if moment.modes[k] == "free" or strength < 1e-9:
+            continue
+        direction = force / strength
+        tip = center - radius * direction
+        found[k] = tip - scale * strength * direction, tip
+    return found
+
+
+def _extent(task: Task, points: Matrix) -> tuple[Matrix, Matrix]:
+    """[2], [2] corners of the floor that is drawn."""
+    margin = 0.22 * task.problem.object.size
+    return points[:, :2].min(axis=0) - margin, points[:, :2].max(axis=0) + margin
+
+
+def _clipped(ring: Matrix, normal: Matrix, offset: float, height: float) -> Matrix:
+    """The part of a polygon in the floor that is not behind a wall."""
+    depth = ring @ normal[:2] + normal[2] * height - offset
+    kept: list[Any] = []
+    for i in range(len(ring)):
+        j = (i + 1) % len(ring)
+        if depth[i] >= 0:
+            kept.append(ring[i])
+        if depth[i] * depth[j] < 0:
+            t = depth[i] / (depth[i] - depth[j])
+            kept.append(ring[i] + t * (ring[j] - ring[i]))
+    return np.array(kept).reshape(-1, 2)
+
+
+def _slab(ring: Matrix, bottom: float, top: float, color: Color) -> Part:
+    """A convex polygon between two heights."""
+    n = len(ring)
+    up = np.column_stack([ring, np.full(n, top)])
+    down = np.column_stack([ring, np.full(n, bottom)])
+    fan = np.array([[0, i, i + 1] for i in range(1, n - 1)])
+    vertices, triangles = [up, down], [fan, fan[:, ::-1] + n]
+    for i in range(n):
+        j, first = (i + 1) % n, 2 * n + 4 * i
+        vertices.append(np.array([down[i], down[j], up[j], up[i]]))
+        triangles.append(np.array([[first, first + 1, first + 2], [first, first + 2, first + 3]]))
+    return Part(np.concatenate(vertices), np.concatenate(triangles), color)
+
+
+def _plate(
+    normal: Matrix, offset: float, low: Matrix, high: Matrix, bottom: float, top: float
+) -> Part:
+    """A wall across the floor that is drawn, from the floor up, both sides of it."""
+    across = np.array([-normal[1], normal[0], 0.0]) / np.linalg.norm(normal[:2])
+    rise = np.cross(normal, across)
+    rise *= 1 if rise[2] > 0 else -1
+    middle = np.array([*(low + high) / 2, bottom])
+    foot = middle + normal * (offset - normal @ middle)
+    foot += rise * (bottom - foot[2]) / rise[2]
+    corners = np.array([[x, y] for x in (low[0], high[0]) for y in (low[1], high[1])])
+    reach = (corners - foot[:2]) @ across[:2]
+    span = rise * (top - bottom) / rise[2]
+    a, b = foot + across * reach.min(), foot + across * reach.max()
+    quad = np.array([a, b, b + span, a + span])
+    thick = 0.012 * float(np.linalg.norm(high - low)) * normal
+    vertices = np.concatenate([quad - thick, quad])
+    faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+    if np.cross(b - a, span) @ normal < 0:
+        faces = [(p, s, r, q) for p, q, r, s in faces]
+    corners_of = vertices[np.array(faces)].reshape(-1, 3)
+    triangles = [[4 * i, 4 * i + j, 4 * i + j + 1] for i in range(6) for j in (1, 2)]
+    return Part(corners_of, np.array(triangles), WALL)
+
+
+def _arrow(length: float, width: float) -> Part:
+    """From the origin along z."""
+    import trimesh
+
+    head = min(4.5 * width, 0.6 * length)
+    shaft = trimesh.creation.cylinder(width, length - head, sections=20)
+    shaft.apply_translation([0, 0, (length - head) / 2])
+    cone = trimesh.creation.cone(2.2 * width, head, sections=24)
+    cone.apply_translation([0, 0, length - head])
+    whole: Any = trimesh.util.concatenate([shaft, cone])
+    return Part(np.asarray(whole.vertices), np.asarray(whole.faces), ARROW)
+
+
+def _along(tail: Matrix, tip: Matrix) -> Matrix:
+    """A pose at the tail with z to the tip."""
+    z = (tip - tail) / np.linalg.norm(tip - tail)
+    x = np.cross(z, [1.0, 0.0, 0.0] if abs(z[0]) < 0.9 else [0.0, 1.0, 0.0])
+    x /= np.linalg.norm(x)
+    X = frames.translation(tail)
+    X[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
+    return X

@@ -1,0 +1,165 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plan in time, at a pace for watching: plans are quasi-static and have none of their own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import frames
+from .moments import Moment, at, start_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ...frames import Matrix
+    from ...plans.fingertip import JointSegment, Plan, Segment
+
+SLIDE = 8.0  # [cm/s]
+TURN = 25.0  # [degrees/s]
+LEAVE, TRAVEL = 0.4, 0.8  # a finger that regrasps: off and on the surface, and over it [s]
+JOINTS = 0.6  # of a robot that carries the fingers [rad/s]
+LONGEST = 30.0  # [s]
+
+
+@dataclass(frozen=True)
+class Key:
+    """A moment and when it is [s]."""
+
+    time: float
+    moment: Moment
+
+
+def film(plan: Plan, rate: float) -> list[Moment]:
+    """Moments at even times, `rate` a second."""
+    keys = list(_joint_keys(plan) if plan.joint_segments else _keys(plan))
+    if not keys:
+        return [start_of(plan)]
+    last = keys[-1].time
+    scale = min(1.0, LONGEST / max(last, 1e-9))
+    times = np.array([key.time for key in keys])
+    wanted = np.linspace(0, last, max(2, int(np.ceil(scale * last * rate)) + 1))
+    after = np.clip(np.searchsorted(times, wanted), min(1, len(keys) - 1), len(keys) - 1)
+    return [_between(keys[max(j - 1, 0)], keys[j], t) for j, t in zip(after, wanted, strict=True)]
+
+
+def _keys(plan: Plan) -> Iterator[Key]:
+    """The fingertips alone."""
+    now = 0.0
+    for k, segment in enumerate(plan.segments):
+        if not len(segment):
+            continue
+        if segment.name == "regrasp":
+            for step, moment in _regrasp(plan, k):
+                now += step
+                yield Key(now, moment)
+            continue
+        rows = range(len(segment))
+        first, last = segment.X_WO[0], segment.X_WO[-1]
+        held = [at(plan, segment, 0, first), *(at(plan, segment, row) for row in rows)]
+        held.append(at(plan, segment, len(segment) - 1, last))
+        for before, moment in zip([held[0], *held[:-1]], held, strict=True):
+            now += _seconds(before.X_WO, moment.X_WO)
+            yield Key(now, moment)
+
+
+def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, Moment]]:
+    """Steps of time and moments of a finger that goes to another place."""
+    segment = plan.segments[k]
+    resting = at(plan, segment, 0)
+    before = _neighbour(plan, k, -1)
+    after = _neighbour(plan, k, 1)
+    finger, radius = segment.finger, plan.task.problem.fingers.radius
+    if before is None or after is None or finger < 0:
+        return
+    start, goal = (
+        other.fingers[row, finger] - radius * other.normals[row, finger]
+        for other, row in ((before, -1), (after, 0))
+    )
+    off = 2.0 * radius
+    leave = start - off * before.normals[-1, finger]
+    arrive = goal - off * after.normals[0, finger]
+    way = [start, leave, *_round(leave, arrive, np.asarray(plan.task.problem.object.com))]
+    steps = [0.0, LEAVE, *[TRAVEL / (len(way) - 2)] * (len(way) - 2), LEAVE]
+    kept = at(plan, before, len(before) - 1).centers  # of fingers that wait for their own regrasp
+    for step, center in zip(steps, [*way, goal], strict=True):
+        centers = np.where(np.isfinite(resting.centers), resting.centers, kept)
+        centers[finger] = center
+        yield step, replace(resting, centers=centers)
+
+
+def _round(start: Matrix, goal: Matrix, middle: Matrix) -> list[Matrix]:
+    """Points from start to goal that keep their distance from the middle."""
+    found = []
+    for t in np.linspace(0, 1, 9)[1:]:
+        straight = (1 - t) * start + t * goal - middle
+        reach = (1 - t) * np.linalg.norm(start - middle) + t * np.linalg.norm(goal - middle)
+        found.append(middle + straight * reach / max(float(np.linalg.norm(straight)), 1e-9))
+    return found
+
+
+def _neighbour(plan: Plan, k: int, step: int) -> Segment | None:
+    """The next segment with a motion of the object, forwards or back."""
+    k += step
+    while 0 <= k < len(plan.segments):
+        if plan.segments[k].name != "regrasp" and len(plan.segments[k]):
+            return plan.segments[k]
+        k += step
+    return None
+
+
+def _joint_keys(plan: Plan) -> Iterator[Key]:
+    """The fingertips where the robot has them."""
+    now = 0.0
+    for segment in plan.joint_segments:
+        for row in range(len(segment)):
+            if row:
+                step = np.abs(segment.positions[row] - segment.positions[row - 1]).max()
+                now += max(float(step) / JOINTS, 1e-3)
+            yield Key(now, _carried(plan, segment, row))
+        now += 0.2
+
+
+def _carried(plan: Plan, segment: JointSegment, row: int) -> Moment:
+    """The moment of a row of joint motion, its fingertips by forward kinematics."""
+    arm, found = plan.task.arm, plan.fields.realization
+    assert found is not None
+    X_WO, q = segment.object_poses[row], segment.positions[row]
+    links = np.asarray(arm.robot.forward(q))
+    names = list(arm.robot.frame_names)
+    tips_W = np.array([links[names.index(name)][:3, 3] for name in arm.carrier.fingertips])
+    order = np.argsort(found.finger_of_fingertip)
+    centers = (tips_W[order] - X_WO[:3, 3]) @ X_WO[:3, :3]
+    count = len(order)
+    carried = Moment(X_WO, centers, np.zeros((count, 3)), ["free"] * count, segment.name, q=q)
+    if segment.plan_segment < 0:
+        return carried
+    planned = plan.segments[segment.plan_segment]
+    if planned.name == "regrasp":
+        nearest = 0
+    else:
+        nearest = round(row / max(len(segment) - 1, 1) * (len(planned) - 1))
+    there = at(plan, planned, nearest)
+    return replace(carried, forces=there.forces, modes=there.modes)
+
+
+def _between(before: Key, after: Key, time: float) -> Moment:
+    gap = after.time - before.time
+    t = float(np.clip((time - before.time) / gap, 0, 1)) if gap > 0 else 1.0
+    a, b = before.moment, after.moment
+    X_WO = frames.between(a.X_WO, b.X_WO, t)
+    q = None if a.q is None or b.q is None else (1 - t) * a.q + t * b.q
+    centers = (1 - t) * a.centers + t * b.centers
+    # A finger touches or not; forces change with the rows.
+    return replace(b, X_WO=X_WO, centers=centers, q=q)
+
+
+def _seconds(X_A: Matrix, X_B: Matrix) -> float:
+    cosine = (np.trace(X_A[:3, :3].T @ X_B[:3, :3]) - 1) / 2
+    degrees = float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
+    if degrees > 1e-3:
+        return degrees / TURN
+    return float(100 * np.linalg.norm(X_B[:3, 3] - X_A[:3, 3])) / SLIDE

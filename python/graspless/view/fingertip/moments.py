@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Instants of a plan: where the object and its fingers are, and which are worth a picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.fingertip import Plan, Segment
+
+MOST = 8  # moments of a picture
+LONG = 0.45  # part of the way of a segment whose middle is shown too
+
+
+@dataclass(frozen=True)
+class Moment:
+    """The object and its n fingers at one instant.
+
+    Attributes
+    ----------
+    X_WO : array [4, 4]
+    centers : array [n, 3]
+        Of the fingertips' spheres, in O [m].
+    forces : array [n, 3]
+        Nominal, on the object, in O [N].
+    modes : list of str
+        position, force, or free while a finger is off the object.
+    name : str
+        Of the segment.
+    caption : str
+        What happens.
+    q : array [dof], optional
+        Of the robot that carries the fingers.
+    """
+
+    X_WO: Matrix
+    centers: Matrix
+    forces: Matrix
+    modes: list[str]
+    name: str
+    caption: str = ""
+    q: Matrix | None = None
+
+    @property
+    def centers_W(self) -> Matrix:  # noqa: N802
+        """[n, 3] in the world [m]."""
+        return np.asarray(self.centers @ self.X_WO[:3, :3].T + self.X_WO[:3, 3])
+
+    @property
+    def forces_W(self) -> Matrix:  # noqa: N802
+        """[n, 3] in the world [N]."""
+        return np.asarray(self.forces @ self.X_WO[:3, :3].T)
+
+
+def at(plan: Plan, segment: Segment, row: int, X_WO: Matrix | None = None) -> Moment:
+    """A row of a segment, at another pose of the object where one is given; fingers that are off
+    the object have NaN for centres.
+    """
+    radius = plan.task.problem.fingers.radius
+    touches = segment.touches[row]
+    modes = [
+        mode if touching else "free"
+        for mode, touching in zip(segment.modes[row], touches, strict=True)
+    ]
+    return Moment(
+        segment.object_poses[row] if X_WO is None else X_WO,
+        segment.fingers[row] - radius * segment.normals[row],
+        np.where(touches[:, None], segment.nominal_forces[row], 0.0),
+        modes,
+        segment.name,
+    )
+
+
+def start_of(plan: Plan) -> Moment:
+    """The object where it starts, without fingers: of a plan without motion."""
+    motion = plan.task.problem.motion
+    X_WO = motion.X_WO[0] if hasattr(motion, "X_WO") else motion.X_WO_start
+    return Moment(np.asarray(X_WO), np.empty((0, 3)), np.empty((0, 3)), [], "start", "start")
+
+
+def moments(plan: Plan) -> list[Moment]:
+    """The start, before and after each change of grip, the middle of long ways, and the goal."""
+    moving = [segment for segment in plan.segments if segment.name != "regrasp" and len(segment)]
+    if not moving:
+        return [start_of(plan)]
+    found: list[Moment] = []
+    for k, segment in enumerate(moving):
+        first, last = k == 0, k == len(moving) - 1
+        same = k > 0 and _same_grip(moving[k - 1], segment)
+        if not same:
+            caption = "start" if first else f"after regrasp{_progress(plan, segment, 0)}"
+            found.append(replace(at(plan, segment, 0, segment.X_WO[0]), caption=caption))
+        if len(moving) == 1 or len(segment) > LONG * sum(map(len, moving)):
+            middle = len(segment) // 2
+            caption = f"{segment.name}{_progress(plan, segment, middle)}"
+            found.append(replace(at(plan, segment, middle), caption=caption))
+        next_same = not last and _same_grip(segment, moving[k + 1])
+        if last or not next_same or segment.name != moving[k + 1].name:
+            what = f"after the {segment.name}" if next_same else "before regrasp"
+            caption = "goal" if last else what + _progress(plan, segment, len(segment))
+            row = len(segment) - 1
+            found.append(replace(at(plan, segment, row, segment.X_WO[-1]), caption=caption))
+    if len(found) > MOST:
+        kept = sorted({round(i) for i in np.linspace(0, len(found) - 1, MOST)})
+        found = [found[i] for i in kept]
+    return found
+
+
+def progress(segments: list[Segment]) -> list[Matrix]:
+    """For each segment, how far along the way its rows are: poses of the lattice passed."""
+    passed = 0.0
+    found: list[Matrix] = []
+    for segment in segments:
+        arcs = len(segment.X_WO) - 1
+        rows = len(segment)
+        found.append(np.asarray(passed + (np.arange(rows) + 0.5) * (arcs / max(rows, 1)), float))
+        passed += arcs
+    return found
+
+
+def measure(segments: list[Segment]) -> tuple[float, str]:
+    """What a pose of the lattice is worth where all motion is of one name: [degrees] or [cm]."""
+    names = {segment.name for segment in segments if segment.name != "regrasp"}
+    arcs = sum(len(segment.X_WO) - 1 for segment in segments if segment.name != "regrasp")
+    if len(names) != 1 or not arcs:
+        return 1.0, "pose of the lattice"
+    name = names.pop()
+    total = sum(travelled(segment.X_WO, name) for segment in segments)
+    unit = f"{name} [cm]" if name == "slide" else f"{name} [degrees]"
+    return total / arcs, unit
+
+
+def travelled(X_WO: Matrix, name: str) -> float:
+    """How far a slide goes [cm], or any other motion turns [degrees]."""
+    if len(X_WO) < 2:
+        return 0.0
+    if name == "slide":
+        return float(100 * np.linalg.norm(np.diff(X_WO[:, :3, 3], axis=0), axis=1).sum())
+    turns = np.einsum("kji,kjl->kil", X_WO[:-1, :3, :3], X_WO[1:, :3, :3])
+    traces = np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)
+    return float(np.degrees(np.arccos(traces)).sum())
+
+
+def _same_grip(before: Segment, after: Segment) -> bool:
+    return bool(np.allclose(before.fingers[-1], after.fingers[0], atol=1e-9, equal_nan=True))
+
+
+def _progress(plan: Plan, segment: Segment, row: int) -> str:
+    """ " at 36 deg", of the whole way where that is of one name."""
+    k = next(i for i, other in enumerate(plan.segments) if other is segment)
+    each, unit = measure(plan.segments)
+    passed = sum(len(other.X_WO) - 1 for other in plan.segments[:k])
+    here = passed + row * (len(segment.X_WO) - 1) / max(len(segment), 1)
+    if unit.endswith("[cm]"):
+        return f", {here * each:.3g} cm"
+    return f", {here * each:.3g}°" if unit.endswith("[degrees]") else ""

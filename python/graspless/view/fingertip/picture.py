@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plan as one picture: the object at its steps, and the stability along the way."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from ... import frames
+from .. import raster
+from . import bodies, curves
+from .moments import moments
+from .stage import camera, swept
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...frames import Matrix
+    from ...plans.fingertip import Plan
+    from ...tasks import Task
+    from ..bodies import Body
+    from ..raster import Camera
+    from .moments import Moment
+
+INK = (0.15, 0.17, 0.20)
+ACROSS = 4  # panels in a row
+WIDTH = 15.0  # of the figure [inches]
+CURVES = 2.6  # height of the curves [inches]
+WALLS = 0.5  # how much of what is behind is seen
+HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
+
+
+def draw(plan: Plan) -> bytes:
+    """The picture as the bytes of a PNG file."""
+    shown = moments(plan)
+    across = min(ACROSS, len(shown)) if len(shown) != 5 else 5
+    down = -(-len(shown) // across)
+    panel = WIDTH / max(across, 2)
+    tall = 0.72 * panel if across < 4 else 0.9 * panel
+    has_curves = bool(plan.segments)
+    heights = [0.5, *[tall] * down, *([CURVES] if has_curves else [])]
+    figure = Figure(figsize=(WIDTH, sum(heights) + 0.55), dpi=110, facecolor="white")
+    FigureCanvasAgg(figure)
+    grid = figure.add_gridspec(
+        len(heights), 1, height_ratios=heights, left=0.045, right=0.985,
+        bottom=0.52 / figure.get_figheight(), top=1, hspace=0.04,
+    )  # fmt: skip
+    _draw_head(figure.add_subplot(grid[0]), plan)
+    width, height = round(panel * 110), round(tall * 100)
+    scene = _Scene(plan.task, shown, (width, height))
+    for k, moment in enumerate(shown):
+        row = grid[1 + k // across].subgridspec(1, across, wspace=0.02)
+        axes = figure.add_subplot(row[k % across])
+        axes.imshow(scene.render(moment), interpolation="antialiased")
+        for k_finger, (x, y) in enumerate(scene.places(moment)):
+            axes.annotate(
+                str(k_finger + 1), (x, y), ha="center", va="center", fontsize=8, color="white",
+                weight="bold", annotation_clip=True,
+            )  # fmt: skip
+        number = f"{k + 1}  " if len(shown) > 1 else ""
+        axes.set_title(number + moment.caption, fontsize=11, color=INK, loc="left", pad=2, y=0.96)
+        axes.set_axis_off()
+    if has_curves:
+        curves.draw(figure.add_subplot(grid[len(heights) - 1]), plan)
+    file = io.BytesIO()
+    figure.savefig(file, format="png")
+    return file.getvalue()
+
+
+class _Scene:
+    """What all panels share: the camera, the floor and the longest force."""
+
+    def __init__(self, task: Task, shown: Sequence[Moment], shape: tuple[int, int]) -> None:
+        self.task, self.shape = task, shape
+        forces = [np.linalg.norm(moment.forces, axis=1).max(initial=0.0) for moment in shown]
+        self.largest = max([*forces, 1e-9])
+        points = swept(task, shown)
+        tails = [bodies.arrow_ends(task, moment, self.largest) for moment in shown]
+        tails_W = np.concatenate([ends.reshape(-1, 3) for ends in tails])
+        eye = np.eye(4)
+        floor = bodies.floor_body(task, points)
+        ground = [part.vertices for part in floor.parts]
+        everything = np.concatenate([points, tails_W[tails_W.any(axis=1)], *ground])
+        self.camera: Camera = camera(task, shown, everything, shape)
+        self.still: list[tuple[Body, Matrix]] = [(floor, eye)] if floor.parts else []
+        self.still += bodies.obstacles(task)
+        self.walls = [(body, eye) for body in bodies.wall_bodies(task, points)]
+        self.thing = bodies.object_body(task)
+        radius = task.problem.fingers.radius
+        self.tips = {
+            mode: bodies.fingertip_body(radius, color) for mode, color in bodies.MODES.items()
+        }
+
+    def render(self, moment: Moment) -> Matrix:
+        """The picture of a moment; walls, and all before fingertips and forces, are glass-like."""
+        fingers = [
+            (self.tips[mode], frames.translation(center))
+            for mode, center in zip(moment.modes, moment.centers_W, strict=True)
+            if np.isfinite(center).all()
+        ]
+        forces = bodies.arrows(self.task, moment, self.largest)
+        whole = [*self.still, *fingers, *forces, (self.thing, moment.X_WO)]
+        picture = self._render(whole)
+        if self.walls:
+            picture = _mix(self._render([*whole, *self.walls]), picture, WALLS)
+        if fingers:
+            picture = _over(self._render([*fingers, *forces]), picture, HIDDEN)
+        return picture
+
+    def places(self, moment: Moment) -> Matrix:
+        """[n, 2] pixels of the fingertips; NaN for those that are off the object."""
+        return self.camera.project(moment.centers_W, *self.shape)[:, :2]
+
+    def _render(self, placed: Sequence[tuple[Body, Matrix]]) -> Matrix:
+        return raster.render(placed, self.camera, *self.shape)
+
+
+def _mix(front: Matrix, back: Matrix, share: float) -> Matrix:
+    """Two pictures with opacity, over each other: `share` of the one behind."""
+    opacity = (1 - share) * front[..., 3:] + share * back[..., 3:]
+    color = (1 - share) * front[..., :3] * front[..., 3:] + share * back[..., :3] * back[..., 3:]
+    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
+def _over(front: Matrix, back: Matrix, share: float) -> Matrix:
+    """A picture with `share` of the opacity of another over it."""
+    weight = share * front[..., 3:]
+    opacity = weight + (1 - weight) * back[..., 3:]
+    color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
+    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
+def _draw_head(axes: Any, plan: Plan) -> None:
+    """What the plan is, and what the colours mean."""
+    axes.set_axis_off()
+    axes.set_xlim(0, 1)
+    axes.set_ylim(0, 1)
+    axes.text(0, 0.42, _headline(plan), fontsize=14, color=INK, va="center")
+    if not plan.segments:
+        return
+    balls = [
+        Line2D([], [], ls="", marker="o", ms=10, mfc=color, mec=INK, mew=0.6, label=label)
+        for color, label in (
+            (bodies.POSITION, "position control"),
+            (bodies.FORCE, "force control"),
+        )
+    ]
+    arrow = Line2D(
+        [], [], ls="-", lw=2.5, marker=">", ms=8, color=bodies.ARROW, label="nominal force"
+    )
+    axes.legend(
+        handles=[*balls, arrow], loc="center right", bbox_to_anchor=(1, 0.42), ncols=3,
+        fontsize=10, frameon=False, handletextpad=0.4, columnspacing=1.4,
+    )  # fmt: skip
+
+
+def _headline(plan: Plan) -> str:
+    name = plan.task.problem.object.name
+    if not plan and not plan.segments:
+        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:110]
+    names = dict.fromkeys(s.name for s in plan.segments if s.name != "regrasp")
+    verbs = [f"{word[:-1]}ing" if word.endswith("e") else f"{word}ing" for word in names]
+    fingers = plan.task.problem.fingers.count
+    tips = f"{fingers} fingertip{'s' if fingers > 1 else ''}"
+    changes = plan.regrasps
+    grips = "" if not changes else f", {changes} regrasp{'s' if changes > 1 else ''}"
+    return f"{' and '.join(verbs)} the {name} with {tips}{grips}".capitalize()

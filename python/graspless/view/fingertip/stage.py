@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where to look from, and how much of the floor to show."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..raster import Camera
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...frames import Matrix
+    from ...tasks import Task
+    from .moments import Moment
+
+ELEVATION = 0.42  # [rad]
+
+
+def swept(task: Task, moments: Sequence[Moment]) -> Matrix:
+    """[N, 3] corners of the object and its fingertips at the moments, in the world."""
+    hull, radius = np.asarray(task.problem.object.hull), task.problem.fingers.radius
+    points = [hull @ m.X_WO[:3, :3].T + m.X_WO[:3, 3] for m in moments]
+    around = radius * np.concatenate([np.eye(3), -np.eye(3)])
+    for moment in moments:
+        centers = moment.centers_W[np.isfinite(moment.centers_W).all(axis=1)]
+        points.append((centers[:, None] + around).reshape(-1, 3))
+    return np.concatenate(points)
+
+
+def camera(task: Task, moments: Sequence[Moment], points: Matrix, shape: tuple[int, int]) -> Camera:
+    """From the side that sees the motion and most of the fingertips, and no wall from behind.
+
+    Parameters
+    ----------
+    task : Task
+    moments : sequence of Moment
+        To look at.
+    points : array [N, 3]
+        What must be in the picture, in the world [m].
+    shape : tuple of int
+        Width and height of the picture.
+    """
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    size = float(np.ptp(points, axis=0).max())
+    best: tuple[float, Matrix] | None = None
+    for azimuth in np.radians(np.arange(-180, 180, 10) - 55):
+        level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+        toward = np.cos(ELEVATION) * level + np.sin(ELEVATION) * np.array([0.0, 0.0, 1.0])
+        score = _score(task, moments, toward)
+        if best is None or score > best[0] + 1e-9:
+            best = score, toward
+    assert best is not None
+    eye = middle + 6.0 * size * best[1]
+    return Camera(eye, middle).fitted(points, *shape)
+
+
+def _score(task: Task, moments: Sequence[Moment], toward: Matrix) -> float:
+    """How well a side shows the plan."""
+    seen = 0.0
+    for moment in moments:
+        middle = moment.X_WO[:3, :3] @ np.asarray(task.problem.object.com) + moment.X_WO[:3, 3]
+        for center in moment.centers_W:
+            if np.isfinite(center).all():
+                outward = (center - middle) / max(float(np.linalg.norm(center - middle)), 1e-9)
+                seen += float(np.clip(outward @ toward + 0.2, -0.5, 0.5))
+    seen /= max(1, sum(len(moment.modes) for moment in moments))
+    walls = [np.asarray(plane.n_W) @ toward for plane in task.problem.planes[1:]]
+    hidden = sum(1.0 for facing in walls if facing < 0.1)
+    way = moments[-1].X_WO[:3, 3] - moments[0].X_WO[:3, 3]
+    length = float(np.linalg.norm(way[:2]))
+    aside = 1 - abs(float(way[:2] @ toward[:2])) / max(length, 1e-9) if length > 1e-9 else 0.0
+    return 1.6 * seen - 1.5 * hidden + 0.9 * min(aside, 0.8)

@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The table, the thin object and the way of the fingertip on it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part, obstacle_bodies, robot_bodies
+
+if TYPE_CHECKING:
+    from ... import geometry
+    from ...frames import Matrix
+    from ...tasks import Task
+    from .film import Film
+
+TRAIL_WIDTH = 0.008  # [m]
+
+
+def robot(task: Task) -> list[Body]:
+    """One body a link, in the order of Robot.frame_names."""
+    return robot_bodies(task.problem.robot, task.fields.robot)
+
+
+def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
+    """The obstacles with their poses in the world."""
+    return obstacle_bodies(task.fields.obstacles)
+
+
+def table_body(task: Task) -> Body:
+    """The support, in S."""
+    support = task.problem.support
+    return Body("table", [prism(support.polygon, -support.slab, 0.0, TABLE)], is_flat=True)
+
+
+def object_body(task: Task) -> Body:
+    """The object, in O."""
+    thing = task.problem.object
+    return Body("object", [prism(thing.outline, 0.0, thing.thickness, OBJECT)], is_flat=True)
+
+
+def prism(outline: geometry.Polygon, bottom: float, top: float, color: Color) -> Part:
+    """A polygon between two heights [m]."""
+    vertices: list[Any] = []
+    triangles: list[list[int]] = []
+
+    def add(points: Any, faces: list[list[int]]) -> None:
+        triangles.extend([[i + len(vertices) for i in face] for face in faces])
+        vertices.extend(points)
+
+    for part in outline.convex_parts():
+        ring = np.asarray(part.vertices)
+        fan = [[0, i, i + 1] for i in range(1, len(ring) - 1)]
+        add(np.column_stack([ring, np.full(len(ring), top)]), fan)
+        add(np.column_stack([ring, np.full(len(ring), bottom)]), [face[::-1] for face in fan])
+    ring = np.asarray(outline.vertices)
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        side = [[*a, bottom], [*b, bottom], [*b, top], [*a, top]]
+        add(side, [[0, 1, 2], [0, 2, 3]])
+    return Part(np.array(vertices), np.array(triangles), color)
+
+
+def trail_body(shown: Film) -> Body:
+    """The way of the fingertip while it slides, a ribbon just above the object, in the world."""
+    rows = shown.rows("slide")
+    problem = shown.plan.task.problem
+    X_WS = np.asarray(problem.support.X_WS)
+    X_SW = np.linalg.inv(X_WS)
+    tips = shown.frame(problem.hand.fingertip)[rows, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3]
+    steps = np.linalg.norm(np.diff(tips[:, :2], axis=0), axis=1)
+    tips = tips[np.concatenate([[True], steps > 1e-9])] if len(tips) else tips
+    if len(tips) < 2:
+        return Body("trail")
+    way = np.gradient(tips[:, :2], axis=0)
+    way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-12)
+    across = np.column_stack([-way[:, 1], way[:, 0], np.zeros(len(way))]) * TRAIL_WIDTH / 2
+    middle = np.column_stack([tips[:, :2], np.full(len(tips), problem.object.thickness + 0.002)])
+    ribbon = np.concatenate([middle + across, middle - across])
+    n = len(tips)
+    i = np.arange(n - 1)
+    quads = [np.stack([i, i + n, i + n + 1], axis=1), np.stack([i, i + n + 1, i + 1], axis=1)]
+    return Body(
+        "trail", [Part(ribbon @ X_WS[:3, :3].T + X_WS[:3, 3], np.concatenate(quads), TRAIL)]
+    )
