@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Slides and turns through a lattice of poses in the plane.
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "fingertip/assemble.hpp"
+#include "fingertip/lattice_regrasps.hpp"
 #include "fingertip/lattice_search.hpp"
 #include "fingertip/motions.hpp"
 
@@ -22,6 +26,38 @@ std::vector<Stage> stages_of(const LatticeSpace& space, const Route& route) {
   return stages;
 }
 
+/// Why there is no route.
+void explain(const Workshop& workshop, LatticeSpace& space, LatticeDistances& distances,
+             const Route& route, const planning::Clock& clock, Plan& plan) {
+  int clear = 0;
+  bool is_free_way = false;
+  for (int l = 0; l < workshop.locations.size(); ++l) {
+    if (space.is_clear(space.start(), l) && space.is_clear(space.goal(), l)) ++clear;
+    const double distance =
+        distances.to_goal(l, std::numeric_limits<double>::infinity())[space.start()];
+    is_free_way = is_free_way || std::isfinite(distance);
+  }
+  if (!route.is_complete) {
+    plan.status = clock.was_interrupted() ? Status::interrupted : Status::out_of_time;
+    plan.reason = clock.was_interrupted() ? "interrupted before a plan was found"
+                                          : "the budget was spent before a plan was found";
+  } else if (!is_free_way) {
+    plan.status = Status::no_location;
+    plan.limit = "reach of the lattice";
+    plan.reason = "walls or obstacles stop the object on every way through the lattice";
+  } else if (clear < workshop.problem.fingers.count) {
+    plan.status = Status::no_location;
+    plan.limit = "geometry";
+    plan.reason = "only " + std::to_string(clear) +
+                  " fingertip locations are clear of floor, walls and obstacles at start and goal";
+  } else {
+    plan.status = Status::unstable;
+    plan.limit = "stability";
+    plan.reason = "no way through the lattice keeps the object stable by min_stability = " +
+                  std::to_string(workshop.options.min_stability) + " N all the way";
+  }
+}
+
 }  // namespace
 
 Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& clock) {
@@ -31,14 +67,22 @@ Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& c
     throw std::invalid_argument("motion.X_WO_goal must differ from motion.X_WO_start");
   }
   LatticeBounds bounds(workshop);
-  const Route route = search_placements(workshop, space, bounds, clock, plan.statistics);
+  LatticeDistances distances(space, workshop.locations);
+  Route route = search_placements(workshop, space, bounds, distances, clock, plan.statistics);
+  if (!route.found && route.is_complete && workshop.options.max_regrasps > 0) {
+    route = search_regrasps(workshop, space, bounds, distances, clock, plan.statistics);
+  }
   plan.statistics.supports = bounds.count();
-  plan.statistics.memory = space.memory() + bounds.memory();
+  plan.statistics.memory = space.memory() + bounds.memory() + distances.memory();
   plan.lower_bound = route.lower_bound;
-  if (!route.found) return plan;
+  if (!route.found) {
+    explain(workshop, space, distances, route, clock, plan);
+    return plan;
+  }
   plan.status = Status::solved;
   assemble(stages_of(space, route), workshop.locations, workshop.instants,
            workshop.evaluators.front(), plan);
+  if (route.is_complete) plan.lower_bound = plan.cost;
   return plan;
 }
 

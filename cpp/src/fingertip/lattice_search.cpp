@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <random>
 
 #include "fingertip/lattice_way.hpp"
 
@@ -13,6 +14,7 @@ namespace graspless::fingertip {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kSamples = 300;
 
 /// A location, and how far its sphere has to go at least.
 struct Reach {
@@ -26,13 +28,13 @@ struct Reach {
 class PlacementSearch {
  public:
   PlacementSearch(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                  planning::Clock& clock, Statistics& statistics)
+                  LatticeDistances& distances, planning::Clock& clock, Statistics& statistics)
       : workshop_(workshop),
         space_(space),
         bounds_(bounds),
         clock_(clock),
         statistics_(statistics),
-        astar_(space) {
+        astar_(space, distances) {
     for (int l = 0; l < workshop.locations.size(); ++l) {
       if (!space.is_clear(space.start(), l) || !space.is_clear(space.goal(), l)) continue;
       const double distance =
@@ -45,6 +47,7 @@ class PlacementSearch {
 
   Route run() {
     const int count = workshop_.problem.fingers.count;
+    find_any(count);
     // All placements whose farthest sphere is this one have the same bound.
     for (std::size_t last = 0; last < reaches_.size(); ++last) {
       if (reaches_[last].distance >= route_.cost) break;
@@ -59,33 +62,55 @@ class PlacementSearch {
   }
 
  private:
+  /// A first route from random placements, so that the rest can be refused by their bounds.
+  void find_any(int count) {
+    std::mt19937 random(1);
+    for (int i = 0; i < kSamples && !clock_.is_out(); ++i) {
+      // Only placements that could be cheaper than what is there.
+      const auto end = std::lower_bound(reaches_.begin(), reaches_.end(), Reach{route_.cost, -1});
+      const auto choices = static_cast<std::size_t>(end - reaches_.begin());
+      Placement placement = kNoFingers;
+      for (int k = 0; k < count && choices > 0; ++k) {
+        const int location = reaches_[random() % choices].location;
+        if (fits(placement, location)) placement = with(placement, location);
+      }
+      if (num_fingers(placement) == count) look_at(placement, true);
+    }
+  }
+
+  bool fits(const Placement& placement, int location) const {
+    return std::none_of(placement.begin(), placement.end(), [&](int other) {
+      return other >= 0 && (other == location || !workshop_.locations.are_apart(other, location));
+    });
+  }
+
   /// Adds `missing` fingers on locations before `last`; false when time is up.
   bool extend(const Placement& placement, std::size_t last, int missing) {
-    if (missing == 0) return look_at(placement);
+    if (missing == 0) {
+      if (clock_.is_out() || !clock_.spend()) return false;
+      look_at(placement, false);
+      return true;
+    }
     for (std::size_t i = 0; i < last; ++i) {
       const int location = reaches_[i].location;
-      const auto collides = [&](int other) {
-        return other >= 0 && !workshop_.locations.are_apart(other, location);
-      };
-      if (std::any_of(placement.begin(), placement.end(), collides)) continue;
+      if (!fits(placement, location)) continue;
       if (!extend(with(placement, location), i, missing - 1)) return false;
     }
     return true;
   }
 
-  bool look_at(const Placement& placement) {
-    if (clock_.is_out() || !clock_.spend()) return false;
+  void look_at(const Placement& placement, bool soon) {
     if (!can_leave(placement, space_.start(), 1) || !can_leave(placement, space_.goal(), -1)) {
-      return true;
+      return;
     }
     LatticeCosts costs(space_, bounds_, workshop_.options, placement);
-    const LatticeWay way = astar_.find(costs, route_.cost, clock_, statistics_);
-    if (!way.found) return true;
+    const LatticeWay way = soon ? astar_.find_soon(costs, route_.cost, clock_, statistics_)
+                                : astar_.find(costs, route_.cost, clock_, statistics_);
+    if (!way.found) return;
     route_.found = true;
     route_.cost = way.cost;
     route_.nodes.clear();
     for (const int pose : way.poses) route_.nodes.push_back({pose, placement});
-    return true;
   }
 
   /// Whether the bounds allow a first move, or a last one.
@@ -118,8 +143,9 @@ class PlacementSearch {
 }  // namespace
 
 Route search_placements(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                        planning::Clock& clock, Statistics& statistics) {
-  return PlacementSearch(workshop, space, bounds, clock, statistics).run();
+                        LatticeDistances& distances, planning::Clock& clock,
+                        Statistics& statistics) {
+  return PlacementSearch(workshop, space, bounds, distances, clock, statistics).run();
 }
 
 }  // namespace graspless::fingertip

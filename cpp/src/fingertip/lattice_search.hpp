@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fingertip/lattice_bounds.hpp"
+#include "fingertip/lattice_distances.hpp"
 #include "fingertip/lattice_space.hpp"
 #include "fingertip/path_query.hpp"
 
@@ -11,6 +12,7 @@ namespace graspless::fingertip {
 /// The cheapest way through the lattice without regrasps, over all placements: by ascending lower
 /// bound, until that reaches the best cost. Poses of the route's nodes are those of the space.
 Route search_placements(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                        planning::Clock& clock, Statistics& statistics);
+                        LatticeDistances& distances, planning::Clock& clock,
+                        Statistics& statistics);
 
 }  // namespace graspless::fingertip

@@ -38,6 +38,7 @@ class LatticeSpace {
   /// Where a sphere's centre is.
   Eigen::Vector3d center_W(int pose, int location) const;
   bool is_clear(int pose, int location);
+  bool is_free(int pose);  // the object of walls and obstacles
 
   /// Which kind of arc this is; -1: the object cannot go there.
   int arc_kind(int pose, int move) {
@@ -62,7 +63,6 @@ class LatticeSpace {
   int index_of(const Eigen::Isometry3d& X_WO) const;
   void tabulate();
   Near near_planes(const Eigen::Isometry3d& X_WO) const;
-  bool is_free(int pose);
   int find_kind(int pose, int move);
 
   Workshop& workshop_;

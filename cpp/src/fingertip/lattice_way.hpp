@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fingertip/lattice_bounds.hpp"
+#include "fingertip/lattice_distances.hpp"
 #include "fingertip/lattice_space.hpp"
 
 namespace graspless::fingertip {
@@ -46,21 +47,31 @@ class LatticeCosts {
 struct LatticeWay {
   bool found = false;
   double cost = std::numeric_limits<double>::infinity();
-  std::vector<int> poses;
+  std::vector<int> poses, moves;
 };
 
 /// Finds ways by A*; holds its tables.
 class LatticeAstar {
  public:
-  explicit LatticeAstar(LatticeSpace& space);
+  LatticeAstar(LatticeSpace& space, LatticeDistances& distances);
 
   /// The cheapest way from start to goal below `limit`. What is left of the way costs at least the
-  /// straight distance of the sphere that has the farthest to go. Stabilities are solved when an
-  /// arc turns out to be the best to come to a pose, not before.
+  /// distance of the sphere that has the farthest to go: (11) without regrasps. Ways are looked for
+  /// by bounds of stability first; then arcs are solved when they turn out to be the best to come
+  /// to a pose, not before.
   LatticeWay find(LatticeCosts& costs, double limit, planning::Clock& clock,
                   Statistics& statistics);
 
+  /// Some way below `limit`, found with less work; it may miss what is there.
+  LatticeWay find_soon(LatticeCosts& costs, double limit, planning::Clock& clock,
+                       Statistics& statistics);
+
  private:
+  struct Manner {
+    double limit;
+    bool exact;    // solve arcs, instead of taking their bounds
+    double haste;  // what is left counts so many times
+  };
   struct Entry {
     double f, g;
     int pose, from, move;
@@ -68,17 +79,21 @@ class LatticeAstar {
       return f > other.f || (f == other.f && g < other.g);
     }
   };
-  void begin(const Placement& placement);
+  void begin(const Placement& placement, double limit);
   double left(int pose) const;
   void push(const Entry& entry);
-  void expand(LatticeCosts& costs, int pose, double g, double limit);
+  LatticeWay search(LatticeCosts& costs, const Manner& manner, planning::Clock& clock,
+                    Statistics& statistics);
+  void expand(LatticeCosts& costs, int pose, double g, const Manner& manner);
+  LatticeWay way_to_goal() const;
+  static bool solve_all(LatticeCosts& costs, LatticeWay& way);
 
   LatticeSpace& space_;
-  Placement placement_ = kNoFingers;
-  std::vector<Eigen::Vector3d> goals_;  // of the spheres
+  LatticeDistances& distances_;
+  std::vector<const double*> to_goal_;  // of the fingers' spheres
   std::vector<Entry> heap_;
   std::vector<double> best_;  // poses: the least solved cost to come
-  std::vector<int> parent_;
+  std::vector<int> parent_, move_;
   std::vector<int> stamp_, closed_;
   int round_ = 0;
 };
