@@ -250,8 +250,68 @@ TEST(Lattice, CostsWhatBruteForceFinds) {
       EXPECT_TRUE(check(problem, plan, options).empty()) << check(problem, plan, options).front();
     }
   }
-  for (const auto& [regrasps, count] : by_regrasps)
-    std::printf("%d regrasps: %d\n", regrasps, count);
+  // Of each kind there was one.
+  EXPECT_GT(by_regrasps[0], 0);
+  EXPECT_GT(by_regrasps[1], 0);
+}
+
+TEST(Lattice, SlidesAlongAWallItTouches) {
+  Problem problem = block_problem({0.06, 0, 0}, {0, -0.02, 0}, {0.06, 0, 0}, {7, 3, 1});
+  problem.planes.push_back({"wall", -Eigen::Vector3d::UnitY(), -0.03});
+  const Options options = coarse(4);
+  const Plan plan = fingertip::plan(problem, options);
+  ASSERT_TRUE(plan) << plan.reason;
+  // No fingertip fits between the block and the wall.
+  for (const FingerState& finger : plan.segments[0].rows[0].fingers) {
+    EXPECT_GT(finger.n_O.y(), -0.5);
+  }
+  EXPECT_TRUE(check(problem, plan, options).empty()) << check(problem, plan, options).front();
+}
+
+TEST(Lattice, GoesRoundAnObstacle) {
+  Problem problem = block_problem({0.2, 0, 0}, {0, -0.1, 0}, {0.2, 0.1, 0}, {11, 11, 1});
+  const Options options = coarse(4);
+  const double straight = plan(problem, options).cost;
+  problem.obstacles.push_back(
+      {"post", {{geometry::Box{{0.02, 0.02, 0.02}}}}, on_floor(0.1, 0, 0, 0.02)});
+  const Plan plan = fingertip::plan(problem, options);
+  ASSERT_TRUE(plan) << plan.reason;
+  EXPECT_GT(plan.cost, straight * 1.05);
+  EXPECT_TRUE(check(problem, plan, options).empty()) << check(problem, plan, options).front();
+}
+
+TEST(Lattice, SaysThatThereIsNoWay) {
+  Problem problem = block_problem({0.2, 0, 0}, {0, -0.1, 0}, {0.2, 0.1, 0}, {11, 11, 1});
+  problem.obstacles.push_back(
+      {"bar", {{geometry::Box{{0.02, 1, 0.02}}}}, on_floor(0.1, 0, 0, 0.02)});
+  const Plan plan = fingertip::plan(problem, coarse(4));
+  EXPECT_EQ(plan.status, Status::no_location);
+  EXPECT_EQ(plan.limit, "reach of the lattice");
+}
+
+TEST(Lattice, FingersTooWeakAreUnstable) {
+  Problem problem = block_problem({0.03, 0.03, 0}, {0, 0, 0}, {0.03, 0.03, 0}, {4, 4, 1});
+  problem.fingers.max_normal_force = 0.5;
+  EXPECT_EQ(plan(problem, coarse(2)).status, Status::unstable);
+}
+
+TEST(Lattice, RefusesWhatIsNoLattice) {
+  const auto refused = [](const Problem& problem, const std::string& words) {
+    expect_refused([&] { plan(problem, coarse(4)); }, words);
+  };
+  const Eigen::Vector3d lower(0, 0, 0), upper(0.1, 0.1, 1);
+  refused(block_problem({0.1, 0.033, 0}, lower, upper, {11, 11, 11}), "lattice along y");
+  refused(block_problem({0.2, 0, 0}, lower, upper, {11, 11, 11}), "lattice along x");
+  refused(block_problem({0.1, 0, 0.55}, lower, upper, {11, 11, 11}), "lattice along yaw");
+  refused(block_problem({0.1, 0, 0}, lower, upper, {11, 0, 11}), "counts must be 1");
+  refused(block_problem({0, 0, 0}, lower, upper, {11, 11, 11}), "must differ");
+  Problem problem = block_problem({0.1, 0, 0}, lower, upper, {11, 11, 11});
+  problem.planes.push_back({"wall", -Eigen::Vector3d::UnitX(), -0.11});
+  refused(problem, "inside plane 'wall'");
+  problem = block_problem({0.1, 0, 0}, lower, upper, {11, 11, 11});
+  std::get<Lattice>(problem.motion).X_WO_goal =
+      on_floor(0.1, 0, 0) * Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitY());
+  refused(problem, "same face");
 }
 
 }  // namespace
