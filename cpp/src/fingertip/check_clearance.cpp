@@ -92,6 +92,10 @@ void Examination::check_spheres(std::size_t s, std::size_t pose) {
       if (apart < 2 * radius - same_length_) {
         fault(where, who + " overlaps finger " + std::to_string(j));
       }
+      if (apart > problem_.fingers.max_span + same_length_) {
+        fault(where, who + " is " + figure(apart) + " m from finger " + std::to_string(j) +
+                         ", more than fingers.max_span");
+      }
     }
   }
 }

@@ -20,12 +20,13 @@ class Evaluator {
   double stability(int instant, const Placement& placement);
   /// Known already? Then as stability(), without work; else -1.
   double known(int instant, const Placement& placement) const;
-  /// All of it: modes and commanded forces too, for fingers at these locations in any order. Ties
-  /// as mechanics::best_control_modes says.
+  /// All of it but the binding directions: modes and commanded forces too, for fingers at these
+  /// locations in any order, when z is at least min_stability. Ties as
+  /// mechanics::best_control_modes says.
   mechanics::ControlModes control_modes(int instant, const std::vector<int>& fingers,
                                         const std::vector<FingerMode>& previous);
   /// Forgets what is known, after Instants::add_friction().
-  void forget() { known_.clear(); }
+  void forget();
 
   mechanics::StabilitySolver& solver() { return solver_; }
   const Instants& instants() const { return instants_; }
@@ -42,12 +43,19 @@ class Evaluator {
   struct Hash {
     std::size_t operator()(const Key& key) const;
   };
-  void set(int instant, const std::int32_t* fingers, int count);
+  using Best = mechanics::StabilitySolver::Best;
+  struct Known {
+    double z;  // 0: below min_stability
+    int best;  // index into bests_; -1: none
+  };
+  Known& solve(int instant, const Placement& placement);
+  void set(int instant, const Placement& placement);
   const Instants& instants_;
   const Locations& locations_;
   const Options& options_;
   mechanics::StabilitySolver solver_;
-  std::unordered_map<Key, double, Hash> known_;
+  std::unordered_map<Key, Known, Hash> known_;
+  std::vector<Best> bests_;                                          // of what is stable
   std::vector<const mechanics::EnvironmentWrenches*> environments_;  // scratch
   std::vector<const mechanics::FingerWrenches*> fingers_;            // scratch
 };

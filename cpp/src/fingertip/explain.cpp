@@ -52,7 +52,11 @@ class Trials {
       : problem_(problem), options_(options), clock_(clock) {
     options_.explain = false;
     options_.search = Search::fast;
+    max_regrasps_ = options.max_regrasps;
   }
+
+  /// To show that many regrasps do not help takes long; without them a trial takes milliseconds.
+  void allow_regrasps(int count) { options_.max_regrasps = std::min(count, max_regrasps_); }
 
   bool solves(const std::function<void(Problem&, Options&)>& change) {
     if (clock_.is_out()) return false;
@@ -72,6 +76,7 @@ class Trials {
   const Problem& problem_;
   Options options_;
   planning::Clock& clock_;
+  int max_regrasps_;
 };
 
 /// The least factor that helps, between one that does not and one that does.
@@ -102,13 +107,13 @@ std::optional<double> least_of_ladder(Trials& trials, const Knob& knob, bool dow
   return std::nullopt;
 }
 
-/// What single changes help, least first.
+/// A change that helps.
 struct Found {
   Knob knob;
   double factor;
 };
 
-std::vector<Found> relax(const Problem& problem, const Options& options, Trials& trials) {
+std::vector<Found> find_helpful(const Problem& problem, const Options& options, Trials& trials) {
   const Knob force = {"fingers.max_normal_force", "force limit", problem.fingers.max_normal_force,
                       turn_force};
   const Knob fingers = {"fingers.friction", "friction", problem.fingers.friction.lower,
@@ -125,9 +130,29 @@ std::vector<Found> relax(const Problem& problem, const Options& options, Trials&
   keep(force, least_of_monotone(trials, force, kFarthest));
   keep(fingers, least_of_ladder(trials, fingers, false));
   keep(environment, least_of_ladder(trials, environment, true));
+  return found;
+}
+
+void sort_least_first(std::vector<Found>& found) {
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::abs(std::log(a.factor)) < std::abs(std::log(b.factor));
   });
+}
+
+/// What single changes help, least first. Most is settled with one regrasp at most; then, in what
+/// time is left, whether less of a change is enough with more regrasps.
+std::vector<Found> relax(const Problem& problem, const Options& options, Trials& trials) {
+  trials.allow_regrasps(1);
+  std::vector<Found> found = find_helpful(problem, options, trials);
+  sort_least_first(found);
+  if (options.max_regrasps <= 1) return found;
+  trials.allow_regrasps(options.max_regrasps);
+  if (found.empty()) found = find_helpful(problem, options, trials);
+  for (Found& each : found) {
+    const double less = each.factor > 1 ? each.factor / kFine : each.factor * kFine;
+    if (trials.solves(each.knob, less)) each.factor = bisect(trials, each.knob, 1, less);
+  }
+  sort_least_first(found);
   return found;
 }
 

@@ -30,6 +30,7 @@ class Candidates {
  public:
   Candidates(const PathQuery& query, const Supports& supports);
 
+  void reserve(std::size_t more);
   /// The candidate of this placement, with bounds as they are now. Made when there is none.
   int open(const Placement& placement);
   int size() const { return static_cast<int>(all_.size()); }
@@ -55,6 +56,7 @@ class Candidates {
 
   /// Distinct instants of the motion, in its order.
   const std::vector<int>& instants() const { return instants_; }
+  std::vector<int> instants(int arc) const;  // of an arc's samples, each once
   std::int64_t memory() const;
   static std::int64_t bytes_each(const PathQuery& query);
 
@@ -82,16 +84,19 @@ class Candidates {
     return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
   }
   bool tighten(int c, int slot);
-  double cost(int c, int arc) const;
-  bool update(int c, bool all);
+  double tighten_arc(int c, int arc, bool& changed);
+  void set_stability(int c, int slot, double z);
+  bool update(int c);
 
   const PathQuery& query_;
   const Supports& supports_;
   std::vector<int> instants_, slots_;
   std::vector<Candidate> all_;
-  std::vector<double> z_;               // candidates x slots
-  std::vector<Known> known_;            // candidates x slots
-  std::vector<double> arcs_;            // candidates x arcs
+  std::vector<double> z_;       // candidates x slots
+  std::vector<double> weight_;  // candidates x slots: 1 + X_stab / z
+  std::vector<Known> known_;    // candidates x slots
+  std::vector<double> reach_;   // candidates x arcs: the longest displacement; infinite: not clear
+  std::vector<double> arcs_;    // candidates x arcs
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_middles_ = false;

@@ -10,7 +10,7 @@ namespace graspless::fingertip {
 
 namespace {
 
-constexpr int kStep = Supports::kStep;
+using Step = Supports::Step;
 
 /// Depth-first over fingers. Sums of the table's rows over the fingers so far bound what any
 /// completion can reach: those with the best location for each missing finger.
@@ -57,18 +57,13 @@ class Enumeration {
   // Whether the sums with `missing` more fingers at their best reach what is needed.
   bool extend(int depth, int location, int missing) {
     if (used_ == 0) return true;
-    const float* from = sum(depth);
-    float* to = sum(depth + 1);
     const float* h = supports_.block(instants_.front(), location);
-    const auto more = static_cast<float>(missing);
-    for (int i = 0; i < used_; i += kStep) {
-      float least = needed_;
-      for (int k = i; k < i + kStep; ++k) {
-        to[k] = from[k] + h[k];
-        const float reach = to[k] + more * best_[static_cast<std::size_t>(k)];
-        least = reach < least ? reach : least;
-      }
-      if (least < needed_) return false;
+    for (int i = 0; i < used_; i += Supports::kStep) {
+      Eigen::Map<Step> to(sum(depth + 1) + i);
+      to = Eigen::Map<const Step>(sum(depth) + i) + Eigen::Map<const Step>(h + i);
+      const Step reach =
+          to + static_cast<float>(missing) * Eigen::Map<const Step>(best_.data() + i);
+      if (reach.minCoeff() < needed_) return false;
     }
     return true;
   }

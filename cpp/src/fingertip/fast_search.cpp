@@ -15,7 +15,9 @@ namespace graspless::fingertip {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kBatch = 4;  // questions asked together
+constexpr double kRounding = 1e-9;    // of costs summed in another order
+constexpr std::size_t kWatch = 4096;  // placements from one look at the memory to the next
+constexpr std::size_t kBatch = 4;     // questions asked together
 
 /// A route, or many, by the least they can cost.
 struct Entry {
@@ -78,41 +80,46 @@ class BestFirst {
   void list_direct() {
     const std::vector<int> locations = clear_locations(search_.query, 0, search_.query.num_arcs());
     const std::vector<int>& all = search_.candidates.instants();
-    std::vector<int> probes = {all.front(), all.back(), all[all.size() / 2], all[all.size() / 4],
-                               all[all.size() * 3 / 4]};
-    std::vector<int> distinct;
-    for (const int i : probes) {
-      if (std::find(distinct.begin(), distinct.end(), i) == distinct.end()) distinct.push_back(i);
-    }
-    seed_supports(search_, locations, distinct);
-    std::vector<double> way(static_cast<std::size_t>(search_.query.locations.size()));
+    std::vector<int> instants = {all.front(), all.back(), all[all.size() / 2]};
+    if (all.size() < instants.size()) instants = all;
+    seed_supports(search_, locations, instants);
+    measure_ways();
+    std::vector<Entry> entries;
+    for_each_placement(search_.query, search_.supports, search_.count, locations, instants,
+                       [&](const Placement& placement) {
+                         entries.push_back({way(placement), Entry::Kind::unopened,
+                                            static_cast<int>(unopened_.size())});
+                         unopened_.push_back(placement);
+                         if (++search_.unopened % kWatch == 0) search_.watch_memory();
+                         return true;
+                       });
+    frontier_ = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
+  }
+
+  void measure_ways() {
+    ways_.assign(static_cast<std::size_t>(search_.query.locations.size()), 0.0);
     for (int arc = 0; arc < search_.query.num_arcs(); ++arc) {
-      for (const int l : locations) {
-        way[static_cast<std::size_t>(l)] +=
+      for (int l = 0; l < search_.query.locations.size(); ++l) {
+        ways_[static_cast<std::size_t>(l)] +=
             search_.query.displacement(arc, l) * search_.query.options.samples_per_arc;
       }
     }
-    std::vector<Entry> entries;
-    for_each_placement(
-        search_.query, search_.supports, search_.count, locations, distinct,
-        [&](const Placement& placement) {
-          double longest = 0;
-          for (int i = 0; i < search_.count; ++i) {
-            longest = std::max(
-                longest, way[static_cast<std::size_t>(placement[static_cast<std::size_t>(i)])]);
-          }
-          if (all.size() == 1) {
-            longest *= 1 + search_.query.options.stability_weight /
-                               static_cast<double>(search_.supports.bound(all.front(), placement));
-          }
-          entries.push_back(
-              {longest * (1 - 1e-9), Entry::Kind::unopened, static_cast<int>(unopened_.size())});
-          unopened_.push_back(placement);
-          return true;
-        });
-    search_.watch_memory(
-        static_cast<std::int64_t>(entries.size() * (sizeof(Entry) + sizeof(Placement))));
-    frontier_ = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
+  }
+
+  // The least cost of a placement all the way, at a glance.
+  double way(const Placement& placement) const {
+    double longest = 0;
+    for (int i = 0; i < search_.count; ++i) {
+      const std::int32_t location = placement[static_cast<std::size_t>(i)];
+      longest = std::max(longest, ways_[static_cast<std::size_t>(location)]);
+    }
+    const std::vector<int>& instants = search_.candidates.instants();
+    if (instants.size() == 1) {
+      const auto z = static_cast<double>(search_.supports.bound(instants.front(), placement));
+      if (z < search_.query.options.min_stability) return kInfinity;
+      longest *= 1 + search_.query.options.stability_weight / z;
+    }
+    return longest * (1 - kRounding);
   }
 
   // Placements that can carry the object from the start, or to the goal, and their hubs.
@@ -120,17 +127,8 @@ class BestFirst {
     const int K = search_.query.num_arcs();
     for (const int arc : {0, K - 1}) {
       const std::vector<int> locations = clear_locations(search_.query, arc, arc + 1);
-      std::vector<int> instants;
-      for (int j = 0; j < search_.query.options.samples_per_arc; ++j) {
-        instants.push_back(search_.query.instant(arc, j));
-      }
-      seed_supports(search_, locations, instants);
-      for_each_placement(search_.query, search_.supports, search_.count, locations, instants,
-                         [&](const Placement& placement) {
-                           search_.candidates.open(placement);
-                           search_.watch_memory();
-                           return true;
-                         });
+      seed_supports(search_, locations, search_.candidates.instants(arc));
+      open_all(search_, locations, search_.candidates.instants(arc));
     }
     for (int c = 0; c < search_.candidates.size(); ++c) search_.hubs.add(c);
     for (int pose = 1; pose < K; ++pose) {
@@ -159,8 +157,7 @@ class BestFirst {
         finished_ = search_layers(search_, search_.query.options.max_regrasps);
         return true;
       } else if (entry.kind == Entry::Kind::unopened) {
-        const int c = search_.candidates.open(unopened_[static_cast<std::size_t>(entry.index)]);
-        push_again({0, Entry::Kind::direct, c});
+        open(entry);
       } else if (refresh(entry)) {
         push_again(entry);
       } else if (const double now = cost(entry); now > entry.cost) {
@@ -174,6 +171,17 @@ class BestFirst {
       }
     }
     return false;
+  }
+
+  void open(Entry entry) {
+    const Placement& placement = unopened_[static_cast<std::size_t>(entry.index)];
+    const double now = way(placement);
+    if (now > entry.cost) {
+      entry.cost = now;
+      push(entry);
+    } else {
+      push_again({0, Entry::Kind::direct, search_.candidates.open(placement)});
+    }
   }
 
   static bool is_stage(const Entry& entry) {
@@ -232,6 +240,7 @@ class BestFirst {
   FastSearch& search_;
   std::priority_queue<Entry> frontier_;
   std::vector<Placement> unopened_;
+  std::vector<double> ways_;  // of each location, all the way [m]
   std::vector<Entry> waiting_;
   Route finished_;
 };
@@ -266,13 +275,32 @@ void FastSearch::solve(std::vector<Question>& questions) {
   }
 }
 
-void FastSearch::watch_memory(std::int64_t more) {
-  const std::int64_t bytes = supports.memory() + candidates.memory() + more;
+void FastSearch::watch_memory(std::int64_t more_candidates) {
+  constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
+  const std::int64_t bytes = supports.memory() + candidates.memory() + unopened * kUnopened +
+                             more_candidates * Candidates::bytes_each(query);
   statistics.memory = std::max(statistics.memory, bytes);
   if (static_cast<double>(bytes) > query.options.max_memory) {
-    throw std::length_error("options.max_memory: " + std::to_string(query.options.max_memory) +
-                            " bytes do not hold the placements that remain");
+    throw std::length_error("options.max_memory: the search needs more than " +
+                            std::to_string(query.options.max_memory) +
+                            " bytes for placements that may be stable; take fewer locations");
   }
+}
+
+void open_all(FastSearch& search, const std::vector<int>& locations,
+              const std::vector<int>& instants) {
+  std::vector<Placement> found;
+  for_each_placement(search.query, search.supports, search.count, locations, instants,
+                     [&](const Placement& placement) {
+                       found.push_back(placement);
+                       if (found.size() % kWatch == 0) {
+                         search.watch_memory(static_cast<std::int64_t>(found.size()));
+                       }
+                       return true;
+                     });
+  search.watch_memory(static_cast<std::int64_t>(found.size()));
+  search.candidates.reserve(found.size());
+  for (const Placement& placement : found) search.candidates.open(placement);
 }
 
 std::vector<int> clear_locations(const PathQuery& query, int first, int last) {
@@ -291,6 +319,7 @@ Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
                   planning::Clock& clock, Statistics& statistics, double limit) {
   FastSearch search(query, evaluators, clock, statistics, limit);
   const Route route = BestFirst(search).run();
+  search.watch_memory();
   statistics.supports += search.supports.count();
   statistics.nodes += search.candidates.size();
   return route;

@@ -21,7 +21,7 @@ struct FastSearch {
   /// Solves the questions, and hands what came of them to bounds, candidates and hubs.
   void solve(std::vector<Question>& questions);
   /// Throws std::length_error when the tables have outgrown Options::max_memory.
-  void watch_memory(std::int64_t more = 0);
+  void watch_memory(std::int64_t more_candidates = 0);
 
   const PathQuery& query;
   const int count;  // of fingers
@@ -31,6 +31,7 @@ struct FastSearch {
   Candidates candidates;
   Hubs hubs;
   Lanes lanes;
+  std::int64_t unopened = 0;      // placements that wait in the frontier
   double least_displacement = 0;  // no route costs less, whatever its placements
   double limit;                   // routes of this cost or more are not looked for
 };
@@ -39,6 +40,10 @@ struct FastSearch {
 /// refused.
 void seed_supports(FastSearch& search, const std::vector<int>& locations,
                    const std::vector<int>& instants);
+
+/// Opens all placements that the bounds allow at the instants.
+void open_all(FastSearch& search, const std::vector<int>& locations,
+              const std::vector<int>& instants);
 
 /// Locations clear at all poses from `first` to `last`.
 std::vector<int> clear_locations(const PathQuery& query, int first, int last);

@@ -10,10 +10,10 @@ namespace graspless::fingertip {
 
 namespace {
 
-constexpr int kRounds = 12;           // at an instant
-constexpr std::size_t kEach = 4;      // placements solved a round
-constexpr std::size_t kMany = 60000;  // placements that represent all
-constexpr double kStagnation = 0.97;  // what is left of them, when it no longer pays
+constexpr int kRounds = 12;          // at an instant
+constexpr std::size_t kEach = 2;     // placements solved a round
+constexpr double kMany = 60000;      // placements that represent all
+constexpr double kStagnation = 0.9;  // what is left of them, when it no longer pays
 
 /// Every so many-th location, such that there are at most kMany placements.
 std::vector<int> thinned(const std::vector<int>& locations, int count) {

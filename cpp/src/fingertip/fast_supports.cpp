@@ -120,17 +120,16 @@ void Supports::fill(const Pool& p, int location) const {
   for (int first = 0; first < p.size; first += kStep) {
     const auto begin = p.stamps.begin() + first;
     if (*std::max_element(begin, begin + kStep) <= filled) continue;
-    float most[kStep] = {};
+    Step most = Step::Zero();
     const float* y = p.y.data() + first;
     for (int j = 0; j < edges_; ++j) {
-      float sum[kStep] = {};
-      for (std::size_t c = 0; c < 6; ++c) {
-        const float w = edges[static_cast<std::size_t>(j) * 6 + c];
-        for (std::size_t k = 0; k < kStep; ++k) sum[k] += w * y[c * width + k];
+      Step sum = Step::Zero();
+      for (int c = 0; c < 6; ++c) {
+        sum += edges[j * 6 + c] * Eigen::Map<const Step>(y + c * width_);
       }
-      for (int k = 0; k < kStep; ++k) most[k] = sum[k] > most[k] ? sum[k] : most[k];
+      most = most.max(sum);
     }
-    std::copy(most, most + kStep, h + first);
+    Eigen::Map<Step>(h + first) = most;
   }
   filled = p.stamp;
 }
@@ -144,23 +143,20 @@ const float* Supports::block(int instant, int location) const {
 
 float Supports::bound(int instant, const Placement& placement) const {
   const Pool& p = pool(instant);
-  float least = kFree;
-  if (p.size == 0) return least;
+  if (p.size == 0) return kFree;
   const float* blocks[mechanics::kMaxFingers];
   int fingers = 0;
   for (const std::int32_t location : placement) {
     if (location >= 0) blocks[fingers++] = block(instant, location);
   }
+  Step least_steps = Step::Constant(kFree);
   const int used = round_up(p.size);
   for (int i = 0; i < used; i += kStep) {
-    float sums[kStep];
-    for (int k = 0; k < kStep; ++k) sums[k] = p.offsets[static_cast<std::size_t>(i + k)];
-    for (int f = 0; f < fingers; ++f) {
-      for (int k = 0; k < kStep; ++k) sums[k] += blocks[f][i + k];
-    }
-    for (int k = 0; k < kStep; ++k) least = sums[k] < least ? sums[k] : least;
+    Step sums = Eigen::Map<const Step>(p.offsets.data() + i);
+    for (int f = 0; f < fingers; ++f) sums += Eigen::Map<const Step>(blocks[f] + i);
+    least_steps = least_steps.min(sums);
   }
-  return least;
+  return least_steps.minCoeff();
 }
 
 bool Supports::is_polar(int instant, const Vector6d& y) const {
@@ -195,8 +191,10 @@ bool Supports::measure(int instant, const Placement& placement, Bound& bound) co
   return true;
 }
 
-void Supports::add(int instant, const std::vector<Vector6d>& functionals,
-                   const Placement& placement) {
+/// Those that bound the placement most, best first.
+std::vector<Supports::Bound> Supports::best_of(int instant,
+                                               const std::vector<Vector6d>& functionals,
+                                               const Placement& placement) const {
   std::vector<Bound> found;
   for (const Vector6d& y : functionals) {
     Bound bound{y, 0, 0};
@@ -205,30 +203,46 @@ void Supports::add(int instant, const std::vector<Vector6d>& functionals,
   std::stable_sort(found.begin(), found.end(),
                    [](const Bound& a, const Bound& b) { return a.value < b.value; });
   if (found.size() > kKept) found.resize(kKept);
-  const auto needed = static_cast<float>(query_.options.min_stability);
-  for (const Bound& from : found) {
-    const Vector6d world = pool(instant).to_world * from.y;
-    std::vector<int> holds(standing_.size(), -1);  // in the world, for each kind of environment
-    holds[static_cast<std::size_t>(pool(instant).standing)] = 1;
-    for (const int target : all_) {
-      const float known = bound(target, placement);
-      if (known < needed && target != instant) continue;  // nothing to gain
-      Bound to = from;
-      if (target != instant) {
-        int& hold = holds[static_cast<std::size_t>(pool(target).standing)];
-        if (hold < 0)
-          hold = are_polar(standing_[static_cast<std::size_t>(pool(target).standing)], world);
-        if (hold == 1) {
-          to.y = pool(target).from_world * world;
-        } else if (!is_polar(target, to.y)) {
-          continue;
-        }
-        if (!measure(target, placement, to)) continue;
-      }
-      const double progress = target == instant ? 1e-6 : kProgress;
-      const double least = static_cast<double>(known);
-      if (to.value < std::min(least, least - progress * std::abs(least))) store(target, to);
+  return found;
+}
+
+/// The functional as it is at another instant; false when it is none there.
+bool Supports::carry(int target, Carried& carried, Bound& bound) const {
+  const Pool& p = pool(target);
+  const auto kind = static_cast<std::size_t>(p.standing);
+  if (carried.holds[kind] < 0) carried.holds[kind] = are_polar(standing_[kind], carried.world);
+  bound = carried.bound;
+  if (carried.holds[kind] == 1) {
+    bound.y = p.from_world * carried.world;
+    return true;
+  }
+  return is_polar(target, bound.y);
+}
+
+void Supports::add(int instant, const std::vector<Vector6d>& functionals,
+                   const Placement& placement) {
+  std::vector<Carried> found;
+  for (const Bound& bound : best_of(instant, functionals, placement)) {
+    found.push_back(
+        {bound, pool(instant).to_world * bound.y, std::vector<std::int8_t>(standing_.size(), -1)});
+    store(instant, bound);
+  }
+  const double needed = query_.options.min_stability;
+  for (const int target : all_) {
+    if (target == instant) continue;
+    const auto known = static_cast<double>(bound(target, placement));
+    if (known < needed) continue;  // nothing to gain
+    Bound best;
+    best.value = known - kProgress * std::abs(known);
+    bool is_better = false;
+    for (Carried& carried : found) {
+      Bound here;
+      if (!carry(target, carried, here) || !measure(target, placement, here)) continue;
+      if (here.value >= best.value) continue;
+      best = here;
+      is_better = true;
     }
+    if (is_better) store(target, best);
   }
 }
 

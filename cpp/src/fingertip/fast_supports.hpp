@@ -40,6 +40,7 @@ class Supports {
   const float* block(int instant, int location) const;
   const float* offsets(int instant) const { return pool(instant).offsets.data(); }
   static constexpr int kStep = 8;
+  using Step = Eigen::Array<float, kStep, 1>;
 
   std::int64_t count() const { return count_; }  // functionals in all tables
   std::int64_t memory() const;
@@ -59,6 +60,12 @@ class Supports {
     mechanics::Vector6d y;
     double offset, value;
   };
+  /// A functional on its way to other instants.
+  struct Carried {
+    Bound bound;
+    mechanics::Vector6d world;
+    std::vector<std::int8_t> holds;  // for each kind of standing environment; -1: not known yet
+  };
   const Pool& pool(int instant) const { return pools_[static_cast<std::size_t>(instant)]; }
   Pool& pool(int instant) { return pools_[static_cast<std::size_t>(instant)]; }
   void place(int instant, const Eigen::Isometry3d& X_WO);
@@ -66,6 +73,9 @@ class Supports {
   void fill(const Pool& pool, int location) const;
   bool is_polar(int instant, const mechanics::Vector6d& y) const;
   double value(int location, const mechanics::Vector6d& y) const;  // h(y, location)
+  std::vector<Bound> best_of(int instant, const std::vector<mechanics::Vector6d>& functionals,
+                             const Placement& placement) const;
+  bool carry(int target, Carried& carried, Bound& bound) const;
   bool measure(int instant, const Placement& placement, Bound& bound) const;
   void store(int instant, const Bound& bound);
 

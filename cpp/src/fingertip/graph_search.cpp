@@ -57,12 +57,13 @@ class GraphSearch {
         code_(query.num_poses(), query.locations.size(), num_fingers, num_layers),
         h_(query, heuristic) {}
 
-  Route run(planning::Clock& clock) {
+  Route run(planning::Clock& clock, double limit) {
     const int goal = query_.num_arcs();
     Route route;
     open_start();  // 4.2: the virtual start node
     while (!open_.empty()) {
       route.lower_bound = std::max(route.lower_bound, open_.top().f);
+      if (route.lower_bound >= limit) break;
       if (!clock.spend()) return route;
       const Open next = open_.top();
       open_.pop();
@@ -173,10 +174,10 @@ int num_regrasps(const Route& route) {
 }  // namespace
 
 Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,
-                   planning::Clock& clock, Statistics& statistics) {
+                   planning::Clock& clock, Statistics& statistics, double limit) {
   const auto search = [&](int num_layers) {
     GraphSearch graph(query, evaluator, query.num_fingers, num_layers, heuristic);
-    Route route = graph.run(clock);
+    Route route = graph.run(clock, limit);
     statistics.nodes += graph.opened();
     statistics.memory = std::max(statistics.memory, graph.memory());
     return route;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A cell-centred grid of points on each face of an object.
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "fingertip/locations.hpp"
 
@@ -57,6 +59,37 @@ bool is_inside(const Eigen::Vector2d& p, const Face& face, const geometry::Mesh&
   return false;
 }
 
+/// Where locations are already, in cells as wide as they must be apart. Curved meshes have more
+/// faces than their surface has room for locations.
+class Taken {
+ public:
+  explicit Taken(double apart) : apart_(apart) {}
+
+  /// Takes a place, unless one near by and facing alike is taken.
+  bool take(const Location& location) {
+    if (apart_ <= 0) return true;
+    const Eigen::Vector3i cell = (location.p_OC / apart_).array().floor().cast<int>();
+    for (int i = 0; i < 27; ++i) {
+      const auto near =
+          cells_.find(key(cell + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
+      if (near == cells_.end()) continue;
+      for (const Location& other : near->second) {
+        const bool is_near = (other.p_OC - location.p_OC).norm() < apart_;
+        if (is_near && other.n_O.dot(location.n_O) > kAlike) return false;
+      }
+    }
+    cells_[key(cell)].push_back(location);
+    return true;
+  }
+
+ private:
+  static constexpr double kAlike = 0.9;  // cosine between normals
+  using Key = std::array<int, 3>;
+  static Key key(const Eigen::Vector3i& cell) { return {cell.x(), cell.y(), cell.z()}; }
+  double apart_;
+  std::map<Key, std::vector<Location>> cells_;
+};
+
 }  // namespace
 
 double num_grid_points(const Object& object, const Options& options) {
@@ -70,6 +103,7 @@ double num_grid_points(const Object& object, const Options& options) {
 
 std::vector<Location> grid_locations(const Object& object, double radius, const Options& options) {
   std::vector<Location> all;
+  Taken taken(options.location_spacing / 2);
   for (std::size_t f = 0; f < object.faces().size(); ++f) {
     const Face& face = object.faces()[f];
     const Rectangle r = bounds(face, object.mesh());
@@ -81,7 +115,9 @@ std::vector<Location> grid_locations(const Object& object, double radius, const 
         if (!is_inside(p, face, object.mesh(), kEdge * object.size())) continue;
         const Eigen::Vector3d p_O =
             p.x() * face.first_O + p.y() * face.second_O + face.offset * face.n_O;
-        all.push_back({p_O, face.n_O, face.first_O, p_O - radius * face.n_O, static_cast<int>(f)});
+        const Location location{p_O, face.n_O, face.first_O, p_O - radius * face.n_O,
+                                static_cast<int>(f)};
+        if (taken.take(location)) all.push_back(location);
       }
     }
   }

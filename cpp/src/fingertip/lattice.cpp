@@ -1,13 +1,89 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Slides and turns through a lattice of poses in the plane.
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
 
+#include "fingertip/assemble.hpp"
+#include "fingertip/lattice_regrasps.hpp"
+#include "fingertip/lattice_search.hpp"
 #include "fingertip/motions.hpp"
 
 namespace graspless::fingertip {
+namespace {
 
-Plan plan_lattice(Workshop&, const Lattice&, planning::Clock&) {
-  throw std::invalid_argument("motion: no lattice so far");
+std::vector<Stage> stages_of(const LatticeSpace& space, const Route& route) {
+  std::vector<Stage> stages;
+  for (const Node& node : route.nodes) {
+    if (stages.empty() || stages.back().placement != node.placement) {
+      stages.push_back({node.placement, {}});
+    }
+    stages.back().X_WO.push_back(space.X_WO(node.pose));
+  }
+  return stages;
+}
+
+/// Why there is no route.
+void explain(const Workshop& workshop, LatticeSpace& space, LatticeDistances& distances,
+             const Route& route, const planning::Clock& clock, Plan& plan) {
+  int clear = 0;
+  bool is_free_way = false;
+  for (int l = 0; l < workshop.locations.size(); ++l) {
+    if (space.is_clear(space.start(), l) && space.is_clear(space.goal(), l)) ++clear;
+    const double distance =
+        distances.to_goal(l, std::numeric_limits<double>::infinity())[space.start()];
+    is_free_way = is_free_way || std::isfinite(distance);
+  }
+  if (!route.is_complete) {
+    plan.status = clock.was_interrupted() ? Status::interrupted : Status::out_of_time;
+    plan.reason = clock.was_interrupted() ? "interrupted before a plan was found"
+                                          : "the budget was spent before a plan was found";
+  } else if (!is_free_way) {
+    plan.status = Status::no_location;
+    plan.limit = "reach of the lattice";
+    plan.reason = "walls or obstacles stop the object on every way through the lattice";
+  } else if (clear < workshop.problem.fingers.count) {
+    plan.status = Status::no_location;
+    plan.limit = "geometry";
+    plan.reason = "only " + std::to_string(clear) +
+                  " fingertip locations are clear of floor, walls and obstacles at start and goal";
+  } else {
+    plan.status = Status::unstable;
+    plan.limit = "stability";
+    plan.reason = "no way through the lattice keeps the object stable by min_stability = " +
+                  std::to_string(workshop.options.min_stability) + " N all the way";
+  }
+}
+
+}  // namespace
+
+Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& clock) {
+  Plan plan;
+  LatticeSpace space(workshop, lattice);
+  if (space.start() == space.goal()) {
+    throw std::invalid_argument("motion.X_WO_goal must differ from motion.X_WO_start");
+  }
+  LatticeBounds bounds(workshop);
+  LatticeDistances distances(space, workshop.locations);
+  Route route = search_placements(workshop, space, bounds, distances, clock, plan.statistics);
+  if (!route.found && route.is_complete && workshop.options.max_regrasps > 0) {
+    route = search_regrasps(workshop, space, bounds, distances, clock, plan.statistics);
+  }
+  plan.statistics.supports = bounds.count();
+  plan.statistics.memory = space.memory() + bounds.memory() + distances.memory();
+  plan.lower_bound = route.lower_bound;
+  if (!route.found) {
+    explain(workshop, space, distances, route, clock, plan);
+    return plan;
+  }
+  plan.status = Status::solved;
+  assemble(stages_of(space, route), workshop.locations, workshop.instants,
+           workshop.evaluators.front(), plan);
+  if (route.is_complete) plan.lower_bound = plan.cost;
+  return plan;
 }
 
 }  // namespace graspless::fingertip

@@ -87,11 +87,14 @@ Locations::Locations(const Object& object, const Fingers& fingers, const Options
     : all_(reachable(grid_locations(object, fingers.radius, options), object, fingers.radius)),
       wrenches_(wrenches_of(all_, object, fingers, options)) {
   const double apart = 2 * fingers.radius - kSlack * object.size();
+  const double span = fingers.max_span + kSlack * object.size();
   min_distance2_ = apart > 0 ? apart * apart : 0;
+  max_distance2_ = span * span;
 }
 
 bool Locations::are_apart(int a, int b) const {
-  return ((*this)[a].center_O - (*this)[b].center_O).squaredNorm() >= min_distance2_;
+  const double distance2 = ((*this)[a].center_O - (*this)[b].center_O).squaredNorm();
+  return distance2 >= min_distance2_ && distance2 <= max_distance2_;
 }
 
 }  // namespace graspless::fingertip

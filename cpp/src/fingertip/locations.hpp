@@ -30,6 +30,7 @@ Placement with(const Placement& placement, int location);     // keeps the order
 Placement without(const Placement& placement, int location);  // the kept fingers of a regrasp
 
 /// The points of an object's grid: cell-centred on each face's bounding rectangle, inside the face.
+/// With location_spacing, none nearer than half of it to another that faces alike.
 std::vector<Location> grid_locations(const Object& object, double radius, const Options& options);
 /// How many grid_locations() would look at: no fewer than it returns.
 double num_grid_points(const Object& object, const Options& options);
@@ -45,12 +46,13 @@ class Locations {
   const mechanics::FingerWrenches& wrenches(int i) const {
     return wrenches_[static_cast<std::size_t>(i)];
   }
-  bool are_apart(int a, int b) const;  // the spheres do not overlap (touching is allowed)
+  // The spheres do not overlap (touching is allowed), and are no farther apart than fingers reach.
+  bool are_apart(int a, int b) const;
 
  private:
   std::vector<Location> all_;
   std::vector<mechanics::FingerWrenches> wrenches_;
-  double min_distance2_ = 0;
+  double min_distance2_ = 0, max_distance2_ = 0;
 };
 
 }  // namespace graspless::fingertip

@@ -59,11 +59,12 @@ struct Route {
   std::vector<Node> nodes;
 };
 
-/// Uniform cost, or A* with (11): Section 4.
+/// Uniform cost, or A* with (11): Section 4. Routes of `limit` or more are not looked for: then
+/// complete and not found means that there is none below.
 Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,
-                   planning::Clock& clock, Statistics& statistics);
-/// Lazy best-first search over placements. The same cost. One evaluator a thread. Routes of
-/// `limit` or more are not looked for: then complete and not found means that there is none below.
+                   planning::Clock& clock, Statistics& statistics,
+                   double limit = std::numeric_limits<double>::infinity());
+/// Lazy best-first search over placements. The same cost. One evaluator a thread.
 Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
                   planning::Clock& clock, Statistics& statistics,
                   double limit = std::numeric_limits<double>::infinity());

@@ -59,7 +59,7 @@ Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
     return search_fast(query, workshop.evaluators, clock, statistics, limit);
   }
   return search_graph(query, workshop.evaluators.front(), workshop.options.search == Search::paper,
-                      clock, statistics);
+                      clock, statistics, limit);
 }
 
 void count(const Workshop& workshop, const planning::Clock& clock, Statistics& statistics) {

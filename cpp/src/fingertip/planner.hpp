@@ -22,7 +22,7 @@ struct Workshop {
   std::vector<Evaluator> evaluators;
 };
 
-/// Searches a path by the engine of the options. The fast one does not look for routes of `limit`
+/// Searches a path by the engine of the options, which does not look for routes of `limit`
 /// or more.
 Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
              Statistics& statistics, double limit = std::numeric_limits<double>::infinity());

@@ -42,6 +42,8 @@ void check_fingers(const Fingers& fingers) {
           fingers.radius, "must lie in (0, 1e4] m");
   require_positive("fingers.max_normal_force", fingers.max_normal_force);
   check_friction("fingers.friction", fingers.friction);
+  require(fingers.max_span >= 2 * fingers.radius, "fingers.max_span", fingers.max_span,
+          "must be at least two radii (infinity: any)");
 }
 
 void check_planes(const std::vector<Plane>& planes) {

@@ -58,14 +58,20 @@ void check_path(const Problem& problem, Clearance& clearance, const Path& path) 
                                 " poses, not " + std::to_string(X_WO.size()));
   }
   const auto at = [](std::size_t i) { return "motion.X_WO[" + std::to_string(i) + "]"; };
-  for (std::size_t i = 0; i < X_WO.size(); ++i) check_standing(problem, clearance, X_WO[i], at(i));
+  check_standing(problem, clearance, X_WO[0], at(0));
   for (std::size_t i = 0; i + 1 < X_WO.size(); ++i) {
     const std::string where = at(i) + " to the next";
+    check_pose(at(i + 1), X_WO[i + 1]);
     const Vector6d twist_O = screw_between(X_WO[i], X_WO[i + 1]);
     if (!(twist_O.norm() > 1e-9)) refuse(where, "must differ, but are the same pose");
-    if (twist_O.tail<3>().norm() > kMaxTurn)
+    if (twist_O.tail<3>().norm() > kMaxTurn) {
       refuse(where, "turns by more than 3 rad: take more poses");
-    check_state(problem, moving_state(along_screw(X_WO[i], twist_O, 0.5), twist_O), where);
+    }
+    // Where the motion begins first: there the reason is plainest.
+    for (const double part : {0.0, 0.5}) {
+      check_state(problem, moving_state(along_screw(X_WO[i], twist_O, part), twist_O), where);
+    }
+    check_standing(problem, clearance, X_WO[i + 1], at(i + 1));
   }
 }
 

@@ -45,23 +45,6 @@ double aptness(const ContactSet& set, ForceMask mask) {
   return sum;
 }
 
-ForceMask break_tie(const ContactSet& set, unsigned ties, const std::vector<FingerMode>& previous) {
-  if (previous.size() == set.fingers.size()) {
-    const ForceMask kept = force_mask(set, previous);
-    if ((ties >> kept & 1U) != 0) return kept;
-  }
-  ForceMask best = 0;
-  double most = -1e300;
-  for (ForceMask mask = 0; mask < 1U << set.fingers.size(); ++mask) {
-    if ((ties >> mask & 1U) == 0) continue;
-    const double apt = aptness(set, mask);
-    if (apt <= most + 1e-9) continue;
-    most = apt;
-    best = mask;
-  }
-  return best;
-}
-
 ControlModes choose(const ContactSet& set, const std::vector<FingerMode>& previous,
                     const Matrix6Xd& directions, Engine engine, StabilitySolver& solver) {
   const Instant instant(set);
@@ -97,6 +80,23 @@ void check_previous(const ContactSet& set, const std::vector<FingerMode>& previo
 }
 
 }  // namespace
+
+ForceMask break_tie(const ContactSet& set, unsigned ties, const std::vector<FingerMode>& previous) {
+  if (previous.size() == set.fingers.size()) {
+    const ForceMask kept = force_mask(set, previous);
+    if ((ties >> kept & 1U) != 0) return kept;
+  }
+  ForceMask best = 0;
+  double most = -1e300;
+  for (ForceMask mask = 0; mask < 1U << set.fingers.size(); ++mask) {
+    if ((ties >> mask & 1U) == 0) continue;
+    const double apt = aptness(set, mask);
+    if (apt <= most + 1e-9) continue;
+    most = apt;
+    best = mask;
+  }
+  return best;
+}
 
 ControlModes best_control_modes(const ContactSet& set, const std::vector<FingerMode>& previous,
                                 const Matrix6Xd& directions, Engine engine) {

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "graspless/mechanics/stability_solver.hpp"
 
 namespace graspless::mechanics {
 
 constexpr double kTie = 1e-9;  ///< difference of z that is none, relative above 1 N
+
+/// Which of `ties` (masks as bits) to take: that of `previous` if it is among them, else the one in
+/// which force control presses into the environment and position control opposes the motion.
+ForceMask break_tie(const ContactSet& set, unsigned ties, const std::vector<FingerMode>& previous);
 
 /// Section 3.4 over any engine: the combinations of control modes, those with fewer fingers in
 /// force control first. Once one is free of jamming, those that force more fingers cannot be

@@ -306,8 +306,8 @@ def _core_rows(segment: Segment) -> list[fingertip.Row]:
         ]
         rows.append(
             fingertip.Row(
-                segment.object_poses[i],
-                fingers,
+                X_WO=segment.object_poses[i],
+                fingers=fingers,
                 stability=segment.stability[i],
                 compliant_stability=segment.compliant_stability[i],
                 nominal_margin=segment.nominal_margin[i],

@@ -49,9 +49,7 @@ def as_text(plan: Plan) -> str:
     else:
         lines.append(f"  {plan.reason}")
     numbers = {name: value for name, value in stats.items() if not isinstance(value, dict)}
-    counters = [
-        count(value, name.replace("_", " ")) for name, value in numbers.items() if name != "seconds"
-    ]
+    counters = [_counter(name, value) for name, value in numbers.items() if name != "seconds"]
     lines.append("  " + ", ".join(counters))
     if not plan:
         lines += [f"  {line}" for line in _kind(plan).lines_not_found(plan)]
@@ -83,13 +81,20 @@ def _shortened(faults: list[str]) -> list[str]:
     """The first faults of each segment, and how many there are."""
     segments: dict[str, list[str]] = {}
     for fault in faults:
-        segments.setdefault(re.split(r"\W", fault, maxsplit=1)[0], []).append(fault)
+        named = re.match(r"segment \d+|\w*", fault)
+        segments.setdefault(named[0] if named else "", []).append(fault)
     lines = []
     for name, found in segments.items():
         lines += found[:MOST]
         if len(found) > MOST:
             lines.append(f"{name}: {len(found) - MOST} more")
     return [*lines, count(len(faults), "faults")] if len(faults) > 1 else lines
+
+
+def _counter(name: str, value: float) -> str:
+    if name == "memory":
+        return f"{value / 1e6:.1f} MB"
+    return count(value, name.replace("_", " "))
 
 
 def _duration(seconds: float) -> str:

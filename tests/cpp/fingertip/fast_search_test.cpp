@@ -67,11 +67,11 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
     problem.motion =
         turn_path(X_WO, {size.x() / 2, 0, 0}, {0, 1, 0}, uniform(0.5, 1) * M_PI / 2, segments);
   }
-  for (int i = pick(0, 5); i > 0; --i) {
+  for (int i = pick(0, 8); i > 0; --i) {
     Obstacle obstacle;
     obstacle.name = "obstacle" + std::to_string(i);
     obstacle.shapes = {
-        {geometry::Box{Eigen::Vector3d::Constant(uniform(0.2, 3))}, Eigen::Isometry3d::Identity()}};
+        {geometry::Box{Eigen::Vector3d::Constant(uniform(0.5, 4))}, Eigen::Isometry3d::Identity()}};
     obstacle.X_WB.translation() = Eigen::Vector3d(uniform(-6, 10), uniform(-6, 6), uniform(0, 9));
     problem.obstacles.push_back(obstacle);
   }

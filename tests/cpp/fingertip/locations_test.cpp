@@ -52,6 +52,19 @@ TEST(FingertipLocations, SpacingIsKeptAndTrianglesAreFilled) {
   EXPECT_LE(all.size(), num_grid_points(prism, options));
 }
 
+TEST(FingertipLocations, SpacingRulesWhereFacesAreSmaller) {
+  const Object ball = Object::from_mesh("ball", sphere_mesh(20, 40), 1);
+  Options options;
+  options.location_spacing = 0.5;
+  const Locations all(ball, Fingers{}, options);
+  // A disc of radius spacing / 2 each at least, of spacing / 2 about each at most.
+  EXPECT_LT(all.size(), 4 * M_PI / (M_PI * 0.125 * 0.125) * 0.9);
+  EXPECT_GT(all.size(), 4 * M_PI / (M_PI * 0.25 * 0.25) * 0.5);
+  for (int i = 0; i < all.size(); ++i) {
+    for (int j = 0; j < i; ++j) EXPECT_GE((all[i].p_OC - all[j].p_OC).norm(), 0.25);
+  }
+}
+
 TEST(FingertipLocations, SphereMustFitIntoConcavePlaces) {
   const Object l = Object::from_mesh("L", l_mesh(), 1);
   Options options;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +40,8 @@ struct Fingers {
   double radius = 0.01;                    ///< [m]
   double max_normal_force = 10;            ///< f_max of each [N]
   FrictionInterval friction = {0.7, 0.7};  ///< between fingertip and object
+  /// The farthest that the centres of two fingertips may be apart [m]: how wide a hand opens.
+  double max_span = std::numeric_limits<double>::infinity();
 };
 
 /// The object passes through these poses in order; from one to the next it moves along a screw

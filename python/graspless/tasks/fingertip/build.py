@@ -157,6 +157,10 @@ def _blamed(message: str, task: model.FingertipTask) -> tuple[Location, str]:
     if named is not None:
         end = "pose" if motion == "goal" and named[1] == "X_WO_goal" else _ENDS[named[1]]
         return ("motion", motion, end), named[2]
+    named = re.match(r"motion\.X_WO\[(\d+)\]( to the next)?: (.*)", message, re.DOTALL)
+    if named is not None:
+        where = ("motion", "path", int(named[1])) if motion == "path" else ("motion", motion)
+        return where, f"at pose {named[1]}{named[2] or ''}: {named[3]}"
     named = re.match(r"motion\.(\w+): (.*)", message, re.DOTALL)
     if named is not None and named[1] in type(getattr(task.motion, motion)).model_fields:
         return ("motion", motion, named[1]), named[2]

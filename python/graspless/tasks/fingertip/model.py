@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
 from ..budget import Budget
 from ..obstacles import Obstacles
@@ -31,9 +31,18 @@ def _kind_of_inertia(value: Any) -> str:
     return "matrix" if value and isinstance(value, list) and isinstance(value[0], list) else "axes"
 
 
+def _in_order(bounds: list[float]) -> list[float]:
+    if bounds[0] > bounds[1]:
+        raise ValueError(f"{bounds}: the first must not exceed the second")
+    return bounds
+
+
 Friction = Annotated[
     Annotated[Positive, Tag("number")]
-    | Annotated[Annotated[list[Positive], Field(min_length=2, max_length=2)], Tag("interval")],
+    | Annotated[
+        Annotated[list[Positive], Field(min_length=2, max_length=2), AfterValidator(_in_order)],
+        Tag("interval"),
+    ],
     Discriminator(_kind_of_friction),
 ]
 Inertia = Annotated[

@@ -21,7 +21,7 @@ WALL: Color = (0.62, 0.70, 0.80)
 POSITION: Color = (0.12, 0.42, 0.78)
 FORCE: Color = (0.84, 0.18, 0.24)
 FREE: Color = (0.70, 0.71, 0.73)
-ARROW: Color = (0.10, 0.55, 0.32)
+ARROW: Color = (0.16, 0.74, 0.45)
 MODES = {"position": POSITION, "force": FORCE, "free": FREE}
 LONGEST_ARROW = 0.7  # of the object's size
 
@@ -114,7 +114,7 @@ def arrow_ends(task: Task, moment: Moment, largest: float) -> Matrix:
 
 def _extent(task: Task, points: Matrix) -> tuple[Matrix, Matrix]:
     """[2], [2] corners of the floor that is drawn."""
-    margin = 0.35 * task.problem.object.size
+    margin = 0.22 * task.problem.object.size
     return points[:, :2].min(axis=0) - margin, points[:, :2].max(axis=0) + margin
 
 

@@ -48,13 +48,17 @@ def draw(axes: Any, plan: Plan) -> None:
         place = (along[k][row], plan.segments[k].stability[row])
         axes.plot(*place, "o", ms=11, mfc="none", mec=LIMIT, mew=1.5)
         side = 1 if place[0] < 0.8 * last else -1
+        rise = 1 if place[1] < 0.85 * top else -1  # the modes' bands are above
         axes.annotate(
-            f"weakest: {place[1]:.3g} N", place, (12 * side, 7), textcoords="offset points",
-            fontsize=9, color=LIMIT, ha="left" if side > 0 else "right", va="bottom",
+            f"weakest: {place[1]:.3g} N", place, (14 * side, 12 * rise), textcoords="offset points",
+            fontsize=9, color=LIMIT, ha="left" if side > 0 else "right",
+            va="bottom" if rise > 0 else "top",
+            bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.85},
         )  # fmt: skip
     axes.set_xlabel(unit, fontsize=9, color=INK)
     axes.set_ylabel("withstands [N]", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
+    axes.set_yticks([tick for tick in axes.get_yticks() if 0 <= tick <= 1.08 * top])
     axes.grid(axis="y", color="#e4e6ea", lw=0.7)
     axes.set_axisbelow(True)
     for side_name in ("top", "right"):
@@ -78,8 +82,9 @@ def _draw_regrasps(axes: Any, plan: Plan, along: list[Any]) -> None:
         axes.axvline(x, color=INK, lw=1.1, ls=":")
         moved = " and ".join(f"finger {finger}" for finger in dict.fromkeys(fingers))
         axes.annotate(
-            f"regrasp: {moved}", (x, 0.03), (4, 0), xycoords=("data", "axes fraction"),
+            f"regrasp: {moved}", (x, plan.task.options.min_stability), (5, 5),
             textcoords="offset points", fontsize=9, color=INK, va="bottom",
+            bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.85},
         )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from ...plans.fingertip import Plan, Segment
 
 MOST = 8  # moments of a picture
+LONG = 0.45  # part of the way of a segment whose middle is shown too
 
 
 @dataclass(frozen=True)
@@ -90,18 +91,18 @@ def moments(plan: Plan) -> list[Moment]:
     found: list[Moment] = []
     for k, segment in enumerate(moving):
         first, last = k == 0, k == len(moving) - 1
-        before, after = ("start" if first else "after"), ("goal" if last else "before")
         same = k > 0 and _same_grip(moving[k - 1], segment)
         if not same:
-            caption = "start" if first else f"new grip{_progress(plan, segment, 0)}"
+            caption = "start" if first else f"after regrasp{_progress(plan, segment, 0)}"
             found.append(replace(at(plan, segment, 0, segment.X_WO[0]), caption=caption))
-        if len(moving) == 1 or same or before == after:
+        if len(moving) == 1 or len(segment) > LONG * sum(map(len, moving)):
             middle = len(segment) // 2
             caption = f"{segment.name}{_progress(plan, segment, middle)}"
             found.append(replace(at(plan, segment, middle), caption=caption))
         next_same = not last and _same_grip(segment, moving[k + 1])
         if last or not next_same or segment.name != moving[k + 1].name:
-            caption = "goal" if last else f"{segment.name}{_progress(plan, segment, len(segment))}"
+            what = f"after the {segment.name}" if next_same else "before regrasp"
+            caption = "goal" if last else what + _progress(plan, segment, len(segment))
             row = len(segment) - 1
             found.append(replace(at(plan, segment, row, segment.X_WO[-1]), caption=caption))
     if len(found) > MOST:

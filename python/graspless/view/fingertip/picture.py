@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 
 from ... import frames
 from .. import raster
-from . import bodies, curves
+from . import bodies, carried, curves
 from .moments import moments
 from .stage import camera, swept
 
@@ -29,42 +29,63 @@ if TYPE_CHECKING:
     from .moments import Moment
 
 INK = (0.15, 0.17, 0.20)
-ACROSS = 4  # panels in a row
+ACROSS = 5  # panels in a row
 WIDTH = 15.0  # of the figure [inches]
-CURVES = 2.6  # height of the curves [inches]
-SEE_THROUGH = {"walls": 0.5, "object": 0.3}  # how much of what is behind is seen
+HEAD, CURVES, FOOT = 0.5, 2.6, 0.55  # heights [inches]
+DPI = 110
+WALLS = 0.5  # how much of what is behind is seen
+HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
 
 
 def draw(plan: Plan) -> bytes:
     """The picture as the bytes of a PNG file."""
     shown = moments(plan)
-    across = min(ACROSS, len(shown)) if len(shown) != 5 else 5
+    across = len(shown) if len(shown) <= ACROSS else -(-len(shown) // 2)
     down = -(-len(shown) // across)
     panel = WIDTH / max(across, 2)
-    tall = 0.92 * panel if across < 4 else 1.0 * panel
-    has_curves = bool(plan.segments)
-    heights = [0.72, *[tall] * down, *([CURVES] if has_curves else [])]
-    figure = Figure(figsize=(WIDTH, sum(heights) + 0.55), dpi=110, facecolor="white")
+    tall = 0.72 * panel if across < 4 else 0.9 * panel
+    rows = [tall] * down
+    arm = carried.moments(plan)
+    if arm:
+        rows.append(WIDTH / len(arm))
+    if plan.segments:
+        rows.append(CURVES)
+    heights = [HEAD, *rows]
+    figure = Figure(figsize=(WIDTH, sum(heights) + FOOT), dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
     grid = figure.add_gridspec(
         len(heights), 1, height_ratios=heights, left=0.045, right=0.985,
-        bottom=0.52 / figure.get_figheight(), top=1, hspace=0.04,
+        bottom=FOOT / figure.get_figheight(), top=1, hspace=0.04,
     )  # fmt: skip
     _draw_head(figure.add_subplot(grid[0]), plan)
-    width, height = round(panel * 110), round(tall * 100)
-    scene = _Scene(plan.task, shown, (width, height))
+    scene = _Scene(plan.task, shown, (round(panel * DPI), round(0.92 * tall * DPI)))
     for k, moment in enumerate(shown):
         row = grid[1 + k // across].subgridspec(1, across, wspace=0.02)
-        axes = figure.add_subplot(row[k % across])
-        axes.imshow(scene.render(moment), interpolation="antialiased")
         number = f"{k + 1}  " if len(shown) > 1 else ""
-        axes.set_title(number + moment.caption, fontsize=11, color=INK, loc="left", pad=2, y=0.94)
-        axes.set_axis_off()
-    if has_curves:
+        axes = figure.add_subplot(row[k % across])
+        _draw_panel(axes, scene.render(moment), number + moment.caption)
+        for finger, place in enumerate(scene.places(moment)):
+            axes.annotate(
+                str(finger + 1), place, ha="center", va="center", fontsize=8, color="white",
+                weight="bold",
+            )  # fmt: skip
+    if arm:
+        row = grid[1 + down].subgridspec(1, len(arm), wspace=0.02)
+        side = round(0.95 * WIDTH / len(arm) * DPI)
+        pictures = carried.render(plan, scene.camera.eye - scene.camera.target, (side, side))
+        for k, (picture, caption) in enumerate(pictures):
+            _draw_panel(figure.add_subplot(row[k]), picture, caption)
+    if plan.segments:
         curves.draw(figure.add_subplot(grid[len(heights) - 1]), plan)
     file = io.BytesIO()
     figure.savefig(file, format="png")
     return file.getvalue()
+
+
+def _draw_panel(axes: Any, picture: Matrix, caption: str) -> None:
+    axes.imshow(picture, interpolation="antialiased")
+    axes.set_title(caption, fontsize=11, color=INK, loc="left", pad=2, y=0.96)
+    axes.set_axis_off()
 
 
 class _Scene:
@@ -77,10 +98,11 @@ class _Scene:
         points = swept(task, shown)
         tails = [bodies.arrow_ends(task, moment, self.largest) for moment in shown]
         tails_W = np.concatenate([ends.reshape(-1, 3) for ends in tails])
-        everything = np.concatenate([points, tails_W[tails_W.any(axis=1)]])
-        self.camera: Camera = camera(task, shown, everything, shape)
         eye = np.eye(4)
         floor = bodies.floor_body(task, points)
+        ground = [part.vertices for part in floor.parts]
+        everything = np.concatenate([points, tails_W[tails_W.any(axis=1)], *ground])
+        self.camera: Camera = camera(task, shown, everything, shape)
         self.still: list[tuple[Body, Matrix]] = [(floor, eye)] if floor.parts else []
         self.still += bodies.obstacles(task)
         self.walls = [(body, eye) for body in bodies.wall_bodies(task, points)]
@@ -91,20 +113,24 @@ class _Scene:
         }
 
     def render(self, moment: Moment) -> Matrix:
-        """The picture of a moment; object and walls let what is behind them shine through."""
+        """The picture of a moment; walls, and all before fingertips and forces, are glass-like."""
         fingers = [
             (self.tips[mode], frames.translation(center))
             for mode, center in zip(moment.modes, moment.centers_W, strict=True)
             if np.isfinite(center).all()
         ]
-        behind = [*self.still, *fingers, *bodies.arrows(self.task, moment, self.largest)]
-        whole = [*behind, (self.thing, moment.X_WO)]
+        forces = bodies.arrows(self.task, moment, self.largest)
+        whole = [*self.still, *fingers, *forces, (self.thing, moment.X_WO)]
         picture = self._render(whole)
-        if fingers:
-            picture = _mix(picture, self._render(behind), SEE_THROUGH["object"])
         if self.walls:
-            picture = _mix(self._render([*whole, *self.walls]), picture, SEE_THROUGH["walls"])
+            picture = _mix(self._render([*whole, *self.walls]), picture, WALLS)
+        if fingers:
+            picture = _over(self._render([*fingers, *forces]), picture, HIDDEN)
         return picture
+
+    def places(self, moment: Moment) -> Matrix:
+        """[n, 2] pixels of the fingertips; NaN for those that are off the object."""
+        return self.camera.project(moment.centers_W, *self.shape)[:, :2]
 
     def _render(self, placed: Sequence[tuple[Body, Matrix]]) -> Matrix:
         return raster.render(placed, self.camera, *self.shape)
@@ -114,6 +140,14 @@ def _mix(front: Matrix, back: Matrix, share: float) -> Matrix:
     """Two pictures with opacity, over each other: `share` of the one behind."""
     opacity = (1 - share) * front[..., 3:] + share * back[..., 3:]
     color = (1 - share) * front[..., :3] * front[..., 3:] + share * back[..., :3] * back[..., 3:]
+    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
+def _over(front: Matrix, back: Matrix, share: float) -> Matrix:
+    """A picture with `share` of the opacity of another over it."""
+    weight = share * front[..., 3:]
+    opacity = weight + (1 - weight) * back[..., 3:]
+    color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
     return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
 
 

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Backward search for one sphere, guided by its straight distance to where it starts.
+#include "fingertip/lattice_distances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspless::fingertip {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSamePlace = 1e-12;  // [m]
+
+std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+LatticeDistances::LatticeDistances(LatticeSpace& space, const Locations& locations)
+    : space_(space), tables_(ix(locations.size())) {
+  // On the floor only where a sphere is in plan matters.
+  const auto in_plan = [&](int location) -> Eigen::Vector2d {
+    return space.center_W(space.start(), location).head<2>();
+  };
+  for (int l = 0; l < locations.size(); ++l) {
+    int same = 0;
+    while (same < l && (in_plan(same) - in_plan(l)).norm() > kSamePlace) ++same;
+    table_of_.push_back(same);
+  }
+}
+
+const double* LatticeDistances::to_goal(int location, double limit) {
+  const int table = table_of_[ix(location)];
+  if (tables_[ix(table)].empty()) tables_[ix(table)] = search(table, limit);
+  return tables_[ix(table)].data();
+}
+
+std::vector<double> LatticeDistances::search(int location, double limit) {
+  const Eigen::Vector3d start_W = space_.center_W(space_.start(), location);
+  const auto left = [&](int pose) { return (space_.center_W(pose, location) - start_W).norm(); };
+  std::vector<double> distances(ix(space_.num_poses()), kInfinity);
+  const auto push = [&](int pose, double distance) {
+    const double f = distance + left(pose) * (1 - 1e-12);
+    if (distance >= distances[ix(pose)] || f >= limit) return;
+    distances[ix(pose)] = distance;
+    heap_.push_back({distance, pose});
+    std::push_heap(heap_.begin(), heap_.end());
+  };
+  heap_.clear();
+  push(space_.goal(), 0);
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Entry entry = heap_.back();
+    heap_.pop_back();
+    if (entry.distance > distances[ix(entry.pose)] || !space_.is_free(entry.pose)) continue;
+    for (int move = 0; move < LatticeSpace::kMoves; ++move) {
+      const int from = space_.next(entry.pose, LatticeSpace::reverse(move));
+      if (from < 0) continue;
+      push(from, entry.distance + space_.displacement(space_.yaw(from), move, location));
+    }
+  }
+  return distances;
+}
+
+std::int64_t LatticeDistances::memory() const {
+  std::size_t bytes = 0;
+  for (const auto& table : tables_) bytes += table.size() * sizeof(double);
+  return static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace graspless::fingertip

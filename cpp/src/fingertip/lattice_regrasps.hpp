@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fingertip/lattice_bounds.hpp"
+#include "fingertip/lattice_distances.hpp"
+#include "fingertip/lattice_space.hpp"
+#include "fingertip/path_query.hpp"
+
+namespace graspless::fingertip {
+
+/// Ways through the lattice with regrasps, for when there are none without. Small graphs are
+/// searched by A* to the end. In others a hasty search, which makes much of what is left of the way
+/// and little of a regrasp, finds some route; its cost is not proven optimal then, and lower_bound
+/// says what is.
+Route search_regrasps(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
+                      LatticeDistances& distances, planning::Clock& clock, Statistics& statistics);
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// plan() on the paper's cases: costs, and what every plan must hold.
+#include <gtest/gtest.h>
+
+#include "fingertip/cases.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+/// Rows, poses and fingers fit together.
+void expect_well_formed(const Problem& problem, const Options& options, const Plan& plan) {
+  ASSERT_TRUE(plan) << plan.reason;
+  const auto P = static_cast<std::size_t>(options.samples_per_arc);
+  double least = INFINITY;
+  for (std::size_t s = 0; s < plan.segments.size(); ++s) {
+    const Segment& segment = plan.segments[s];
+    const bool is_regrasp = segment.name == "regrasp";
+    EXPECT_EQ(segment.rows.size(), is_regrasp ? 1 : (segment.X_WO.size() - 1) * P);
+    EXPECT_EQ(segment.finger >= 0, is_regrasp);
+    if (s > 0) {
+      EXPECT_TRUE(segment.X_WO.front().isApprox(plan.segments[s - 1].X_WO.back(), 1e-12));
+    }
+    for (const Row& row : segment.rows) {
+      ASSERT_EQ(row.fingers.size(), static_cast<std::size_t>(problem.fingers.count));
+      EXPECT_GE(row.stability, options.min_stability);
+      EXPECT_GT(row.nominal_margin, 0);
+      EXPECT_GT(row.compliant_stability, 0);
+      least = std::min(least, row.stability);
+      for (std::size_t i = 0; i < row.fingers.size(); ++i) {
+        const FingerState& finger = row.fingers[i];
+        EXPECT_EQ(finger.touches, static_cast<int>(i) != segment.finger);
+        const double normal = finger.n_O.dot(finger.nominal_force_O);
+        if (finger.touches && finger.mode == FingerMode::force) {
+          EXPECT_NEAR(normal, finger.commanded_force, 1e-7);
+        }
+        EXPECT_LE(normal, problem.fingers.max_normal_force + 1e-9);
+      }
+    }
+  }
+  const Segment& weakest = plan.segments.at(static_cast<std::size_t>(plan.weakest_segment));
+  EXPECT_EQ(weakest.rows.at(static_cast<std::size_t>(plan.weakest_row)).stability, least);
+}
+
+TEST(FingertipPlanner, ReferenceCostsByTheFastEngine) {
+  for (const Case& it : paper_cases()) {
+    const Options options;
+    const Plan found = plan(it.problem, options);
+    expect_well_formed(it.problem, options, found);
+    EXPECT_NEAR(found.cost, it.cost, 1e-8) << it.name;
+    EXPECT_EQ(found.lower_bound, found.cost) << it.name;
+    EXPECT_EQ(found.regrasps, it.regrasps) << it.name;
+    EXPECT_EQ(check(it.problem, found, options), std::vector<std::string>{}) << it.name;
+  }
+}
+
+TEST(FingertipPlanner, ReferenceCostsByThePapersEngine) {
+  for (const int i : {1, 2}) {
+    const Case it = paper_cases()[static_cast<std::size_t>(i)];
+    const Options options = with_engine(Search::paper);
+    const Plan found = plan(it.problem, options);
+    expect_well_formed(it.problem, options, found);
+    EXPECT_NEAR(found.cost, it.cost, 1e-8) << it.name;
+  }
+}
+
+TEST(FingertipPlanner, FingersKeepTheirNamesThroughARegrasp) {
+  const Plan found = plan(tumble_case(true));
+  ASSERT_EQ(found.segments.size(), 3U);
+  EXPECT_EQ(found.segments[0].name, "tumble");
+  EXPECT_EQ(found.segments[1].name, "regrasp");
+  EXPECT_EQ(found.segments[0].X_WO.size(), 13U);  // at 36 degrees
+  const auto moved = static_cast<std::size_t>(found.segments[1].finger);
+  const Row& before = found.segments[0].rows.back();
+  const Row& after = found.segments[2].rows.front();
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(before.fingers[i].p_OC == after.fingers[i].p_OC, i != moved);
+  }
+}
+
+// Cases a and c of the paper: the finger on top presses by force, the one behind holds its place.
+TEST(FingertipPlanner, TiesGoToTheModesThatHold) {
+  const Plan found = plan(slide_case(10));
+  ASSERT_TRUE(found);
+  for (const FingerState& finger : found.segments[0].rows[0].fingers) {
+    const bool is_on_top = finger.n_O.z() < -0.5;
+    EXPECT_EQ(finger.mode, is_on_top ? FingerMode::force : FingerMode::position);
+  }
+}
+
+TEST(FingertipPlanner, DoesNotDependOnWhereTheWorldIs) {
+  Problem problem = tumble_case(false, 10);
+  Options options;
+  options.locations_per_side = 3;
+  const Plan before = plan(problem, options);
+  ASSERT_TRUE(before);
+  const Eigen::Isometry3d X = Eigen::Translation3d(3, -2, 1) *
+                              Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  for (Plane& plane : problem.planes) {
+    plane.n_W = X.linear() * plane.n_W;
+    plane.offset += plane.n_W.dot(X.translation());
+  }
+  problem.gravity_W = X.linear() * problem.gravity_W;
+  for (Eigen::Isometry3d& X_WO : std::get<Path>(problem.motion).X_WO) X_WO = X * X_WO;
+  const Plan after = plan(problem, options);
+  ASSERT_TRUE(after) << after.reason;
+  EXPECT_NEAR(after.cost, before.cost, 1e-9);
+}
+
+TEST(FingertipPlanner, SaysWhyNothingWasFound) {
+  Options options;
+  options.explain = false;
+  options.locations_per_side = 3;
+  Problem weak = slide_case(0.2, 5);
+  const Plan unstable = plan(weak, options);
+  EXPECT_EQ(unstable.status, Status::unstable);
+  EXPECT_NE(unstable.reason.find("min_stability"), std::string::npos) << unstable.reason;
+  Problem tight = slide_case(10, 5);
+  tight.fingers.radius = 8;
+  tight.fingers.count = 4;
+  const Plan nowhere = plan(tight, options);
+  EXPECT_EQ(nowhere.status, Status::no_location);
+  EXPECT_NE(nowhere.reason.find("pose 0"), std::string::npos) << nowhere.reason;
+  planning::Budget budget;
+  options.search = Search::paper;
+  budget.iterations = 3;
+  const Plan late = plan(tumble_case(true, 10), options, budget);
+  EXPECT_EQ(late.status, Status::out_of_time);
+  budget.interrupted = [] { return true; };
+  EXPECT_EQ(plan(tumble_case(true, 10), options, budget).status, Status::interrupted);
+}
+
+}  // namespace
+}  // namespace graspless::fingertip
