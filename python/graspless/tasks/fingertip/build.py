@@ -96,7 +96,9 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
 
 def build_fingers(fingers: model.Fingers) -> fingertip.Fingers:
     """The fingertips."""
+    span = {} if fingers.max_span is None else {"max_span": fingers.max_span}
     return fingertip.Fingers(
+        **span,
         count=fingers.count,
         radius=fingers.radius,
         max_normal_force=fingers.max_normal_force,

@@ -96,6 +96,9 @@ class Fingers(Fields):
     count: Annotated[int, Field(ge=1, le=4)] = 2
     radius: Positive = Field(default=0.01, description="[m]")
     max_normal_force: Positive = Field(default=10.0, description="of each [N]")
+    max_span: Positive | None = Field(
+        default=None, description="between the centres of two [m]: how wide a hand opens"
+    )
     friction: Friction = Field(
         default=0.7, description="between fingertip and object, or [lower, upper]"
     )
@@ -176,6 +179,9 @@ class Realize(Fields):
     max_jump: Positive | None = Field(default=None, description="between rows [rad]")
     position_tolerance: Positive | None = Field(default=None, description="of fingertips [m]")
     restarts: Count | None = None
+    solutions: Count | None = Field(
+        default=None, description="found, of which the one with the least scrub is kept"
+    )
 
 
 class FingertipTask(Fields):
