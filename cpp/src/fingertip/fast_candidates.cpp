@@ -10,7 +10,6 @@ namespace graspless::fingertip {
 
 namespace {
 
-constexpr std::int64_t kUnseen = std::numeric_limits<std::int64_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -70,26 +69,37 @@ int Candidates::open(const Placement& placement) {
   const auto poses = static_cast<std::size_t>(query_.num_poses());
   before_.resize(before_.size() + poses, kInfinity);
   after_.resize(after_.size() + poses, kInfinity);
-  std::vector<char> clear(poses, 1);
-  for (std::size_t pose = 0; pose < poses; ++pose) {
-    for (int i = 0; i < query_.num_fingers; ++i) {
-      clear[pose] &= static_cast<char>(
-          query_.is_clear(static_cast<int>(pose), placement[static_cast<std::size_t>(i)]));
-    }
-  }
+  bool was_clear = is_clear(0, placement);
   for (int arc = 0; arc < query_.num_arcs(); ++arc) {
+    const bool is_clear_now = is_clear(arc + 1, placement);
     double reach = 0;
     for (int i = 0; i < query_.num_fingers; ++i) {
       reach = std::max(reach, query_.displacement(arc, placement[static_cast<std::size_t>(i)]));
     }
-    const auto a = static_cast<std::size_t>(arc);
-    reach_.push_back(clear[a] != 0 && clear[a + 1] != 0 ? reach : kInfinity);
-    arcs_.push_back(reach_.back() < kInfinity ? -1 : kInfinity);
+    reach_.push_back(was_clear && is_clear_now ? reach : kInfinity);
+    arcs_.push_back(reach_.back() * query_.options.samples_per_arc);
+    was_clear = is_clear_now;
   }
-  at(c).stamp = kUnseen;  // bounds are looked at when the candidate is part of a best route
-  update(c);
-  at(c).stamp = 0;
+  add_up(c);
   return c;
+}
+
+bool Candidates::is_clear(int pose, const Placement& placement) const {
+  for (int i = 0; i < query_.num_fingers; ++i) {
+    if (!query_.is_clear(pose, placement[static_cast<std::size_t>(i)])) return false;
+  }
+  return true;
+}
+
+/// Without a look at the bounds: that is for when the candidate is part of a best route.
+void Candidates::add_up(int c) {
+  const int arcs = query_.num_arcs();
+  double* before = &before_[sum_index(c, 0)];
+  double* after = &after_[sum_index(c, 0)];
+  const double* cost = &arcs_[arc_index(c, 0)];
+  before[0] = after[arcs] = 0;
+  for (int arc = 0; arc < arcs; ++arc) before[arc + 1] = before[arc] + cost[arc];
+  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
 }
 
 void Candidates::set_stability(int c, int slot, double z) {
@@ -185,6 +195,17 @@ bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& 
                     });
   for (std::size_t i = 0; i < count; ++i) ask_slot(c, open[i], questions);
   return any;
+}
+
+bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
+  for (int arc = first_arc; arc < last_arc; ++arc) {
+    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+      const std::size_t i = slot_index(c, slot(arc, j));
+      if (known_[i] != Known::solved || !(z_[i] > 0)) return false;
+    }
+    if (reach_[arc_index(c, arc)] == kInfinity) return false;
+  }
+  return true;
 }
 
 void Candidates::ask_slot(int c, int slot, std::vector<Question>& questions) {

@@ -31,7 +31,8 @@ class Candidates {
   Candidates(const PathQuery& query, const Supports& supports);
 
   void reserve(std::size_t more);
-  /// The candidate of this placement, with bounds as they are now. Made when there is none.
+  /// The candidate of this placement, made when there is none; it costs its displacement alone
+  /// until refresh().
   int open(const Placement& placement);
   int size() const { return static_cast<int>(all_.size()); }
   const Placement& placement(int c) const { return at(c).placement; }
@@ -49,6 +50,8 @@ class Candidates {
   /// Adds questions about the most critical samples of these arcs that are open, more each time;
   /// returns whether any is open, asked already or not.
   bool ask(int c, int first_arc, int last_arc, std::vector<Question>& questions);
+  /// Whether all samples of these arcs have been solved, and are stable.
+  bool is_solved(int c, int first_arc, int last_arc) const;
   /// Adds the question about one sample, by its place in instants(), if it is open.
   void ask_slot(int c, int slot, std::vector<Question>& questions);
   /// Takes the answer.
@@ -83,6 +86,8 @@ class Candidates {
   int slot(int arc, int sample) const {
     return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
   }
+  bool is_clear(int pose, const Placement& placement) const;
+  void add_up(int c);
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);
   void set_stability(int c, int slot, double z);

@@ -161,11 +161,11 @@ class Layers {
 /// Placements that can carry the object along any arc, and their hubs.
 void list_all(FastSearch& search) {
   search.candidates.keep_middles();
-  const int linked = search.hubs.size() == 0 ? 0 : search.candidates.size();
   for (int arc = 0; arc < search.query.num_arcs(); ++arc) {
     open_all(search, clear_locations(search.query, arc, arc + 1), search.candidates.instants(arc));
   }
-  for (int c = linked; c < search.candidates.size(); ++c) search.hubs.add(c);
+  for (int c = 0; c < search.candidates.size(); ++c) search.candidates.refresh(c);
+  search.hubs.link();
 }
 
 /// Asks what is open on the route, last place first; false when nothing is.

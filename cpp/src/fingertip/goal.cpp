@@ -45,7 +45,8 @@ Plan out_of_reach(int needed, const Goal& goal) {
   plan.limit = "reach of the lattice";
   plan.reason = needed < 0 ? "no sequence of tumbles leads to the goal's face"
                            : "the goal's face takes " + std::to_string(needed) +
-                                 " tumbles, and max_tumbles is " + std::to_string(goal.max_tumbles);
+                                 (needed == 1 ? " tumble" : " tumbles") + ", and max_tumbles is " +
+                                 std::to_string(goal.max_tumbles);
   return plan;
 }
 

@@ -156,7 +156,6 @@ void GoalSearch::fail(Plan& plan) const {
     plan.reason = "no motion of the object is free: " + fault_;
   } else {
     plan.status = Status::unstable;
-    plan.limit = "stability";
     plan.reason = "none of " + std::to_string(statistics_.candidates) +
                   " motions of the object can be carried out by the fingers";
   }

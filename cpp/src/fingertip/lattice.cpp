@@ -47,12 +47,10 @@ void explain(const Workshop& workshop, LatticeSpace& space, LatticeDistances& di
     plan.reason = "walls or obstacles stop the object on every way through the lattice";
   } else if (clear < workshop.problem.fingers.count) {
     plan.status = Status::no_location;
-    plan.limit = "geometry";
     plan.reason = "only " + std::to_string(clear) +
                   " fingertip locations are clear of floor, walls and obstacles at start and goal";
   } else {
     plan.status = Status::unstable;
-    plan.limit = "stability";
     plan.reason = "no way through the lattice keeps the object stable by min_stability = " +
                   std::to_string(workshop.options.min_stability) + " N all the way";
   }

@@ -133,19 +133,42 @@ void LatticeGraph::lift_fingers(Key key, double g) {
     const Key hub = static_cast<Key>(id_of(kept)) * space_.num_poses() + at;
     const auto known = nodes_.find(hub);
     if (known != nodes_.end() && known->second.is_closed) continue;
-    if (bounds_.solve(rest, kept) <= 0) continue;
+    if (refused_.count(hub) > 0 || bounds_.solve(rest, kept) <= 0) continue;
     push(g + manner_.regrasp_cost, at, kept, key, -1);
   }
 }
 
 Route LatticeGraph::search(const Manner& manner, planning::Clock& clock, Statistics& statistics) {
   manner_ = manner;
+  for (;;) {
+    Key goal = -1;
+    Route route = search_once(clock, statistics, goal);
+    if (!route.found || holds_at_rest(goal)) return route;
+  }
+}
+
+/// Whether the fingers kept hold the object in each regrasp also with cones along the way to go:
+/// the search does not know that yet when it comes to a hub. One that fails is refused.
+bool LatticeGraph::holds_at_rest(Key goal) {
+  int next_move = -1;
+  for (Key key = goal; key >= 0; key = nodes_.at(key).parent) {
+    const Node& node = nodes_.at(key);
+    if (node.move >= 0) next_move = node.move;
+    if (num_fingers(placement(key)) == count_ || next_move < 0) continue;
+    if (bounds_.solve(space_.rest_instant(pose(key), next_move), placement(key)) > 0) continue;
+    refused_.insert(key);
+    return false;
+  }
+  return true;
+}
+
+Route LatticeGraph::search_once(planning::Clock& clock, Statistics& statistics, Key& goal) {
   heap_.clear();
   nodes_.clear();
   push_all(0, space_.start(), kNoFingers, 0, -1);
   Route route;
   while (!heap_.empty()) {
-    if (nodes_.size() >= manner.max_nodes || clock.is_out() || !clock.spend()) return route;
+    if (nodes_.size() >= manner_.max_nodes || clock.is_out() || !clock.spend()) return route;
     std::pop_heap(heap_.begin(), heap_.end());
     Entry entry = heap_.back();
     heap_.pop_back();
@@ -153,13 +176,16 @@ Route LatticeGraph::search(const Manner& manner, planning::Clock& clock, Statist
     if (known != nodes_.end() && known->second.is_closed) continue;
     route.lower_bound = std::max(route.lower_bound, entry.f);
     if (!settle(entry)) continue;
-    nodes_[entry.key] = {entry.g, entry.parent, true};
+    nodes_[entry.key] = {entry.g, entry.parent, entry.move, true};
     ++statistics.nodes;
     if (num_fingers(placement(entry.key)) < count_) {
       push_all(entry.g, pose(entry.key), placement(entry.key), 0, entry.key);
       continue;
     }
-    if (pose(entry.key) == space_.goal()) return route_to(entry.key);
+    if (pose(entry.key) == space_.goal()) {
+      goal = entry.key;
+      return route_to(goal);
+    }
     expand(entry.key, entry.g);
     lift_fingers(entry.key, entry.g);
   }

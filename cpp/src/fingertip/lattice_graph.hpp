@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -36,6 +37,7 @@ class LatticeGraph {
   struct Node {
     double g;
     Key parent = -1;
+    int move = -1;  // from the parent; -1: to or from a hub
     bool is_closed = false;
   };
   struct Entry {
@@ -47,6 +49,7 @@ class LatticeGraph {
     }
   };
 
+  Route search_once(planning::Clock& clock, Statistics& statistics, Key& goal);
   int id_of(const Placement& placement);
   const Placement& placement(Key key) const;
   int pose(Key key) const;
@@ -59,6 +62,7 @@ class LatticeGraph {
   void expand(Key key, double g);
   void lift_fingers(Key key, double g);
   Route route_to(Key key) const;
+  bool holds_at_rest(Key goal);
 
   Workshop& workshop_;
   LatticeSpace& space_;
@@ -66,6 +70,7 @@ class LatticeGraph {
   LatticeDistances& distances_;
   int count_;  // of fingers
   Manner manner_{};
+  std::set<Key> refused_;  // hubs at which the fingers kept do not hold the object after all
   std::vector<Entry> heap_;
   std::unordered_map<Key, Node> nodes_;
   std::map<Placement, int> ids_;

@@ -59,6 +59,7 @@ Route search_regrasps(Workshop& workshop, LatticeSpace& space, LatticeBounds& bo
   for (const double share : {0.1, 1.0}) {
     Route route = within(graph.search(
         {std::min(options.regrasp_cost, share * least), kHaste, kHastyNodes}, clock, statistics));
+    if (route.is_complete && !route.found) return route;  // there is none
     if (route.found && route.cost < best.cost) best = route;
     if (!best.found || num_regrasps(best) == 1) break;
   }

@@ -204,6 +204,11 @@ int LatticeSpace::rest_instant(int pose) {
   return known;
 }
 
+int LatticeSpace::rest_instant(int pose, int next_move) {
+  const mechanics::Vector6d& twist_O = twists_O_[ix(yaw(pose)) * kMoves + ix(next_move)];
+  return workshop_.instants.add(resting_state(X_WO(pose), twist_O));
+}
+
 std::int64_t LatticeSpace::memory() const {
   return static_cast<std::int64_t>(arc_kinds_.size() * sizeof(int) + clear_.size() +
                                    displacements_.size() * sizeof(double) +

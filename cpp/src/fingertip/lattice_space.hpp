@@ -49,8 +49,10 @@ class LatticeSpace {
   /// The instants of a kind's samples; one when all are the same.
   const std::vector<int>& instants(int kind) const { return kinds_[ix(kind)]; }
   int num_kinds() const { return static_cast<int>(kinds_.size()); }
-  /// The object at rest, while a finger regrasps; -1: it cannot be there.
+  /// The object at rest, while a finger regrasps; -1: it cannot be there. Cones lie as if the
+  /// object had no way to go, or that of the move that goes on from there.
   int rest_instant(int pose);
+  int rest_instant(int pose, int next_move);
 
   std::int64_t memory() const;
 
