@@ -143,6 +143,11 @@ TEST_F(FingertipCheck, FingertipsThatOverlap) {
   expect_fault("finger 1 overlaps finger 0");
 }
 
+TEST_F(FingertipCheck, FingertipsFartherApartThanAHandOpens) {
+  problem_.fingers.max_span = 3;
+  expect_fault("m apart, more than fingers.max_span");
+}
+
 TEST_F(FingertipCheck, AWallInTheObjectsWay) {
   problem_.planes.push_back({"wall", {-1, 0, 0}, -4});
   plan_.segments[0].X_WO[1].translation().x() = 2;
