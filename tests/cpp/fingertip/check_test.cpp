@@ -145,7 +145,8 @@ TEST_F(FingertipCheck, FingertipsThatOverlap) {
 
 TEST_F(FingertipCheck, FingertipsFartherApartThanAHandOpens) {
   problem_.fingers.max_span = 3;
-  expect_fault("m apart, more than fingers.max_span");
+  expect_fault(
+      "segment 0 (slide), pose 0: finger 1 is 4.94975 m from finger 0, more than fingers.max_span");
 }
 
 TEST_F(FingertipCheck, AWallInTheObjectsWay) {
