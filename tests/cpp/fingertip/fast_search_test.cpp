@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The fast search against Dijkstra's.
+#include <cmath>
+#include <memory>
+#include <random>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
