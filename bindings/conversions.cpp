@@ -184,6 +184,19 @@ int frame_index(const robot::Robot& robot, const Key& frame, const std::string& 
   return index;
 }
 
+namespace {
+
+/// As Python shows it; of a long array its shape alone.
+std::string represent_value(const py::object& value) {
+  constexpr py::ssize_t kLongest = 32;
+  if (py::isinstance<py::array>(value) && py::array(value).size() > kLongest) {
+    return "<array of shape " + shape_of(py::array(value)) + ">";
+  }
+  return py::repr(value);
+}
+
+}  // namespace
+
 std::string represent(const py::handle& self, const std::vector<const char*>& names) {
   std::string text = py::str(py::type::handle_of(self).attr("__name__"));
   text += "(";
@@ -191,7 +204,7 @@ std::string represent(const py::handle& self, const std::vector<const char*>& na
     if (name != names.front()) {
       text += ", ";
     }
-    text += std::string(name) + "=" + std::string(py::repr(self.attr(name)));
+    text += std::string(name) + "=" + represent_value(self.attr(name));
   }
   return text + ")";
 }

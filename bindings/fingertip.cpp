@@ -197,7 +197,9 @@ void bind_surroundings(py::module_& m) {
               Field{"count", &Fingers::count, "1 to 4."}, Field{"radius", &Fingers::radius, "[m]."},
               Field{"max_normal_force", &Fingers::max_normal_force, "f_max of each [N]."},
               Field{"friction", &Fingers::friction,
-                    "Between fingertip and object: a number, or (lower, upper)."});
+                    "Between fingertip and object: a number, or (lower, upper)."},
+              Field{"max_span", &Fingers::max_span,
+                    "The farthest that two fingertips' centres may be apart [m]."});
 }
 
 void bind_motion(py::module_& m) {
@@ -457,13 +459,15 @@ void bind_realization(py::module_& m) {
             "Largest joint step between checked configurations [rad]."},
       Field{"max_jump", &RealizeOptions::max_jump, "Largest joint step between rows [rad]."},
       Field{"position_tolerance", &RealizeOptions::position_tolerance, "Of fingertips [m]."},
-      Field{"restarts", &RealizeOptions::restarts, "Configurations to start from."});
+      Field{"restarts", &RealizeOptions::restarts, "Rounds of configurations to start from."},
+      Field{"solutions", &RealizeOptions::solutions,
+            "Found, of which the one with the least scrub is kept."});
 
   py::class_<JointSegment>(m, "JointSegment", "A stretch of joint motion.")
       .def(py::init([](const std::string& name, const Array& positions, const Array& X_WO,
-                       int plan_segment) {
+                       int plan_segment, double scrub) {
              JointSegment segment{name, to_configurations(positions, "positions"),
-                                  to_poses(X_WO, "X_WO"), plan_segment};
+                                  to_poses(X_WO, "X_WO"), plan_segment, scrub};
              if (segment.positions.size() != segment.X_WO.size()) {
                throw std::invalid_argument(
                    "segment '" + name + "' has " + std::to_string(segment.positions.size()) +
@@ -472,9 +476,10 @@ void bind_realization(py::module_& m) {
              return segment;
            }),
            py::arg("name"), py::arg("positions"), py::arg("X_WO"), py::arg("plan_segment") = -1,
+           py::arg("scrub") = 0.0,
            "positions: (N, dof) [rad or m]. X_WO: (N, 4, 4) poses of O in the world.")
       .def_readonly("name", &JointSegment::name,
-                    "approach, push, turn, slide, tumble, release, reach, touch or retreat.")
+                    "approach, touch, slide, turn, tumble, release, reach or retreat.")
       .def_property_readonly(
           "positions",
           [](const JointSegment& self) {
@@ -487,6 +492,8 @@ void bind_realization(py::module_& m) {
           "(N, 4, 4) pose of O in the world at each row.")
       .def_readonly("plan_segment", &JointSegment::plan_segment,
                     "The segment of the plan that it carries out, or -1.")
+      .def_readonly("scrub", &JointSegment::scrub,
+                    "How far a fingertip that turns slips on its contact, at worst [m].")
       .def(
           "__len__", [](const JointSegment& self) { return self.positions.size(); },
           "Number of rows.")

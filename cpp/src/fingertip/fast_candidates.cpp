@@ -36,91 +36,130 @@ Candidates::Candidates(const PathQuery& query, const Supports& supports)
   }
 }
 
+std::vector<int> Candidates::instants(int arc) const {
+  std::vector<int> distinct;
+  for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+    const int instant = query_.instant(arc, j);
+    if (std::find(distinct.begin(), distinct.end(), instant) == distinct.end()) {
+      distinct.push_back(instant);
+    }
+  }
+  return distinct;
+}
+
+void Candidates::reserve(std::size_t more) {
+  const std::size_t count = all_.size() + more;
+  const auto arcs = static_cast<std::size_t>(query_.num_arcs());
+  all_.reserve(count);
+  index_.reserve(count);
+  for (auto* values : {&z_, &weight_}) values->reserve(count * instants_.size());
+  known_.reserve(count * instants_.size());
+  for (auto* values : {&reach_, &arcs_}) values->reserve(count * arcs);
+  for (auto* values : {&before_, &after_}) values->reserve(count * (arcs + 1));
+}
+
 int Candidates::open(const Placement& placement) {
   const auto [entry, is_new] = index_.emplace(placement, size());
   if (!is_new) return entry->second;
   const int c = size();
   all_.push_back({placement});
   z_.resize(z_.size() + instants_.size(), kInfinity);
-  known_.resize(known_.size() + instants_.size(), Known::bound);
-  before_.resize(before_.size() + static_cast<std::size_t>(query_.num_poses()), kInfinity);
-  after_.resize(after_.size() + static_cast<std::size_t>(query_.num_poses()), kInfinity);
-  bool was_clear = is_feasible(query_, 0, placement);
+  weight_.resize(z_.size(), 1.0);
+  known_.resize(z_.size(), Known::bound);
+  const auto poses = static_cast<std::size_t>(query_.num_poses());
+  before_.resize(before_.size() + poses, kInfinity);
+  after_.resize(after_.size() + poses, kInfinity);
+  bool was_clear = is_clear(0, placement);
   for (int arc = 0; arc < query_.num_arcs(); ++arc) {
-    const bool is_clear = is_feasible(query_, arc + 1, placement);
-    arcs_.push_back(was_clear && is_clear ? -1 : kInfinity);
-    was_clear = is_clear;
+    const bool is_clear_now = is_clear(arc + 1, placement);
+    double reach = 0;
+    for (int i = 0; i < query_.num_fingers; ++i) {
+      reach = std::max(reach, query_.displacement(arc, placement[static_cast<std::size_t>(i)]));
+    }
+    reach_.push_back(was_clear && is_clear_now ? reach : kInfinity);
+    arcs_.push_back(reach_.back() * query_.options.samples_per_arc);
+    was_clear = is_clear_now;
   }
-  update(c, true);
+  add_up(c);
   return c;
+}
+
+bool Candidates::is_clear(int pose, const Placement& placement) const {
+  for (int i = 0; i < query_.num_fingers; ++i) {
+    if (!query_.is_clear(pose, placement[static_cast<std::size_t>(i)])) return false;
+  }
+  return true;
+}
+
+/// Without a look at the bounds: that is for when the candidate is part of a best route.
+void Candidates::add_up(int c) {
+  const int arcs = query_.num_arcs();
+  double* before = &before_[sum_index(c, 0)];
+  double* after = &after_[sum_index(c, 0)];
+  const double* cost = &arcs_[arc_index(c, 0)];
+  before[0] = after[arcs] = 0;
+  for (int arc = 0; arc < arcs; ++arc) before[arc + 1] = before[arc] + cost[arc];
+  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
+}
+
+void Candidates::set_stability(int c, int slot, double z) {
+  const std::size_t i = slot_index(c, slot);
+  z_[i] = z;
+  weight_[i] = z > 0 ? 1 + query_.options.stability_weight / z : kInfinity;
 }
 
 bool Candidates::tighten(int c, int slot) {
   const std::size_t i = slot_index(c, slot);
   const int instant = instants_[static_cast<std::size_t>(slot)];
   if (known_[i] == Known::solved || supports_.stamp(instant) <= at(c).stamp) return false;
-  const double bound = static_cast<double>(supports_.bound(instant, at(c).placement));
+  const auto bound = static_cast<double>(supports_.bound(instant, at(c).placement));
   if (bound >= z_[i]) return false;
-  z_[i] = bound < query_.options.min_stability ? 0 : bound;
+  set_stability(c, slot, bound < query_.options.min_stability ? 0 : bound);
   return true;
 }
 
-double Candidates::cost(int c, int arc) const {
-  constexpr int kMany = 64;
-  double few[kMany];
-  std::vector<double> many;
+/// Eq. (9) with what is known of z.
+double Candidates::tighten_arc(int c, int arc, bool& changed) {
+  double& cost = arcs_[arc_index(c, arc)];
+  if (cost == kInfinity) return cost;
+  bool is_lower = cost < 0;  // not computed yet
   const int samples = query_.options.samples_per_arc;
-  double* z = few;
-  if (samples > kMany) {
-    many.resize(static_cast<std::size_t>(samples));
-    z = many.data();
+  for (int j = 0; j < samples; ++j) is_lower |= tighten(c, slot(arc, j));
+  // Slots that several arcs share tell only the first of them.
+  if (is_lower || static_cast<int>(instants_.size()) < query_.num_arcs() * samples) {
+    double weight = 0;
+    for (int j = 0; j < samples; ++j) weight += weight_[slot_index(c, slot(arc, j))];
+    const double now = reach_[arc_index(c, arc)] * weight;
+    changed |= now != cost;
+    cost = now;
   }
-  for (int j = 0; j < samples; ++j) {
-    z[j] = z_[slot_index(c, slot(arc, j))];
-    if (z[j] <= 0) return kInfinity;
-  }
-  return arc_cost(query_, arc, at(c).placement, z);
+  return cost;
 }
 
 bool Candidates::refresh(int c) {
   if (at(c).stamp >= supports_.stamp()) return false;
-  return update(c, false);
+  return update(c);
 }
 
-bool Candidates::update(int c, bool all) {
-  bool changed = all;
-  const auto tightened = [&](int arc) {
-    double& value = arcs_[arc_index(c, arc)];
-    if (value == kInfinity) return kInfinity;
-    bool lower = all || value < 0;
-    for (int j = 0; j < query_.options.samples_per_arc; ++j) lower |= tighten(c, slot(arc, j));
-    if (lower) {
-      value = cost(c, arc);
-      changed = true;
-    }
-    return value;
-  };
+bool Candidates::update(int c) {
+  bool changed = false;
   const int arcs = query_.num_arcs();
-  double sum = 0;
-  int first_dead = arcs;
-  before_[sum_index(c, 0)] = 0;
+  double* before = &before_[sum_index(c, 0)];
+  double* after = &after_[sum_index(c, 0)];
+  before[0] = after[arcs] = 0;
+  int dead = arcs;  // the first arc that cannot be
   for (int arc = 0; arc < arcs; ++arc) {
-    if (sum < kInfinity) {
-      sum += tightened(arc);
-      if (sum == kInfinity) first_dead = arc;
-    }
-    before_[sum_index(c, arc + 1)] = sum;
+    if (dead == arcs) before[arc + 1] = before[arc] + tighten_arc(c, arc, changed);
+    if (dead == arcs && before[arc + 1] == kInfinity) dead = arc;
+    if (dead < arcs) before[arc + 1] = kInfinity;
   }
-  sum = 0;
-  after_[sum_index(c, arcs)] = 0;
   for (int arc = arcs - 1; arc >= 0; --arc) {
-    if (arc <= first_dead && first_dead < arcs) sum = kInfinity;
-    if (sum < kInfinity) sum += first_dead == arcs ? arcs_[arc_index(c, arc)] : tightened(arc);
-    after_[sum_index(c, arc)] = sum;
+    const bool is_cut = after[arc + 1] == kInfinity || arc == dead;
+    after[arc] = is_cut ? kInfinity
+                        : after[arc + 1] + (dead == arcs ? arcs_[arc_index(c, arc)]
+                                                         : tighten_arc(c, arc, changed));
   }
-  if (keeps_middles_) {
-    for (int arc = first_dead; arc < arcs; ++arc) tightened(arc);
-  }
+  for (int arc = dead; arc < arcs && keeps_middles_; ++arc) tighten_arc(c, arc, changed);
   at(c).stamp = supports_.stamp();
   return changed;
 }
@@ -129,7 +168,7 @@ void Candidates::keep_middles() {
   keeps_middles_ = true;
   for (int c = 0; c < size(); ++c) {
     at(c).stamp = 0;
-    update(c, true);
+    update(c);
   }
 }
 
@@ -158,6 +197,17 @@ bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& 
   return any;
 }
 
+bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
+  for (int arc = first_arc; arc < last_arc; ++arc) {
+    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+      const std::size_t i = slot_index(c, slot(arc, j));
+      if (known_[i] != Known::solved || !(z_[i] > 0)) return false;
+    }
+    if (reach_[arc_index(c, arc)] == kInfinity) return false;
+  }
+  return true;
+}
+
 void Candidates::ask_slot(int c, int slot, std::vector<Question>& questions) {
   Known& known = known_[slot_index(c, slot)];
   if (known != Known::bound) return;
@@ -172,22 +222,21 @@ void Candidates::ask_slot(int c, int slot, std::vector<Question>& questions) {
 
 void Candidates::learn(const Question& question) {
   const int c = question.index;
-  const std::size_t i = slot_index(c, question.slot);
-  z_[i] = question.z;
-  known_[i] = Known::solved;
+  set_stability(c, question.slot, question.z);
+  known_[slot_index(c, question.slot)] = Known::solved;
   ++at(c).solved;
   for (int arc = 0; arc < query_.num_arcs(); ++arc) {
-    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
-      double& value = arcs_[arc_index(c, arc)];
-      if (slot(arc, j) == question.slot && value < kInfinity) value = cost(c, arc);
+    double& cost = arcs_[arc_index(c, arc)];
+    for (int j = 0; j < query_.options.samples_per_arc && cost < kInfinity; ++j) {
+      if (slot(arc, j) == question.slot) cost = -1;  // to be computed anew
     }
   }
-  update(c, false);
+  update(c);
 }
 
 std::int64_t Candidates::bytes_each(const PathQuery& query) {
   const std::int64_t arcs = query.num_arcs();
-  return 64 + arcs * query.options.samples_per_arc * 9 + (3 * arcs + 2) * 8;
+  return 64 + arcs * query.options.samples_per_arc * 17 + (4 * arcs + 2) * 8;
 }
 
 std::int64_t Candidates::memory() const { return size() * bytes_each(query_); }

@@ -30,7 +30,9 @@ class Candidates {
  public:
   Candidates(const PathQuery& query, const Supports& supports);
 
-  /// The candidate of this placement, with bounds as they are now. Made when there is none.
+  void reserve(std::size_t more);
+  /// The candidate of this placement, made when there is none; it costs its displacement alone
+  /// until refresh().
   int open(const Placement& placement);
   int size() const { return static_cast<int>(all_.size()); }
   const Placement& placement(int c) const { return at(c).placement; }
@@ -48,6 +50,8 @@ class Candidates {
   /// Adds questions about the most critical samples of these arcs that are open, more each time;
   /// returns whether any is open, asked already or not.
   bool ask(int c, int first_arc, int last_arc, std::vector<Question>& questions);
+  /// Whether all samples of these arcs have been solved, and are stable.
+  bool is_solved(int c, int first_arc, int last_arc) const;
   /// Adds the question about one sample, by its place in instants(), if it is open.
   void ask_slot(int c, int slot, std::vector<Question>& questions);
   /// Takes the answer.
@@ -55,6 +59,7 @@ class Candidates {
 
   /// Distinct instants of the motion, in its order.
   const std::vector<int>& instants() const { return instants_; }
+  std::vector<int> instants(int arc) const;  // of an arc's samples, each once
   std::int64_t memory() const;
   static std::int64_t bytes_each(const PathQuery& query);
 
@@ -81,17 +86,22 @@ class Candidates {
   int slot(int arc, int sample) const {
     return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
   }
+  bool is_clear(int pose, const Placement& placement) const;
+  void add_up(int c);
   bool tighten(int c, int slot);
-  double cost(int c, int arc) const;
-  bool update(int c, bool all);
+  double tighten_arc(int c, int arc, bool& changed);
+  void set_stability(int c, int slot, double z);
+  bool update(int c);
 
   const PathQuery& query_;
   const Supports& supports_;
   std::vector<int> instants_, slots_;
   std::vector<Candidate> all_;
-  std::vector<double> z_;               // candidates x slots
-  std::vector<Known> known_;            // candidates x slots
-  std::vector<double> arcs_;            // candidates x arcs
+  std::vector<double> z_;       // candidates x slots
+  std::vector<double> weight_;  // candidates x slots: 1 + X_stab / z
+  std::vector<Known> known_;    // candidates x slots
+  std::vector<double> reach_;   // candidates x arcs: the longest displacement; infinite: not clear
+  std::vector<double> arcs_;    // candidates x arcs
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_middles_ = false;

@@ -26,11 +26,13 @@ int Hubs::open(const Placement& kept) {
   return entry->second;
 }
 
-void Hubs::add(int candidate) {
-  const Placement placement = candidates_.placement(candidate);
-  for (const std::int32_t location : placement) {
-    if (location < 0) break;
-    members_[static_cast<std::size_t>(open(without(placement, location)))].push_back(candidate);
+void Hubs::link() {
+  for (; linked_ < candidates_.size(); ++linked_) {
+    const Placement placement = candidates_.placement(linked_);
+    for (const std::int32_t location : placement) {
+      if (location < 0) break;
+      members_[static_cast<std::size_t>(open(without(placement, location)))].push_back(linked_);
+    }
   }
 }
 

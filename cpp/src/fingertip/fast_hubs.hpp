@@ -18,8 +18,9 @@ class Hubs {
  public:
   Hubs(const PathQuery& query, const Supports& supports, const Candidates& candidates);
 
-  /// Links a candidate to the hubs of all its subsets of one finger less.
-  void add(int candidate);
+  /// Links candidates that are new since the last call to the hubs of all their subsets of one
+  /// finger less.
+  void link();
   int open(const Placement& kept);
   int size() const { return static_cast<int>(kept_.size()); }
   const Placement& kept(int hub) const { return kept_[static_cast<std::size_t>(hub)]; }
@@ -29,6 +30,9 @@ class Hubs {
 
   /// Whether the object may rest there as far as is known.
   bool may_rest(int hub, int pose);
+
+  /// Whether it has been shown to rest there.
+  bool rests(int hub, int pose) { return known(hub, slot(pose)) == Known::rests; }
 
   /// The cheapest route with one regrasp, there, and its candidates.
   struct Regrasp {
@@ -56,6 +60,7 @@ class Hubs {
   const PathQuery& query_;
   const Supports& supports_;
   const Candidates& candidates_;
+  int linked_ = 0;
   std::vector<int> instants_, slots_;
   std::vector<Placement> kept_;
   std::vector<std::vector<int>> members_;

@@ -30,21 +30,22 @@ Lanes::~Lanes() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Lanes::solve(std::vector<Question>& questions) {
+void Lanes::start(std::vector<Question>& questions) {
   questions_ = &questions;
   next_lane_ = 0;
-  if (!threads_.empty() && questions.size() > 1) {
-    busy_ = threads_.size();
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      ++round_;
-    }
-    wake_.notify_all();
-    take_lanes();
-    while (busy_ > 0) std::this_thread::yield();
-  } else {
-    take_lanes();
+  shared_ = !threads_.empty() && !questions.empty();
+  if (!shared_) return;
+  busy_ = threads_.size();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++round_;
   }
+  wake_.notify_all();
+}
+
+void Lanes::finish() {
+  take_lanes();
+  while (shared_ && busy_ > 0) std::this_thread::yield();
   if (failure_) std::rethrow_exception(failure_);
 }
 

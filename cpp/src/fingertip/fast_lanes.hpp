@@ -36,7 +36,10 @@ class Lanes {
   Lanes(const Lanes&) = delete;
   Lanes& operator=(const Lanes&) = delete;
 
-  void solve(std::vector<Question>& questions);
+  /// Begins to solve on the other threads; the questions must stay until finish().
+  void start(std::vector<Question>& questions);
+  /// Solves what is left and waits for the rest.
+  void finish();
 
  private:
   void help();        // what the other threads do
@@ -50,6 +53,7 @@ class Lanes {
   std::condition_variable wake_;
   std::atomic<int> round_{0};
   std::atomic<std::size_t> next_lane_{0}, busy_{0};
+  bool shared_ = false;  // the other threads were woken
   std::atomic<bool> stop_{false};
   std::exception_ptr failure_;
 };

@@ -161,21 +161,11 @@ class Layers {
 /// Placements that can carry the object along any arc, and their hubs.
 void list_all(FastSearch& search) {
   search.candidates.keep_middles();
-  const int linked = search.hubs.size() == 0 ? 0 : search.candidates.size();
   for (int arc = 0; arc < search.query.num_arcs(); ++arc) {
-    std::vector<int> instants;
-    for (int j = 0; j < search.query.options.samples_per_arc; ++j) {
-      instants.push_back(search.query.instant(arc, j));
-    }
-    for_each_placement(search.query, search.supports, search.count,
-                       clear_locations(search.query, arc, arc + 1), instants,
-                       [&](const Placement& placement) {
-                         search.candidates.open(placement);
-                         search.watch_memory();
-                         return true;
-                       });
+    open_all(search, clear_locations(search.query, arc, arc + 1), search.candidates.instants(arc));
   }
-  for (int c = linked; c < search.candidates.size(); ++c) search.hubs.add(c);
+  for (int c = 0; c < search.candidates.size(); ++c) search.candidates.refresh(c);
+  search.hubs.link();
 }
 
 /// Asks what is open on the route, last place first; false when nothing is.

@@ -20,8 +20,12 @@ struct FastSearch {
 
   /// Solves the questions, and hands what came of them to bounds, candidates and hubs.
   void solve(std::vector<Question>& questions);
+  /// Starts to solve them, and meanwhile hands on what came of those that were started before.
+  void solve_and_learn_last(std::vector<Question>& questions);
   /// Throws std::length_error when the tables have outgrown Options::max_memory.
-  void watch_memory(std::int64_t more = 0);
+  void watch_memory(std::int64_t more_candidates = 0);
+
+  static constexpr std::size_t kWatch = 4096;  // placements from one look to the next
 
   const PathQuery& query;
   const int count;  // of fingers
@@ -31,8 +35,13 @@ struct FastSearch {
   Candidates candidates;
   Hubs hubs;
   Lanes lanes;
+  std::int64_t unopened = 0;      // placements that wait in the frontier
   double least_displacement = 0;  // no route costs less, whatever its placements
   double limit;                   // routes of this cost or more are not looked for
+
+ private:
+  void learn(const std::vector<Question>& questions);
+  std::vector<Question> solved_;  // and not handed on yet
 };
 
 /// Solves a few placements at the instants, until their functionals refuse nearly all that can be
@@ -40,8 +49,18 @@ struct FastSearch {
 void seed_supports(FastSearch& search, const std::vector<int>& locations,
                    const std::vector<int>& instants);
 
+/// Opens all placements that the bounds allow at the instants.
+void open_all(FastSearch& search, const std::vector<int>& locations,
+              const std::vector<int>& instants);
+
 /// Locations clear at all poses from `first` to `last`.
 std::vector<int> clear_locations(const PathQuery& query, int first, int last);
+
+/// One candidate up to a pose and another from there on; the same one, and no regrasp.
+std::vector<Node> nodes_of(const FastSearch& search, int first, int second, int pose);
+
+/// The cheapest route: those with at most one regrasp best first, then search_layers().
+Route search_best_first(FastSearch& search);
 
 /// The cheapest route with at most `max_regrasps`, by dynamic programming over poses, regrasps and
 /// placements, solving what is open on the best one until nothing is.

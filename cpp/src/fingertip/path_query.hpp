@@ -64,7 +64,9 @@ struct Route {
 Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,
                    planning::Clock& clock, Statistics& statistics,
                    double limit = std::numeric_limits<double>::infinity());
-/// Lazy best-first search over placements. The same cost. One evaluator a thread.
+/// Lazy best-first search over placements. The same cost. Work is shared among the evaluators,
+/// kLanes of them if the answer is to be the same bit by bit whatever the number of threads.
+constexpr int kLanes = 4;
 Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
                   planning::Clock& clock, Statistics& statistics,
                   double limit = std::numeric_limits<double>::infinity());

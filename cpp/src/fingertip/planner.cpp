@@ -5,6 +5,7 @@
 // manipulation-feasibility graph, and the plan.
 #include "fingertip/planner.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "fingertip/assemble.hpp"
@@ -50,7 +51,9 @@ Workshop::Workshop(const Problem& problem_in, const Options& options_in)
       options(options_in),
       locations(problem.object, problem.fingers, options),
       instants(problem, options) {
-  for (int i = 0; i < options.threads; ++i) evaluators.emplace_back(instants, locations, options);
+  for (int i = 0; i < std::max(kLanes, options.threads); ++i) {
+    evaluators.emplace_back(instants, locations, options);
+  }
 }
 
 Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,

@@ -14,6 +14,8 @@
 namespace graspless::fingertip {
 namespace {
 
+constexpr double kLittle = 0.01;  // scrub, in radii, that nobody needs to improve
+
 void check_home(const robot::Robot& robot, const Eigen::VectorXd& q_home) {
   if (q_home.size() != robot.dof()) {
     throw std::invalid_argument("q_home must have " + std::to_string(robot.dof()) +
@@ -42,6 +44,19 @@ std::vector<std::vector<int>> assignments(int fingers) {
 std::string home_collision(Hand& hand, const Plan& plan, const Eigen::VectorXd& q_home) {
   hand.scene.place_object(plan.segments.front().X_WO.front());
   return hand.scene.collision(q_home);
+}
+
+double total_scrub(const std::vector<JointSegment>& segments) {
+  double sum = 0;
+  for (const JointSegment& segment : segments) sum += segment.scrub;
+  return sum;
+}
+
+void keep_better(const Attempts& attempt, Realization& result) {
+  if (result.found && total_scrub(attempt.segments()) >= total_scrub(result.segments)) return;
+  result.found = true;
+  result.finger_of_fingertip = attempt.finger_of_fingertip();
+  result.segments = attempt.segments();
 }
 
 std::string reason(const planning::Clock& clock, bool is_out, const Misses& misses) {
@@ -74,17 +89,18 @@ Realization realize(const Problem& problem, const Plan& plan, const robot::Robot
     return result;
   }
   bool is_out = false;
-  for (int round = 0; round < options.restarts && !is_out; ++round) {
+  int found = 0;
+  for (int round = 0; round < options.restarts && found < options.solutions && !is_out; ++round) {
     for (Attempts& attempt : attempts) {
       is_out = clock.is_out() || !clock.spend();
       if (is_out) break;
       if (!attempt.run(round)) continue;
-      result.found = true;
-      result.finger_of_fingertip = attempt.finger_of_fingertip();
-      result.segments = attempt.segments();
-      return result;
+      ++found;
+      keep_better(attempt, result);
+      if (total_scrub(result.segments) <= kLittle * problem.fingers.radius) return result;
     }
   }
+  if (result) return result;
   result.reason = reason(clock, is_out, misses);
   return result;
 }

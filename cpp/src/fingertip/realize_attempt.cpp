@@ -13,11 +13,8 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr int kFarIterations = 80;  // of inverse kinematics from a random configuration
-constexpr int kGripDraws = 12;      // configurations a round
-constexpr int kWays = 4;            // biases tried for a displacement
-constexpr int kBiasDraws = 12;      // configurations at its end tried for one of them
-constexpr int kRegraspDraws = 8;    // configurations tried for a finger's new place
+constexpr int kBiases = 2;        // tried for a displacement, beside none
+constexpr int kRegraspDraws = 8;  // configurations tried for a finger's new place
 constexpr int kFirstIterations = 100, kDoublings = 4;  // of tree searches
 
 Grip grip_of(const Row& row, double radius) {
@@ -79,6 +76,7 @@ Attempts::Attempts(const Problem& problem, const Plan& plan, const Eigen::Vector
 
 bool Attempts::run(int round) {
   segments_.clear();
+  is_strict_ = round < hand_.options.restarts / 4;
   reach_iterations_ = kFirstIterations << std::min(round / 4, kDoublings);
   const Grip& grip = grips_[0];
   const Eigen::Isometry3d& X_WO = plan_.segments.front().X_WO.front();
@@ -100,60 +98,6 @@ bool Attempts::run(int round) {
   return true;
 }
 
-/// Home first, then wider and wider about it, every other one from anywhere. A configuration that
-/// touches something (crossed fingers, say) seldom leads to one that does not.
-Eigen::VectorXd Attempts::draw_seed(int round, int draw) {
-  constexpr int kTries = 20;
-  if (round == 0 && draw == 0) return q_home_;
-  hand_.scene.set_contacts(grips_[0].n_O, 0);
-  Eigen::VectorXd q = scatter(round, draw % 2 == 0);
-  for (int i = 1; i < kTries && !hand_.scene.is_free(q); ++i) q = scatter(round, draw % 2 == 0);
-  return q;
-}
-
-Eigen::VectorXd Attempts::scatter(int round, bool about_home) {
-  const robot::Robot& robot = hand_.ik.robot();
-  std::uniform_real_distribution<double> uniform(0, 1);
-  std::normal_distribution<double> normal(0, 0.1 * (1 + std::min(round, 9)));
-  Eigen::VectorXd q = q_home_;
-  for (const int joint : hand_.ik.joints()) {
-    const double lower = robot.lower()[joint], upper = robot.upper()[joint];
-    if (about_home)
-      q[joint] += normal(rng_) * std::min(1.0, upper - lower);
-    else
-      q[joint] = lower + uniform(rng_) * (upper - lower);
-  }
-  return robot.clamp(q);
-}
-
-std::optional<Eigen::VectorXd> Attempts::configuration(const Grip& grip,
-                                                       const Eigen::Isometry3d& X_WO,
-                                                       Eigen::VectorXd q, int stage,
-                                                       const std::string& where) {
-  const Stretch still{{X_WO}, 1, grip.center_O, grip.center_O, all()};
-  const TipTargets targets = still.targets(0);
-  if (!hand_.ik.solve(targets, kIkTolerance, kFarIterations, q)) {
-    misses_.note(stage, -hand_.ik.miss(targets, q).first,
-                 where + ": " + describe_miss(hand_, targets, q));
-    return std::nullopt;
-  }
-  hand_.scene.set_contacts(grip.n_O, all());
-  hand_.scene.place_object(X_WO);
-  if (hand_.scene.is_free(q)) return q;
-  misses_.note(stage + 1, 0, where + ": " + hand_.scene.collision(q));
-  return std::nullopt;
-}
-
-std::optional<Eigen::VectorXd> Attempts::draw_grip(int round) {
-  const Grip& grip = grips_[0];
-  for (int draw = 0; draw < kGripDraws && !clock_.is_out(); ++draw) {
-    const auto q = configuration(grip, plan_.segments.front().X_WO.front(), draw_seed(round, draw),
-                                 0, name(0) + ", row 0");
-    if (q) return q;
-  }
-  return std::nullopt;
-}
-
 bool Attempts::carry(Index k, const Eigen::VectorXd& q) {
   if (clock_.is_out()) return false;
   if (k == plan_.segments.size()) return leave_for_good(q);
@@ -165,12 +109,15 @@ bool Attempts::displace(Index k, const Eigen::VectorXd& q) {
   const Grip& grip = grips_[k];
   const auto arcs = segment.X_WO.size() - 1;
   const auto samples = static_cast<int>(segment.rows.size() / arcs);
-  const Stretch stretch{segment.X_WO, 2 * samples, grip.center_O, grip.center_O, all()};
-  for (int way = 0; way < kWays && !clock_.is_out(); ++way) {
-    const Bias bias = way == 0 ? std::nullopt : draw_bias(k, q);
-    if (way > 0 && !bias) break;
+  const Stretch free{segment.X_WO, 2 * samples, grip.center_O, grip.center_O, all()};
+  Stretch turning = free;
+  turning.n_O = grip.n_O;
+  for (int way = 0; way < 2 + kBiases && !clock_.is_out(); ++way) {
+    if (way > 0 && is_strict_) break;
+    const Bias bias = way < 2 ? std::nullopt : draw_bias(k, q);
+    if (way >= 2 && !bias) break;
     hand_.scene.set_contacts(grip.n_O, all());
-    Tracked rows = track(hand_, stretch, q, bias);
+    Tracked rows = track(hand_, way == 0 ? turning : free, q, bias);
     if (!rows.is_complete()) {
       const int row = static_cast<int>(rows.reached * samples);
       misses_.note(stage(k), rows.reached,
@@ -179,22 +126,11 @@ bool Attempts::displace(Index k, const Eigen::VectorXd& q) {
     }
     const Eigen::VectorXd last = rows.positions.back();
     push(segment.name, std::move(rows), static_cast<int>(k));
+    segments_.back().scrub = scrub(hand_, segments_.back(), grip.n_O, all());
     if (carry(k + 1, last)) return true;
     segments_.pop_back();
   }
   return false;
-}
-
-/// A configuration at the end of displacement k to head for.
-Bias Attempts::draw_bias(Index k, const Eigen::VectorXd& q) {
-  for (int draw = 0; draw < kBiasDraws; ++draw) {
-    Eigen::VectorXd seed = draw % 3 == 0 ? q : draw_seed(9, draw);
-    if (draw % 3 == 0 && draw > 0) seed = (q + draw_seed(9, 1)) / 2;
-    const auto bias = configuration(grips_[k], plan_.segments[k].X_WO.back(), seed, stage(k) - 1,
-                                    name(k) + ", last row");
-    if (bias && (draw > 0 || !bias->isApprox(q, 1e-6))) return bias;
-  }
-  return std::nullopt;
 }
 
 bool Attempts::regrasp(Index k, const Eigen::VectorXd& q) {
@@ -225,6 +161,8 @@ bool Attempts::regrasp(Index k, const Eigen::VectorXd& q) {
     push("release", off->rows, static_cast<int>(k));
     push_still("reach", *way, X_WO, static_cast<int>(k));
     push_reversed("touch", on->rows, static_cast<int>(k));
+    for (auto s = segments_.end() - 3; s != segments_.end(); ++s)
+      s->scrub = scrub(hand_, *s, after.n_O, held.held);
     if (carry(k + 1, *next)) return true;
     segments_.resize(segments_.size() - 3);
   }
@@ -264,6 +202,7 @@ std::optional<Attempts::Leaving> Attempts::leave(const Grip& grip, FingerMask fi
     for (Eigen::Index i = 0; i < grip.n_O.cols(); ++i) {
       if ((fingers >> i & 1U) != 0) out.to_O.col(i) -= distance * grip.n_O.col(i);
     }
+    if (fingers != all()) out.n_O = grip.n_O;  // those that stay should not roll
     hand_.scene.set_contacts(grip.n_O, all());
     Tracked rows = track(hand_, out, q);
     if (!rows.is_complete()) {

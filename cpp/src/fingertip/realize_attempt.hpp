@@ -79,6 +79,7 @@ class Attempts {
   Misses& misses_;
   std::vector<Grip> grips_;  // of each segment, a regrasp's as it ends
   int reach_iterations_ = 0;
+  bool is_strict_ = true;         // early rounds: only motions in which the fingertips do not roll
   std::optional<Leaving> first_;  // off the first grip: the approach's end, backwards
   std::vector<JointSegment> segments_;
 };

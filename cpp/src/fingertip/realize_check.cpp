@@ -42,6 +42,7 @@ std::vector<std::string> RealizeExamination::run() {
     const Phase& phase = phases_[segment_];
     check_object(segment, phase);
     check_ends(segment, phase);
+    check_scrub(segment, phase);
     check_segment(segment, phase);
   }
   return faults_;

@@ -143,6 +143,28 @@ void RealizeExamination::check_ends(const JointSegment& segment, const Phase& ph
   }
 }
 
+/// Of fingers that hold: how far the point of the sphere that lies on the contact wanders.
+void RealizeExamination::check_scrub(const JointSegment& segment, const Phase& phase) {
+  double worst = 0;
+  for (std::size_t i = 0; i < phase.places.size(); ++i) {
+    if (!phase.holds[i]) continue;
+    const auto frame = static_cast<std::size_t>(frame_of_finger_[i]);
+    double path = 0;
+    Eigen::Vector3d before_F;
+    for (std::size_t row = 0; row < segment.positions.size(); ++row) {
+      robot_.forward(segment.positions[row], X_WL_);
+      const Eigen::Vector3d n_F =
+          X_WL_[frame].linear().transpose() * (segment.X_WO[row].linear() * phase.places[i].n_O);
+      if (row > 0) path += (n_F - before_F).norm();
+      before_F = n_F;
+    }
+    worst = std::max(worst, problem_.fingers.radius * path);
+  }
+  if (std::abs(worst - segment.scrub) > 1e-6 + 0.01 * worst)
+    fault(0, "scrub is " + millimetres(segment.scrub) + " but the fingertips slip by " +
+                 millimetres(worst));
+}
+
 Eigen::Vector3d RealizeExamination::tip_O(std::size_t finger, const Eigen::Isometry3d& X_WO) const {
   const auto frame = static_cast<std::size_t>(frame_of_finger_[finger]);
   return X_WO.inverse() * X_WL_[frame].translation();

@@ -45,6 +45,7 @@ class RealizeExamination {
   void check_instant(std::size_t row, const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO,
                      const Phase& phase);
   void check_tips(std::size_t row, const Eigen::Isometry3d& X_WO, const Phase& phase);
+  void check_scrub(const JointSegment& segment, const Phase& phase);
   void check_ends(const JointSegment& segment, const Phase& phase);
   Eigen::Vector3d tip_O(std::size_t finger, const Eigen::Isometry3d& X_WO) const;
   Eigen::Vector3d center_O(std::size_t finger, const Phase& phase) const;

@@ -36,6 +36,10 @@ const std::string& TipIk::fingertip(int finger) const {
   return robot_.frame_names()[frame];
 }
 
+Eigen::Isometry3d TipIk::pose(int finger, const Eigen::VectorXd& q) const {
+  return robot_.pose(frames_[static_cast<std::size_t>(finger)], q);
+}
+
 double TipIk::errors(const TipTargets& targets, const Eigen::VectorXd& q) {
   robot_.forward(q, X_WL_);
   error_.resize(3 * static_cast<Eigen::Index>(frames_.size()));
@@ -52,12 +56,15 @@ double TipIk::errors(const TipTargets& targets, const Eigen::VectorXd& q) {
 
 void TipIk::jacobians(const TipTargets& targets) {
   J_.resize(error_.size(), static_cast<Eigen::Index>(joints_.size()));
+  J_turn_.resize(J_.rows(), J_.cols());
   Eigen::Index rows = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if ((targets.held >> i & 1U) == 0) continue;
     robot_.jacobian(frames_[i], X_WL_, J_frame_);
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      J_.block<3, 1>(rows, static_cast<Eigen::Index>(j)) = J_frame_.block<3, 1>(0, joints_[j]);
+      const auto column = static_cast<Eigen::Index>(j);
+      J_.block<3, 1>(rows, column) = J_frame_.block<3, 1>(0, joints_[j]);
+      J_turn_.block<3, 1>(rows, column) = J_frame_.block<3, 1>(3, joints_[j]);
     }
     rows += 3;
   }
@@ -93,11 +100,7 @@ bool TipIk::solve(const TipTargets& targets, double tolerance, int max_iteration
   const double enough = tolerance * tolerance;
   for (int i = 0; i < max_iterations && now > enough && damping < kMostDamping; ++i) {
     jacobians(targets);
-    Eigen::VectorXd next = q;
-    const Eigen::VectorXd dq = step(q, damping);
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      next[joints_[j]] += dq[static_cast<Eigen::Index>(j)];
-    next = robot_.clamp(next);
+    const Eigen::VectorXd next = with(q, step(q, damping));
     const double then = errors(targets, next);
     if (then < now) {
       q = next;
@@ -109,6 +112,39 @@ bool TipIk::solve(const TipTargets& targets, double tolerance, int max_iteration
     }
   }
   return now <= enough;
+}
+
+Eigen::VectorXd TipIk::with(const Eigen::VectorXd& q, const Eigen::VectorXd& dq) const {
+  Eigen::VectorXd next = q;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    next[joints_[j]] += dq[static_cast<Eigen::Index>(j)];
+  return robot_.clamp(next);
+}
+
+Eigen::VectorXd TipIk::step_along(const TipTargets& targets, const Eigen::Vector3d& turn_W,
+                                  const Eigen::Matrix3Xd& n_W, const Eigen::VectorXd& q) {
+  constexpr double kDamping = 1e-8, kTurnDamping = 1e-3;  // [m^2], [1]
+  errors(targets, q);
+  jacobians(targets);
+  Eigen::VectorXd turns(error_.size());
+  Eigen::Index rows = 0;
+  for (Eigen::Index i = 0; i < n_W.cols(); ++i) {
+    if ((targets.held >> i & 1U) == 0) continue;
+    const Eigen::Matrix3d across =
+        Eigen::Matrix3d::Identity() - n_W.col(i) * n_W.col(i).transpose();
+    turns.segment<3>(rows) = across * turn_W;
+    J_turn_.middleRows<3>(rows) = across * J_turn_.middleRows<3>(rows).eval();
+    rows += 3;
+  }
+  Eigen::MatrixXd A = J_ * J_.transpose();
+  A.diagonal().array() += kDamping;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(A);
+  const Eigen::VectorXd to_targets = J_.transpose() * solver.solve(error_);
+  const Eigen::MatrixXd free = J_turn_ - J_turn_ * J_.transpose() * solver.solve(J_);
+  Eigen::MatrixXd B = free * free.transpose();
+  B.diagonal().array() += kTurnDamping;
+  const Eigen::VectorXd along = free.transpose() * B.ldlt().solve(turns - J_turn_ * to_targets);
+  return with(q, to_targets + along);
 }
 
 std::pair<double, int> TipIk::miss(const TipTargets& targets, const Eigen::VectorXd& q) {

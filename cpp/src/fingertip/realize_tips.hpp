@@ -32,10 +32,18 @@ class TipIk {
   const robot::Robot& robot() const { return robot_; }
   const std::vector<int>& joints() const { return joints_; }  // that move a fingertip
   const std::string& fingertip(int finger) const;
+  Eigen::Isometry3d pose(int finger, const Eigen::VectorXd& q) const;
 
   /// Moves q to the targets by steps of least norm, the joints' limits kept. Returns whether every
   /// fingertip came to within `tolerance` [m]; q is the best that was found all the same.
   bool solve(const TipTargets& targets, double tolerance, int max_iterations, Eigen::VectorXd& q);
+
+  /// A step from q towards the targets that turns the held fingertips with an object, which turns
+  /// by `turn_W` [rad] meanwhile, about all but the contacts' normals (columns of n_W), as far as
+  /// their positions leave room: spheres that touch a surface in points that stay should not roll
+  /// on it.
+  Eigen::VectorXd step_along(const TipTargets& targets, const Eigen::Vector3d& turn_W,
+                             const Eigen::Matrix3Xd& n_W, const Eigen::VectorXd& q);
 
   /// The largest distance of a fingertip from its target [m], and which finger's.
   std::pair<double, int> miss(const TipTargets& targets, const Eigen::VectorXd& q);
@@ -44,13 +52,15 @@ class TipIk {
   using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
   double errors(const TipTargets& targets, const Eigen::VectorXd& q);
   void jacobians(const TipTargets& targets);
+  Eigen::VectorXd with(const Eigen::VectorXd& q, const Eigen::VectorXd& dq) const;
   Eigen::VectorXd step(const Eigen::VectorXd& q, double damping);
 
   robot::Robot robot_;
   std::vector<int> frames_, joints_;
   robot::Poses X_WL_;
-  Eigen::VectorXd error_;  // stacked, 3 a held finger [m]
-  Eigen::MatrixXd J_;      // of the stacked positions by joints_
+  Eigen::VectorXd error_;   // stacked, 3 a held finger [m]
+  Eigen::MatrixXd J_;       // of the stacked positions by joints_
+  Eigen::MatrixXd J_turn_;  // of the stacked rotations
   Jacobian J_frame_;
 };
 

@@ -106,13 +106,21 @@ class Tracker {
   std::optional<Eigen::VectorXd> advance(double s, double share) {
     const double jump = hand_.options.max_jump;
     const Eigen::VectorXd& from = out_.positions.back();
-    Eigen::VectorXd q = pulled(hand_, from, bias_, share * kPull * jump);
+    Eigen::VectorXd q = pulled(hand_, along(from, s), bias_, share * kPull * jump);
     if (!hand_.ik.solve(stretch_.targets(s), kIkTolerance, kIterations, q)) return std::nullopt;
     if ((q - from).lpNorm<Eigen::Infinity>() > jump) return std::nullopt;
     const double halfway = (out_.reached + s) / 2;
     const double off = hand_.ik.miss(stretch_.targets(halfway), (from + q) / 2).first;
     if (off > 0.8 * hand_.options.position_tolerance) return std::nullopt;
     return q;
+  }
+
+  Eigen::VectorXd along(const Eigen::VectorXd& q, double s) {
+    if (stretch_.n_O.cols() == 0) return q;
+    const Eigen::Isometry3d X_WO = stretch_.pose(s);
+    const Eigen::AngleAxisd turn(X_WO.linear() * out_.X_WO.back().linear().transpose());
+    return hand_.ik.step_along(stretch_.targets(s), turn.angle() * turn.axis(),
+                               X_WO.linear() * stretch_.n_O, q);
   }
 
   void blame(double s) {
@@ -151,10 +159,32 @@ Hand::Hand(const Problem& problem, const robot::Robot& robot, const Carrier& car
       ik(robot, frames_of_fingers(robot, carrier, assignment)),
       scene(problem, robot, links_of_fingers(robot, carrier, assignment),
             contact_allowance(given.position_tolerance)),
+      radius(problem.fingers.radius),
       options(given) {}
 
 Tracked track(Hand& hand, const Stretch& stretch, const Eigen::VectorXd& q, const Bias& bias) {
   return Tracker(hand, stretch, bias).run(q);
+}
+
+double scrub(const Hand& hand, const JointSegment& rows, const Eigen::Matrix3Xd& n_O,
+             FingerMask held) {
+  double worst = 0;
+  for (int i = 0; i < static_cast<int>(n_O.cols()); ++i) {
+    if ((held >> i & 1U) == 0) continue;
+    double turned = 0;
+    Eigen::Matrix3d R_before;
+    for (std::size_t row = 0; row < rows.positions.size(); ++row) {
+      const Eigen::Matrix3d R_OF =
+          rows.X_WO[row].linear().transpose() * hand.ik.pose(i, rows.positions[row]).linear();
+      if (row > 0) {
+        const Eigen::AngleAxisd turn(R_OF * R_before.transpose());
+        turned += (turn.angle() * turn.axis()).cross(n_O.col(i)).norm();
+      }
+      R_before = R_OF;
+    }
+    worst = std::max(worst, hand.radius * turned);
+  }
+  return worst;
 }
 
 std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q) {

@@ -27,6 +27,8 @@ struct Stretch {
   int parts = 1;                        // rows from one pose to the next, at least
   Eigen::Matrix3Xd from_O, to_O;
   FingerMask held = 0;
+  /// Normals of the contacts: the fingertips shall turn with the object; empty: as they like.
+  Eigen::Matrix3Xd n_O = {};
 
   int arcs() const { return X_WO.size() < 2 ? 1 : static_cast<int>(X_WO.size()) - 1; }
   Eigen::Isometry3d pose(double s) const;  // s in [0, arcs()]
@@ -41,6 +43,7 @@ struct Hand {
   std::vector<int> finger_of_fingertip;
   TipIk ik;
   HandScene scene;
+  double radius;  // of the fingertips [m]
   const RealizeOptions& options;
 };
 
@@ -59,6 +62,10 @@ using Bias = std::optional<Eigen::VectorXd>;
 
 /// Follows the stretch from q, which is at its beginning. Contacts are as last set in the scene.
 Tracked track(Hand& hand, const Stretch& stretch, const Eigen::VectorXd& q, const Bias& bias = {});
+
+/// JointSegment::scrub of rows with the held fingers in contact.
+double scrub(const Hand& hand, const JointSegment& rows, const Eigen::Matrix3Xd& n_O,
+             FingerMask held);
 
 /// "fingertip 'a' misses the place of finger 0 by 12.3 mm"
 std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q);

@@ -22,6 +22,7 @@ void check_options(const RealizeOptions& options) {
   require_positive("max_jump", options.max_jump);
   require_positive("position_tolerance", options.position_tolerance);
   require_positive("restarts", options.restarts);
+  require_positive("solutions", options.solutions);
 }
 
 void check_fingertip(const robot::Robot& robot, const std::string& field, const std::string& link) {

@@ -60,6 +60,7 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
     environment.known = environments[e]->known;
     environment.columns.assign(*environments[e], fingers, force);
     environment.unreached.restart(directions_);
+    if (environment.basis.resume(environment.columns)) continue;
     environment.basis.begin(environment.columns);
     if (!environment.basis.complete(target(e, critical_, 0))) return false;
   }

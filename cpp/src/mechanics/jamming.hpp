@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -10,11 +11,11 @@
 namespace graspless::mechanics {
 
 /// Problem (5) as geometry: contact forces can cancel each other iff 0 lies in the convex hull of
-/// the unit wrenches. Wolfe's algorithm for the hull's point nearest to 0; a half-space y . g > 0
-/// that holds all wrenches ends it early, and those of former calls are tried first.
+/// the wrenches. Wolfe's algorithm for the hull's point nearest to 0; a half-space y . g > 0 that
+/// holds all wrenches ends it early. What proved the last answer for the same mask is tried first.
 class Jamming {
  public:
-  /// Nearer to 0 than this counts as a hull that holds 0.
+  /// Nearer to 0 than this, in lengths of the longest wrench, counts as a hull that holds 0.
   static constexpr double kTouch = 1e-9;
 
   /// Whether no forces cancel. `force`: whose wrenches do not count.
@@ -22,20 +23,46 @@ class Jamming {
                   const std::vector<const FingerWrenches*>& fingers, ForceMask force);
 
  private:
+  static constexpr std::size_t kCorners = 7;  // of a simplex in six dimensions
+  using Weights = std::array<double, kCorners + 1>;
+  /// Corners of the hull and the weights of a point between them.
+  struct Simplex {
+    std::size_t count = 0, factored = 0;
+    std::array<int, kCorners + 1> corner{};
+    Weights weight{};
+    std::array<Vector6d, kCorners + 1> g;
+    std::array<Weights, kCorners + 1> L;
+
+    Vector6d point() const;
+    bool has(int j) const { return std::find(&corner[0], &corner[count], j) != &corner[count]; }
+    void append(int j, const Vector6d& wrench, double with);
+    void drop(std::size_t at);
+    bool factor();
+    bool aim(Weights& w);
+    bool approach();
+  };
+  struct Proof {
+    bool known = false, bounded = false;
+    Vector6d y = Vector6d::Zero();  // when bounded
+    Simplex simplex;                // else
+  };
+
   void assign(const EnvironmentWrenches& environment,
               const std::vector<const FingerWrenches*>& fingers, ForceMask force);
-  int least(const Vector6d& y, double* value);
-  bool guess();
-  bool wolfe();
-  bool nearest_of_corners(int count, double* weights) const;
+  void put(const Matrix6Xd& generators);
+  Vector6d wrench(int j) const;
+  int least(const Vector6d& y) const;
+  bool is_apart(const Vector6d& y, int least) const;
+  bool guess(Vector6d& y) const;
+  bool wolfe(Vector6d& y, Simplex& s) const;
+  bool jams_again(Simplex& s) const;
 
-  int count_ = 0, stride_ = 0;
-  std::vector<double> table_;  // unit wrenches, rows of numbers
-  std::vector<double> dots_;
-  std::array<Vector6d, 1 << kMaxFingers> last_{};  // the half-space found last, for each mask
-  std::array<bool, 1 << kMaxFingers> known_{};
-  std::array<int, 8> corners_{};
-  Vector6d y_ = Vector6d::Zero();
+  int count_ = 0;
+  double touch_ = 0;                 // kTouch, in units of the wrenches
+  Vector6d sum_ = Vector6d::Zero();  // of all wrenches
+  std::vector<double> blocks_;       // for kernels::least_price()
+  std::vector<int> rows_;
+  std::array<Proof, 1 << kMaxFingers> proofs_{};
 };
 
 }  // namespace graspless::mechanics

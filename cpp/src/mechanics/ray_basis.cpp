@@ -14,6 +14,7 @@ namespace {
 constexpr double kZeroPrice = 1e-11;  // |rho . a_j| / |rho| below which column j lies in the facet
 constexpr double kSmallPivot = 1e-8;  // of an artificial column's row: the columns do not span
 constexpr double kWrongSign = 0.05;   // worth of a pivot to a coefficient against the target
+constexpr double kResumable = 1e-4;   // relative pivot of a basis worth taking up again
 constexpr int kRefresh = 16;          // pivots between refreshments of the inverse
 constexpr int kBland = 60;            // pivots towards one target before Bland's rule
 constexpr int kGiveUp = 5000;
@@ -49,7 +50,7 @@ bool RayBasis::resume(const Columns& columns) {
     if (head_[ix(r)] < 0 || head_[ix(r)] >= columns.count()) return false;
     columns.column(head_[ix(r)], &matrix_[ix(r * K_)]);
   }
-  return refactor();
+  return refactor(kResumable);
 }
 
 RayBasis::Vector RayBasis::row(int r) const {
@@ -69,23 +70,25 @@ double RayBasis::price(const Vector& rho, int j) const {
 bool RayBasis::complete(const Vector& target) {
   for (int r = 0; r < rows_; ++r) {
     if (head_[ix(r)] >= 0) continue;
-    const Vector rho = row(r);
     Vector values{};
     kernels::multiply(inverse(), target.data(), values.data());
-    const double sign = values[ix(r)] < 0 ? -1 : 1;
-    int q = -1;
-    double best = kSmallPivot * std::sqrt(squared(rho));
-    for (int j = 0; j < columns_->count(); ++j) {
-      const double toward = sign * price(rho, j);
-      const double worth = toward > 0 ? toward : -kWrongSign * toward;
-      if (worth <= best) continue;
-      best = worth;
-      q = j;
-    }
-    if (q < 0) return false;
-    pivot(r, q);
+    Vector rho = row(r);
+    const double below = -kSmallPivot * std::sqrt(squared(rho));
+    const int against = least_price(rho, below);
+    const double least = against < 0 ? 0 : -price(rho, against);
+    for (double& value : rho) value = -value;
+    const int toward = least_price(rho, below);
+    const double most = toward < 0 ? 0 : -price(rho, toward);
+    if (against < 0 && toward < 0) return false;
+    const bool up = values[ix(r)] >= 0 ? most >= kWrongSign * least : kWrongSign * most > least;
+    pivot(r, up ? toward : against);
   }
   return true;
+}
+
+int RayBasis::least_price(const Vector& rho, double below) const {
+  return kernels::least_price(rho.data(), columns_->blocks(), columns_->finger_row(),
+                              columns_->count() / kernels::kLanes, below);
 }
 
 /// The row most against the target, by distance; Bland: that of the first column. -1: none is.
@@ -107,10 +110,7 @@ int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
 int RayBasis::entering(int r, bool bland) const {
   const Vector rho = row(r);
   const double below = -kZeroPrice / std::sqrt(per_square_[ix(r)]);
-  if (!bland) {
-    return kernels::least_price(rho.data(), columns_->blocks(), columns_->finger_row(),
-                                columns_->count() / kernels::kLanes, below);
-  }
+  if (!bland) return least_price(rho, below);
   for (int j = 0; j < columns_->count(); ++j) {
     if (price(rho, j) < below) return j;
   }

@@ -67,10 +67,11 @@ class RayBasis {
   Vector row(int r) const;
   int leaving(const Vector& target, double tolerance, bool bland);
   int entering(int r, bool bland) const;
+  int least_price(const Vector& rho, double below) const;
   double price(const Vector& rho, int j) const;
   void pivot(int r, int q);
   bool refresh();
-  bool refactor();
+  bool refactor(double least_pivot);
   void measure();
   void refine_facet(int r);
 

@@ -28,7 +28,7 @@ bool RayBasis::refresh() {
   const Map B(matrix_.data(), rows_, rows_, Eigen::OuterStride<>(K_));
   Square miss = Square::Identity(rows_, rows_);
   miss.noalias() -= B.lazyProduct(X);
-  if (!(miss.cwiseAbs().maxCoeff() < kDrift)) return refactor();
+  if (!(miss.cwiseAbs().maxCoeff() < kDrift)) return refactor(kSingular);
   const Square step = X.lazyProduct(miss);
   X += step;
   measure();
@@ -36,7 +36,7 @@ bool RayBasis::refresh() {
 }
 
 /// Gauss and Jordan's elimination with pivots from whole columns.
-bool RayBasis::refactor() {
+bool RayBasis::refactor(double least_pivot) {
   since_refresh_ = 0;
   Square B = Map(matrix_.data(), rows_, rows_, Eigen::OuterStride<>(K_));
   Square X = Square::Identity(rows_, rows_);
@@ -44,7 +44,7 @@ bool RayBasis::refactor() {
   for (int c = 0; c < rows_; ++c) {
     Eigen::Index at = 0;
     const double pivot = B.col(c).tail(rows_ - c).cwiseAbs().maxCoeff(&at);
-    if (!(pivot > kSingular * size)) return false;
+    if (!(pivot > least_pivot * size)) return false;
     B.row(c).swap(B.row(c + at));
     X.row(c).swap(X.row(c + at));
     const double scale = 1 / B(c, c);

@@ -103,6 +103,11 @@ Stability StabilitySolver::max_stability(ForceMask force, double needed) {
   return stability;
 }
 
+StabilitySolver::Evaluation StabilitySolver::evaluate(ForceMask force, double needed) {
+  const auto result = impl_->solve(force, needed);
+  return {result.z, Eigen::Map<const Eigen::Vector4d>(result.f_com.data())};
+}
+
 StabilitySolver::Best StabilitySolver::best_control_modes(double needed) {
   CyclicCuts::Result last, kept;
   Best best = search_modes(

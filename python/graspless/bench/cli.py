@@ -23,6 +23,7 @@ DEFAULTS = {
     "baselines": (200, 1.0),
     "roots": (100, 2.0),
 }
+FINGERTIP_GRIDS = ("paper", "weak", "scaling", "fingers", "se2", "faces")
 FOUND, NOT_FOUND, INTERRUPTED = 0, 1, 130
 
 
@@ -59,6 +60,40 @@ def add_parser(commands: Any) -> None:
         "--out", type=Path, metavar="DIR", help="write results, pictures and slide.md there"
     )
     slide.set_defaults(run=_slide)
+    _add_fingertip(planners)
+
+
+def _add_fingertip(planners: Any) -> None:
+    parser = planners.add_parser(
+        "fingertip",
+        help="Maeda and Arai 2005",
+        description="Plans the paper's four cases and its cork cuboid, or what lies beyond them, "
+        "and checks every plan. The least time of some runs counts: wall clock around one call. "
+        "Exit 1 when a plan fails its check, has another cost than is known, or engines differ.",
+    )
+    parser.add_argument("--grid", choices=FINGERTIP_GRIDS, default="paper", help="(%(default)s)")
+    parser.add_argument(
+        "--engine",
+        choices=["fast", "paper", "dijkstra"],
+        help="of the search (paper grid: all three; other grids: fast)",
+    )
+    parser.add_argument(
+        "--runs",
+        type=_positive(int),
+        metavar="N",
+        help="of each trial (until a second is spent, at most 5)",
+    )
+    parser.add_argument(
+        "--time",
+        type=_positive(float),
+        metavar="S",
+        help="limit of each query [s] (fast 60, paper 300, dijkstra 900)",
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results, pictures and fingertip.md there"
+    )
+    parser.set_defaults(run=_fingertip)
 
 
 def _positive(kind: type) -> Any:
@@ -99,6 +134,29 @@ def _slide(options: argparse.Namespace) -> int:
         return INTERRUPTED
     ours = [fault for fault in table["failed_checks"] if fault["method"] not in OMPL_PEERS]
     return NOT_FOUND if ours else FOUND
+
+
+def _fingertip(options: argparse.Namespace) -> int:
+    from . import fingertip_report, fingertip_run, report
+    from .bar import Bar
+    from .fingertip_grid import GRIDS
+
+    if options.out is not None:
+        report.check_writable(options.out)
+    make, engines = GRIDS[options.grid]
+    trials = list(make([options.engine] if options.engine else engines))
+    load = os.getloadavg()
+    bar = Bar(f"bench fingertip, {options.grid}", len(trials))
+    result = fingertip_run.run(trials, options.runs, options.time, bar.tell)
+    bar.close()
+    table = fingertip_report.as_result(options.grid, result, load)
+    if options.out is not None and result.is_complete:
+        fingertip_report.write(table, result, options.out)
+    print(json.dumps(table) if options.json else fingertip_report.as_text(table))
+    if not result.is_complete:
+        print("interrupted: the results are partial, and not written", file=sys.stderr)
+        return INTERRUPTED
+    return NOT_FOUND if table["complaints"] else FOUND
 
 
 def _trials(grid: str, runs: int, seed: int, search: str | None) -> list[Trial]:

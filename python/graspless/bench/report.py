@@ -35,11 +35,11 @@ def write(result: Row, directory: Path) -> None:
     if name == "paper":
         name += f"_{result['search']}"
     text = json.dumps(result, indent=1)
-    (directory / f"slide_{name}.json").write_text(_compact(text) + "\n")
+    (directory / f"slide_{name}.json").write_text(compact(text) + "\n")
     document.write(directory)
 
 
-def _compact(text: str) -> str:
+def compact(text: str) -> str:
     """Lists of numbers on one line."""
     lines: list[str] = []
     for line in text.splitlines():
@@ -100,7 +100,7 @@ def as_text(result: Row) -> str:
     blocks = []
     for by in dict.fromkeys(row["by"] for row in result["rows"]):
         if by != "cell":
-            blocks.append(_aligned(by, [r for r in result["rows"] if r["by"] == by], shown))
+            blocks.append(aligned(by, [r for r in result["rows"] if r["by"] == by], shown))
     machine = result["machine"]
     query, process = result["peak_mb"], result["process_peak_mb"]
     lines = [
@@ -119,7 +119,8 @@ def as_text(result: Row) -> str:
     return "\n".join(line for line in lines if line)
 
 
-def _aligned(title: str, rows: Sequence[Row], shown: Sequence[Column]) -> str:
+def aligned(title: str, rows: Sequence[Row], shown: Sequence[Column]) -> str:
+    """A table for the terminal, with the rows' names in front."""
     cells: list[list[Any]] = [[title, *(name for name, _ in shown)]]
     cells += [[row["name"], *(show(row) for _, show in shown)] for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(cells[0]))]

@@ -87,13 +87,8 @@ def as_result(grid: str, run: Run, seed: int, limit: float, load: Sequence[float
         "rows": _rows(run, main, limit),
         "unsolved": _unsolved(run.outcomes),
         "failed_checks": _failed_checks(run.outcomes),
-        "machine": _machine(load, run),
-        "versions": {
-            "graspless": __version__,
-            "python": platform.python_version(),
-            "numpy": np.__version__,
-            **core.libraries(),
-        },
+        "machine": machine(load, run.baseline_bytes),
+        "versions": versions(),
         "curves": _curves(run.outcomes),
     }
 
@@ -150,7 +145,18 @@ def _failed_checks(outcomes: Sequence[Outcome]) -> list[Row]:
     ]
 
 
-def _machine(load: Sequence[float], run: Run) -> Row:
+def versions() -> Row:
+    """Of what the results were made with."""
+    return {
+        "graspless": __version__,
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        **core.libraries(),
+    }
+
+
+def machine(load: Sequence[float], baseline_bytes: int) -> Row:
+    """Where and when; `load` averages before the run, to which those of now are added."""
     model = platform.processor()
     cpuinfo = Path("/proc/cpuinfo")
     if cpuinfo.exists():
@@ -162,7 +168,7 @@ def _machine(load: Sequence[float], run: Run) -> Row:
         "system": f"{platform.system()} {platform.machine()}",
         "load_before": [round(x, 2) for x in load],
         "load_after": [round(x, 2) for x in os.getloadavg()],
-        "baseline_mb": round(run.baseline_bytes / MEGA, 1),
+        "baseline_mb": round(baseline_bytes / MEGA, 1),
         "peak_is_per_query": memory.reset_peak(),
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
         "command": re.sub(r" --out[ =]\S+", "", " ".join(["graspless", *sys.argv[1:]])),

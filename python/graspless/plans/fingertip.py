@@ -81,9 +81,11 @@ class JointSegment:
     Attributes
     ----------
     name : str
-        approach, push, turn, slide, tumble, release, reach, touch or retreat.
+        approach, touch, slide, turn, tumble, release, reach or retreat.
     plan_segment : int
         The segment of the plan that it carries out, or -1.
+    scrub : float
+        How far a fingertip that turns slips on its contact, at worst [m].
     positions : array [N, dof]
         All joints [rad or m].
     object_poses : array [N, 4, 4]
@@ -92,6 +94,7 @@ class JointSegment:
 
     name: str
     plan_segment: int
+    scrub: float
     positions: Matrix
     object_poses: Matrix
 
@@ -179,6 +182,7 @@ class Plan(AnyPlan):
             JointSegment(
                 segment.name,
                 segment.plan_segment,
+                segment.scrub,
                 np.array(segment.positions, dtype=float).reshape(-1, len(found.joint_names)),
                 _poses(segment.object_poses),
             )
@@ -212,7 +216,7 @@ class Plan(AnyPlan):
         found.joint_names = fields.joint_names
         found.finger_of_fingertip = fields.finger_of_fingertip
         found.segments = [
-            fingertip.JointSegment(s.name, s.positions, s.object_poses, s.plan_segment)
+            fingertip.JointSegment(s.name, s.positions, s.object_poses, s.plan_segment, s.scrub)
             for s in self.joint_segments
         ]
         return found
@@ -344,6 +348,7 @@ def _realization_document(found: fingertip.Realization) -> dict[str, Any]:
             {
                 "name": segment.name,
                 "plan_segment": segment.plan_segment,
+                "scrub": segment.scrub,
                 "positions": np.asarray(segment.positions, dtype=float).tolist(),
                 "object_poses": [frames.to_row(X_WO) for X_WO in segment.X_WO],
             }

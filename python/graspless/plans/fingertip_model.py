@@ -77,9 +77,12 @@ class JointSegment(Fields):
     """A stretch of joint motion."""
 
     name: str = Field(
-        description="approach, push, turn, slide, tumble, release, reach, touch or retreat"
+        description="approach, touch, slide, turn, tumble, release, reach or retreat"
     )
     plan_segment: Index = Field(description="which of `segments` it carries out, or -1")
+    scrub: float = Field(
+        description="how far a fingertip that turns slips on its contact, at worst [m]"
+    )
     positions: list[list[float]] = Field(description="[N][dof], rad or m")
     object_poses: list[PoseRow] = Field(description="[N][7], x y z qw qx qy qz in the world")
 

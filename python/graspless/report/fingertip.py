@@ -36,7 +36,9 @@ def details(plan: Plan) -> dict[str, Any]:
             }
             for s in plan.segments
         ],
-        "joint_segments": [{"name": s.name, "rows": len(s)} for s in plan.joint_segments],
+        "joint_segments": [
+            {"name": s.name, "rows": len(s), "scrub": s.scrub} for s in plan.joint_segments
+        ],
     }
 
 
@@ -77,7 +79,8 @@ def _segment_line(segment: Segment) -> str:
 
 def _joint_line(segment: JointSegment) -> str:
     number, _, rows = count(len(segment), "rows").partition(" ")
-    return f"  joints: {segment.name:10}{number:>5} {rows}"
+    slips = f", scrubs {1000 * segment.scrub:.1f} mm" if segment.scrub > 5e-5 else ""
+    return f"  joints: {segment.name:10}{number:>5} {rows}{slips}"
 
 
 def _moved(segment: Segment) -> str:

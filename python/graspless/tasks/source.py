@@ -73,17 +73,17 @@ class Source:
                 return None, False
         return value, bool(place)
 
-    def _in_data(self, location: Location) -> Location:
+    def _in_data(self, location: Location, is_missing: bool) -> Location:
         """A pydantic location without the tags of unions, which are not in the file."""
         place: Location = ()
         for i, key in enumerate(location):
-            if self._look_up((*place, key))[1] or i == len(location) - 1:
+            if self._look_up((*place, key))[1] or (is_missing and i == len(location) - 1):
                 place = (*place, key)
         return place
 
     def _explain(self, model: type[pydantic.BaseModel], fault: dict[str, Any]) -> str:
-        place = self._in_data(fault["loc"])
         kind = fault["type"]
+        place = self._in_data(fault["loc"], kind == "missing")
         if kind == "extra_forbidden":
             fields = sorted(_fields_at(model, fault["loc"][:-1]))
             close = difflib.get_close_matches(str(place[-1]), fields, 1)

@@ -5,8 +5,17 @@
 #include <memory>
 #include <random>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
+#include "fingertip/cases.hpp"
 #include "fingertip/path_query.hpp"
 
 namespace graspless::fingertip {
@@ -27,12 +36,13 @@ struct Instance {
     Statistics statistics;
     return search_graph(query, evaluator, false, clock, statistics);
   }
-  Route fast(int lanes = 2, const planning::Budget& budget = {}) {
+  Route fast(int lanes = kLanes, const planning::Budget& budget = {},
+             double limit = std::numeric_limits<double>::infinity()) {
     std::vector<Evaluator> evaluators;
     for (int i = 0; i < lanes; ++i) evaluators.emplace_back(instants, locations, options);
     planning::Clock clock(budget);
     Statistics statistics;
-    return search_fast(query, evaluators, clock, statistics);
+    return search_fast(query, evaluators, clock, statistics, limit);
   }
 
   Problem problem;
@@ -42,7 +52,8 @@ struct Instance {
   PathQuery query;
 };
 
-/// A box slid or tumbled, among walls and small obstacles that are in the way of its fingers.
+/// A box slid or tumbled. Each location is out of reach on some stretch of the way, so that
+/// regrasps are needed.
 std::unique_ptr<Instance> random_instance(unsigned seed) {
   std::mt19937 rng(seed);
   const auto uniform = [&](double a, double b) {
@@ -51,37 +62,36 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
   const auto pick = [&](int a, int b) { return std::uniform_int_distribution<int>(a, b)(rng); };
   const Eigen::Vector3d size(uniform(3, 8), uniform(3, 10), uniform(3, 8));
   Problem problem{Object::box("box", size, uniform(0.5, 2)), {}, {}, {}, {}, {}};
-  problem.fingers.count = pick(1, 10) == 1 ? 1 : pick(2, 10) <= 8 ? 2 : 3;
+  problem.fingers.count = std::vector<int>{1, 2, 2, 2, 2, 2, 2, 2, 3, 3}[seed % 10];
   problem.fingers.radius = uniform(0.3, 1);
   problem.fingers.max_normal_force = uniform(5, 20);
-  problem.fingers.friction = {0.7, 0.7};
   problem.planes = {Plane{}};
-  if (pick(0, 1) == 1)
-    problem.planes.push_back({"behind", {1, 0, 0}, -size.x() / 2 - uniform(0.1, 1)});
-  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
-  X_WO.translation().z() = size.z() / 2;
-  const int segments = problem.fingers.count == 3 ? 3 : pick(3, 7);
+  const bool has_three = problem.fingers.count == 3;
+  const int segments = has_three ? 3 : pick(3, 7);
+  const Eigen::Isometry3d X_WO(Eigen::Translation3d(0, 0, size.z() / 2));
   if (pick(0, 2) == 0) {
     problem.motion = slide_path(X_WO, {uniform(2, 10), 0, 0}, segments);
   } else {
-    problem.motion =
-        turn_path(X_WO, {size.x() / 2, 0, 0}, {0, 1, 0}, uniform(0.5, 1) * M_PI / 2, segments);
-  }
-  for (int i = pick(0, 5); i > 0; --i) {
-    Obstacle obstacle;
-    obstacle.name = "obstacle" + std::to_string(i);
-    obstacle.shapes = {
-        {geometry::Box{Eigen::Vector3d::Constant(uniform(0.2, 3))}, Eigen::Isometry3d::Identity()}};
-    obstacle.X_WB.translation() = Eigen::Vector3d(uniform(-6, 10), uniform(-6, 6), uniform(0, 9));
-    problem.obstacles.push_back(obstacle);
+    problem.motion = turn_path(X_WO, {size.x() / 2, 0, 0}, Eigen::Vector3d::UnitY(),
+                               uniform(0.5, 1) * M_PI / 2, segments);
   }
   Options options;
-  options.locations_per_side = problem.fingers.count == 3 ? 2 : pick(2, 3);
-  options.samples_per_arc = problem.fingers.count == 3 ? 1 : pick(1, 3);
-  options.min_stability = uniform(0.05, 0.6);
+  options.locations_per_side = has_three ? 2 : pick(2, 3);
+  options.samples_per_arc = has_three ? 1 : pick(1, 3);
+  options.min_stability = uniform(0.05, 0.4);
   options.regrasp_cost = pick(0, 1) == 0 ? 100 : uniform(0.01, 1);
-  options.max_regrasps = pick(1, 4);
-  return std::make_unique<Instance>(std::move(problem), std::move(options));
+  options.max_regrasps = pick(0, 4);
+  auto instance = std::make_unique<Instance>(std::move(problem), options);
+  const int poses = instance->query.num_poses(), locations = instance->locations.size();
+  const int often = pick(0, 3);
+  for (int location = 0; location < locations; ++location) {
+    const int first = pick(0, poses - 1);
+    const int last = pick(0, 1) == 0 ? poses - 1 : std::min(poses - 1, first + pick(0, 2));
+    for (int pose = first; pose <= last && pick(0, 3) < often; ++pose) {
+      instance->query.clear[static_cast<std::size_t>(pose * locations + location)] = 0;
+    }
+  }
+  return instance;
 }
 
 int num_regrasps(const Route& route) {
@@ -128,30 +138,106 @@ double cost_of(Instance& instance, const Route& route) {
   return cost;
 }
 
-TEST(FastSearch, CostsWhatDijkstraCosts) {
-  int solved = 0, with_one = 0, with_more = 0;
-  const char* first = std::getenv("GRASPLESS_FAST_FROM");
-  const char* last = std::getenv("GRASPLESS_FAST_TO");
-  for (unsigned seed = first ? static_cast<unsigned>(std::atoi(first)) : 1;
-       seed <= (last ? static_cast<unsigned>(std::atoi(last)) : 40); ++seed) {
+/// How many instances were solved without a regrasp, with one, and with more.
+std::array<int, 3> compare_with_dijkstra(unsigned first, unsigned last) {
+  std::array<int, 3> solved{};
+  for (unsigned seed = first; seed <= last; ++seed) {
     SCOPED_TRACE(seed);
     const auto instance = random_instance(seed);
     const Route expected = instance->dijkstra();
     const Route route = instance->fast();
-    ASSERT_TRUE(expected.is_complete && route.is_complete);
-    ASSERT_EQ(route.found, expected.found);
-    if (!route.found) continue;
+    EXPECT_TRUE(expected.is_complete && route.is_complete);
+    EXPECT_EQ(route.found, expected.found);
+    if (!route.found || !expected.found) continue;
     EXPECT_NEAR(route.cost, expected.cost, 1e-9 * (1 + expected.cost));
     EXPECT_NEAR(route.cost, cost_of(*instance, route), 1e-9 * (1 + expected.cost));
+    EXPECT_EQ(route.lower_bound, route.cost);
     EXPECT_LE(num_regrasps(route), instance->options.max_regrasps);
-    ++solved;
-    if (num_regrasps(route) == 1) ++with_one;
-    if (num_regrasps(route) >= 2) ++with_more;
+    ++solved[static_cast<std::size_t>(std::min(2, num_regrasps(route)))];
   }
-  RecordProperty("solved", solved);
-  RecordProperty("one_regrasp", with_one);
-  RecordProperty("more_regrasps", with_more);
-  printf("solved %d, one regrasp %d, more %d\n", solved, with_one, with_more);
+  return solved;
+}
+
+TEST(FastSearch, CostsWhatDijkstraCosts) {
+  const std::array<int, 3> solved = compare_with_dijkstra(1, 30);
+  for (const int count : solved) EXPECT_GT(count, 1);
+}
+
+TEST(FastSearch, DISABLED_CostsWhatDijkstraCostsMoreOften) {
+  const std::array<int, 3> solved = compare_with_dijkstra(31, 230);
+  for (const int count : solved) EXPECT_GT(count, 10);
+}
+
+std::unique_ptr<Instance> instance_of(const Problem& problem) {
+  return std::make_unique<Instance>(problem, Options{});
+}
+
+TEST(FastSearch, CostsOfThePapersCases) {
+  for (const Case& c : paper_cases()) {
+    SCOPED_TRACE(c.name);
+    const auto instance = instance_of(c.problem);
+    const Route route = instance->fast();
+    ASSERT_TRUE(route.found);
+    EXPECT_NEAR(route.cost, c.cost, 1e-8);
+    EXPECT_EQ(num_regrasps(route), c.regrasps);
+    EXPECT_NEAR(route.cost, cost_of(*instance, route), 1e-9);
+  }
+}
+
+TEST(FastSearch, RepeatsWhateverTheThreads) {
+  for (const bool has_side_wall : {false, true}) {
+    const auto instance = instance_of(tumble_case(has_side_wall));
+    const Route first = instance->fast();
+    for (const int threads : {1, 2, 3}) {
+      instance->options.threads = threads;
+      const Route again = instance->fast();
+      EXPECT_EQ(again.cost, first.cost);
+      ASSERT_EQ(again.nodes.size(), first.nodes.size());
+      for (std::size_t i = 0; i < first.nodes.size(); ++i) {
+        EXPECT_EQ(again.nodes[i].placement, first.nodes[i].placement);
+      }
+    }
+  }
+}
+
+TEST(FastSearch, OutOfTimeBoundsTheCost) {
+  const auto instance = instance_of(tumble_case(true));
+  double last = 0;
+  for (const int rounds : {0, 5, 20, 60, 120}) {
+    planning::Budget budget;
+    budget.iterations = rounds;
+    const Route route = instance->fast(kLanes, budget);
+    EXPECT_GE(route.lower_bound, last);
+    EXPECT_LE(route.lower_bound, 117.3922089);
+    if (!route.is_complete && route.found) EXPECT_GE(route.cost, 117.3922088);
+    if (rounds == 0) EXPECT_FALSE(route.is_complete || route.found);
+    last = route.lower_bound;
+  }
+  EXPECT_GT(last, 100);  // a regrasp has been shown to be needed by then
+}
+
+TEST(FastSearch, LooksNoFartherThanTheLimit) {
+  const auto instance = instance_of(tumble_case(true));
+  const Route below = instance->fast(kLanes, {}, 117.39);
+  EXPECT_TRUE(below.is_complete);
+  EXPECT_FALSE(below.found);
+  EXPECT_NEAR(instance->fast(kLanes, {}, 117.4).cost, 117.392208834, 1e-8);
+}
+
+TEST(FastSearch, ShowsThatThereIsNone) {
+  Options options;
+  options.min_stability = 50;
+  Instance instance(tumble_case(false), options);
+  const Route route = instance.fast();
+  EXPECT_TRUE(route.is_complete);
+  EXPECT_FALSE(route.found);
+}
+
+TEST(FastSearch, RefusesToOutgrowItsMemory) {
+  Options options;
+  options.max_memory = 1e5;
+  Instance instance(tumble_case(true), options);
+  EXPECT_THROW(instance.fast(), std::length_error);
 }
 
 }  // namespace

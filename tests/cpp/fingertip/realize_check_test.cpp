@@ -122,6 +122,11 @@ TEST_F(FingertipRealizeCheck, AFingerThatReachesThroughTheObject) {
   EXPECT_SAYS(said, "right_3 - cube touch");
 }
 
+TEST_F(FingertipRealizeCheck, AScrubThatIsBelittled) {
+  EXPECT_SAYS(spoilt([](Realization& r) { r.segments[2].scrub *= 0.5; }),
+              "(slide), row 0: scrub is ");
+}
+
 TEST_F(FingertipRealizeCheck, AHomeThatIsNotComeBackTo) {
   const auto said = spoilt([](Realization& r) {
     r.segments.back().positions.pop_back();

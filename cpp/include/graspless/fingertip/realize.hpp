@@ -15,25 +15,34 @@ namespace graspless::fingertip {
 /// Which parts of a robot carry the fingertips.
 struct Carrier {
   /// One frame a finger of the plan, each the centre of a fingertip's sphere.
-  std::vector<std::string> fingertips = {"left_fingertip", "right_fingertip"};
+  std::vector<std::string> fingertips = {"left_tip_center", "right_tip_center"};
   /// Links that may touch the object: those the spheres belong to.
   std::vector<std::vector<std::string>> links = {{"left_finger"}, {"right_finger"}};
 };
 
 struct RealizeOptions {
-  double approach = 0.03;    ///< a finger leaves and comes to the surface along its normal [m]
-  double resolution = 0.01;  ///< largest joint step between checked configurations [rad]
-  double max_jump = 0.05;    ///< largest joint step between rows [rad]
-  double position_tolerance = 1e-4;  ///< of fingertips [m]
-  int restarts = 40;                 ///< configurations to start from
+  /// A finger leaves and comes to the surface along its normal; less where the hand does not open
+  /// so far (a half, a quarter, an eighth) [m].
+  double approach = 0.03;
+  double resolution = 0.01;          ///< largest joint step between checked configurations [rad]
+  double max_jump = 0.05;            ///< largest joint step between rows [rad or m]
+  double position_tolerance = 1e-4;  ///< of fingertips, at rows and between them [m]
+  int restarts = 40;                 ///< rounds of configurations to start from
+  int solutions = 8;                 ///< found, of which the one with the least scrub is kept
 };
 
 /// A stretch of joint motion; rows follow each other by at most max_jump in any joint.
 struct JointSegment {
-  std::string name;  ///< approach, push, turn, slide, tumble, release, reach, touch, retreat
+  /// approach, touch, those of the plan (slide, turn, tumble; for a regrasp release, reach, touch),
+  /// release, retreat
+  std::string name;
   std::vector<Eigen::VectorXd> positions;
   std::vector<Eigen::Isometry3d> X_WO;
   int plan_segment = -1;  ///< the segment of the plan that it carries out; -1 for free motions
+  /// The plan's contacts are points that stay. A fingertip that turns about its centre otherwise
+  /// than about the normal slips on its point by its radius times that turning: how far, over the
+  /// segment, for the worst of the fingers that touch [m].
+  double scrub = 0;
 };
 
 /// Joint paths that carry a plan's fingertips, or where it is impossible.
@@ -48,9 +57,12 @@ struct Realization {
 
 /// Gives a plan an arm: from q_home to the first grip, through every row with the fingertips'
 /// centres where the plan has them (inverse kinematics from row to row, continuous, within limits,
-/// nothing touching but fingertips and object), through regrasps, and away. Tries each assignment
-/// of fingertips to fingers. Throws std::invalid_argument on unknown frames or links, a home
-/// outside the limits, or a plan that is not solved.
+/// nothing touching but fingertips and object), through regrasps, and back home. All joints that
+/// move a fingertip take part; the object stands still but for the plan's displacements. Planes are
+/// solid to the robot, but for its root. A touching finger's links may reach into the object by a
+/// few tenths of a millimetre: what position_tolerance takes. Tries each assignment of fingertips
+/// to fingers. Throws std::invalid_argument on unknown frames or links, a home outside the limits,
+/// or a plan that is not solved.
 GRASPLESS_API Realization realize(const Problem& problem, const Plan& plan,
                                   const robot::Robot& robot, const Carrier& carrier,
                                   const Eigen::VectorXd& q_home, const RealizeOptions& options = {},

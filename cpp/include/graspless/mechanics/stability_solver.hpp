@@ -70,6 +70,13 @@ class GRASPLESS_API StabilitySolver {
   /// result.z < needed, and it is an upper bound only.
   Stability max_stability(ForceMask force, double needed = 0);
 
+  /// max_stability() without the directions: all in place, for callers in a hurry.
+  struct Evaluation {
+    double z = 0;
+    Eigen::Vector4d commanded_forces = Eigen::Vector4d::Zero();
+  };
+  Evaluation evaluate(ForceMask force, double needed = 0);
+
   /// Section 3.4, over combinations of control modes. `found` is false when z < needed is proven.
   struct Best {
     bool found = false;

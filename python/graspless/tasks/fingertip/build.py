@@ -96,7 +96,9 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
 
 def build_fingers(fingers: model.Fingers) -> fingertip.Fingers:
     """The fingertips."""
+    span = {} if fingers.max_span is None else {"max_span": fingers.max_span}
     return fingertip.Fingers(
+        **span,
         count=fingers.count,
         radius=fingers.radius,
         max_normal_force=fingers.max_normal_force,
@@ -157,6 +159,10 @@ def _blamed(message: str, task: model.FingertipTask) -> tuple[Location, str]:
     if named is not None:
         end = "pose" if motion == "goal" and named[1] == "X_WO_goal" else _ENDS[named[1]]
         return ("motion", motion, end), named[2]
+    named = re.match(r"motion\.X_WO\[(\d+)\]( to the next)?: (.*)", message, re.DOTALL)
+    if named is not None:
+        where = ("motion", "path", int(named[1])) if motion == "path" else ("motion", motion)
+        return where, f"at pose {named[1]}{named[2] or ''}: {named[3]}"
     named = re.match(r"motion\.(\w+): (.*)", message, re.DOTALL)
     if named is not None and named[1] in type(getattr(task.motion, motion)).model_fields:
         return ("motion", motion, named[1]), named[2]

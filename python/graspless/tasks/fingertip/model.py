@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
 from ..budget import Budget
 from ..obstacles import Obstacles
@@ -31,9 +31,18 @@ def _kind_of_inertia(value: Any) -> str:
     return "matrix" if value and isinstance(value, list) and isinstance(value[0], list) else "axes"
 
 
+def _in_order(bounds: list[float]) -> list[float]:
+    if bounds[0] > bounds[1]:
+        raise ValueError(f"{bounds}: the first must not exceed the second")
+    return bounds
+
+
 Friction = Annotated[
     Annotated[Positive, Tag("number")]
-    | Annotated[Annotated[list[Positive], Field(min_length=2, max_length=2)], Tag("interval")],
+    | Annotated[
+        Annotated[list[Positive], Field(min_length=2, max_length=2), AfterValidator(_in_order)],
+        Tag("interval"),
+    ],
     Discriminator(_kind_of_friction),
 ]
 Inertia = Annotated[
@@ -87,6 +96,9 @@ class Fingers(Fields):
     count: Annotated[int, Field(ge=1, le=4)] = 2
     radius: Positive = Field(default=0.01, description="[m]")
     max_normal_force: Positive = Field(default=10.0, description="of each [N]")
+    max_span: Positive | None = Field(
+        default=None, description="between the centres of two [m]: how wide a hand opens"
+    )
     friction: Friction = Field(
         default=0.7, description="between fingertip and object, or [lower, upper]"
     )
@@ -167,6 +179,9 @@ class Realize(Fields):
     max_jump: Positive | None = Field(default=None, description="between rows [rad]")
     position_tolerance: Positive | None = Field(default=None, description="of fingertips [m]")
     restarts: Count | None = None
+    solutions: Count | None = Field(
+        default=None, description="found, of which the one with the least scrub is kept"
+    )
 
 
 class FingertipTask(Fields):

@@ -51,7 +51,8 @@ def draw(axes: Any, plan: Plan) -> None:
         rise = 1 if place[1] < 0.85 * top else -1  # the modes' bands are above
         axes.annotate(
             f"weakest: {place[1]:.3g} N", place, (14 * side, 12 * rise), textcoords="offset points",
-            fontsize=9, color=LIMIT, ha="left" if side > 0 else "right", va="bottom" if rise > 0 else "top",
+            fontsize=9, color=LIMIT, ha="left" if side > 0 else "right",
+            va="bottom" if rise > 0 else "top",
             bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.85},
         )  # fmt: skip
     axes.set_xlabel(unit, fontsize=9, color=INK)
@@ -81,8 +82,8 @@ def _draw_regrasps(axes: Any, plan: Plan, along: list[Any]) -> None:
         axes.axvline(x, color=INK, lw=1.1, ls=":")
         moved = " and ".join(f"finger {finger}" for finger in dict.fromkeys(fingers))
         axes.annotate(
-            f"regrasp: {moved}", (x, 0.75), (5, 0), xycoords=("data", "axes fraction"),
-            textcoords="offset points", fontsize=9, color=INK, va="center",
+            f"regrasp: {moved}", (x, plan.task.options.min_stability), (5, 5),
+            textcoords="offset points", fontsize=9, color=INK, va="bottom",
             bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.85},
         )  # fmt: skip
 

@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 
 from ... import frames
 from .. import raster
-from . import bodies, curves
+from . import bodies, carried, curves
 from .moments import moments
 from .stage import camera, swept
 
@@ -29,9 +29,10 @@ if TYPE_CHECKING:
     from .moments import Moment
 
 INK = (0.15, 0.17, 0.20)
-ACROSS = 4  # panels in a row
+ACROSS = 5  # panels in a row
 WIDTH = 15.0  # of the figure [inches]
-CURVES = 2.6  # height of the curves [inches]
+HEAD, CURVES, FOOT = 0.5, 2.6, 0.55  # heights [inches]
+DPI = 110
 WALLS = 0.5  # how much of what is behind is seen
 HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
 
@@ -39,38 +40,52 @@ HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
 def draw(plan: Plan) -> bytes:
     """The picture as the bytes of a PNG file."""
     shown = moments(plan)
-    across = min(ACROSS, len(shown)) if len(shown) != 5 else 5
+    across = len(shown) if len(shown) <= ACROSS else -(-len(shown) // 2)
     down = -(-len(shown) // across)
     panel = WIDTH / max(across, 2)
     tall = 0.72 * panel if across < 4 else 0.9 * panel
-    has_curves = bool(plan.segments)
-    heights = [0.5, *[tall] * down, *([CURVES] if has_curves else [])]
-    figure = Figure(figsize=(WIDTH, sum(heights) + 0.55), dpi=110, facecolor="white")
+    rows = [tall] * down
+    arm = carried.moments(plan)
+    if arm:
+        rows.append(WIDTH / len(arm))
+    if plan.segments:
+        rows.append(CURVES)
+    heights = [HEAD, *rows]
+    figure = Figure(figsize=(WIDTH, sum(heights) + FOOT), dpi=DPI, facecolor="white")
     FigureCanvasAgg(figure)
     grid = figure.add_gridspec(
         len(heights), 1, height_ratios=heights, left=0.045, right=0.985,
-        bottom=0.52 / figure.get_figheight(), top=1, hspace=0.04,
+        bottom=FOOT / figure.get_figheight(), top=1, hspace=0.04,
     )  # fmt: skip
     _draw_head(figure.add_subplot(grid[0]), plan)
-    width, height = round(panel * 110), round(tall * 100)
-    scene = _Scene(plan.task, shown, (width, height))
+    scene = _Scene(plan.task, shown, (round(panel * DPI), round(0.92 * tall * DPI)))
     for k, moment in enumerate(shown):
         row = grid[1 + k // across].subgridspec(1, across, wspace=0.02)
-        axes = figure.add_subplot(row[k % across])
-        axes.imshow(scene.render(moment), interpolation="antialiased")
-        for k_finger, (x, y) in enumerate(scene.places(moment)):
-            axes.annotate(
-                str(k_finger + 1), (x, y), ha="center", va="center", fontsize=8, color="white",
-                weight="bold", annotation_clip=True,
-            )  # fmt: skip
         number = f"{k + 1}  " if len(shown) > 1 else ""
-        axes.set_title(number + moment.caption, fontsize=11, color=INK, loc="left", pad=2, y=0.96)
-        axes.set_axis_off()
-    if has_curves:
+        axes = figure.add_subplot(row[k % across])
+        _draw_panel(axes, scene.render(moment), number + moment.caption)
+        for finger, place in enumerate(scene.places(moment)):
+            axes.annotate(
+                str(finger + 1), place, ha="center", va="center", fontsize=8, color="white",
+                weight="bold",
+            )  # fmt: skip
+    if arm:
+        row = grid[1 + down].subgridspec(1, len(arm), wspace=0.02)
+        side = round(0.95 * WIDTH / len(arm) * DPI)
+        pictures = carried.render(plan, scene.camera.eye - scene.camera.target, (side, side))
+        for k, (picture, caption) in enumerate(pictures):
+            _draw_panel(figure.add_subplot(row[k]), picture, caption)
+    if plan.segments:
         curves.draw(figure.add_subplot(grid[len(heights) - 1]), plan)
     file = io.BytesIO()
     figure.savefig(file, format="png")
     return file.getvalue()
+
+
+def _draw_panel(axes: Any, picture: Matrix, caption: str) -> None:
+    axes.imshow(picture, interpolation="antialiased")
+    axes.set_title(caption, fontsize=11, color=INK, loc="left", pad=2, y=0.96)
+    axes.set_axis_off()
 
 
 class _Scene:

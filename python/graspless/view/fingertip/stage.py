@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .moments import Moment
 
 ELEVATION = 0.42  # [rad]
+ALONG = 0.45  # cosine of the angle to the motion: from the side, and a little from the front
 
 
 def swept(task: Task, moments: Sequence[Moment]) -> Matrix:
@@ -72,5 +73,5 @@ def _score(task: Task, moments: Sequence[Moment], toward: Matrix) -> float:
     hidden = sum(1.0 for facing in walls if facing < 0.1)
     way = moments[-1].X_WO[:3, 3] - moments[0].X_WO[:3, 3]
     length = float(np.linalg.norm(way[:2]))
-    aside = 1 - abs(float(way[:2] @ toward[:2])) / max(length, 1e-9) if length > 1e-9 else 0.0
-    return 1.6 * seen - 1.5 * hidden + 0.9 * min(aside, 0.8)
+    along = abs(float(way[:2] @ toward[:2])) / length if length > 1e-9 else ALONG
+    return 1.6 * seen - 1.5 * hidden - 1.2 * abs(along - ALONG)

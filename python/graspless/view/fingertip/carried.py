@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The robot that carries the fingertips, at some moments of its joint motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import raster
+from ..bodies import robot_bodies
+from ..raster import Camera
+from . import bodies
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.fingertip import JointSegment, Plan
+
+MOST = 4  # pictures
+
+
+def moments(plan: Plan) -> list[tuple[JointSegment, int, str]]:
+    """Rows of joint segments that are worth a picture, with what happens there."""
+    carrying = [
+        s
+        for s in plan.joint_segments
+        if s.plan_segment >= 0 and plan.segments[s.plan_segment].name != "regrasp" and len(s)
+    ]
+    if not carrying:
+        return []
+    found: list[tuple[JointSegment, int, str]] = [
+        (plan.joint_segments[0], 0, "the robot at home"),
+        (carrying[0], 0, "at the first grip"),
+    ]
+    found += [(s, len(s) // 2, f"in the {s.name}") for s in carrying[: MOST - 3]]
+    return [*found, (carrying[-1], len(carrying[-1]) - 1, "at the goal")]
+
+
+def render(plan: Plan, direction: Matrix, shape: tuple[int, int]) -> list[tuple[Matrix, str]]:
+    """A picture of each moment with its caption.
+
+    Parameters
+    ----------
+    plan : Plan
+        With joint segments.
+    direction : array [3]
+        From the object to the viewer.
+    shape : tuple of int
+        Width and height of a picture.
+    """
+    shown = moments(plan)
+    task, robot = plan.task, plan.task.arm.robot
+    links = robot_bodies(robot, task.fields.robot)
+    thing = bodies.object_body(task)
+    placed = []
+    for segment, row, _ in shown:
+        poses = np.asarray(robot.forward(segment.positions[row]))
+        there = [(body, X_WL) for body, X_WL in zip(links, poses, strict=True) if body.parts]
+        placed.append([*there, (thing, segment.object_poses[row])])
+    points = np.concatenate(
+        [
+            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
+            for scene in placed
+            for body, X_WB in scene
+            for part in body.parts
+        ]
+    )
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    toward = direction / np.linalg.norm(direction)
+    eye = middle + 4.0 * float(np.ptp(points, axis=0).max()) * toward
+    on_floor = points[points[:, 2] < task.problem.planes[0].offset + task.problem.object.size]
+    floor = bodies.floor_body(task, on_floor)
+    camera = Camera(eye, middle).fitted(points, *shape)
+    still = [(floor, np.eye(4)), *bodies.obstacles(task)]
+    return [
+        (raster.render([*still, *scene], camera, *shape), caption)
+        for scene, (_, _, caption) in zip(placed, shown, strict=True)
+    ]

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fingertip tasks that are good, as text, for tests that break them."""
+
+PUSH = """\
+kind: fingertip
+object:
+  name: block
+  box: [0.05, 0.10, 0.05]
+  mass: 1.0
+fingers: {count: 2, radius: 0.01, max_normal_force: 10, friction: 0.7}
+friction: 0.5
+motion:
+  slide: {translation: [0.05, 0, 0], segments: 6}
+options: {locations_per_side: 5}
+budget: {seconds: 20, seed: 3}
+"""
+
+TUMBLE = """\
+kind: fingertip
+object: {name: block, box: [0.05, 0.05, 0.10], mass: 1.0}
+walls:
+  - {name: behind, normal: [1, 0, 0], offset: -0.03}
+  - {name: beside, normal: [0, -1, 0], offset: -0.03}
+motion:
+  tumble: {over: +x, segments: 30}
+budget: {seconds: 20}
+"""
+
+
+def changed(old: str, new: str, text: str = PUSH) -> str:
+    """The good task with one part replaced; the part must be there once."""
+    assert text.count(old) == 1, old
+    return text.replace(old, new)

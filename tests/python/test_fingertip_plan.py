@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fingertip plans: what is written is what was found, and what is read back checks the same."""
+
+import json
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import graspless
+from fingertip_common import PUSH, TUMBLE, changed
+from graspless import TaskError, fingertip, planning, report
+from graspless.plans.fingertip_model import FingertipPlanFile
+from graspless.tasks import read_task
+
+
+@pytest.fixture(scope="module")
+def push():
+    plan = graspless.plan(read_task(PUSH, "push.yaml"))
+    assert plan, plan.reason
+    return plan
+
+
+@pytest.fixture(scope="module")
+def tumble():
+    plan = graspless.plan(read_task(TUMBLE, "tumble.yaml"))
+    assert plan, plan.reason
+    return plan
+
+
+@pytest.fixture(scope="module")
+def document(tumble):
+    return json.loads(tumble.to_json())
+
+
+# Where the fingers press at first, and the block never comes.
+OBSTACLE = {"name": "lamp", "box": [0.1, 0.1, 0.02], "pose": {"position": [0.0, 0.0, 0.126]}}
+
+
+def reread(document, path):
+    path.write_text(json.dumps(document))
+    return graspless.load_plan(path)
+
+
+def test_pushing_and_tumbling_hold(push, tumble):
+    assert graspless.check(push) == []
+    assert graspless.check(tumble) == []
+    assert (push.kind, push.regrasps) == ("fingertip", 0)
+    assert [segment.name for segment in push.segments] == ["slide"]
+    assert tumble.regrasps == 1
+    assert [segment.name for segment in tumble.segments] == ["tumble", "regrasp", "tumble"]
+    assert tumble.cost == pytest.approx(tumble.lower_bound)
+    assert tumble.cost > tumble.task.options.regrasp_cost
+
+
+@pytest.mark.parametrize("search", ["dijkstra", "paper", "fast"])
+def test_all_searches_find_the_same_cost(push, search):
+    plan = graspless.plan(push.task, search=search)
+    assert plan.cost == pytest.approx(push.cost, abs=1e-9)
+    assert graspless.check(plan) == []
+
+
+def test_rows_are_what_the_planner_found(push):
+    found = fingertip.plan(push.task.problem, push.task.options, push.task.budget)
+    segment, theirs = push.segments[0], found.segments[0]
+    assert segment.fingers.shape == (len(theirs), 2, 3)
+    assert len(segment.X_WO) == 7
+    for i, row in enumerate(theirs.rows):
+        np.testing.assert_allclose(segment.object_poses[i], row.X_WO, atol=1e-12)
+        assert segment.stability[i] == row.stability
+        for k, finger in enumerate(row.fingers):
+            np.testing.assert_array_equal(segment.fingers[i, k], finger.p_OC)
+            np.testing.assert_array_equal(segment.normals[i, k], finger.n_O)
+            np.testing.assert_array_equal(segment.nominal_forces[i, k], finger.nominal_force_O)
+            assert segment.commanded_forces[i, k] == finger.commanded_force
+            assert segment.modes[i][k] == finger.mode.name
+
+
+def test_finger_that_regrasps_is_off_the_object(tumble, document):
+    regrasp = tumble.segments[1]
+    assert regrasp.touches.sum() == 1
+    assert not regrasp.touches[0, regrasp.finger]
+    fields = document["segments"][1]
+    assert fields["fingers"][0][regrasp.finger] is None
+    assert fields["normals"][0][regrasp.finger] is None
+    moved = [
+        k
+        for k in range(2)
+        if not np.allclose(tumble.segments[0].fingers[-1, k], tumble.segments[2].fingers[0, k])
+    ]
+    assert moved == [regrasp.finger]
+
+
+def test_plan_holds_after_its_file(tumble, tmp_path):
+    tumble.save(tmp_path / "plan.json")
+    again = graspless.load_plan(tmp_path / "plan.json")
+    assert graspless.check(again) == []
+    assert again.to_json() == tumble.to_json()
+    assert FingertipPlanFile.model_validate(json.loads(tumble.to_json())) == tumble.fields
+
+
+def test_same_seed_gives_the_same_file(push):
+    def without_clock(plan):
+        document = json.loads(plan.to_json())
+        del document["stats"]["seconds"]
+        return document
+
+    assert without_clock(graspless.plan(push.task)) == without_clock(push)
+
+
+def test_file_says_every_value_in_force(document):
+    options = document["task"]["options"]
+    assert options["search"] == "fast"
+    assert options["min_stability"] == fingertip.Options().min_stability
+    assert options["compliance"]["finger_normal"] == fingertip.Compliance().finger_normal
+    assert document["task"]["fingers"]["friction"] == 0.7
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d["segments"][0]["fingers"][5][0].__setitem__(0, 0.02),
+        lambda d: d["segments"][0]["normals"][5].__setitem__(0, [1.0, 0.0, 0.0]),
+        lambda d: d["segments"][0]["modes"][5].__setitem__(0, "position"),
+        lambda d: d["segments"][0]["stability"].__setitem__(5, 99.0),
+        lambda d: d["segments"][0]["nominal_forces"][5].__setitem__(0, [0.0, 0.0, 0.0]),
+        lambda d: d["segments"][0]["object_poses"][5].__setitem__(0, 0.5),
+        lambda d: d["segments"].pop(1) and d.pop("weakest"),
+        lambda d: d.update(cost=1.0),
+        lambda d: d["task"]["obstacles"].append(OBSTACLE),
+        lambda d: d["task"]["fingers"].update(max_normal_force=3.0),
+    ],
+    ids=["point", "normal", "mode", "z", "force", "pose", "regrasp", "cost", "obstacle", "limit"],
+)  # fmt: skip
+def test_check_finds_a_plan_that_was_changed(document, tmp_path, change):
+    broken = json.loads(json.dumps(document))
+    change(broken)
+    assert graspless.check(reread(broken, tmp_path / "plan.json"))
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        (lambda d: d.update(kind="clap"), "kind: clap: should be 'slide' or 'fingertip'"),
+        (lambda d: d.update(status="no_goal_root"), "status: no_goal_root: should be 'solved'"),
+        (lambda d: d.pop("regrasps"), "regrasps: missing"),
+        (lambda d: d["segments"][0]["stability"].pop(), "one a row are needed"),
+        (lambda d: d["segments"][0]["fingers"][3].pop(), "row 3 of segment 0 'tumble' has 1 fingers for 2"),
+        (lambda d: d["segments"][0]["fingers"][3].__setitem__(0, None), "a point or a normal alone"),
+        (lambda d: d["segments"][0]["modes"][3].__setitem__(0, "soft"), "should be 'position' or"),
+        (lambda d: d["segments"][1].update(finger=7), "moves finger 7 of 2"),
+        (lambda d: d["segments"][0]["X_WO"][0].__setitem__(3, 4.0), "not of unit length"),
+        (lambda d: d["weakest"].update(row=900), "weakest: there is no row 900"),
+        (lambda d: d["task"].pop("motion"), "motion: missing"),
+    ],
+)  # fmt: skip
+def test_broken_plan_files(document, tmp_path, change, what):
+    broken = json.loads(json.dumps(document))
+    change(broken)
+    with pytest.raises(TaskError, match=what) as caught:
+        reread(broken, tmp_path / "plan.json")
+    assert str(caught.value).startswith(str(tmp_path / "plan.json"))
+
+
+def test_failed_plan_says_what_blocks_and_what_would_help(tmp_path):
+    weak = changed("max_normal_force: 10", "max_normal_force: 0.3")
+    plan = graspless.plan(read_task(weak, "weak.yaml"))
+    assert not plan
+    assert (plan.status, plan.cost, plan.weakest) == ("unstable", None, None)
+    assert plan.limit
+    text = report.as_text(plan)
+    assert f"what blocks: {plan.limit}" in text
+    for relaxation in plan.fields.relaxations:
+        assert relaxation.field in text
+    plan.save(tmp_path / "plan.json")
+    again = graspless.load_plan(tmp_path / "plan.json")
+    assert again.fields == plan.fields
+    assert graspless.check(again)[0].startswith("nothing to check: the plan's status is unstable")
+
+
+def test_report_names_cost_segments_and_the_weakest_step(tumble):
+    text = report.as_text(tumble)
+    assert "optimal on this lattice), 1 regrasp\n" in text
+    assert "finger" in text
+    k, row = tumble.weakest
+    least = tumble.segments[k].stability[row]
+    assert least == min(s.stability.min() for s in tumble.segments if s.name != "regrasp")
+    assert f"withstands {least:.3g} N" in text
+    assert len(text.splitlines()) < 10
+    printed = report.as_dict(tumble)
+    assert printed["cost"] == tumble.cost
+    assert printed["segments"][1]["finger"] == tumble.segments[1].finger
+    json.dumps(printed)
+
+
+def test_plan_stands_alone_beside_its_mesh(tmp_path):
+    import trimesh
+
+    mesh = tmp_path / "a.stl"
+    trimesh.creation.box([0.05, 0.10, 0.05]).export(mesh)
+    (tmp_path / "task.yaml").write_text(changed("box: [0.05, 0.10, 0.05]", "mesh: {file: a.stl}"))
+    plan = graspless.plan(tmp_path / "task.yaml")
+    plan.save(tmp_path / "plan.json")
+    (tmp_path / "task.yaml").unlink()
+    assert graspless.check(tmp_path / "plan.json") == []
+    trimesh.creation.box([0.05, 0.10, 0.06]).export(mesh)
+    with pytest.raises(TaskError, match=r"a.stl: has changed since the plan was made"):
+        graspless.load_plan(tmp_path / "plan.json")
+
+
+LONG = changed("locations_per_side: 5", "locations_per_side: 13, search: dijkstra")
+
+
+def test_another_thread_stops_a_search():
+    task = read_task(changed("segments: 6", "segments: 200", LONG), "long.yaml")
+    budget = planning.Budget(seconds=60)
+    threading.Timer(0.3, budget.stop).start()
+    start = time.monotonic()
+    plan = graspless.plan(task, budget=budget)
+    assert plan.status == "interrupted"
+    assert time.monotonic() - start < 10
+    assert plan.reason
+
+
+def test_out_of_time_is_a_status():
+    plan = graspless.plan(read_task(LONG, "long.yaml"), seconds=0.05)
+    assert plan.status == "out_of_time"
+    assert graspless.check(plan)

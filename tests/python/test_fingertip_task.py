@@ -1,0 +1,314 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fingertip task files: what is read, and what is said about each fault."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import graspless
+from fingertip_common import PUSH, TUMBLE, changed
+from graspless import TaskError, fingertip, frames
+from graspless.tasks.fingertip.motions import angle_to_next_face, edge
+
+BOX = "box: [0.05, 0.10, 0.05]"
+SLIDE = "slide: {translation: [0.05, 0, 0], segments: 6}"
+TETRAHEDRON = (
+    "vertices: [[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]]\n"
+    "  triangles: [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]"
+)
+
+
+@pytest.fixture
+def write(tmp_path):
+    def write(text, name="task.yaml"):
+        path = tmp_path / name
+        path.write_text(text)
+        return path
+
+    return write
+
+
+def fault(path):
+    """The message of a task that must not be read, without its folder."""
+    with pytest.raises(TaskError) as caught:
+        graspless.load_task(path)
+    return str(caught.value).replace(f"{path.parent}/", "")
+
+
+def test_reads_a_task(write):
+    task = graspless.load_task(write(PUSH))
+    assert (task.kind, task.seed) == ("fingertip", 3)
+    problem = task.problem
+    assert problem.object.mass == 1.0
+    assert (problem.fingers.count, problem.fingers.radius) == (2, 0.01)
+    assert problem.fingers.friction == (0.7, 0.7)
+    assert problem.friction == (0.5, 0.5)
+    assert len(problem.motion) == 7
+    np.testing.assert_allclose(problem.motion.X_WO[0][:3, 3], [0, 0, 0.025])
+    np.testing.assert_allclose(problem.motion.X_WO[-1][:3, 3], [0.05, 0, 0.025])
+    assert [plane.name for plane in problem.planes] == ["floor"]
+    assert task.options.locations_per_side == 5
+    assert task.arm is None
+
+
+def test_planes_friction_and_gravity(write):
+    more = """\
+floor: {height: 0.2}
+walls:
+  - {name: a, normal: [1, 0, 0], point: [-0.3, 5, 5]}
+  - {name: b, normal: [0, -1, 0], offset: -0.5}
+gravity: [0, 0, -1.6]
+budget:"""
+    text = changed("friction: 0.5\n", "friction: [0.4, 0.6]\n", changed("budget:", more))
+    problem = graspless.load_task(write(text)).problem
+    assert [(p.name, p.offset) for p in problem.planes] == [
+        ("floor", 0.2),
+        ("a", -0.3),
+        ("b", -0.5),
+    ]
+    assert problem.friction == (0.4, 0.6)
+    assert problem.gravity_W[2] == -1.6
+    assert problem.motion.X_WO[0][2, 3] == pytest.approx(0.225)
+
+
+def test_a_normal_that_is_not_of_unit_length_is_normalised_with_a_warning(write):
+    more = "walls: [{name: a, normal: [0, -3, 4], offset: -0.5}]\nbudget:"
+    with pytest.warns(
+        UserWarning, match=r"task.yaml:11: walls\[0\].normal: .*length 5.*normalised"
+    ):
+        problem = graspless.load_task(write(changed("budget:", more))).problem
+    np.testing.assert_allclose(problem.planes[1].n_W, [0, -0.6, 0.8])
+    assert problem.planes[1].offset == -0.5
+
+
+def more(text):
+    """A change that adds a section on line 11."""
+    return "budget:", f"{text}\nbudget:"
+
+
+# A change of the good task, the line that is blamed, and what must be said.
+FAULTS = [
+    (("kind: fingertip", "kind: fingertips"), 1, r"kind: fingertips: should be 'slide' or 'finger"),
+    (("kind: fingertip\n", ""), 1, r"kind: missing; should be 'slide' or 'fingertip'"),
+    (("mass: 1.0", "mas: 1.0"), 5, r"object.mas: unknown field; did you mean 'mass'"),
+    (("mass: 1.0", "mass: -1"), 5, r"object.mass: -1: should be greater than 0"),
+    (("mass: 1.0", "mass: .nan"), 5, r"object.mass: nan: .*finite"),
+    (("mass: 1.0\n", "\n"), 2, r"object: exactly one of mass, density must be given, not none"),
+    (("mass: 1.0", "mass: 1.0\n  density: 3"), 2, r"object: .*not mass and density"),
+    (("mass: 1.0", "mass: 1.0\n  com: [1, 0, 0]"), 6, r"object.com: .*hull"),
+    (("mass: 1.0", "mass: 1.0\n  inertia: [1, 1, 9]"), 6, r"object.inertia: .*(triangle|inertia)"),
+    (("mass: 1.0", "mass: 1.0\n  inertia: [[1, 2], [3, 4]]"), 6, r"object.inertia.*at least 3"),
+    ((BOX, "box: [0.05, 0, 0.05]"), 4, r"object.box\[1\]: 0: should be greater than 0"),
+    ((f"{BOX}\n", "\n"), 2, r"object: exactly one of box, mesh, vertices must be given, not none"),
+    ((BOX, f"{BOX}\n  mesh: {{file: a.stl}}"), 2, r"not box and mesh"),
+    ((BOX, "mesh: {file: a.stl}"), 4, r"object.mesh.file: a.stl: no such file"),
+    ((BOX, "vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]"), 2, r"given together"),
+    ((BOX, TETRAHEDRON.replace(", [2, 0, 3]]", ", [2, 0, 9]]")), 5, r"object.triangles: .*9"),
+    ((BOX, TETRAHEDRON.replace(", [2, 0, 3]]", ", [0, 2, 3]]")), 5, r"object.triangles: .*orient"),
+    ((BOX, TETRAHEDRON.replace("[2, 0, 3]", "[0, 2, 1]")), 5, r"object.triangles: .*(closed|edge)"),
+    (("count: 2", "count: 5"), 6, r"fingers.count: 5: should be less than or equal to 4"),
+    (("count: 2", "count: 0"), 6, r"fingers.count: 0: should be greater than or equal to 1"),
+    (("radius: 0.01", "radius: 0"), 6, r"fingers.radius: 0: should be greater than 0"),
+    (("force: 10", "force: 0"), 6, r"fingers.max_normal_force: 0: should be greater than 0"),
+    (("friction: 0.7", "friction: 0"), 6, r"fingers.friction: 0: should be greater than 0"),
+    (("friction: 0.7", "friction: [0.8, 0.6]"), 6, r"fingers.friction: \[0.8, 0.6\]: the first must not exceed"),
+    (("friction: 0.5", "friction: -0.5"), 7, r"friction: -0.5: should be greater than 0"),
+    (("friction: 0.5", "friction: .nan"), 7, r"friction: nan: .*finite"),
+    (("friction: 0.5", "friction: [0.5]"), 7, r"friction: \[0.5\]: .*at least 2"),
+    (("friction: 0.5", "friction: slippery"), 7, r"friction: slippery: should be a valid number"),
+    (more("walls: [{name: a, normal: [0, 0, 0], offset: 0}]"), 11, r"walls\[0\].normal: .*zero"),
+    (more("walls: [{name: a, normal: [1, 0, 0]}]"), 11, r"walls\[0\]: exactly one of offset, point"),
+    (more("walls: [{name: floor, normal: [1, 0, 0], offset: -1}]"), 1, r"given twice: floor"),
+    (more("gravity: [0, 0]"), 11, r"gravity: \[0, 0\]: .*at least 3"),
+    (more("obstacles: [{name: a, box: [1, 1, 1]}]"), 9, r"motion.slide: .*touches obstacle a"),
+    (("options: {locations_per_side: 5}", "options: {cone_edges: 2}"), 10, r"cone_edges: 2: .*3"),
+    (("{locations_per_side: 5}", "{search: best}"), 10, r"options.search: best: .*'dijkstra'"),
+    (("{locations_per_side: 5}", "{min_stability: 0}"), 10, r"min_stability: 0: .*greater than 0"),
+    (("{locations_per_side: 5}", "{locations_per_side: 1000}"), 10, r"options: .* MB, more than"),
+    (("{locations_per_side: 5}", "{compliance: {finger: 1}}"), 10, r"compliance.finger: unknown"),
+    (
+        ("{locations_per_side: 5}", "{disturbance_directions: [[1, 0, 0, 0, 0, 0]]}"),
+        10,
+        r"options.*: .*span",
+    ),
+    ((SLIDE, "{}"), 8, r"motion: exactly one of slide, turn, .* must be given, not none"),
+    ((SLIDE, f"{SLIDE}\n  path: []"), 10, r"motion.path: .*at least 2"),
+    ((SLIDE, "slide: {translation: [0, 0, 0], segments: 6}"), 9, r"motion.slide: .*"),
+    ((SLIDE, "slide: {translation: [0.1, 0, 0.1]}"), 9, r"motion.slide: .*floats"),
+    ((SLIDE, "slide: {translation: [0.1, 0, -0.1]}"), 9, r"motion.slide: .*(below|into|enters|inside)"),
+    (
+        (SLIDE, "slide: {translation: [0.1, 0, 0], pose: {position: [0, 0, 0.03]}}"),
+        9,
+        r"motion.slide: .*floats",
+    ),
+    ((SLIDE, "tumble: {over: up}"), 9, r"motion.tumble.over: up: should be '\+x', '-x'"),
+    ((SLIDE, "tumble: {}"), 9, r"motion.tumble: exactly one of over, point"),
+    ((SLIDE, "tumble: {point: [0, 0, 0]}"), 9, r"motion.tumble: point and axis .*together"),
+    ((SLIDE, "tumble: {point: [0, 0, 0], axis: [0, 1, 0]}"), 9, r"tumble: angle must be given"),
+    (
+        (SLIDE, "tumble: {point: [0.025, 0, 0], axis: [1, 1, 0], angle: 0.4}"),
+        9,
+        r"motion.tumble: ",
+    ),
+    ((SLIDE, "turn: {angle: 0.5, axis: [0, 0, 0]}"), 9, r"motion.turn: .*axis"),
+    ((SLIDE, "turn: {angle: 0.5, axis: [0, 1, 0]}"), 9, r"motion.turn: "),
+    (
+        (SLIDE, "lattice: {goal: {position: [0.051, 0, 0.025]}, lower: [0, 0, 0], upper: [0.1, 0, 0], counts: [11, 1, 1]}"),
+        9,
+        r"motion.lattice: .*along x: the goal \(0.051000\) must be one of its values",
+    ),
+    (
+        (SLIDE, "goal: {pose: {position: [0.05, 0, 0.5]}}"),
+        9,
+        r"motion.goal.pose: .*floats",
+    ),
+    (
+        (SLIDE, "goal: {pose: {position: [0.05, 0, 0.025]}, slide_step: 0}"),
+        9,
+        r"motion.goal.slide_step: 0: should be greater than 0",
+    ),
+    (
+        (SLIDE, "sequence:\n    - slide: {translation: [0.1, 0, 0]}\n    - slide: {translation: [0.1, 0, 0], pose: {}}"),
+        11,
+        r"motion.sequence\[1\].slide.pose: .*a step starts where the one before it ended",
+    ),
+    ((SLIDE, "sequence: [{}]"), 9, r"motion.sequence\[0\]: exactly one of slide, turn, tumble"),
+    (more("carrier: {fingertips: [a, b]}"), 1, r"carrier is for a robot, and none is given"),
+    (
+        more("robot: {urdf: wam_t42_tips}\ncarrier: {fingertips: [thumb, b]}"),
+        12,
+        r"carrier.fingertips: .*thumb.*left_tip_center",
+    ),
+    (
+        more("robot: {urdf: wam_t42_tips}\ncarrier: {fingertips: [left_tip_center], links: [[left_finger]]}"),
+        12,
+        r"carrier: .*each of 2 fingers",
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "line", "what"), FAULTS)
+def test_fault_says_file_line_field_value_and_choice(write, change, line, what):
+    message = fault(write(changed(*change)))
+    assert re.match(rf"task\.yaml:{line}: ", message), message
+    assert re.search(what, message), message
+    assert "\n" not in message
+
+
+def test_goal_in_a_wall_is_refused(write):
+    wall = "walls: [{name: w, normal: [-1, 0, 0], offset: -0.05}]\nbudget:"
+    message = fault(write(changed("budget:", wall)))
+    assert re.search(r"motion.slide: .*w\b", message), message
+
+
+def test_mesh_in_millimetres_and_its_density(write, tmp_path):
+    import trimesh
+
+    trimesh.creation.box([50, 100, 50]).export(tmp_path / "a.stl")
+    mesh = changed(BOX, "mesh: {file: a.stl, unit: mm}", changed("mass: 1.0", "density: 1000"))
+    thing = graspless.load_task(write(mesh)).problem.object
+    assert thing.mass == pytest.approx(0.25)
+    np.testing.assert_allclose(np.ptp(thing.hull, axis=0), [0.05, 0.10, 0.05], atol=1e-9)
+    with pytest.warns(UserWarning, match=r"object.mesh: is 50 x 100 x 50 m; .*unit: mm"):
+        graspless.load_task(write(mesh.replace(", unit: mm", "")))
+
+
+def test_inertia_and_centre_of_mass(write):
+    fields = "mass: 1.0\n  com: [0.01, 0, 0]\n  inertia: [0.001, 0.0012, 0.0011]"
+    thing = graspless.load_task(write(changed("mass: 1.0", fields))).problem.object
+    np.testing.assert_allclose(thing.com, [0.01, 0, 0])
+    np.testing.assert_allclose(thing.inertia, np.diag([0.001, 0.0012, 0.0011]))
+
+
+def test_tumble_over_each_side_lies_down_on_the_next_face(write):
+    for side, place in (
+        ("+x", [0.05, 0]),
+        ("-x", [-0.05, 0]),
+        ("+y", [0, 0.075]),
+        ("-y", [0, -0.075]),
+    ):
+        text = changed(SLIDE, f"tumble: {{over: {side}, segments: 4}}")
+        X_WO = graspless.load_task(write(text)).problem.motion.X_WO
+        np.testing.assert_allclose(X_WO[-1][:2, 3], place, atol=1e-12)
+        corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+        heights = (corners * [0.025, 0.05, 0.025]) @ X_WO[-1][2, :3] + X_WO[-1][2, 3]
+        assert np.sum(np.abs(heights) < 1e-9) == 4
+        assert heights.min() > -1e-9
+
+
+def test_angle_to_next_face_of_a_prism():
+    prism = np.array(
+        [[0, y, 0] for y in (0, 1)] + [[1, y, 0] for y in (0, 1)] + [[0, y, 2] for y in (0, 1)]
+    )
+    point, axis = edge(prism.astype(float), 0.0, "+x", 2.0)
+    np.testing.assert_allclose(np.abs(axis), [0, 1, 0])
+    assert point[0] == 1
+    assert angle_to_next_face(prism.astype(float), point, axis) == pytest.approx(
+        math.pi - math.atan(2)
+    )
+    point, axis = edge(prism.astype(float), 0.0, "-x", 2.0)
+    assert angle_to_next_face(prism.astype(float), point, axis) == pytest.approx(math.pi / 2)
+
+
+def test_sequence_joins_its_steps(write):
+    steps = """sequence:
+    - slide: {translation: [0.05, 0, 0], segments: 5}
+    - tumble: {over: +x, segments: 6}
+    - turn: {angle: 0.5, segments: 3}"""
+    X_WO = graspless.load_task(write(changed(SLIDE, steps))).problem.motion.X_WO
+    assert len(X_WO) == 5 + 6 + 3 + 1
+    np.testing.assert_allclose(X_WO[-1][:3, 3], [0.10, 0, 0.025], atol=1e-12)
+    turned = X_WO[-1][:3, :3] @ X_WO[11][:3, :3].T
+    np.testing.assert_allclose(turned, frames.from_rpy([0, 0, 0.5])[:3, :3], atol=1e-12)
+
+
+def test_lattice_goal_and_path(write):
+    lattice = "lattice: {goal: {position: [0.05, 0, 0.025]}, lower: [0, 0, 0], upper: [0.1, 0, 0], counts: [11, 1, 1]}"
+    motion = graspless.load_task(write(changed(SLIDE, lattice))).problem.motion
+    assert isinstance(motion, fingertip.Lattice)
+    assert tuple(motion.counts) == (11, 1, 1)
+    goal = "goal: {pose: {position: [0.05, 0, 0.025]}, max_tumbles: 1}"
+    motion = graspless.load_task(write(changed(SLIDE, goal))).problem.motion
+    assert isinstance(motion, fingertip.Goal)
+    assert motion.max_tumbles == 1
+    assert motion.slide_step == fingertip.Goal().slide_step
+    path = "path: [{position: [0, 0, 0.025]}, {position: [0.01, 0, 0.025]}]"
+    motion = graspless.load_task(write(changed(SLIDE, path))).problem.motion
+    assert isinstance(motion, fingertip.Path)
+    assert len(motion) == 2
+
+
+def test_every_option_can_be_given(write):
+    given = (
+        "search: paper, location_spacing: 0.02, cone_edges: 8, samples_per_arc: 2, "
+        "min_stability: 0.3, regrasp_cost: 10, stability_weight: 0.02, max_regrasps: 2, threads: 2, "
+        "max_memory: 1e9, explain: false, compliance: {finger_normal: 0.3}"
+    )
+    options = graspless.load_task(write(changed("locations_per_side: 5", given))).options
+    assert options.search == fingertip.Search.paper
+    assert (options.cone_edges, options.threads, options.explain) == (8, 2, False)
+    assert options.compliance.finger_normal == 0.3
+    assert options.compliance.environment_normal == fingertip.Compliance().environment_normal
+
+
+def test_task_with_a_robot(write):
+    text = changed("budget:", """\
+robot: {urdf: wam_t42_tips}
+carrier:
+  fingertips: [left_tip_center, right_tip_center]
+  links: [[left_finger], [right_finger]]
+realize: {max_jump: 0.04}
+budget:""")  # fmt: skip
+    arm = graspless.load_task(write(text)).arm
+    assert arm.robot.name
+    assert arm.options.max_jump == 0.04
+    assert arm.options.approach == fingertip.RealizeOptions().approach
+    np.testing.assert_allclose(arm.q_home, arm.robot.state("home"))
+
+
+def test_walls_of_the_example_are_as_written(write):
+    problem = graspless.load_task(write(TUMBLE)).problem
+    np.testing.assert_allclose([p.n_W for p in problem.planes], [[0, 0, 1], [1, 0, 0], [0, -1, 0]])
