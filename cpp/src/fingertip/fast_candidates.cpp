@@ -52,9 +52,7 @@ void Candidates::reserve(std::size_t more) {
   const auto arcs = static_cast<std::size_t>(query_.num_arcs());
   all_.reserve(count);
   index_.reserve(count);
-  for (auto* values : {&z_, &weight_}) values->reserve(count * instants_.size());
-  known_.reserve(count * instants_.size());
-  for (auto* values : {&reach_, &arcs_}) values->reserve(count * arcs);
+  arcs_.reserve(count * arcs);
   for (auto* values : {&before_, &after_}) values->reserve(count * (arcs + 1));
 }
 
@@ -63,25 +61,28 @@ int Candidates::open(const Placement& placement) {
   if (!is_new) return entry->second;
   const int c = size();
   all_.push_back({placement});
-  z_.resize(z_.size() + instants_.size(), kInfinity);
-  weight_.resize(z_.size(), 1.0);
-  known_.resize(z_.size(), Known::bound);
   const auto poses = static_cast<std::size_t>(query_.num_poses());
-  before_.resize(before_.size() + poses, kInfinity);
-  after_.resize(after_.size() + poses, kInfinity);
+  before_.resize(before_.size() + poses);
+  after_.resize(after_.size() + poses);
   bool was_clear = is_clear(0, placement);
   for (int arc = 0; arc < query_.num_arcs(); ++arc) {
     const bool is_clear_now = is_clear(arc + 1, placement);
-    double reach = 0;
-    for (int i = 0; i < query_.num_fingers; ++i) {
-      reach = std::max(reach, query_.displacement(arc, placement[static_cast<std::size_t>(i)]));
-    }
-    reach_.push_back(was_clear && is_clear_now ? reach : kInfinity);
-    arcs_.push_back(reach_.back() * query_.options.samples_per_arc);
+    arcs_.push_back(was_clear && is_clear_now
+                        ? reach(arc, placement) * query_.options.samples_per_arc
+                        : kInfinity);
     was_clear = is_clear_now;
   }
   add_up(c);
   return c;
+}
+
+/// How far the finger moves that moves farthest, in a P-th of an arc.
+double Candidates::reach(int arc, const Placement& placement) const {
+  double reach = 0;
+  for (int i = 0; i < query_.num_fingers; ++i) {
+    reach = std::max(reach, query_.displacement(arc, placement[static_cast<std::size_t>(i)]));
+  }
+  return reach;
 }
 
 bool Candidates::is_clear(int pose, const Placement& placement) const {
@@ -100,6 +101,14 @@ void Candidates::add_up(int c) {
   before[0] = after[arcs] = 0;
   for (int arc = 0; arc < arcs; ++arc) before[arc + 1] = before[arc] + cost[arc];
   for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
+}
+
+void Candidates::look_at(int c) {
+  if (at(c).row >= 0) return;
+  at(c).row = rows_++;
+  z_.resize(z_.size() + instants_.size(), kInfinity);
+  weight_.resize(z_.size(), 1.0);
+  known_.resize(z_.size(), Known::bound);
 }
 
 void Candidates::set_stability(int c, int slot, double z) {
@@ -129,7 +138,7 @@ double Candidates::tighten_arc(int c, int arc, bool& changed) {
   if (is_lower || static_cast<int>(instants_.size()) < query_.num_arcs() * samples) {
     double weight = 0;
     for (int j = 0; j < samples; ++j) weight += weight_[slot_index(c, slot(arc, j))];
-    const double now = reach_[arc_index(c, arc)] * weight;
+    const double now = weight < kInfinity ? reach(arc, at(c).placement) * weight : kInfinity;
     changed |= now != cost;
     cost = now;
   }
@@ -142,6 +151,7 @@ bool Candidates::refresh(int c) {
 }
 
 bool Candidates::update(int c) {
+  look_at(c);
   bool changed = false;
   const int arcs = query_.num_arcs();
   double* before = &before_[sum_index(c, 0)];
@@ -173,6 +183,7 @@ void Candidates::keep_middles() {
 }
 
 bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& questions) {
+  look_at(c);
   std::vector<int> open;
   bool any = false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
@@ -198,17 +209,18 @@ bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& 
 }
 
 bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
+  if (at(c).row < 0) return false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
     for (int j = 0; j < query_.options.samples_per_arc; ++j) {
-      const std::size_t i = slot_index(c, slot(arc, j));
-      if (known_[i] != Known::solved || !(z_[i] > 0)) return false;
+      if (known_[slot_index(c, slot(arc, j))] != Known::solved) return false;
     }
-    if (reach_[arc_index(c, arc)] == kInfinity) return false;
+    if (arcs_[arc_index(c, arc)] == kInfinity) return false;
   }
   return true;
 }
 
 void Candidates::ask_slot(int c, int slot, std::vector<Question>& questions) {
+  look_at(c);
   Known& known = known_[slot_index(c, slot)];
   if (known != Known::bound) return;
   known = Known::asked;
@@ -235,10 +247,12 @@ void Candidates::learn(const Question& question) {
 }
 
 std::int64_t Candidates::bytes_each(const PathQuery& query) {
-  const std::int64_t arcs = query.num_arcs();
-  return 64 + arcs * query.options.samples_per_arc * 17 + (4 * arcs + 2) * 8;
+  return 100 + (3 * query.num_arcs() + 2) * 8;
 }
 
-std::int64_t Candidates::memory() const { return size() * bytes_each(query_); }
+std::int64_t Candidates::memory() const {
+  const auto samples = static_cast<std::int64_t>(instants_.size());
+  return size() * bytes_each(query_) + rows_ * samples * 17;
+}
 
 }  // namespace graspless::fingertip

@@ -61,7 +61,7 @@ class Candidates {
   const std::vector<int>& instants() const { return instants_; }
   std::vector<int> instants(int arc) const;  // of an arc's samples, each once
   std::int64_t memory() const;
-  static std::int64_t bytes_each(const PathQuery& query);
+  static std::int64_t bytes_each(const PathQuery& query);  // until they are looked at
 
  private:
   enum class Known : std::uint8_t { bound, asked, solved };
@@ -69,6 +69,7 @@ class Candidates {
     Placement placement;
     std::int64_t stamp = 0;
     int solved = 0;
+    int row = -1;  // of the tables of samples; -1 until it is looked at
   };
   const Candidate& at(int c) const { return all_[static_cast<std::size_t>(c)]; }
   Candidate& at(int c) { return all_[static_cast<std::size_t>(c)]; }
@@ -81,13 +82,15 @@ class Candidates {
            static_cast<std::size_t>(arc);
   }
   std::size_t slot_index(int c, int slot) const {
-    return static_cast<std::size_t>(c) * instants_.size() + static_cast<std::size_t>(slot);
+    return static_cast<std::size_t>(at(c).row) * instants_.size() + static_cast<std::size_t>(slot);
   }
   int slot(int arc, int sample) const {
     return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
   }
   bool is_clear(int pose, const Placement& placement) const;
+  double reach(int arc, const Placement& placement) const;
   void add_up(int c);
+  void look_at(int c);
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);
   void set_stability(int c, int slot, double z);
@@ -97,11 +100,11 @@ class Candidates {
   const Supports& supports_;
   std::vector<int> instants_, slots_;
   std::vector<Candidate> all_;
-  std::vector<double> z_;       // candidates x slots
-  std::vector<double> weight_;  // candidates x slots: 1 + X_stab / z
-  std::vector<Known> known_;    // candidates x slots
-  std::vector<double> reach_;   // candidates x arcs: the longest displacement; infinite: not clear
-  std::vector<double> arcs_;    // candidates x arcs
+  int rows_ = 0;
+  std::vector<double> z_;               // rows x slots
+  std::vector<double> weight_;          // rows x slots: 1 + X_stab / z
+  std::vector<Known> known_;            // rows x slots
+  std::vector<double> arcs_;            // candidates x arcs
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_middles_ = false;

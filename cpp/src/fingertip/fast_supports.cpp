@@ -5,11 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "fingertip/screw.hpp"
+
+// Compiled for wider registers too; the loader takes what the machine has.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
+    !defined(__SANITIZE_ADDRESS__)
+#define GRASPLESS_WIDE __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define GRASPLESS_WIDE
+#endif
 
 namespace graspless::fingertip {
 
@@ -24,6 +33,9 @@ constexpr double kPolar = 1e-12;    // y . g of a functional of length 1 that co
 constexpr double kRounding = 2e-6;  // of single precision, relative to the terms added
 constexpr double kProgress = 0.1;   // a functional must bound by that much more elsewhere
 constexpr std::size_t kKept = 2;    // functionals kept of those of one solution
+
+// What the compiler keeps in as many registers as it takes.
+typedef float Eight __attribute__((vector_size(Supports::kStep * sizeof(float))));
 
 /// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
 /// in W.
@@ -45,6 +57,40 @@ bool are_polar(const Matrix6Xd& generators, const Vector6d& y) {
     if (y.dot(generators.col(g)) > limit * generators.col(g).norm()) return false;
   }
   return true;
+}
+
+/// The least entry of the sum of rows, of which `size` entries are in use.
+GRASPLESS_WIDE float least_sum(const float* const* rows, int count, int size) {
+  Eight least = Eight{} + kFree;
+  for (int i = 0; i < size; i += Supports::kStep) {
+    Eight sum, more;
+    std::memcpy(&sum, rows[0] + i, sizeof(Eight));
+    for (int r = 1; r < count; ++r) {
+      std::memcpy(&more, rows[r] + i, sizeof(Eight));
+      sum += more;
+    }
+    least = sum < least ? sum : least;
+  }
+  float all[Supports::kStep];
+  std::memcpy(all, &least, sizeof(Eight));
+  for (int k = 4; k > 0; k /= 2) {
+    for (int i = 0; i < k; ++i) all[i] = all[i + k] < all[i] ? all[i + k] : all[i];
+  }
+  return all[0];
+}
+
+/// The greatest over edges of w . y, of kStep functionals whose components are `stride` apart.
+GRASPLESS_WIDE void greatest(const float* edges, int count, const float* y, int stride, float* h) {
+  Eight component[6];
+  for (int c = 0; c < 6; ++c) std::memcpy(&component[c], y + c * stride, sizeof(Eight));
+  Eight most = Eight{};
+  for (int j = 0; j < count; ++j, edges += 6) {
+    const Eight sum = (edges[0] * component[0] + edges[1] * component[1]) +
+                      (edges[2] * component[2] + edges[3] * component[3]) +
+                      (edges[4] * component[4] + edges[5] * component[5]);
+    most = sum > most ? sum : most;
+  }
+  std::memcpy(h, &most, sizeof(Eight));
 }
 
 int round_up(int n) { return (n + Supports::kStep - 1) / Supports::kStep * Supports::kStep; }
@@ -120,16 +166,7 @@ void Supports::fill(const Pool& p, int location) const {
   for (int first = 0; first < p.size; first += kStep) {
     const auto begin = p.stamps.begin() + first;
     if (*std::max_element(begin, begin + kStep) <= filled) continue;
-    Step most = Step::Zero();
-    const float* y = p.y.data() + first;
-    for (int j = 0; j < edges_; ++j) {
-      Step sum = Step::Zero();
-      for (int c = 0; c < 6; ++c) {
-        sum += edges[j * 6 + c] * Eigen::Map<const Step>(y + c * width_);
-      }
-      most = most.max(sum);
-    }
-    Eigen::Map<Step>(h + first) = most;
+    greatest(edges, edges_, p.y.data() + first, width_, h + first);
   }
   filled = p.stamp;
 }
@@ -144,19 +181,12 @@ const float* Supports::block(int instant, int location) const {
 float Supports::bound(int instant, const Placement& placement) const {
   const Pool& p = pool(instant);
   if (p.size == 0) return kFree;
-  const float* blocks[mechanics::kMaxFingers];
-  int fingers = 0;
+  const float* rows[1 + mechanics::kMaxFingers] = {p.offsets.data()};
+  int count = 1;
   for (const std::int32_t location : placement) {
-    if (location >= 0) blocks[fingers++] = block(instant, location);
+    if (location >= 0) rows[count++] = block(instant, location);
   }
-  Step least_steps = Step::Constant(kFree);
-  const int used = round_up(p.size);
-  for (int i = 0; i < used; i += kStep) {
-    Step sums = Eigen::Map<const Step>(p.offsets.data() + i);
-    for (int f = 0; f < fingers; ++f) sums += Eigen::Map<const Step>(blocks[f] + i);
-    least_steps = least_steps.min(sums);
-  }
-  return least_steps.minCoeff();
+  return least_sum(rows, count, round_up(p.size));
 }
 
 bool Supports::is_polar(int instant, const Vector6d& y) const {

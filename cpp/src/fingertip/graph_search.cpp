@@ -54,7 +54,7 @@ class GraphSearch {
         evaluator_(evaluator),
         num_fingers_(num_fingers),
         num_layers_(num_layers),
-        code_(query.num_poses(), query.locations.size(), num_fingers, num_layers),
+        code_(query.num_poses(), query.locations.size(), num_fingers, std::max(1, num_layers)),
         h_(query, heuristic) {}
 
   Route run(planning::Clock& clock, double limit) {
@@ -117,8 +117,8 @@ class GraphSearch {
 
   // Figure 5(b), first half: a finger leaves; cost (10).
   void lift(const Node& node, const Open& from) {
-    const int layer = num_layers_ == 1 ? 0 : layer_ + 1;
-    if (layer == num_layers_) return;
+    const int layer = num_layers_ == 0 ? 0 : layer_ + 1;
+    if (num_layers_ > 0 && layer == num_layers_) return;
     for (int i = 0; i < num_fingers_; ++i) {
       const Placement kept = without(node.placement, node.placement[static_cast<std::size_t>(i)]);
       reach({node.pose, kept}, layer, from.code, from.g + query_.options.regrasp_cost);
@@ -152,7 +152,7 @@ class GraphSearch {
 
   const PathQuery& query_;
   Evaluator& evaluator_;
-  int num_fingers_, num_layers_;
+  int num_fingers_, num_layers_;  // one layer a number of regrasps; 0: they are not counted
   NodeCode code_;
   Heuristic h_;
   NodeTable table_;
@@ -182,7 +182,7 @@ Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,
     statistics.memory = std::max(statistics.memory, graph.memory());
     return route;
   };
-  Route route = search(1);
+  Route route = search(0);
   // Without counting regrasps the graph is smaller; count only where their number is too large.
   if (num_regrasps(route) <= query.options.max_regrasps) return route;
   return search(query.options.max_regrasps + 1);
