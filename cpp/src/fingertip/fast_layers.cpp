@@ -3,6 +3,8 @@
 // Routes with any number of regrasps, by dynamic programming over bounds.
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "fingertip/fast_search.hpp"
 
@@ -11,6 +13,8 @@ namespace graspless::fingertip {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::size_t kRoutes = 16;  // looked at together
 
 /// Where a route may be: on a candidate, or at a hub.
 struct Place {
@@ -26,8 +30,8 @@ class Layers {
   Layers(FastSearch& search, int max_regrasps)
       : search_(search), layers_(max_regrasps + 1), poses_(search.query.num_poses()) {}
 
-  /// The cheapest route as places, from the last to the first; empty when there is none.
-  std::vector<Place> best(double& cost) {
+  /// Finds them anew; the least cost of a route.
+  double update() {
     candidates_ = search_.candidates.size();
     cells_.assign(static_cast<std::size_t>(layers_) * static_cast<std::size_t>(poses_), {});
     for (int pose = 0; pose < poses_; ++pose) {
@@ -38,7 +42,18 @@ class Layers {
         put(r, pose);
       }
     }
-    return back_from_goal(cost);
+    rank_goals();
+    return goals_.empty() ? kInfinity : goals_.front().first;
+  }
+
+  /// The cheapest routes to as many different goals, cheapest first, each as places from the last
+  /// to the first.
+  std::vector<std::vector<Place>> best(std::size_t count) {
+    std::vector<std::vector<Place>> routes;
+    for (std::size_t i = 0; i < std::min(count, goals_.size()); ++i) {
+      routes.push_back(back_from(goals_[i].second));
+    }
+    return routes;
   }
 
  private:
@@ -123,21 +138,21 @@ class Layers {
     }
   }
 
-  std::vector<Place> back_from_goal(double& cost) {
-    Place place{0, poses_ - 1, false, -1};
-    cost = kInfinity;
+  void rank_goals() {
+    goals_.clear();
     for (int r = 0; r < layers_; ++r) {
       for (int c = 0; c < candidates_; ++c) {
-        const double here = at(cell(r, poses_ - 1).candidates, c).cost;
-        if (here < cost) {
-          cost = here;
-          place.regrasps = r;
-          place.index = c;
-        }
+        const double cost = at(cell(r, poses_ - 1).candidates, c).cost;
+        if (cost < kInfinity) goals_.push_back({cost, {r, poses_ - 1, false, c}});
       }
     }
+    std::stable_sort(goals_.begin(), goals_.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  std::vector<Place> back_from(Place place) {
     std::vector<Place> places;
-    while (cost < kInfinity) {
+    while (true) {
       places.push_back(place);
       Cell& here = cell(place.regrasps, place.pose);
       const Step step = at(place.at_hub ? here.hubs : here.candidates, place.index);
@@ -156,6 +171,7 @@ class Layers {
   const int layers_, poses_;
   int candidates_ = 0;
   std::vector<Cell> cells_;
+  std::vector<std::pair<double, Place>> goals_;
 };
 
 /// Placements that can carry the object along any arc, and their hubs.
@@ -191,6 +207,18 @@ bool refresh(FastSearch& search, const std::vector<Place>& places) {
   return changed;
 }
 
+/// Takes up new bounds on all routes and asks what is open on those without; whether there is
+/// nothing of either on the first.
+bool is_settled(FastSearch& search, const std::vector<std::vector<Place>>& routes,
+                std::vector<Question>& questions) {
+  bool is_first_settled = true;
+  for (std::size_t i = 0; i < routes.size(); ++i) {
+    const bool is_open = refresh(search, routes[i]) || ask(search, routes[i], questions);
+    if (i == 0) is_first_settled = !is_open;
+  }
+  return is_first_settled;
+}
+
 std::vector<Node> nodes(FastSearch& search, const std::vector<Place>& places) {
   std::vector<Node> nodes;
   for (std::size_t i = places.size(); i-- > 0;) {
@@ -220,8 +248,7 @@ Route search_layers(FastSearch& search, int max_regrasps) {
   std::vector<Question> questions;
   for (int regrasps = std::min(2, max_regrasps); regrasps <= max_regrasps;) {
     Layers layers(search, regrasps);
-    double cost = kInfinity;
-    const std::vector<Place> places = layers.best(cost);
+    const double cost = layers.update();
     const double more = search.least_displacement + (regrasps + 1) * regrasp_cost;
     route.lower_bound =
         std::max(route.lower_bound, regrasps < max_regrasps ? std::min(cost, more) : cost);
@@ -230,14 +257,14 @@ Route search_layers(FastSearch& search, int max_regrasps) {
       ++regrasps;
       continue;
     }
-    if (places.empty()) break;
+    if (cost == kInfinity) break;
     if (search.clock.is_out() || !search.clock.spend()) return route;
-    if (refresh(search, places)) continue;
+    const std::vector<std::vector<Place>> routes = layers.best(kRoutes);
     questions.clear();
-    if (!ask(search, places, questions)) {
+    if (is_settled(search, routes, questions)) {
       route.found = true;
       route.cost = cost;
-      route.nodes = nodes(search, places);
+      route.nodes = nodes(search, routes.front());
       break;
     }
     search.solve(questions);
