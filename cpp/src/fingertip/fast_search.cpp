@@ -105,8 +105,8 @@ void FastSearch::finish() {
 
 void FastSearch::watch_memory(std::int64_t more_candidates) {
   constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
-  const std::int64_t bytes = supports.memory() + candidates.memory() + unopened * kUnopened +
-                             more_candidates * Candidates::bytes_each(query);
+  const std::int64_t bytes = supports.memory() + candidates.memory() + hubs.memory() +
+                             unopened * kUnopened + more_candidates * Candidates::bytes_each(query);
   statistics.memory = std::max(statistics.memory, bytes);
   if (static_cast<double>(bytes) > query.options.max_memory) {
     throw std::length_error("options.max_memory: the search needs more than " +

@@ -159,12 +159,12 @@ std::array<int, 3> compare_with_dijkstra(unsigned first, unsigned last) {
 }
 
 TEST(FastSearch, CostsWhatDijkstraCosts) {
-  const std::array<int, 3> solved = compare_with_dijkstra(1, 30);
+  const std::array<int, 3> solved = compare_with_dijkstra(1, 60);
   for (const int count : solved) EXPECT_GT(count, 1);
 }
 
 TEST(FastSearch, DISABLED_CostsWhatDijkstraCostsMoreOften) {
-  const std::array<int, 3> solved = compare_with_dijkstra(31, 230);
+  const std::array<int, 3> solved = compare_with_dijkstra(61, 260);
   for (const int count : solved) EXPECT_GT(count, 10);
 }
 
