@@ -44,7 +44,7 @@ struct Python<Directions> {
   }
   static Rows6 shown(const Directions& value) { return value.transpose(); }
   static py::arg_v arg(const char* name, const Directions& value) {
-    return {name, Array::ensure(py::cast(shown(value))), "the paper's 76"};
+    return {name, Array::ensure(py::cast(shown(value))), "..."};  // 76 rows would fill a screen
   }
 };
 

@@ -23,6 +23,7 @@ for friction in (0.4, (0.35, 0.45)):
     )
     plan = fingertip.plan(problem, options)
     if plan:
-        print(f"friction {friction}: cost {plan.cost:.4f}, faults {fingertip.check(problem, plan, options)}")
+        faults = fingertip.check(problem, plan, options)
+        print(f"friction {friction}: cost {plan.cost:.4f}, faults {faults}")
     else:
         print(f"friction {friction}: {plan.reason}; blocked by {plan.limit}: {plan.relaxations}")

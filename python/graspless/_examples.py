@@ -37,7 +37,7 @@ def run(name: str | None, directory: Path | None = None) -> bool:
         As for `find`.
     directory : Path, optional
         Default: graspless_NAME in the working folder. Gets the task with the files it names,
-        plan.json, slide.png and slide.html.
+        plan.json, and KIND.png and KIND.html of the task's kind.
 
     Returns
     -------
@@ -53,12 +53,13 @@ def run(name: str | None, directory: Path | None = None) -> bool:
     faults = plans.check(plan) if plan else []
     plan.save(directory / "plan.json")
     with progress.waiting("drawing"):
-        view.write_png(plan, directory / "slide.png")
-        view.write_html(plan, directory / "slide.html")
+        view.write_png(plan, directory / f"{plan.kind}.png")
+        view.write_html(plan, directory / f"{plan.kind}.html")
     print(f"{source.stem}: {_about(source)}")
     print(report.as_text(plan))
     print(report.verdict(plan, faults))
-    print(f"written: {directory}/ with {task_file.name}, plan.json, slide.png, slide.html")
+    pictures = f"{plan.kind}.png, {plan.kind}.html"
+    print(f"written: {directory}/ with {task_file.name}, plan.json, {pictures}")
     return bool(plan) and not faults
 
 

@@ -100,7 +100,7 @@ FAULTS = [
     (("mass: 1.0", "mass: 1.0\n  density: 3"), 2, r"object: .*not mass and density"),
     (("mass: 1.0", "mass: 1.0\n  com: [1, 0, 0]"), 6, r"object.com: .*hull"),
     (("mass: 1.0", "mass: 1.0\n  inertia: [1, 1, 9]"), 6, r"object.inertia: .*(triangle|inertia)"),
-    (("mass: 1.0", "mass: 1.0\n  inertia: [[1, 2], [3, 4]]"), 6, r"object.inertia.*at least 3"),
+    (("mass: 1.0", "mass: 1.0\n  inertia: [[1, 2, 3], [3, 4, 5]]"), 6, r"object.inertia.*at least 3"),
     ((BOX, "box: [0.05, 0, 0.05]"), 4, r"object.box\[1\]: 0: should be greater than 0"),
     ((f"{BOX}\n", "\n"), 2, r"object: exactly one of box, mesh, vertices must be given, not none"),
     ((BOX, f"{BOX}\n  mesh: {{file: a.stl}}"), 2, r"not box and mesh"),

@@ -65,9 +65,7 @@ Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock) {
   for (int tumbles = needed; tumbles <= goal.max_tumbles; ++tumbles) {
     for (const TumbleSequence& sequence :
          tumble_sequences(stances, from, to, tumbles, kMaxSequences)) {
-      for (Path& path : goal_paths(problem, goal, stances, from, sequence)) {
-        search.add(std::move(path));
-      }
+      search.add(goal_paths(problem, goal, stances, from, sequence), tumbles_alone(goal, sequence));
     }
     if (search.run()) break;
   }

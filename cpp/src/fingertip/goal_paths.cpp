@@ -18,6 +18,17 @@ int segments(double amount, double step) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(amount) / step - 1e-6)));
 }
 
+void append(const Path& leg, Path* path) {
+  path->X_WO.insert(path->X_WO.end(), leg.X_WO.begin() + 1, leg.X_WO.end());
+}
+
+void add_tumble(const Goal& goal, const TumbleEdge& edge, Path* path) {
+  const Eigen::Isometry3d X_WO = path->X_WO.back();
+  append(turn_path(X_WO, X_WO * edge.p_O, X_WO.linear() * edge.axis_O, edge.angle,
+                   segments(edge.angle, goal.turn_step)),
+         path);
+}
+
 /// When a path turns and slides: before the tumble of that number.
 struct Schedule {
   enum class Order { turn_first, slide_first, at_once };
@@ -61,7 +72,7 @@ class PathMaker {
         if (time == schedule.turn) add_turn(schedule.yaw, &path);
         if (time == schedule.slide && !slide_first) add_slide(t_W, &path);
       }
-      if (time < tumbles_.size()) add_tumble(*tumbles_[time], &path);
+      if (time < tumbles_.size()) add_tumble(goal_, *tumbles_[time], &path);
     }
     return path;
   }
@@ -75,9 +86,6 @@ class PathMaker {
     return t_W - n_W_.dot(t_W) * n_W_;
   }
 
-  void append(const Path& leg, Path* path) const {
-    path->X_WO.insert(path->X_WO.end(), leg.X_WO.begin() + 1, leg.X_WO.end());
-  }
   void add_slide(const Eigen::Vector3d& t_W, Path* path) const {
     if (t_W.norm() <= kNoMotion * problem_.object.size()) return;
     append(slide_path(path->X_WO.back(), t_W, segments(t_W.norm(), goal_.slide_step)), path);
@@ -98,13 +106,6 @@ class PathMaker {
     const int count = std::max(segments(yaw, goal_.turn_step), segments(arc, goal_.slide_step));
     append(turn_path(X_WO, pole_W, n_W_, yaw, count), path);
   }
-  void add_tumble(const TumbleEdge& edge, Path* path) const {
-    const Eigen::Isometry3d X_WO = path->X_WO.back();
-    append(turn_path(X_WO, X_WO * edge.p_O, X_WO.linear() * edge.axis_O, edge.angle,
-                     segments(edge.angle, goal_.turn_step)),
-           path);
-  }
-
   const Problem& problem_;
   const Goal& goal_;
   const TumbleSequence& tumbles_;
@@ -151,6 +152,12 @@ std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const Sta
   std::vector<Path> paths;
   for (const Schedule& schedule : schedules) paths.push_back(maker.make(schedule));
   return paths;
+}
+
+Path tumbles_alone(const Goal& goal, const TumbleSequence& tumbles) {
+  Path path{{goal.X_WO_start}};
+  for (const TumbleEdge* edge : tumbles) add_tumble(goal, *edge, &path);
+  return path;
 }
 
 }  // namespace graspless::fingertip

@@ -19,4 +19,7 @@ namespace graspless::fingertip {
 std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const Stances& stances,
                              int start_face, const TumbleSequence& tumbles);
 
+/// The tumbles one after the other, without slides and turns.
+Path tumbles_alone(const Goal& goal, const TumbleSequence& tumbles);
+
 }  // namespace graspless::fingertip

@@ -35,17 +35,25 @@ GoalSearch::GoalSearch(Workshop& workshop, planning::Clock& clock)
     : workshop_(workshop),
       clock_(clock),
       clearance_(workshop.problem),
+      floor_problem_(workshop.problem),
       lower_bound_(kInfinity),
-      best_cost_(kInfinity) {}
+      best_cost_(kInfinity) {
+  floor_problem_.planes.resize(1);
+  floor_problem_.obstacles.clear();
+}
 
-void GoalSearch::add(Path path) {
-  const std::string complaint = fault(path);
-  if (complaint.empty()) {
-    const Bounds least = bounds(path);
-    const double bound = std::min(least.whole, least.pieces + workshop_.options.regrasp_cost);
-    candidates_.push_back({std::move(path), bound, least.pieces});
-  } else if (fault_.empty()) {
-    fault_ = complaint;
+void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
+  sequences_.push_back({tumbles, false, {}});
+  if (tumbles.X_WO.size() < 2) sequences_.back().needs_regrasp = false;
+  for (const Path& path : paths) {
+    const std::string complaint = fault(path);
+    if (complaint.empty()) {
+      const Bounds least = bounds(path);
+      const double bound = std::min(least.whole, least.pieces + workshop_.options.regrasp_cost);
+      candidates_.push_back({path, bound, least.pieces, static_cast<int>(sequences_.size()) - 1});
+    } else if (fault_.empty()) {
+      fault_ = complaint;
+    }
   }
 }
 
@@ -106,7 +114,28 @@ bool GoalSearch::run() {
   return best_cost_ < kInfinity || clock_.is_out();
 }
 
+/// Whether the tumbles alone, on a floor without walls, cannot be done with one placement: then no
+/// path over these edges can.
+bool GoalSearch::needs_regrasp(Sequence& sequence) {
+  if (!sequence.failed) return false;
+  if (!sequence.needs_regrasp) {
+    if (!on_floor_) on_floor_ = std::make_unique<Workshop>(floor_problem_, workshop_.options);
+    const PathQuery query(floor_problem_, sequence.tumbles, on_floor_->locations,
+                          on_floor_->instants, workshop_.options);
+    const Route route =
+        search(query, *on_floor_, clock_, statistics_, workshop_.options.regrasp_cost);
+    sequence.needs_regrasp = route.is_complete && !route.found;
+  }
+  return *sequence.needs_regrasp;
+}
+
 void GoalSearch::look_at(Candidate& candidate, double limit) {
+  const double X_regr = workshop_.options.regrasp_cost;
+  Sequence& sequence = sequences_[static_cast<std::size_t>(candidate.sequence)];
+  if (limit <= X_regr && needs_regrasp(sequence)) {
+    candidate.bound = std::max(candidate.bound, X_regr + candidate.pieces);
+    return;
+  }
   ++statistics_.candidates;
   try {
     const PathQuery query(workshop_.problem, candidate.path, workshop_.locations,
@@ -115,7 +144,7 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
     candidate.bound = std::max(candidate.bound, route.lower_bound);
     if (route.is_complete && !route.found) {
       // Nothing below the limit: as many regrasps as that has room for, and one more.
-      const double X_regr = workshop_.options.regrasp_cost;
+      sequence.failed = true;
       candidate.bound =
           std::max(candidate.bound, std::floor(limit / X_regr) * X_regr + candidate.pieces);
     }
@@ -131,6 +160,7 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
 Plan GoalSearch::plan() {
   Plan plan;
   plan.statistics = statistics_;
+  if (on_floor_) count(*on_floor_, clock_, plan.statistics);
   if (best_cost_ < kInfinity) {
     plan.status = Status::solved;
     assemble(best_, workshop_.locations, workshop_.instants, workshop_.evaluators.front(), plan);

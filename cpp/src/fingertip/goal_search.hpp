@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,9 @@ class GoalSearch {
  public:
   GoalSearch(Workshop& workshop, planning::Clock& clock);
 
-  /// A path to be looked at by run(), unless the object hits something on it.
-  void add(Path path);
+  /// Paths to be looked at by run(), but those on which the object hits something. All tumble over
+  /// the same edges; `tumbles` does nothing else (one pose: there are none).
+  void add(const std::vector<Path>& paths, const Path& tumbles);
   /// Searches the paths added: without regrasps by ascending lower bound until that reaches the
   /// best cost; when that fails, with regrasps until it comes near. Whether the search is over: a
   /// plan is there, or time is out.
@@ -33,22 +36,33 @@ class GoalSearch {
     Path path;
     double bound;   // of the cost [m]
     double pieces;  // of the displacement, with any number of regrasps [m]
+    int sequence;
+  };
+  /// What paths over the same edges share.
+  struct Sequence {
+    Path tumbles;
+    bool failed = false;  // some path of it, without regrasps
+    std::optional<bool> needs_regrasp;
   };
   struct Bounds {
     double whole, pieces;  // of the displacement without and with regrasps [m]
   };
   Bounds bounds(const Path& path) const;
   std::string fault(const Path& path);
+  bool needs_regrasp(Sequence& sequence);
   void look_at(Candidate& candidate, double limit);
   void fail(Plan& plan) const;
 
   Workshop& workshop_;
   planning::Clock& clock_;
   Clearance clearance_;
+  Problem floor_problem_;  // without walls and obstacles
+  std::unique_ptr<Workshop> on_floor_;
   Statistics statistics_;
   std::vector<Candidate> candidates_;  // not yet searched
-  std::string fault_;                  // of a path that was refused
-  double lower_bound_;                 // over paths searched or passed over
+  std::vector<Sequence> sequences_;
+  std::string fault_;   // of a path that was refused
+  double lower_bound_;  // over paths searched or passed over
   double best_cost_;
   std::vector<Stage> best_;
 };

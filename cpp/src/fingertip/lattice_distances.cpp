@@ -38,11 +38,17 @@ const double* LatticeDistances::to_goal(int location, double limit) {
 
 std::vector<double> LatticeDistances::search(int location, double limit) {
   const Eigen::Vector3d start_W = space_.center_W(space_.start(), location);
-  const auto left = [&](int pose) { return (space_.center_W(pose, location) - start_W).norm(); };
+  std::vector<double> arcs;  // yaws x moves
+  for (int yaw = 0; yaw < space_.num_yaws(); ++yaw) {
+    for (int move = 0; move < LatticeSpace::kMoves; ++move) {
+      arcs.push_back(space_.displacement(yaw, move, location));
+    }
+  }
   std::vector<double> distances(ix(space_.num_poses()), kInfinity);
   const auto push = [&](int pose, double distance) {
-    const double f = distance + left(pose) * (1 - 1e-12);
-    if (distance >= distances[ix(pose)] || f >= limit) return;
+    if (distance >= distances[ix(pose)]) return;
+    const double left = (space_.center_W(pose, location) - start_W).norm() * (1 - 1e-12);
+    if (distance + left >= limit) return;
     distances[ix(pose)] = distance;
     heap_.push_back({distance, pose});
     std::push_heap(heap_.begin(), heap_.end());
@@ -57,7 +63,7 @@ std::vector<double> LatticeDistances::search(int location, double limit) {
     for (int move = 0; move < LatticeSpace::kMoves; ++move) {
       const int from = space_.next(entry.pose, LatticeSpace::reverse(move));
       if (from < 0) continue;
-      push(from, entry.distance + space_.displacement(space_.yaw(from), move, location));
+      push(from, entry.distance + arcs[ix(space_.yaw(from) * LatticeSpace::kMoves + move)]);
     }
   }
   return distances;

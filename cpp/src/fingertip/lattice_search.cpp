@@ -56,8 +56,8 @@ class PlacementSearch {
         return route_;
       }
     }
-    route_.is_complete = true;
-    route_.lower_bound = route_.cost;
+    route_.is_complete = !clock_.is_out();
+    if (route_.is_complete) route_.lower_bound = route_.cost;
     return route_;
   }
 

@@ -89,7 +89,7 @@ Eigen::Isometry3d LatticeSpace::X_WO(int pose) const {
   return X;
 }
 
-int LatticeSpace::next(int pose, int move) const {
+int LatticeSpace::find_next(int pose, int move) const {
   const std::array<int, 3> step = steps_of(move);
   const int k = pose % counts_[2], xy = pose / counts_[2];
   const int x = xy / counts_[1] + step[0], y = xy % counts_[1] + step[1];
@@ -103,6 +103,11 @@ int LatticeSpace::next(int pose, int move) const {
 
 void LatticeSpace::tabulate() {
   const Locations& locations = workshop_.locations;
+  for (int pose = 0; pose < num_poses(); ++pose) {
+    yaws_.push_back(pose % counts_[2]);
+    origins_.push_back(X_WO(pose).translation());
+    for (int move = 0; move < kMoves; ++move) next_.push_back(find_next(pose, move));
+  }
   for (int k = 0; k < num_yaws(); ++k) {
     const Eigen::Isometry3d X_WO_k = X_WO(k);
     for (int move = 0; move < kMoves; ++move) {
@@ -123,11 +128,7 @@ void LatticeSpace::tabulate() {
 }
 
 Eigen::Vector3d LatticeSpace::center_W(int pose, int location) const {
-  const int xy = pose / counts_[2];
-  Eigen::Vector3d p = X_WO_start_.translation();
-  p.x() += lower_[0] + xy / counts_[1] * step_[0];
-  p.y() += lower_[1] + xy % counts_[1] * step_[1];
-  return p + centers_[ix(yaw(pose)) * num_locations_ + ix(location)];
+  return origins_[ix(pose)] + centers_[ix(yaw(pose)) * num_locations_ + ix(location)];
 }
 
 bool LatticeSpace::is_clear(int pose, int location) {
@@ -210,8 +211,8 @@ int LatticeSpace::rest_instant(int pose, int next_move) {
 }
 
 std::int64_t LatticeSpace::memory() const {
-  return static_cast<std::int64_t>(arc_kinds_.size() * sizeof(int) + clear_.size() +
-                                   displacements_.size() * sizeof(double) +
+  return static_cast<std::int64_t>((arc_kinds_.size() + next_.size()) * sizeof(int) +
+                                   clear_.size() + displacements_.size() * sizeof(double) +
                                    centers_.size() * sizeof(Eigen::Vector3d));
 }
 

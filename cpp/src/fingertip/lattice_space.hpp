@@ -25,10 +25,10 @@ class LatticeSpace {
   int num_yaws() const { return counts_[2]; }
   int start() const { return start_; }
   int goal() const { return goal_; }
-  int yaw(int pose) const { return pose % counts_[2]; }
+  int yaw(int pose) const { return yaws_[ix(pose)]; }
   Eigen::Isometry3d X_WO(int pose) const;
   /// The neighbour that a move leads to; -1 off the lattice. Move 25 - m undoes move m.
-  int next(int pose, int move) const;
+  int next(int pose, int move) const { return next_[ix(pose) * kMoves + ix(move)]; }
   static int reverse(int move) { return kMoves - 1 - move; }
 
   /// How far a sphere's centre moves along an arc from this yaw [m].
@@ -64,6 +64,7 @@ class LatticeSpace {
   void set_axes(const Lattice& lattice);
   int index_of(const Eigen::Isometry3d& X_WO) const;
   void tabulate();
+  int find_next(int pose, int move) const;
   Near near_planes(const Eigen::Isometry3d& X_WO) const;
   int find_kind(int pose, int move);
 
@@ -75,6 +76,9 @@ class LatticeSpace {
   bool wraps_ = false;  // the yaws go all the way round
   int start_ = 0, goal_ = 0;
   std::size_t num_locations_;
+  std::vector<int> next_;                      // poses x moves
+  std::vector<int> yaws_;                      // poses
+  std::vector<Eigen::Vector3d> origins_;       // poses: of O, in W
   std::vector<mechanics::Vector6d> twists_O_;  // yaws x moves
   std::vector<double> displacements_;          // yaws x moves x locations
   std::vector<Eigen::Vector3d> centers_;       // yaws x locations, about O's origin, in W

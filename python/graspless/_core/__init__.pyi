@@ -9,5 +9,6 @@ from . import scene
 from . import mechanics
 from . import planning
 from . import slide
+from . import fingertip
 from . import bench
-__all__: list[str] = ['bench', 'collision', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']
+__all__: list[str] = ['bench', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']

@@ -78,7 +78,7 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
     load = os.getloadavg()[0]
     while len(times) < (runs or 5):
         start = time.perf_counter()
-        plan = fingertip.plan(task.problem, task.options, task.budget)
+        plan, status = _plan(task)
         times.append(time.perf_counter() - start)
         if plan.status is fingertip.Status.interrupted:
             raise KeyboardInterrupt
@@ -90,7 +90,7 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
     row = {
         "case": trial.case,
         "engine": trial.engine,
-        "status": plan.status.name,
+        "status": status,
         **_of_plan(plan),
         **{name: getattr(plan.statistics, name) for name in COUNTERS},
         "seconds": min(times),
@@ -107,6 +107,19 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
     if trial.case in PAPER_MINUTES and trial.engine != "fast":
         row["paper_minutes"] = PAPER_MINUTES[trial.case][trial.engine == "dijkstra"]
     return Found(row, task, plan)
+
+
+def _plan(task: Task) -> tuple[fingertip.Plan, str]:
+    """The plan and its status: too_large where the search would need more memory than it may."""
+    try:
+        plan = fingertip.plan(task.problem, task.options, task.budget)
+    except ValueError as error:
+        if "max_memory" not in str(error):
+            raise
+        plan = fingertip.Plan()
+        plan.reason = str(error)
+        return plan, "too_large"
+    return plan, plan.status.name
 
 
 def _of_plan(plan: fingertip.Plan) -> dict[str, Any]:

@@ -76,9 +76,7 @@ class Segment(Fields):
 class JointSegment(Fields):
     """A stretch of joint motion."""
 
-    name: str = Field(
-        description="approach, touch, slide, turn, tumble, release, reach or retreat"
-    )
+    name: str = Field(description="approach, touch, slide, turn, tumble, release, reach or retreat")
     plan_segment: Index = Field(description="which of `segments` it carries out, or -1")
     scrub: float = Field(
         description="how far a fingertip that turns slips on its contact, at worst [m]"

@@ -143,6 +143,12 @@ TEST_F(FingertipCheck, FingertipsThatOverlap) {
   expect_fault("finger 1 overlaps finger 0");
 }
 
+TEST_F(FingertipCheck, FingertipsFartherApartThanAHandOpens) {
+  problem_.fingers.max_span = 3;
+  expect_fault(
+      "segment 0 (slide), pose 0: finger 1 is 4.94975 m from finger 0, more than fingers.max_span");
+}
+
 TEST_F(FingertipCheck, AWallInTheObjectsWay) {
   problem_.planes.push_back({"wall", {-1, 0, 0}, -4});
   plan_.segments[0].X_WO[1].translation().x() = 2;

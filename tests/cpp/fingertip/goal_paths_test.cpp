@@ -115,5 +115,18 @@ TEST(GoalPaths, TumblingThereNeedsNoSlide) {
   EXPECT_EQ(paths[0].X_WO.size(), 31U);
 }
 
+TEST(GoalPaths, TumblesAloneRollAlongTheFloor) {
+  Case given(on_floor(0.1, 0.2, 0.3, 0.05));
+  given.goal.X_WO_goal = given.goal.X_WO_start;  // only the faces matter
+  for (const TumbleSequence& sequence : given.sequences(3)) {
+    const Path path = tumbles_alone(given.goal, sequence);
+    EXPECT_EQ(path.X_WO.size(), 91U);
+    expect_legal(given, path);
+    Eigen::Isometry3d X_WO = given.goal.X_WO_start;
+    for (const TumbleEdge* edge : sequence) X_WO = tumbled(X_WO, *edge);
+    EXPECT_TRUE(path.X_WO.back().isApprox(X_WO, 1e-9));
+  }
+}
+
 }  // namespace
 }  // namespace graspless::fingertip

@@ -63,7 +63,8 @@ struct Lattice {
 };
 
 /// The object shall stand at X_WO_goal, any face down: the planner finds over which edges to tumble
-/// it and where to slide and turn it in between.
+/// it, the fewest that will do, and when to make the one straight slide and the one turn that are
+/// needed beside. Optimal among these paths; for ways round obstacles take a Lattice.
 struct Goal {
   Eigen::Isometry3d X_WO_start = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();

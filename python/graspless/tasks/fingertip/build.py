@@ -88,7 +88,7 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
             warnings.warn(source.message(("walls", i, "normal"), what), stacklevel=4)
         normal /= length
         # An offset is along the unit normal, as it says.
-        offset = float(normal @ wall.point) if wall.point is not None else wall.offset
+        offset = float(normal @ wall.point) if wall.point is not None else wall.offset or 0.0
         with at(source, "walls", i):
             planes.append(fingertip.Plane(wall.name, normal, offset))
     return planes

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/lattice_space.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "fingertip/screw.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+Problem lattice_problem() {
+  Lattice lattice;
+  lattice.X_WO_start = Eigen::Isometry3d(Eigen::Translation3d(0.2, 0.1, 0.025));
+  lattice.X_WO_goal = lattice.X_WO_start;
+  lattice.X_WO_goal.pretranslate(Eigen::Vector3d(0.1, 0.06, 0));
+  lattice.X_WO_goal.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ()));
+  lattice.lower << -0.02, -0.02, -0.1;
+  lattice.upper << 0.12, 0.08, 0.7;
+  lattice.counts = {8, 6, 9};
+  return {Object::box("block", {0.05, 0.06, 0.05}, 1), {}, {Plane{}}, {0.5, 0.5}, lattice, {}};
+}
+
+TEST(LatticeSpace, MovesUndoEachOtherAndLeadWhereTheySay) {
+  const Problem problem = lattice_problem();
+  const Options options;
+  Workshop workshop(problem, options);
+  LatticeSpace space(workshop, std::get<Lattice>(problem.motion));
+  EXPECT_TRUE(space.X_WO(space.start()).isApprox(std::get<Lattice>(problem.motion).X_WO_start));
+  EXPECT_TRUE(space.X_WO(space.goal()).isApprox(std::get<Lattice>(problem.motion).X_WO_goal));
+  for (int pose = 0; pose < space.num_poses(); ++pose) {
+    for (int move = 0; move < LatticeSpace::kMoves; ++move) {
+      const int to = space.next(pose, move);
+      if (to < 0) continue;
+      EXPECT_EQ(space.next(to, LatticeSpace::reverse(move)), pose);
+      const Eigen::Vector3d step = space.X_WO(to).translation() - space.X_WO(pose).translation();
+      EXPECT_LE(step.cwiseAbs().maxCoeff(), 0.0200001);
+    }
+  }
+  for (int l = 0; l < workshop.locations.size(); ++l) {
+    const Eigen::Vector3d center_W = space.X_WO(space.goal()) * workshop.locations[l].center_O;
+    EXPECT_TRUE(space.center_W(space.goal(), l).isApprox(center_W, 1e-12));
+  }
+}
+
+TEST(LatticeSpace, ArcsOnTheOpenFloorShareTheirMechanics) {
+  const Problem problem = lattice_problem();
+  const Options options;
+  Workshop workshop(problem, options);
+  LatticeSpace space(workshop, std::get<Lattice>(problem.motion));
+  for (int pose = 0; pose < space.num_poses(); ++pose) {
+    for (int move = 0; move < LatticeSpace::kMoves; ++move) {
+      const int to = space.next(pose, move), kind = space.arc_kind(pose, move);
+      EXPECT_EQ(kind < 0, to < 0);
+      if (to < 0) continue;
+      // What the arc's own last sample says.
+      const Eigen::Isometry3d X_WO = space.X_WO(pose);
+      const auto twist_O = screw_between(X_WO, space.X_WO(to));
+      const int instant =
+          workshop.instants.add(moving_state(along_screw(X_WO, twist_O, 5.0 / 6), twist_O));
+      ASSERT_EQ(space.instants(kind), std::vector<int>{instant});
+      for (int l = 0; l < workshop.locations.size(); l += 50) {
+        EXPECT_NEAR(space.displacement(space.yaw(pose), move, l),
+                    sphere_speed(twist_O, workshop.locations[l]), 1e-12);
+      }
+    }
+  }
+  EXPECT_LE(space.num_kinds(), space.num_yaws() * LatticeSpace::kMoves);
+}
+
+}  // namespace
+}  // namespace graspless::fingertip
