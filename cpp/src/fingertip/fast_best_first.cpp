@@ -42,14 +42,18 @@ class BestFirst {
             Entry::Kind::one_regrasp});
     }
     std::vector<Question> questions;
-    while (least_cost() < search_.limit) {
+    bool is_finished = gather(questions);
+    while (!is_finished && least_cost() < search_.limit) {
       if (search_.clock.is_out() || !search_.clock.spend()) return give_up();
-      if (gather(questions)) return finished_;
-      search_.solve_and_learn_last(questions);
+      search_.start(questions);
+      search_.learn_last();
       for (const Entry& entry : last_waiting_) push_again(entry);
       last_waiting_.swap(waiting_);
       waiting_.clear();
+      is_finished = gather(questions);
+      search_.finish();
     }
+    if (is_finished) return finished_;
     Route none;
     none.is_complete = true;
     none.lower_bound = least_cost() < kInfinity ? search_.limit : kInfinity;
@@ -157,7 +161,7 @@ class BestFirst {
     while (questions.size() < kBatch && waiting_.size() < kWaiting && !frontier_.empty()) {
       const Entry entry = frontier_.top();
       if (entry.cost >= search_.limit) break;
-      if (is_stage(entry) && !(questions.empty() && last_waiting_.empty())) break;
+      if (is_stage(entry) && !(waiting_.empty() && last_waiting_.empty())) break;
       frontier_.pop();
       if (entry.kind == Entry::Kind::one_regrasp) {
         list_hubs();

@@ -34,6 +34,12 @@ Candidates::Candidates(const PathQuery& query, const Supports& supports)
       slots_.push_back(entry->second);
     }
   }
+  for (int location = 0; location < query.locations.size(); ++location) {
+    for (int arc = 0; arc < query.num_arcs(); ++arc) {
+      const bool is_clear = query.is_clear(arc, location) && query.is_clear(arc + 1, location);
+      ways_.push_back(is_clear ? query.displacement(arc, location) : kInfinity);
+    }
+  }
 }
 
 std::vector<int> Candidates::instants(int arc) const {
@@ -64,32 +70,21 @@ int Candidates::open(const Placement& placement) {
   const auto poses = static_cast<std::size_t>(query_.num_poses());
   before_.resize(before_.size() + poses);
   after_.resize(after_.size() + poses);
-  bool was_clear = is_clear(0, placement);
   for (int arc = 0; arc < query_.num_arcs(); ++arc) {
-    const bool is_clear_now = is_clear(arc + 1, placement);
-    arcs_.push_back(was_clear && is_clear_now
-                        ? reach(arc, placement) * query_.options.samples_per_arc
-                        : kInfinity);
-    was_clear = is_clear_now;
+    arcs_.push_back(reach(arc, placement) * query_.options.samples_per_arc);
   }
   add_up(c);
   return c;
 }
 
-/// How far the finger moves that moves farthest, in a P-th of an arc.
+/// How far the finger moves that moves farthest, in a P-th of an arc; infinite where one is not
+/// clear.
 double Candidates::reach(int arc, const Placement& placement) const {
   double reach = 0;
   for (int i = 0; i < query_.num_fingers; ++i) {
-    reach = std::max(reach, query_.displacement(arc, placement[static_cast<std::size_t>(i)]));
+    reach = std::max(reach, ways_[arc_index(placement[static_cast<std::size_t>(i)], arc)]);
   }
   return reach;
-}
-
-bool Candidates::is_clear(int pose, const Placement& placement) const {
-  for (int i = 0; i < query_.num_fingers; ++i) {
-    if (!query_.is_clear(pose, placement[static_cast<std::size_t>(i)])) return false;
-  }
-  return true;
 }
 
 /// Without a look at the bounds: that is for when the candidate is part of a best route.

@@ -87,7 +87,6 @@ class Candidates {
   int slot(int arc, int sample) const {
     return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
   }
-  bool is_clear(int pose, const Placement& placement) const;
   double reach(int arc, const Placement& placement) const;
   void add_up(int c);
   void look_at(int c);
@@ -99,6 +98,7 @@ class Candidates {
   const PathQuery& query_;
   const Supports& supports_;
   std::vector<int> instants_, slots_;
+  std::vector<double> ways_;  // locations x arcs: of a P-th of it; infinite: not clear
   std::vector<Candidate> all_;
   int rows_ = 0;
   std::vector<double> z_;               // rows x slots

@@ -11,7 +11,7 @@ namespace graspless::fingertip {
 namespace {
 
 // Batches follow each other within tens of microseconds: worth staying awake for.
-constexpr auto kAwake = std::chrono::microseconds(100);
+constexpr auto kAwake = std::chrono::microseconds(1000);
 
 }  // namespace
 

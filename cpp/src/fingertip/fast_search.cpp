@@ -63,8 +63,8 @@ FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evalua
       supports(query_in, evaluators.front().instants()),
       candidates(query_in, supports),
       hubs(query_in, supports, candidates),
-      lanes(evaluators, query_in.options.threads),
-      limit(limit_in) {
+      limit(limit_in),
+      lanes_(evaluators, query_in.options.threads) {
   for (int arc = 0; arc < query.num_arcs(); ++arc) {
     double least = kInfinity;
     for (const int location : clear_locations(query, arc, arc + 1)) {
@@ -82,16 +82,25 @@ void FastSearch::learn(const std::vector<Question>& questions) {
 }
 
 void FastSearch::solve(std::vector<Question>& questions) {
-  lanes.start(questions);
-  lanes.finish();
+  lanes_.start(questions);
+  lanes_.finish();
   learn(questions);
 }
 
-void FastSearch::solve_and_learn_last(std::vector<Question>& questions) {
-  lanes.start(questions);
+void FastSearch::start(std::vector<Question>& questions) {
+  in_flight_.swap(questions);
+  if (!in_flight_.empty()) lanes_.start(in_flight_);
+}
+
+void FastSearch::learn_last() {
   learn(solved_);
-  lanes.finish();
-  solved_.swap(questions);
+  solved_.clear();
+}
+
+void FastSearch::finish() {
+  if (!in_flight_.empty()) lanes_.finish();
+  solved_.swap(in_flight_);
+  in_flight_.clear();
 }
 
 void FastSearch::watch_memory(std::int64_t more_candidates) {

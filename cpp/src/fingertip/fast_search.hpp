@@ -20,8 +20,10 @@ struct FastSearch {
 
   /// Solves the questions, and hands what came of them to bounds, candidates and hubs.
   void solve(std::vector<Question>& questions);
-  /// Starts to solve them, and meanwhile hands on what came of those that were started before.
-  void solve_and_learn_last(std::vector<Question>& questions);
+  /// The same in three steps: meanwhile something else may be done, but for solve().
+  void start(std::vector<Question>& questions);  // takes them
+  void learn_last();                             // hands on what came of those before
+  void finish();
   /// Throws std::length_error when the tables have outgrown Options::max_memory.
   void watch_memory(std::int64_t more_candidates = 0);
 
@@ -34,14 +36,14 @@ struct FastSearch {
   Supports supports;
   Candidates candidates;
   Hubs hubs;
-  Lanes lanes;
   std::int64_t unopened = 0;      // placements that wait in the frontier
   double least_displacement = 0;  // no route costs less, whatever its placements
   double limit;                   // routes of this cost or more are not looked for
 
  private:
   void learn(const std::vector<Question>& questions);
-  std::vector<Question> solved_;  // and not handed on yet
+  std::vector<Question> in_flight_, solved_;  // solved and not handed on yet
+  Lanes lanes_;                               // the first to be destroyed
 };
 
 /// Solves a few placements at the instants, until their functionals refuse nearly all that can be

@@ -93,6 +93,22 @@ GRASPLESS_WIDE void greatest(const float* edges, int count, const float* y, int 
   std::memcpy(h, &most, sizeof(Eight));
 }
 
+/// The same of one functional; components of the edges are `stride` apart, edges beyond the last 0.
+GRASPLESS_WIDE float greatest_edge(const float* components, int stride, const float* y) {
+  Eight most = Eight{}, edges;
+  for (int j = 0; j < stride; j += Supports::kStep) {
+    Eight sum = Eight{};
+    for (int c = 0; c < 6; ++c) {
+      std::memcpy(&edges, components + c * stride + j, sizeof(Eight));
+      sum += y[c] * edges;
+    }
+    most = sum > most ? sum : most;
+  }
+  float all[Supports::kStep];
+  std::memcpy(all, &most, sizeof(Eight));
+  return *std::max_element(all, all + Supports::kStep);
+}
+
 int round_up(int n) { return (n + Supports::kStep - 1) / Supports::kStep * Supports::kStep; }
 
 }  // namespace
@@ -103,16 +119,7 @@ Supports::Supports(const PathQuery& query, const Instants& instants)
   has_paper_directions_ = directions.cols() == mechanics::disturbance_directions().cols() &&
                           directions == mechanics::disturbance_directions();
   paper_length_ = directions.col(0).norm();
-  for (int location = 0; location < num_locations_; ++location) {
-    const mechanics::FingerWrenches& wrenches = query.locations.wrenches(location);
-    edges_ = static_cast<int>(wrenches.generators.cols());
-    for (int j = 0; j < edges_; ++j) {
-      const Vector6d w =
-          wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
-      for (int c = 0; c < 6; ++c) edge_wrenches_.push_back(static_cast<float>(w[c]));
-      most_force_ = std::max(most_force_, w.norm());
-    }
-  }
+  list_edges();
   pools_.resize(static_cast<std::size_t>(instants.size()));
   const int P = query.options.samples_per_arc;
   for (int arc = 0; arc < query.num_arcs(); ++arc) {
@@ -127,6 +134,29 @@ Supports::Supports(const PathQuery& query, const Instants& instants)
   // Few instants, as in a slide, have to tell all by themselves.
   width_ = all_.size() <= 4 ? 64 : 32;
   find_standing();
+}
+
+void Supports::list_edges() {
+  if (num_locations_ == 0) return;
+  edges_ = static_cast<int>(query_.locations.wrenches(0).generators.cols());
+  padded_ = round_up(edges_);
+  const auto count = static_cast<std::size_t>(num_locations_);
+  edge_wrenches_.resize(count * static_cast<std::size_t>(6 * edges_));
+  components_.resize(count * static_cast<std::size_t>(6 * padded_), 0.0F);
+  for (int location = 0; location < num_locations_; ++location) {
+    const mechanics::FingerWrenches& wrenches = query_.locations.wrenches(location);
+    for (int j = 0; j < edges_; ++j) {
+      const Vector6d w =
+          wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
+      most_force_ = std::max(most_force_, w.norm());
+      for (int c = 0; c < 6; ++c) {
+        edge_wrenches_[static_cast<std::size_t>((location * edges_ + j) * 6 + c)] =
+            static_cast<float>(w[c]);
+        components_[static_cast<std::size_t>((location * 6 + c) * padded_ + j)] =
+            static_cast<float>(w[c]);
+      }
+    }
+  }
 }
 
 void Supports::place(int instant, const Eigen::Isometry3d& X_WO) {
@@ -161,7 +191,7 @@ int Supports::used(int instant) const { return round_up(pool(instant).size); }
 void Supports::fill(const Pool& p, int location) const {
   const auto width = static_cast<std::size_t>(width_);
   std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
-  float* h = p.h.data() + static_cast<std::size_t>(location) * width;
+  float* h = p.h.get() + static_cast<std::size_t>(location) * width;
   const float* edges = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
   for (int first = 0; first < p.size; first += kStep) {
     const auto begin = p.stamps.begin() + first;
@@ -175,7 +205,7 @@ const float* Supports::block(int instant, int location) const {
   const Pool& p = pool(instant);
   const auto l = static_cast<std::size_t>(location);
   if (p.filled[l] < p.stamp) fill(p, location);
-  return p.h.data() + l * static_cast<std::size_t>(width_);
+  return p.h.get() + l * static_cast<std::size_t>(width_);
 }
 
 float Supports::bound(int instant, const Placement& placement) const {
@@ -193,17 +223,6 @@ bool Supports::is_polar(int instant, const Vector6d& y) const {
   return are_polar(instants_[instant].environments.front().generators, y);
 }
 
-double Supports::value(int location, const Vector6d& y) const {
-  const float* w = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
-  double most = 0;
-  for (int j = 0; j < edges_; ++j, w += 6) {
-    double sum = 0;
-    for (int c = 0; c < 6; ++c) sum += y[c] * static_cast<double>(w[c]);
-    most = std::max(most, sum);
-  }
-  return most;
-}
-
 /// Scales y such that its bound is y . known + sum of h.
 bool Supports::measure(int instant, const Placement& placement, Bound& bound) const {
   Vector6d& y = bound.y;
@@ -215,8 +234,11 @@ bool Supports::measure(int instant, const Placement& placement, Bound& bound) co
   y /= sigma;
   bound.offset = y.dot(instants_[instant].environments.front().known);
   bound.value = bound.offset;
+  const Eigen::Matrix<float, 6, 1> y_float = y.cast<float>();
   for (const std::int32_t location : placement) {
-    if (location >= 0) bound.value += value(location, y);
+    if (location < 0) continue;
+    const float* components = components_.data() + static_cast<std::size_t>(location * 6 * padded_);
+    bound.value += static_cast<double>(greatest_edge(components, padded_, y_float.data()));
   }
   return true;
 }
@@ -279,11 +301,11 @@ void Supports::add(int instant, const std::vector<Vector6d>& functionals,
 void Supports::store(int instant, const Bound& bound) {
   Pool& p = pool(instant);
   const auto width = static_cast<std::size_t>(width_);
-  if (p.h.empty()) {
+  if (!p.h) {
     p.offsets.resize(width, kFree);
     p.stamps.resize(width, 0);
     p.y.resize(6 * width, 0.0F);
-    p.h.resize(static_cast<std::size_t>(num_locations_) * width);
+    p.h.reset(new float[static_cast<std::size_t>(num_locations_) * width]);
     p.filled.resize(static_cast<std::size_t>(num_locations_), 0);
   }
   int column = p.size;
@@ -304,9 +326,10 @@ void Supports::store(int instant, const Bound& bound) {
 }
 
 std::int64_t Supports::memory() const {
-  std::size_t bytes = edge_wrenches_.size() * sizeof(float);
+  std::size_t bytes = (edge_wrenches_.size() + components_.size()) * sizeof(float);
   for (const Pool& p : pools_) {
-    bytes += (p.h.size() + p.offsets.size() + p.y.size()) * sizeof(float) +
+    bytes += (p.filled.size() * static_cast<std::size_t>(width_) + p.offsets.size() + p.y.size()) *
+                 sizeof(float) +
              (p.filled.size() + p.stamps.size()) * sizeof(std::int64_t);
   }
   return static_cast<std::int64_t>(bytes);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "fingertip/instants.hpp"
@@ -53,7 +54,7 @@ class Supports {
     std::int64_t stamp = 0;
     std::vector<float> offsets, y;             // width; 6 x width
     std::vector<std::int64_t> stamps;          // of each functional
-    mutable std::vector<float> h;              // locations x width
+    std::unique_ptr<float[]> h;                // locations x width; undefined where not filled
     mutable std::vector<std::int64_t> filled;  // up to which stamp, a location
   };
   struct Bound {
@@ -68,11 +69,11 @@ class Supports {
   };
   const Pool& pool(int instant) const { return pools_[static_cast<std::size_t>(instant)]; }
   Pool& pool(int instant) { return pools_[static_cast<std::size_t>(instant)]; }
+  void list_edges();
   void place(int instant, const Eigen::Isometry3d& X_WO);
   void find_standing();
   void fill(const Pool& pool, int location) const;
   bool is_polar(int instant, const mechanics::Vector6d& y) const;
-  double value(int location, const mechanics::Vector6d& y) const;  // h(y, location)
   std::vector<Bound> best_of(int instant, const std::vector<mechanics::Vector6d>& functionals,
                              const Placement& placement) const;
   bool carry(int target, Carried& carried, Bound& bound) const;
@@ -84,7 +85,9 @@ class Supports {
   int num_locations_, width_ = 0, edges_ = 0;
   bool has_paper_directions_ = false;
   double paper_length_ = 0;
+  int padded_ = 0;                    // edges_, rounded up
   std::vector<float> edge_wrenches_;  // f_max c_j / normal_j: location, edge, component
+  std::vector<float> components_;     // the same: location, component, edge
   std::vector<Pool> pools_;
   std::vector<int> all_;                        // instants in use
   std::vector<mechanics::Matrix6Xd> standing_;  // generators in the world

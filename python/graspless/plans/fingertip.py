@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,6 +14,7 @@ import numpy as np
 from .. import fingertip, frames
 from . import Plan as AnyPlan
 from . import fingertip_model as model
+from .fingertip_core import core_rows, realization_document, segment_document
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -120,7 +120,7 @@ class _Named:
 
 @dataclass(frozen=True)
 class _Statistics:
-    values: dict[str, Any] = dataclasses.field(default_factory=dict)
+    values: dict[str, Any]
 
     def as_dict(self) -> dict[str, Any]:
         return self.values
@@ -201,7 +201,7 @@ class Plan(AnyPlan):
         plan.warnings = self.warnings
         plan.weakest_segment, plan.weakest_row = self.weakest or (-1, -1)
         plan.segments = [
-            fingertip.Segment(s.name, s.X_WO, _core_rows(s), s.finger) for s in self.segments
+            fingertip.Segment(s.name, s.X_WO, core_rows(s), s.finger) for s in self.segments
         ]
         return plan
 
@@ -264,8 +264,8 @@ def document(found: _Found, task: Task) -> dict[str, Any]:
         "warnings": list(plan.warnings),
         "limit": plan.limit,
         "relaxations": [{"field": r.field, "value": r.value} for r in plan.relaxations],
-        "segments": [_segment_document(segment) for segment in plan.segments],
-        "realization": None if realization is None else _realization_document(realization),
+        "segments": [segment_document(segment) for segment in plan.segments],
+        "realization": None if realization is None else realization_document(realization),
     }
 
 
@@ -291,70 +291,6 @@ def _segment(fields: model.Segment) -> Segment:
         np.array(fields.compliant_stability, dtype=float),
         np.array(fields.nominal_margin, dtype=float),
     )
-
-
-def _core_rows(segment: Segment) -> list[fingertip.Row]:
-    modes = fingertip.FingerMode.__members__
-    rows = []
-    for i, touches in enumerate(segment.touches):
-        fingers = [
-            fingertip.FingerState(
-                touches=bool(touching),
-                p_OC=segment.fingers[i, k] if touching else np.zeros(3),
-                n_O=segment.normals[i, k] if touching else np.array([0.0, 0.0, 1.0]),
-                mode=modes[segment.modes[i][k]],
-                commanded_force=segment.commanded_forces[i, k],
-                nominal_force_O=segment.nominal_forces[i, k],
-            )
-            for k, touching in enumerate(touches)
-        ]
-        rows.append(
-            fingertip.Row(
-                X_WO=segment.object_poses[i],
-                fingers=fingers,
-                stability=segment.stability[i],
-                compliant_stability=segment.compliant_stability[i],
-                nominal_margin=segment.nominal_margin[i],
-            )
-        )
-    return rows
-
-
-def _segment_document(segment: fingertip.Segment) -> dict[str, Any]:
-    rows = segment.rows
-    return {
-        "name": segment.name,
-        "finger": segment.finger,
-        "X_WO": [frames.to_row(X) for X in segment.X_WO],
-        "object_poses": [frames.to_row(row.X_WO) for row in rows],
-        "fingers": [[f.p_OC.tolist() if f.touches else None for f in r.fingers] for r in rows],
-        "normals": [[f.n_O.tolist() if f.touches else None for f in r.fingers] for r in rows],
-        "modes": [[f.mode.name for f in row.fingers] for row in rows],
-        "commanded_forces": [[float(f.commanded_force) for f in row.fingers] for row in rows],
-        "nominal_forces": [[f.nominal_force_O.tolist() for f in row.fingers] for row in rows],
-        "stability": [float(row.stability) for row in rows],
-        "compliant_stability": [float(row.compliant_stability) for row in rows],
-        "nominal_margin": [float(row.nominal_margin) for row in rows],
-    }
-
-
-def _realization_document(found: fingertip.Realization) -> dict[str, Any]:
-    return {
-        "found": found.found,
-        "reason": found.reason,
-        "joint_names": list(found.joint_names),
-        "finger_of_fingertip": list(found.finger_of_fingertip),
-        "segments": [
-            {
-                "name": segment.name,
-                "plan_segment": segment.plan_segment,
-                "scrub": segment.scrub,
-                "positions": np.asarray(segment.positions, dtype=float).tolist(),
-                "object_poses": [frames.to_row(X_WO) for X_WO in segment.X_WO],
-            }
-            for segment in found.segments
-        ],
-    }
 
 
 def _poses(rows: list[list[float]]) -> Matrix:

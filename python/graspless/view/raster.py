@@ -111,7 +111,9 @@ def render(
         points = np.einsum("nk,nkj->nj", weights, scene["points"][faces[f]])
         normals = np.einsum("nk,nkj->nj", weights, scene["corners"][f])
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-        light = np.clip(normals @ camera.light(), 0, 1) * _lit(scene, points, camera.light())
+        light = np.clip(normals @ camera.light(), 0, 1) * _lit(
+            scene, points, normals, camera.light()
+        )
         sky = 0.5 + 0.5 * normals[:, 2]
         brightness = 0.46 + 0.18 * sky + 0.42 * light
         rgba[ys, xs, :3] = scene["colors"][f] * brightness[:, None]
@@ -193,7 +195,7 @@ def _weights(corners: Matrix, x: Any, y: Any) -> Matrix:
     return np.asarray(weights / weights.sum(axis=1, keepdims=True))
 
 
-def _lit(scene: dict[str, Any], points: Matrix, toward: Matrix) -> Matrix:
+def _lit(scene: dict[str, Any], points: Matrix, normals: Matrix, toward: Matrix) -> Matrix:
     """1 where the light reaches a point, less in a shadow, with a soft border."""
     across = np.cross(toward, [0.0, 1.0, 0.0])
     across /= np.linalg.norm(across)
@@ -208,7 +210,8 @@ def _lit(scene: dict[str, Any], points: Matrix, toward: Matrix) -> Matrix:
     faces = scene["faces"]
     away = np.flatnonzero(scene["normals"] @ toward > 0)
     near, _ = _depth_buffer(place(flat), faces, away, SHADOW_SIZE, SHADOW_SIZE)
-    at = place(points @ axes.T)
+    # A little off the surface, or faces that the light grazes would shade themselves in stripes.
+    at = place((points + 2 / scale * normals) @ axes.T)
     lit = np.zeros(len(points))
     for dx in (-1, 0, 1):
         for dy in (-1, 0, 1):

@@ -12,19 +12,22 @@
 
 namespace graspless::mechanics {
 
-/// Contact forces that balance a contact set, as far inside their cones and limits as they go.
+/// Contact forces that balance a contact set, deep inside their cones and limits.
 struct Equilibrium {
   Eigen::Matrix3Xd contact_forces_O;  ///< on the object, one a contact [N]
   Eigen::Matrix3Xd finger_forces_O;   ///< on the object, one a finger [N]
-  /// The largest t such that every cone coefficient, and what is left to the limit of every finger
-  /// in position control, is at least t [N]. Where the environment alone can jam, t has no limit:
-  /// it ends at the sum of the known force and all force limits.
+  /// The least of all cone coefficients and of what is left to the limits of fingers in position
+  /// control [N].
   double margin = 0;
 };
 
 /// The interior equilibrium under no disturbance, with fingers in force control at their commanded
-/// normal forces (entries of the others are not looked at). Nothing when there is no equilibrium.
-/// Throws std::invalid_argument on a bad contact set, modes or forces.
+/// normal forces (entries of the others are not looked at): of all that have nine tenths of the
+/// largest margin there is, the one whose coefficients beyond that have the least squares. It is
+/// one answer, and follows the contacts continuously; the deepest equilibria themselves are many.
+/// Where the environment alone can jam, margins have no limit: the sum of the known force and all
+/// force limits then counts as the largest. Nothing when there is no equilibrium. Throws
+/// std::invalid_argument on a bad contact set, modes or forces.
 GRASPLESS_API std::optional<Equilibrium> interior_equilibrium(
     const ContactSet& set, const std::vector<FingerMode>& modes,
     const Eigen::VectorXd& commanded_forces);
