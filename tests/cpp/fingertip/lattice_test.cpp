@@ -257,16 +257,20 @@ TEST(Lattice, CostsWhatBruteForceFinds) {
 
 TEST(Lattice, WeighsARegraspAgainstADearRoute) {
   // A regrasp costs less than the way that the fingers would be spared.
-  const Problem problem = block_problem({0, 0.06, 0.6}, {0, 0, 0}, {0.06, 0.06, 0.6}, {4, 4, 4});
+  const Problem problem = block_problem({0.06, 0.06, 1.2}, {0, 0, 0}, {0.06, 0.06, 1.2}, {4, 4, 4});
   Options options = coarse(2);
-  for (const double regrasp_cost : {0.003, 0.03, 0.06}) {
+  options.stability_weight = 1;  // so that the best grip of each arc matters
+  int regrasps = 0;
+  for (const double regrasp_cost : {0.0001, 0.003, 0.03}) {
     options.regrasp_cost = regrasp_cost;
     const Plan plan = fingertip::plan(problem, options);
     ASSERT_TRUE(plan);
     const double expected = BruteForce(problem, options).cost();
     EXPECT_LE(plan.lower_bound, expected * (1 + 1e-9)) << regrasp_cost;
-    EXPECT_GE(plan.cost, expected * (1 - 1e-9)) << regrasp_cost;
+    EXPECT_NEAR(plan.cost, expected, 1e-9 * expected) << regrasp_cost;
+    regrasps += plan.regrasps;
   }
+  EXPECT_GT(regrasps, 0);
 }
 
 TEST(Lattice, RefusesOtherEnginesAndTooManyPoses) {
