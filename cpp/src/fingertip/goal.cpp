@@ -13,7 +13,7 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr int kMaxSequences = 200;  // a level: a bound for hulls of many faces
+constexpr int kMaxSequences = 200;  // of one number of tumbles: a bound for hulls of many faces
 
 /// The face that the object stands on by itself.
 int standing_face(const Problem& problem, const Stances& stances, const Eigen::Isometry3d& X_WO,
@@ -50,6 +50,17 @@ Plan out_of_reach(int needed, const Goal& goal) {
   return plan;
 }
 
+/// Says that not all sequences of tumbles were looked at, and claims nothing of the others.
+void admit_truncation(Plan& plan) {
+  const std::string what = "only the first " + std::to_string(kMaxSequences) +
+                           " ways to tumble to the goal's face were looked at";
+  plan.warnings.push_back(what);
+  if (plan.status == Status::solved) return;
+  plan.lower_bound = 0;
+  plan.reason += "; " + what;
+  if (plan.status != Status::interrupted) plan.status = Status::out_of_time;
+}
+
 }  // namespace
 
 Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock) {
@@ -62,14 +73,21 @@ Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock) {
   if (needed < 0 || needed > goal.max_tumbles) return out_of_reach(needed, goal);
 
   GoalSearch search(workshop, clock);
+  bool is_truncated = false;
   for (int tumbles = needed; tumbles <= goal.max_tumbles; ++tumbles) {
-    for (const TumbleSequence& sequence :
-         tumble_sequences(stances, from, to, tumbles, kMaxSequences)) {
+    auto sequences = tumble_sequences(stances, from, to, tumbles, kMaxSequences + 1);
+    if (sequences.size() > kMaxSequences) {
+      is_truncated = true;
+      sequences.resize(kMaxSequences);
+    }
+    for (const TumbleSequence& sequence : sequences) {
       search.add(goal_paths(problem, goal, stances, from, sequence), tumbles_alone(goal, sequence));
     }
     if (search.run()) break;
   }
-  return search.plan();
+  Plan plan = search.plan();
+  if (is_truncated) admit_truncation(plan);
+  return plan;
 }
 
 }  // namespace graspless::fingertip

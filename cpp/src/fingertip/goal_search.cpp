@@ -50,7 +50,8 @@ void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
     if (complaint.empty()) {
       const Bounds least = bounds(path);
       const double bound = std::min(least.whole, least.pieces + workshop_.options.regrasp_cost);
-      candidates_.push_back({path, bound, least.pieces, static_cast<int>(sequences_.size()) - 1});
+      const int sequence = static_cast<int>(sequences_.size()) - 1;
+      candidates_.push_back({path, bound, least.pieces, least.most, sequence});
     } else if (fault_.empty()) {
       fault_ = complaint;
     }
@@ -79,17 +80,21 @@ std::string GoalSearch::fault(const Path& path) {
 /// Without regrasps some location goes all the way; with them each arc has its own, at least.
 GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
   std::vector<double> whole(static_cast<std::size_t>(workshop_.locations.size()), 0.0);
-  Bounds bounds{kInfinity, 0};
+  Bounds bounds{kInfinity, 0, 0};
   for (std::size_t i = 0; i + 1 < path.X_WO.size(); ++i) {
     const auto twist_O = screw_between(path.X_WO[i], path.X_WO[i + 1]);
-    double least = kInfinity;
+    double least = kInfinity, most = 0;
     for (int l = 0; l < workshop_.locations.size(); ++l) {
       const double moved = sphere_speed(twist_O, workshop_.locations[l]);
       whole[static_cast<std::size_t>(l)] += moved;
       least = std::min(least, moved);
+      most = std::max(most, moved);
     }
     bounds.pieces += least;
+    bounds.most += most;
   }
+  const Options& options = workshop_.options;
+  bounds.most *= (1 + options.stability_weight / options.min_stability) * (1 + 1e-9);
   for (const double moved : whole) bounds.whole = std::min(bounds.whole, moved);
   return bounds;
 }
@@ -132,29 +137,34 @@ bool GoalSearch::needs_regrasp(Sequence& sequence) {
 void GoalSearch::look_at(Candidate& candidate, double limit) {
   const double X_regr = workshop_.options.regrasp_cost;
   Sequence& sequence = sequences_[static_cast<std::size_t>(candidate.sequence)];
-  if (limit <= X_regr && needs_regrasp(sequence)) {
+  // Then what a route costs says how many regrasps it has.
+  const bool regrasps_rule = candidate.most < X_regr;
+  if (limit <= X_regr && regrasps_rule && needs_regrasp(sequence)) {
     candidate.bound = std::max(candidate.bound, X_regr + candidate.pieces);
     return;
   }
   ++statistics_.candidates;
+  std::optional<PathQuery> query;
   try {
-    const PathQuery query(workshop_.problem, candidate.path, workshop_.locations,
-                          workshop_.instants, workshop_.options);
-    const Route route = search(query, workshop_, clock_, statistics_, limit);
-    candidate.bound = std::max(candidate.bound, route.lower_bound);
-    if (route.is_complete && !route.found) {
-      // Nothing below the limit: as many regrasps as that has room for, and one more.
-      sequence.failed = true;
-      candidate.bound =
-          std::max(candidate.bound, std::floor(limit / X_regr) * X_regr + candidate.pieces);
-    }
-    if (!route.found || route.cost >= best_cost_) return;
-    best_cost_ = route.cost;
-    best_ = stages_of(query, route);
+    query.emplace(workshop_.problem, candidate.path, workshop_.locations, workshop_.instants,
+                  workshop_.options);
   } catch (const std::invalid_argument& error) {
     candidate.bound = kInfinity;
     if (fault_.empty()) fault_ = error.what();  // contacts that points cannot stand for
+    return;
   }
+  const Route route = search(*query, workshop_, clock_, statistics_, limit);
+  candidate.bound = std::max(candidate.bound, route.lower_bound);
+  if (route.is_complete && !route.found) {
+    // Nothing below the limit: as many regrasps as that has room for, and one more.
+    sequence.failed = true;
+    const double regrasps = std::floor(limit / X_regr) * X_regr;
+    candidate.bound =
+        std::max({candidate.bound, limit, regrasps_rule ? regrasps + candidate.pieces : 0.0});
+  }
+  if (!route.found || route.cost >= best_cost_) return;
+  best_cost_ = route.cost;
+  best_ = stages_of(*query, route);
 }
 
 Plan GoalSearch::plan() {

@@ -36,6 +36,7 @@ class GoalSearch {
     Path path;
     double bound;   // of the cost [m]
     double pieces;  // of the displacement, with any number of regrasps [m]
+    double most;    // that (9) can come to over all arcs [m]
     int sequence;
   };
   /// What paths over the same edges share.
@@ -46,6 +47,7 @@ class GoalSearch {
   };
   struct Bounds {
     double whole, pieces;  // of the displacement without and with regrasps [m]
+    double most;           // of the cost by (9)
   };
   Bounds bounds(const Path& path) const;
   std::string fault(const Path& path);

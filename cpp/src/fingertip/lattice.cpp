@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Slides and turns through a lattice of poses in the plane.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "fingertip/assemble.hpp"
 #include "fingertip/lattice_regrasps.hpp"
@@ -28,7 +30,7 @@ std::vector<Stage> stages_of(const LatticeSpace& space, const Route& route) {
 
 /// Why there is no route.
 void explain(const Workshop& workshop, LatticeSpace& space, LatticeDistances& distances,
-             const Route& route, const planning::Clock& clock, Plan& plan) {
+             const Route& route, planning::Clock& clock, Plan& plan) {
   int clear = 0;
   bool is_free_way = false;
   for (int l = 0; l < workshop.locations.size(); ++l) {
@@ -40,7 +42,10 @@ void explain(const Workshop& workshop, LatticeSpace& space, LatticeDistances& di
   if (!route.is_complete) {
     plan.status = clock.was_interrupted() ? Status::interrupted : Status::out_of_time;
     plan.reason = clock.was_interrupted() ? "interrupted before a plan was found"
-                                          : "the budget was spent before a plan was found";
+                  : !clock.spend()
+                      ? "the budget was spent before a plan was found"
+                      : "no plan with at most " + std::to_string(workshop.options.max_regrasps) +
+                            " regrasps was found; none is excluded";
   } else if (!is_free_way) {
     plan.status = Status::no_location;
     plan.limit = "reach of the lattice";
@@ -56,6 +61,23 @@ void explain(const Workshop& workshop, LatticeSpace& space, LatticeDistances& di
   }
 }
 
+/// A route without regrasps that costs more than one is compared with routes that have some.
+void consider_regrasps(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
+                       planning::Clock& clock, Statistics& statistics, Route& route) {
+  const double X_regr = workshop.options.regrasp_cost;
+  if (workshop.options.max_regrasps == 0 || route.cost <= X_regr) return;
+  route.lower_bound = std::min(route.lower_bound, X_regr);
+  if (!route.is_complete) return;
+  // The tables of the search so far leave out what its limits did.
+  LatticeDistances distances(space, workshop.locations);
+  Route other = search_regrasps(workshop, space, bounds, distances, clock, statistics);
+  const double lower_bound = std::min(route.cost, other.lower_bound);
+  const bool is_complete = other.is_complete;
+  if (other.found && other.cost < route.cost) route = std::move(other);
+  route.is_complete = is_complete;
+  route.lower_bound = lower_bound;
+}
+
 }  // namespace
 
 Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& clock) {
@@ -69,6 +91,8 @@ Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& c
   Route route = search_placements(workshop, space, bounds, distances, clock, plan.statistics);
   if (!route.found && route.is_complete && workshop.options.max_regrasps > 0) {
     route = search_regrasps(workshop, space, bounds, distances, clock, plan.statistics);
+  } else {
+    consider_regrasps(workshop, space, bounds, clock, plan.statistics, route);
   }
   plan.statistics.supports = bounds.count();
   plan.statistics.memory = space.memory() + bounds.memory() + distances.memory();

@@ -140,10 +140,17 @@ void LatticeGraph::lift_fingers(Key key, double g) {
 
 Route LatticeGraph::search(const Manner& manner, planning::Clock& clock, Statistics& statistics) {
   manner_ = manner;
+  double bound = refused_.empty() ? kInfinity : 0;  // from when nothing was refused
   for (;;) {
     Key goal = -1;
     Route route = search_once(clock, statistics, goal);
+    if (!refused_.empty()) {
+      // A hub refused before one move might do before another.
+      route.is_complete = false;
+      route.lower_bound = std::min(route.lower_bound, bound);
+    }
     if (!route.found || holds_at_rest(goal)) return route;
+    bound = std::min(bound, route.lower_bound);
   }
 }
 

@@ -26,8 +26,8 @@ class LatticeGraph {
   LatticeGraph(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
                LatticeDistances& distances);
 
-  /// A route, its cost by (9) and (10). Complete when it ran to its end within max_nodes; its
-  /// lower_bound holds when haste is 1 and regrasp_cost the true one.
+  /// A route, its cost by (9) and (10). Complete when it ran to its end within max_nodes and
+  /// refused no hub; its lower_bound holds when haste is 1 and regrasp_cost the true one.
   Route search(const Manner& manner, planning::Clock& clock, Statistics& statistics);
   /// How many nodes there are at most, hubs aside.
   double num_nodes() const;

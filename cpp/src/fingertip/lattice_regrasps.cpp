@@ -44,9 +44,8 @@ Route search_regrasps(Workshop& workshop, LatticeSpace& space, LatticeBounds& bo
   LatticeGraph graph(workshop, space, bounds, distances);
   const auto within = [&](Route route) {
     if (!route.found || num_regrasps(route) <= options.max_regrasps) return route;
-    Route none;
-    none.is_complete = route.is_complete;
-    none.lower_bound = kInfinity;
+    Route none;  // dearer ones may have fewer regrasps
+    none.lower_bound = route.lower_bound;
     return none;
   };
   if (graph.num_nodes() <= kSmallGraph) {
@@ -57,13 +56,14 @@ Route search_regrasps(Workshop& workshop, LatticeSpace& space, LatticeBounds& bo
   Route best;
   best.cost = kInfinity;
   for (const double share : {0.1, 1.0}) {
-    Route route = within(graph.search(
-        {std::min(options.regrasp_cost, share * least), kHaste, kHastyNodes}, clock, statistics));
+    const Route route = graph.search(
+        {std::min(options.regrasp_cost, share * least), kHaste, kHastyNodes}, clock, statistics);
     if (route.is_complete && !route.found) return route;  // there is none
-    if (route.found && route.cost < best.cost) best = route;
-    if (!best.found || num_regrasps(best) == 1) break;
+    if (!route.found) break;
+    if (num_regrasps(route) <= options.max_regrasps && route.cost < best.cost) best = route;
+    if (best.found && num_regrasps(best) <= 1) break;
   }
-  // Without regrasps there is nothing; with one, one finger at least goes all the way.
+  // Without regrasps all is known; with one, one finger at least goes all the way.
   const bool one_stays = workshop.problem.fingers.count > 1;
   best.lower_bound = std::min(
       best.cost, options.regrasp_cost + std::min(one_stays ? least : 0.0, options.regrasp_cost));

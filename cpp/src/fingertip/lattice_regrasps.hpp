@@ -9,7 +9,8 @@
 
 namespace graspless::fingertip {
 
-/// Ways through the lattice with regrasps, for when there are none without. Small graphs are
+/// Ways through the lattice with regrasps, for when there are none without, or dear ones.
+/// lower_bound holds for ways with regrasps. Small graphs are
 /// searched by A* to the end. In others a hasty search, which makes much of what is left of the way
 /// and little of a regrasp, finds some route; its cost is not proven optimal then, and lower_bound
 /// says what is.

@@ -77,6 +77,20 @@ void check_obstacles(const Problem& problem) {
   }
 }
 
+void check_lattice_options(const Problem& problem, const Options& options, double locations) {
+  if (!std::holds_alternative<Lattice>(problem.motion)) return;
+  if (options.search != Search::fast) {
+    throw std::invalid_argument(std::string("options.search must be 'fast' for a Lattice, not '") +
+                                (options.search == Search::paper ? "paper" : "dijkstra") + "'");
+  }
+  const double bytes = lattice_memory(problem, locations);
+  if (bytes <= options.max_memory) return;
+  std::ostringstream text;
+  text << "motion.counts: the lattice would need " << bytes / 1e9
+       << " GB, more than options.max_memory = " << options.max_memory / 1e9 << " GB";
+  throw std::invalid_argument(text.str());
+}
+
 }  // namespace
 
 void check_pose(const std::string& field, const Eigen::Isometry3d& X) {
@@ -128,6 +142,7 @@ void validate(const Problem& problem, const Options& options) {
   validate(problem);
   validate(options);
   const double locations = num_grid_points(problem.object, options);
+  check_lattice_options(problem, options, locations);
   const double bytes = memory_needed(problem, options, locations);
   if (bytes <= options.max_memory) return;
   std::ostringstream text;

@@ -17,4 +17,7 @@ void check_motion(const Problem& problem);
 /// What a search over so many locations takes, at least [bytes].
 double memory_needed(const Problem& problem, const Options& options, double num_locations);
 
+/// What the tables of a lattice of poses come to, at most [bytes]; 0 for other motions.
+double lattice_memory(const Problem& problem, double num_locations);
+
 }  // namespace graspless::fingertip

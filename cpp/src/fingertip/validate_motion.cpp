@@ -11,6 +11,7 @@
 
 #include "fingertip/clearance.hpp"
 #include "fingertip/instants.hpp"
+#include "fingertip/lattice_space.hpp"
 #include "fingertip/screw.hpp"
 #include "fingertip/validate.hpp"
 
@@ -22,6 +23,7 @@ using mechanics::Vector6d;
 constexpr std::size_t kMaxPoses = 100000;
 constexpr double kMaxTurn = 3.0;  // of one arc [rad]: half a turn leaves the way open
 constexpr double kOnLattice = 1e-6;
+constexpr double kMaxLatticePoses = 1e9;  // they are counted by an int
 
 [[noreturn]] void refuse(const std::string& where, const std::string& fault) {
   throw std::invalid_argument(where + ": " + fault);
@@ -109,6 +111,10 @@ void check_axis(const std::string& name, double lower, double upper, int count, 
 }
 
 void check_lattice(const Problem& problem, Clearance& clearance, const Lattice& lattice) {
+  const auto& counts = lattice.counts;
+  if (1.0 * counts[0] * counts[1] * counts[2] > kMaxLatticePoses) {
+    refuse("motion.counts", "a lattice may have 1e9 poses at most");
+  }
   check_standing(problem, clearance, lattice.X_WO_start, "motion.X_WO_start");
   check_standing(problem, clearance, lattice.X_WO_goal, "motion.X_WO_goal");
   const Eigen::Matrix3d turn = lattice.X_WO_goal.linear() * lattice.X_WO_start.linear().transpose();
@@ -139,8 +145,18 @@ void check_goal(const Problem& problem, Clearance& clearance, const Goal& goal) 
   };
   require_step("slide_step", goal.slide_step);
   require_step("turn_step", goal.turn_step);
-  if (goal.max_tumbles >= 0 && goal.max_tumbles <= 12) return;
-  refuse("motion.max_tumbles", "must be 0 to 12, not " + std::to_string(goal.max_tumbles));
+  if (goal.max_tumbles < 0 || goal.max_tumbles > 12) {
+    refuse("motion.max_tumbles", "must be 0 to 12, not " + std::to_string(goal.max_tumbles));
+  }
+  const auto require_poses = [](const std::string& field, double amount, double step) {
+    if (amount / step <= kMaxPoses) return;
+    refuse("motion." + field, "may make " + std::to_string(kMaxPoses) +
+                                  " poses at most, but is so small that it could make more");
+  };
+  const double distance = (goal.X_WO_goal.translation() - goal.X_WO_start.translation()).norm();
+  const double rolled = 2 * problem.object.size() * (goal.max_tumbles + 1);
+  require_poses("slide_step", distance + rolled, goal.slide_step);
+  require_poses("turn_step", M_PI * (goal.max_tumbles + 1), goal.turn_step);
 }
 
 }  // namespace
@@ -154,6 +170,17 @@ void check_motion(const Problem& problem) {
   } else {
     check_goal(problem, clearance, std::get<Goal>(problem.motion));
   }
+}
+
+double lattice_memory(const Problem& problem, double num_locations) {
+  const auto* lattice = std::get_if<Lattice>(&problem.motion);
+  if (lattice == nullptr) return 0;
+  const double yaws = lattice->counts[2];
+  const double poses = 1.0 * lattice->counts[0] * lattice->counts[1] * yaws;
+  // A pose: moves and their kinds, marks of the search; a location: clearance and distance.
+  const double moves = LatticeSpace::kMoves;
+  return poses * (2 * sizeof(int) * moves + 64 + num_locations * (1 + sizeof(double))) +
+         yaws * num_locations * sizeof(double) * (moves + 3);
 }
 
 double memory_needed(const Problem& problem, const Options& options, double num_locations) {

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "graspless/fingertip/fingertip.hpp"
 
 #include "complaint.hpp"
+#include "fingertip/goal_paths.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -86,6 +89,29 @@ TEST(Goal, EnginesAgree) {
   ASSERT_TRUE(fast);
   ASSERT_TRUE(dijkstra);
   EXPECT_NEAR(fast.cost, dijkstra.cost, 1e-9);
+}
+
+TEST(Goal, IsTheBestOfItsPathsHoweverCheapRegraspsAre) {
+  const Problem problem = block_problem(on_floor(0.12, 0.04, 0.3, 0.05));
+  const Goal& goal = std::get<Goal>(problem.motion);
+  const Stances stances(problem.object);
+  const int face = stances.standing(goal.X_WO_start, problem.planes.front(), 1e-6);
+  Options options = coarse();
+  options.locations_per_side = 2;
+  for (const double regrasp_cost : {0.02, 0.13, 0.14}) {
+    options.regrasp_cost = regrasp_cost;
+    double best = std::numeric_limits<double>::infinity();
+    for (const Path& path : goal_paths(problem, goal, stances, face, {})) {
+      Problem as_path = problem;
+      as_path.motion = path;
+      const Plan plan = fingertip::plan(as_path, options);
+      if (plan) best = std::min(best, plan.cost);
+    }
+    const Plan plan = fingertip::plan(problem, options);
+    ASSERT_TRUE(plan);
+    EXPECT_LE(plan.lower_bound, best * (1 + 1e-9)) << regrasp_cost;
+    EXPECT_NEAR(plan.cost, best, 2e-3 * best) << regrasp_cost;
+  }
 }
 
 TEST(Goal, TheWholeProblemMayTurn) {

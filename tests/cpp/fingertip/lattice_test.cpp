@@ -255,6 +255,34 @@ TEST(Lattice, CostsWhatBruteForceFinds) {
   EXPECT_GT(by_regrasps[1], 0);
 }
 
+TEST(Lattice, WeighsARegraspAgainstADearRoute) {
+  // A regrasp costs less than the way that the fingers would be spared.
+  const Problem problem = block_problem({0.06, 0.06, 1.2}, {0, 0, 0}, {0.06, 0.06, 1.2}, {4, 4, 4});
+  Options options = coarse(2);
+  options.stability_weight = 1;  // so that the best grip of each arc matters
+  int regrasps = 0;
+  for (const double regrasp_cost : {0.0001, 0.003, 0.03}) {
+    options.regrasp_cost = regrasp_cost;
+    const Plan plan = fingertip::plan(problem, options);
+    ASSERT_TRUE(plan);
+    const double expected = BruteForce(problem, options).cost();
+    EXPECT_LE(plan.lower_bound, expected * (1 + 1e-9)) << regrasp_cost;
+    EXPECT_NEAR(plan.cost, expected, 1e-9 * expected) << regrasp_cost;
+    regrasps += plan.regrasps;
+  }
+  EXPECT_GT(regrasps, 0);
+}
+
+TEST(Lattice, RefusesOtherEnginesAndTooManyPoses) {
+  Problem problem = block_problem({0.1, 0, 0}, {0, 0, 0}, {0.1, 0, 0}, {21, 1, 1});
+  Options options = coarse(2);
+  options.search = Search::paper;
+  expect_refused([&] { plan(problem, options); }, "options.search must be 'fast' for a Lattice");
+  options.search = Search::fast;
+  options.max_memory = 1e3;
+  expect_refused([&] { plan(problem, options); }, "motion.counts: the lattice would need");
+}
+
 TEST(Lattice, SlidesAlongAWallItTouches) {
   Problem problem = block_problem({0.06, 0, 0}, {0, -0.02, 0}, {0.06, 0, 0}, {7, 3, 1});
   problem.planes.push_back({"wall", -Eigen::Vector3d::UnitY(), -0.03});

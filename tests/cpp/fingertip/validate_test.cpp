@@ -121,6 +121,10 @@ TEST(FingertipValidate, RefusesLatticesThatMissStartOrGoal) {
                          "lattice along y: the goal (4");
   expect_problem_refused(lattice([](Lattice& l) { l.lower.x() = -0.5; }), "the start (0)");
   expect_problem_refused(lattice([](Lattice& l) { l.counts[2] = 0; }), "yaw");
+  expect_problem_refused(lattice([](Lattice& l) {
+                           l.counts = {100000, 100000, 100000};
+                         }),
+                         "motion.counts: a lattice may have 1e9 poses");
   expect_problem_refused(lattice([](Lattice& l) { l.upper.y() = kNan; }), "along y");
   expect_problem_refused(lattice([](Lattice& l) { l.X_WO_goal = at(2, 0, 6); }), "floats");
 }
@@ -136,6 +140,8 @@ TEST(FingertipValidate, RefusesBadGoals) {
   };
   expect_problem_refused(goal([](Goal& g) { g.slide_step = 0; }), "motion.slide_step");
   expect_problem_refused(goal([](Goal& g) { g.turn_step = kNan; }), "motion.turn_step");
+  expect_problem_refused(goal([](Goal& g) { g.slide_step = 1e-300; }), "motion.slide_step");
+  expect_problem_refused(goal([](Goal& g) { g.turn_step = 1e-6; }), "motion.turn_step: may make");
   expect_problem_refused(goal([](Goal& g) { g.max_tumbles = -1; }), "motion.max_tumbles");
   expect_problem_refused(goal([](Goal& g) { g.X_WO_goal = at(-4, 0, 5); }), "plane 'behind'");
 }

@@ -26,7 +26,7 @@ enum class Search {
 
 /// How to search. The paper's values where it gives one.
 struct Options {
-  Search search = Search::fast;
+  Search search = Search::fast;  ///< a Lattice: fast only
   /// Fingertip locations along each side of a face's rectangle, cell-centred; the paper's 7 x 7.
   int locations_per_side = 7;
   /// Instead: distance between locations [m]; 0 takes locations_per_side.
@@ -54,7 +54,7 @@ enum class Status {
   solved,
   no_location,  ///< geometry: no placement of the fingers is clear of floor, walls and each other
   unstable,     ///< geometry allows placements, but none carries the object all the way
-  out_of_time,  ///< nothing found in time, and nothing excluded
+  out_of_time,  ///< nothing found in time or within the search's bounds, and nothing excluded
   interrupted,
 };
 GRASPLESS_API std::string to_string(Status status);
@@ -112,9 +112,11 @@ struct Relaxation {
 /// What was found, or why not.
 struct Plan {
   Status status = Status::out_of_time;
-  std::string reason;      ///< one sentence, for people
-  double cost = 0;         ///< by (9) and (10) [m]
-  double lower_bound = 0;  ///< no plan on this lattice is cheaper [m]; equals cost when optimal
+  std::string reason;  ///< one sentence, for people
+  double cost = 0;     ///< by (9) and (10) [m]
+  /// No plan on this lattice is cheaper [m]; equals cost when optimal. For a Goal: none over the
+  /// motions of the object that were considered.
+  double lower_bound = 0;
   int regrasps = 0;
   std::vector<Segment> segments;
   std::vector<std::string> warnings;
