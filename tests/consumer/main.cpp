@@ -2,12 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
+#include <graspless/fingertip/fingertip.hpp>
 #include <graspless/slide/slide.hpp>
 
 using namespace graspless;
 
+// Pushes a block over the floor with two fingertips; prints the cost [m].
+int push_a_block() {
+  const auto block = fingertip::Object::box("block", {0.05, 0.1, 0.05}, 1.0);
+  const Eigen::Isometry3d X_WO_start(Eigen::Translation3d(0, 0, 0.025));
+  const fingertip::Problem problem{block,
+                                   {},
+                                   {fingertip::Plane{}},
+                                   {0.5, 0.5},
+                                   fingertip::slide_path(X_WO_start, {0.1, 0, 0}, 30)};
+  const fingertip::Plan plan = fingertip::plan(problem);
+  if (!plan || !fingertip::check(problem, plan).empty()) {
+    std::cerr << plan.reason << "\n";
+    return 1;
+  }
+  std::cout << plan.cost << "\n";
+  return 0;
+}
+
 // Slides a card to the edge of a table with the WAM and grasps it there: argv[1] is
-// urdf/wam_t42.urdf.
+// urdf/wam_t42.urdf. Then pushes a block.
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const auto wam = robot::Robot::from_urdf_file(argv[1]);
@@ -27,4 +46,5 @@ int main(int argc, char** argv) {
   }
   for (const std::string& fault : slide::check(problem, plan)) std::cerr << fault << "\n";
   std::cout << wam.name() << " " << plan.segments.size() << "\n";
+  return push_a_block();
 }

@@ -32,4 +32,6 @@ def test_consumer_builds_and_runs(tmp_path):
     )  # fmt: skip
     run("cmake", "--build", build)
     urdf = prefix / "share" / "graspless" / "urdf" / "wam_t42.urdf"
-    assert run(build / "consumer", urdf).split() == ["wam_t42", "7"]
+    name, segments, cost = run(build / "consumer", urdf).split()
+    assert (name, segments) == ("wam_t42", "7")
+    assert 0.1 < float(cost) < 0.11  # the way of the fingers, and a little for stability

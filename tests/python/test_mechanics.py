@@ -83,7 +83,9 @@ def test_ties_go_to_force_on_the_finger_that_presses():
     assert best
     assert best.modes == (FORCE, POSITION)
     again = mechanics.best_control_modes([cuboid(), cuboid()])
-    assert [found.stability.z for found in again] == pytest.approx([best.stability.z] * 2, rel=1e-12)
+    assert [found.stability.z for found in again] == pytest.approx(
+        [best.stability.z] * 2, rel=1e-12
+    )
 
 
 def test_nominal_forces_balance():

@@ -31,6 +31,15 @@ double Evaluator::known(int instant, const Placement& placement) const {
   return entry == known_.end() ? -1 : entry->second.z;
 }
 
+void Evaluator::adopt(const Evaluator& other, int instant, const Placement& placement) {
+  const auto entry = other.known_.find({instant, placement});
+  if (entry == other.known_.end()) return;
+  const auto [own, is_new] = known_.try_emplace(entry->first, entry->second);
+  if (!is_new || own->second.best < 0) return;
+  own->second.best = static_cast<int>(bests_.size());
+  bests_.push_back(other.bests_[static_cast<std::size_t>(entry->second.best)]);
+}
+
 void Evaluator::forget() {
   known_.clear();
   bests_.clear();

@@ -25,6 +25,8 @@ class Evaluator {
   /// mechanics::best_control_modes says.
   mechanics::ControlModes control_modes(int instant, const std::vector<int>& fingers,
                                         const std::vector<FingerMode>& previous);
+  /// Takes over what another one knows of a placement at an instant, if it does.
+  void adopt(const Evaluator& other, int instant, const Placement& placement);
   /// Forgets what is known, after Instants::add_friction().
   void forget();
 

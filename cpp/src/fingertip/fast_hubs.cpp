@@ -3,6 +3,9 @@
 // Where the object rests on all fingers but one, and the best ways to get there and on.
 #include "fingertip/fast_hubs.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace graspless::fingertip {
 
 Hubs::Hubs(const PathQuery& query, const Supports& supports, const Candidates& candidates)
@@ -21,6 +24,7 @@ int Hubs::open(const Placement& kept) {
   if (is_new) {
     kept_.push_back(kept);
     members_.emplace_back();
+    neighbors_.emplace_back();
     known_.resize(known_.size() + instants_.size(), Known::open);
   }
   return entry->second;
@@ -34,6 +38,26 @@ void Hubs::link() {
       members_[static_cast<std::size_t>(open(without(placement, location)))].push_back(linked_);
     }
   }
+}
+
+const std::vector<Hubs::Neighbor>& Hubs::neighbors(int hub) {
+  if (!neighbors_[static_cast<std::size_t>(hub)].empty()) {
+    return neighbors_[static_cast<std::size_t>(hub)];
+  }
+  std::vector<Neighbor> found;
+  const Placement kept = this->kept(hub);
+  for (int location = 0; location < query_.locations.size(); ++location) {
+    const auto is_apart = [&](std::int32_t finger) {
+      return finger < 0 || (finger != location && query_.locations.are_apart(finger, location));
+    };
+    if (!std::all_of(kept.begin(), kept.end(), is_apart)) continue;
+    for (const std::int32_t finger : kept) {
+      if (finger >= 0) found.push_back({open(without(with(kept, location), finger)), location});
+    }
+  }
+  memory_ += static_cast<std::int64_t>(found.size() * sizeof(Neighbor));
+  neighbors_[static_cast<std::size_t>(hub)] = std::move(found);
+  return neighbors_[static_cast<std::size_t>(hub)];
 }
 
 bool Hubs::may_rest(int hub, int pose) {

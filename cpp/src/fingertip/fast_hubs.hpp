@@ -3,6 +3,7 @@
 // Where the object rests on all fingers but one, and the best ways to get there and on.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -28,6 +29,13 @@ class Hubs {
     return members_[static_cast<std::size_t>(hub)];
   }
 
+  /// Hubs to which one goes by putting a finger down at a location and taking another away.
+  struct Neighbor {
+    int hub;
+    std::int32_t location;
+  };
+  const std::vector<Neighbor>& neighbors(int hub);
+
   /// Whether the object may rest there as far as is known.
   bool may_rest(int hub, int pose);
 
@@ -46,6 +54,7 @@ class Hubs {
   bool ask(int hub, int pose, std::vector<Question>& questions);
   void learn(const Question& question);
 
+  std::int64_t memory() const { return memory_; }  // of the neighbors
   /// Distinct instants at rest.
   const std::vector<int>& instants() const { return instants_; }
 
@@ -61,10 +70,12 @@ class Hubs {
   const Supports& supports_;
   const Candidates& candidates_;
   int linked_ = 0;
+  std::int64_t memory_ = 0;
   std::vector<int> instants_, slots_;
   std::vector<Placement> kept_;
   std::vector<std::vector<int>> members_;
-  std::vector<Known> known_;  // hubs x slots
+  std::vector<std::vector<Neighbor>> neighbors_;  // empty until they are asked for
+  std::vector<Known> known_;                      // hubs x slots
   std::unordered_map<Placement, int, PlacementHash> index_;
 };
 

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Routes with any number of regrasps, by dynamic programming over bounds.
-#include <algorithm>
-#include <limits>
+#include "fingertip/fast_layers.hpp"
 
-#include "fingertip/fast_search.hpp"
+#include <algorithm>
 
 namespace graspless::fingertip {
 
@@ -12,238 +11,148 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Where a route may be: on a candidate, or at a hub.
-struct Place {
-  int regrasps, pose;
-  bool at_hub;
-  int index;
-};
-
-/// Least costs from the start to every (regrasps, pose, candidate) and (regrasps, pose, hub); the
-/// regrasp is paid for on the way out of the hub.
-class Layers {
- public:
-  Layers(FastSearch& search, int max_regrasps)
-      : search_(search), layers_(max_regrasps + 1), poses_(search.query.num_poses()) {}
-
-  /// The cheapest route as places, from the last to the first; empty when there is none.
-  std::vector<Place> best(double& cost) {
-    candidates_ = search_.candidates.size();
-    cells_.assign(static_cast<std::size_t>(layers_) * static_cast<std::size_t>(poses_), {});
-    for (int pose = 0; pose < poses_; ++pose) {
-      for (int r = 0; r < layers_; ++r) arrive(r, pose);
-      if (pose == 0 || pose == poses_ - 1) continue;  // no use in a regrasp there
-      for (int r = 0; r + 1 < layers_; ++r) {
-        take(r, pose);
-        put(r, pose);
-      }
-    }
-    return back_from_goal(cost);
-  }
-
- private:
-  struct Step {
-    double cost = kInfinity;
-    int from = -1;  // candidates: the hub, or -1 along an arc; hubs: see from_hub
-    bool from_hub = false;
-  };
-  struct Cell {
-    std::vector<Step> candidates, hubs;
-  };
-  Cell& cell(int r, int pose) {
-    return cells_[static_cast<std::size_t>(pose) * static_cast<std::size_t>(layers_) +
-                  static_cast<std::size_t>(r)];
-  }
-  static Step& at(std::vector<Step>& steps, int i) { return steps[static_cast<std::size_t>(i)]; }
-
-  void arrive(int r, int pose) {
-    std::vector<Step>& here = cell(r, pose).candidates;
-    here.resize(static_cast<std::size_t>(candidates_));
-    for (int c = 0; c < candidates_; ++c) {
-      if (pose == 0) {
-        at(here, c).cost = r == 0 ? 0 : kInfinity;
-      } else {
-        at(here, c).cost =
-            at(cell(r, pose - 1).candidates, c).cost + search_.candidates.arc(c, pose - 1);
-      }
-    }
-  }
-
-  // From placements with r regrasps to hubs, and from hubs with one regrasp less to hubs.
-  void take(int r, int pose) {
-    std::vector<Step>& hubs = cell(r, pose).hubs;
-    hubs.resize(static_cast<std::size_t>(search_.hubs.size()));
-    for (int hub = 0; hub < search_.hubs.size(); ++hub) {
-      if (search_.hubs.members(hub).empty() || !search_.hubs.may_rest(hub, pose)) continue;
-      for (const int c : search_.hubs.members(hub)) {
-        const double cost = at(cell(r, pose).candidates, c).cost;
-        if (cost < at(hubs, hub).cost) at(hubs, hub) = {cost, c, false};
-      }
-    }
-    if (r > 0) take_from_hubs(r, pose);
-  }
-
-  // One finger down and another up, through a placement that need not carry the object anywhere.
-  void take_from_hubs(int r, int pose) {
-    std::vector<Step>& before = cell(r - 1, pose).hubs;
-    for (int hub = 0; hub < static_cast<int>(before.size()); ++hub) {
-      if (at(before, hub).cost == kInfinity) continue;
-      const double cost = at(before, hub).cost + search_.query.options.regrasp_cost;
-      for (int location = 0; location < search_.query.locations.size(); ++location) {
-        const Placement kept = search_.hubs.kept(hub);
-        if (std::find(kept.begin(), kept.end(), location) != kept.end()) continue;
-        const Placement placement = with(kept, location);
-        if (!is_feasible(search_.query, pose, placement)) continue;
-        for (const std::int32_t finger : kept) {
-          if (finger >= 0) reach(r, pose, search_.hubs.open(without(placement, finger)), cost, hub);
-        }
-      }
-    }
-  }
-
-  void reach(int r, int pose, int hub, double cost, int from) {
-    std::vector<Step>& hubs = cell(r, pose).hubs;
-    if (hub >= static_cast<int>(hubs.size())) hubs.resize(static_cast<std::size_t>(hub) + 1);
-    if (cost < at(hubs, hub).cost && search_.hubs.may_rest(hub, pose)) {
-      at(hubs, hub) = {cost, from, true};
-    }
-  }
-
-  void put(int r, int pose) {
-    std::vector<Step>& hubs = cell(r, pose).hubs;
-    std::vector<Step>& next = cell(r + 1, pose).candidates;
-    for (int hub = 0; hub < static_cast<int>(hubs.size()); ++hub) {
-      const double cost = at(hubs, hub).cost + search_.query.options.regrasp_cost;
-      for (const int c : search_.hubs.members(hub)) {
-        if (cost < at(next, c).cost &&
-            is_feasible(search_.query, pose, search_.candidates.placement(c))) {
-          at(next, c) = {cost, hub, true};
-        }
-      }
-    }
-  }
-
-  std::vector<Place> back_from_goal(double& cost) {
-    Place place{0, poses_ - 1, false, -1};
-    cost = kInfinity;
-    for (int r = 0; r < layers_; ++r) {
-      for (int c = 0; c < candidates_; ++c) {
-        const double here = at(cell(r, poses_ - 1).candidates, c).cost;
-        if (here < cost) {
-          cost = here;
-          place.regrasps = r;
-          place.index = c;
-        }
-      }
-    }
-    std::vector<Place> places;
-    while (cost < kInfinity) {
-      places.push_back(place);
-      Cell& here = cell(place.regrasps, place.pose);
-      const Step step = at(place.at_hub ? here.hubs : here.candidates, place.index);
-      if (!place.at_hub && !step.from_hub) {
-        if (place.pose-- == 0) break;
-      } else {
-        if (step.from_hub) --place.regrasps;
-        place.at_hub = step.from_hub;
-        place.index = step.from;
-      }
-    }
-    return places;
-  }
-
-  FastSearch& search_;
-  const int layers_, poses_;
-  int candidates_ = 0;
-  std::vector<Cell> cells_;
-};
-
-/// Placements that can carry the object along any arc, and their hubs.
-void list_all(FastSearch& search) {
-  search.candidates.keep_middles();
-  for (int arc = 0; arc < search.query.num_arcs(); ++arc) {
-    open_all(search, clear_locations(search.query, arc, arc + 1), search.candidates.instants(arc));
-  }
-  for (int c = 0; c < search.candidates.size(); ++c) search.candidates.refresh(c);
-  search.hubs.link();
-}
-
-/// Asks what is open on the route, last place first; false when nothing is.
-bool ask(FastSearch& search, const std::vector<Place>& places, std::vector<Question>& questions) {
-  bool any = false;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& last = places[i];
-    if (last.at_hub) {
-      any |= search.hubs.ask(last.index, last.pose, questions);
-      continue;
-    }
-    while (i + 1 < places.size() && !places[i + 1].at_hub && places[i + 1].index == last.index) ++i;
-    any |= search.candidates.ask(last.index, places[i].pose, last.pose, questions);
-  }
-  return any;
-}
-
-bool refresh(FastSearch& search, const std::vector<Place>& places) {
-  bool changed = false;
-  for (const Place& place : places) {
-    if (!place.at_hub) changed |= search.candidates.refresh(place.index);
-  }
-  return changed;
-}
-
-std::vector<Node> nodes(FastSearch& search, const std::vector<Place>& places) {
-  std::vector<Node> nodes;
-  for (std::size_t i = places.size(); i-- > 0;) {
-    const Place& place = places[i];
-    if (!place.at_hub) {
-      nodes.push_back({place.pose, search.candidates.placement(place.index)});
-    } else if (i > 0 && places[i - 1].at_hub) {  // two regrasps at one pose
-      Placement between = search.hubs.kept(place.index);
-      for (const std::int32_t location : search.hubs.kept(places[i - 1].index)) {
-        if (location >= 0 && std::find(between.begin(), between.end(), location) == between.end()) {
-          between = with(between, location);
-        }
-      }
-      nodes.push_back({place.pose, between});
-    }
-  }
-  return nodes;
+template <typename T>
+T& at(std::vector<T>& values, int i) {
+  return values[static_cast<std::size_t>(i)];
 }
 
 }  // namespace
 
-Route search_layers(FastSearch& search, int max_regrasps) {
-  list_all(search);
-  Route route;
-  route.lower_bound = search.least_displacement;
-  const double regrasp_cost = search.query.options.regrasp_cost;
-  std::vector<Question> questions;
-  for (int regrasps = std::min(2, max_regrasps); regrasps <= max_regrasps;) {
-    Layers layers(search, regrasps);
-    double cost = kInfinity;
-    const std::vector<Place> places = layers.best(cost);
-    const double more = search.least_displacement + (regrasps + 1) * regrasp_cost;
-    route.lower_bound =
-        std::max(route.lower_bound, regrasps < max_regrasps ? std::min(cost, more) : cost);
-    if (route.lower_bound >= search.limit) break;
-    if (cost > more && regrasps < max_regrasps) {
-      ++regrasps;
-      continue;
+Layers::Layers(FastSearch& search, int max_regrasps, bool is_counted)
+    : search_(search),
+      max_(max_regrasps),
+      is_counted_(is_counted),
+      poses_(search.query.num_poses()) {}
+
+double Layers::cost(const Cell& cell, int c) {
+  const auto i = static_cast<std::size_t>(c);
+  return cell.put.empty() ? cell.arrived[i] : std::min(cell.arrived[i], cell.put[i].cost);
+}
+
+double Layers::update() {
+  candidates_ = search_.candidates.size();
+  cells_.assign(static_cast<std::size_t>(max_ + 1) * static_cast<std::size_t>(poses_), {});
+  for (int pose = 0; pose < poses_; ++pose) {
+    for (int r = 0; r <= (is_counted_ ? max_ : 0); ++r) arrive(r, pose);
+    if (pose == 0 || pose == poses_ - 1) continue;  // no use in a regrasp there
+    least_at_hub_.assign(static_cast<std::size_t>(search_.hubs.size()), kInfinity);
+    for (int r = 0; r < max_; ++r) {
+      if (is_counted_ || r == 0) take(r, pose);
+      if (r > 0) take_from_hubs(r, pose);
+      put(r, pose);
     }
-    if (places.empty()) break;
-    if (search.clock.is_out() || !search.clock.spend()) return route;
-    if (refresh(search, places)) continue;
-    questions.clear();
-    if (!ask(search, places, questions)) {
-      route.found = true;
-      route.cost = cost;
-      route.nodes = nodes(search, places);
-      break;
-    }
-    search.solve(questions);
   }
-  route.is_complete = true;
-  return route;
+  rank_goals();
+  return goals_.empty() ? kInfinity : goals_.front().first;
+}
+
+std::vector<std::vector<Place>> Layers::best(std::size_t count) {
+  std::vector<std::vector<Place>> routes;
+  for (std::size_t i = 0; i < std::min(count, goals_.size()); ++i) {
+    routes.push_back(back_from(goals_[i].second));
+  }
+  return routes;
+}
+
+void Layers::arrive(int layer, int pose) {
+  std::vector<double>& here = cell(layer, pose).arrived;
+  here.assign(static_cast<std::size_t>(candidates_), kInfinity);
+  if (pose == 0) {
+    if (layer == 0) here.assign(static_cast<std::size_t>(candidates_), 0.0);
+    return;
+  }
+  Cell& before = cell(layer, pose - 1);
+  for (int c = 0; c < candidates_; ++c) {
+    const double from = cost(before, c);
+    if (from < kInfinity) at(here, c) = from + search_.candidates.arc(c, pose - 1);
+  }
+}
+
+// A finger goes.
+void Layers::take(int layer, int pose) {
+  const std::vector<double>& arrived = cell(layer, pose).arrived;
+  for (int hub = 0; hub < search_.hubs.size(); ++hub) {
+    if (search_.hubs.members(hub).empty() || !search_.hubs.may_rest(hub, pose)) continue;
+    for (const int c : search_.hubs.members(hub)) {
+      const double here = arrived[static_cast<std::size_t>(c)];
+      if (here < kInfinity) reach(layer, pose, hub, {here, c, false, layer});
+    }
+  }
+}
+
+// A finger comes and another goes, through a placement that need not carry the object anywhere.
+void Layers::take_from_hubs(int layer, int pose) {
+  const std::vector<Step> before = cell(layer - 1, pose).hubs;
+  for (std::size_t hub = 0; hub < before.size(); ++hub) {
+    if (before[hub].cost == kInfinity) continue;
+    const Step step{before[hub].cost + search_.query.options.regrasp_cost, static_cast<int>(hub),
+                    true, layer - 1};
+    for (const Hubs::Neighbor& next : search_.hubs.neighbors(static_cast<int>(hub))) {
+      if (next.hub < static_cast<int>(least_at_hub_.size()) &&
+          step.cost >= at(least_at_hub_, next.hub)) {
+        continue;
+      }
+      if (search_.query.is_clear(pose, next.location) && search_.hubs.may_rest(next.hub, pose)) {
+        reach(layer, pose, next.hub, step);
+      }
+    }
+  }
+  search_.watch_memory();
+}
+
+// With more regrasps before, a hub is of use only at a lower cost.
+void Layers::reach(int layer, int pose, int hub, const Step& step) {
+  std::vector<Step>& hubs = cell(layer, pose).hubs;
+  const auto size = static_cast<std::size_t>(search_.hubs.size());
+  if (hubs.size() < size) hubs.resize(size);
+  if (least_at_hub_.size() < size) least_at_hub_.resize(size, kInfinity);
+  if (step.cost >= at(least_at_hub_, hub)) return;
+  at(least_at_hub_, hub) = step.cost;
+  at(hubs, hub) = step;
+}
+
+// And comes elsewhere.
+void Layers::put(int layer, int pose) {
+  std::vector<Step>& hubs = cell(layer, pose).hubs;
+  Cell& next = cell(is_counted_ ? layer + 1 : 0, pose);
+  for (int hub = 0; hub < static_cast<int>(hubs.size()); ++hub) {
+    const double here = at(hubs, hub).cost + search_.query.options.regrasp_cost;
+    if (here == kInfinity) continue;
+    next.put.resize(static_cast<std::size_t>(candidates_));
+    for (const int c : search_.hubs.members(hub)) {
+      if (here >= cost(next, c)) continue;
+      if (!is_feasible(search_.query, pose, search_.candidates.placement(c))) continue;
+      at(next.put, c) = {here, hub, true, layer};
+    }
+  }
+}
+
+void Layers::rank_goals() {
+  goals_.clear();
+  for (int layer = 0; layer <= (is_counted_ ? max_ : 0); ++layer) {
+    for (int c = 0; c < candidates_; ++c) {
+      const double here = cost(cell(layer, poses_ - 1), c);
+      if (here < kInfinity) goals_.push_back({here, {layer, poses_ - 1, false, c}});
+    }
+  }
+  std::stable_sort(goals_.begin(), goals_.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+std::vector<Place> Layers::back_from(Place place) {
+  std::vector<Place> places;
+  while (true) {
+    places.push_back(place);
+    Cell& here = cell(place.layer, place.pose);
+    const bool was_put = !place.at_hub && !here.put.empty() &&
+                         at(here.put, place.index).cost < at(here.arrived, place.index);
+    if (place.at_hub || was_put) {
+      const Step& step = at(was_put ? here.put : here.hubs, place.index);
+      place = {step.layer, place.pose, step.from_hub, step.from};
+    } else if (place.pose-- == 0) {
+      return places;
+    }
+  }
 }
 
 }  // namespace graspless::fingertip

@@ -58,7 +58,7 @@ class Enumeration {
   bool extend(int depth, int location, int missing) {
     if (used_ == 0) return true;
     const float* h = supports_.block(instants_.front(), location);
-    for (int i = 0; i < used_; i += Supports::kStep) {
+    for (int i = 0; i < used_; i += kStep) {
       Eigen::Map<Step> to(sum(depth + 1) + i);
       to = Eigen::Map<const Step>(sum(depth) + i) + Eigen::Map<const Step>(h + i);
       const Step reach =

@@ -52,6 +52,25 @@ Route best_solved(FastSearch& search) {
   return best;
 }
 
+/// Lets the first evaluator know what the others have found out about the route.
+void gather_known(const PathQuery& query, const Route& route, std::vector<Evaluator>& evaluators) {
+  for (std::size_t i = 1; i < route.nodes.size(); ++i) {
+    const Node &from = route.nodes[i - 1], &to = route.nodes[i];
+    for (std::size_t lane = 1; lane < evaluators.size(); ++lane) {
+      if (from.pose == to.pose) {
+        for (const std::int32_t finger : from.placement) {
+          if (finger < 0) break;
+          evaluators.front().adopt(evaluators[lane], query.rest_instant(to.pose),
+                                   without(from.placement, finger));
+        }
+      }
+      for (int j = 0; from.pose < to.pose && j < query.options.samples_per_arc; ++j) {
+        evaluators.front().adopt(evaluators[lane], query.instant(from.pose, j), to.placement);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evaluators,
@@ -103,11 +122,16 @@ void FastSearch::finish() {
   in_flight_.clear();
 }
 
-void FastSearch::watch_memory(std::int64_t more_candidates) {
+std::int64_t FastSearch::note_memory(std::int64_t more_candidates) {
   constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
-  const std::int64_t bytes = supports.memory() + candidates.memory() + unopened * kUnopened +
-                             more_candidates * Candidates::bytes_each(query);
+  const std::int64_t bytes = supports.memory() + candidates.memory() + hubs.memory() +
+                             unopened * kUnopened + more_candidates * Candidates::bytes_each(query);
   statistics.memory = std::max(statistics.memory, bytes);
+  return bytes;
+}
+
+void FastSearch::watch_memory(std::int64_t more_candidates) {
+  const std::int64_t bytes = note_memory(more_candidates);
   if (static_cast<double>(bytes) > query.options.max_memory) {
     throw std::length_error("options.max_memory: the search needs more than " +
                             std::to_string(query.options.max_memory) +
@@ -161,7 +185,8 @@ Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
     route = best_solved(search);
     route.lower_bound = route.found ? std::min(lower_bound, route.cost) : lower_bound;
   }
-  search.watch_memory();
+  search.note_memory();
+  gather_known(query, route, evaluators);
   statistics.supports += search.supports.count();
   statistics.nodes += search.candidates.size();
   return route;

@@ -24,6 +24,7 @@ struct FastSearch {
   void start(std::vector<Question>& questions);  // takes them
   void learn_last();                             // hands on what came of those before
   void finish();
+  std::int64_t note_memory(std::int64_t more_candidates = 0);  // of the tables, now [bytes]
   /// Throws std::length_error when the tables have outgrown Options::max_memory.
   void watch_memory(std::int64_t more_candidates = 0);
 

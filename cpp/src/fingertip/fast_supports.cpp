@@ -5,20 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "fingertip/fast_sums.hpp"
 #include "fingertip/screw.hpp"
-
-// Compiled for wider registers too; the loader takes what the machine has.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
-    !defined(__SANITIZE_ADDRESS__)
-#define GRASPLESS_WIDE __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define GRASPLESS_WIDE
-#endif
 
 namespace graspless::fingertip {
 
@@ -28,14 +20,10 @@ using mechanics::Vector6d;
 
 namespace {
 
-constexpr float kFree = 1e30F;      // an empty place in a table bounds nothing
 constexpr double kPolar = 1e-12;    // y . g of a functional of length 1 that counts as <= 0
 constexpr double kRounding = 2e-6;  // of single precision, relative to the terms added
 constexpr double kProgress = 0.1;   // a functional must bound by that much more elsewhere
 constexpr std::size_t kKept = 2;    // functionals kept of those of one solution
-
-// What the compiler keeps in as many registers as it takes.
-typedef float Eight __attribute__((vector_size(Supports::kStep * sizeof(float))));
 
 /// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
 /// in W.
@@ -59,57 +47,7 @@ bool are_polar(const Matrix6Xd& generators, const Vector6d& y) {
   return true;
 }
 
-/// The least entry of the sum of rows, of which `size` entries are in use.
-GRASPLESS_WIDE float least_sum(const float* const* rows, int count, int size) {
-  Eight least = Eight{} + kFree;
-  for (int i = 0; i < size; i += Supports::kStep) {
-    Eight sum, more;
-    std::memcpy(&sum, rows[0] + i, sizeof(Eight));
-    for (int r = 1; r < count; ++r) {
-      std::memcpy(&more, rows[r] + i, sizeof(Eight));
-      sum += more;
-    }
-    least = sum < least ? sum : least;
-  }
-  float all[Supports::kStep];
-  std::memcpy(all, &least, sizeof(Eight));
-  for (int k = 4; k > 0; k /= 2) {
-    for (int i = 0; i < k; ++i) all[i] = all[i + k] < all[i] ? all[i + k] : all[i];
-  }
-  return all[0];
-}
-
-/// The greatest over edges of w . y, of kStep functionals whose components are `stride` apart.
-GRASPLESS_WIDE void greatest(const float* edges, int count, const float* y, int stride, float* h) {
-  Eight component[6];
-  for (int c = 0; c < 6; ++c) std::memcpy(&component[c], y + c * stride, sizeof(Eight));
-  Eight most = Eight{};
-  for (int j = 0; j < count; ++j, edges += 6) {
-    const Eight sum = (edges[0] * component[0] + edges[1] * component[1]) +
-                      (edges[2] * component[2] + edges[3] * component[3]) +
-                      (edges[4] * component[4] + edges[5] * component[5]);
-    most = sum > most ? sum : most;
-  }
-  std::memcpy(h, &most, sizeof(Eight));
-}
-
-/// The same of one functional; components of the edges are `stride` apart, edges beyond the last 0.
-GRASPLESS_WIDE float greatest_edge(const float* components, int stride, const float* y) {
-  Eight most = Eight{}, edges;
-  for (int j = 0; j < stride; j += Supports::kStep) {
-    Eight sum = Eight{};
-    for (int c = 0; c < 6; ++c) {
-      std::memcpy(&edges, components + c * stride + j, sizeof(Eight));
-      sum += y[c] * edges;
-    }
-    most = sum > most ? sum : most;
-  }
-  float all[Supports::kStep];
-  std::memcpy(all, &most, sizeof(Eight));
-  return *std::max_element(all, all + Supports::kStep);
-}
-
-int round_up(int n) { return (n + Supports::kStep - 1) / Supports::kStep * Supports::kStep; }
+int round_up(int n) { return (n + kStep - 1) / kStep * kStep; }
 
 }  // namespace
 
@@ -196,7 +134,7 @@ void Supports::fill(const Pool& p, int location) const {
   for (int first = 0; first < p.size; first += kStep) {
     const auto begin = p.stamps.begin() + first;
     if (*std::max_element(begin, begin + kStep) <= filled) continue;
-    greatest(edges, edges_, p.y.data() + first, width_, h + first);
+    greatest_of_edges(edges, edges_, p.y.data() + first, width_, h + first);
   }
   filled = p.stamp;
 }
@@ -238,7 +176,7 @@ bool Supports::measure(int instant, const Placement& placement, Bound& bound) co
   for (const std::int32_t location : placement) {
     if (location < 0) continue;
     const float* components = components_.data() + static_cast<std::size_t>(location * 6 * padded_);
-    bound.value += static_cast<double>(greatest_edge(components, padded_, y_float.data()));
+    bound.value += static_cast<double>(greatest_of_edges(components, padded_, y_float.data()));
   }
   return true;
 }

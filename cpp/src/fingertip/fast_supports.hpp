@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "fingertip/fast_sums.hpp"
 #include "fingertip/instants.hpp"
 #include "fingertip/locations.hpp"
 #include "fingertip/path_query.hpp"
@@ -40,7 +41,6 @@ class Supports {
   int used(int instant) const;  // a multiple of kStep
   const float* block(int instant, int location) const;
   const float* offsets(int instant) const { return pool(instant).offsets.data(); }
-  static constexpr int kStep = 8;
   using Step = Eigen::Array<float, kStep, 1>;
 
   std::int64_t count() const { return count_; }  // functionals in all tables

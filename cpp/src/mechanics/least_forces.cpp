@@ -37,10 +37,13 @@ std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen
     hessian.diagonal().array() += kDamping * (1 + A.squaredNorm());
     const Eigen::VectorXd direction = -hessian.ldlt().solve(gradient);
     const double slope = gradient.dot(direction), now = value(lambda);
+    const auto is_better = [&](const Eigen::VectorXd& at, double length) {
+      // Near the end values differ by less than their rounding; the gradient still tells.
+      return value(at) <= now + 1e-4 * length * slope ||
+             (A * x_of(at) - b).norm() <= 0.5 * gradient.norm();
+    };
     double length = 1;
-    while (length > 1e-10 && value(lambda + length * direction) > now + 1e-4 * length * slope) {
-      length /= 2;
-    }
+    while (length > 1e-10 && !is_better(lambda + length * direction, length)) length /= 2;
     lambda += length * direction;
   }
   return std::nullopt;

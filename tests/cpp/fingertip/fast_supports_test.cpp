@@ -90,9 +90,12 @@ TEST(FastSupports, BindWhereTheyWereFound) {
     const double z = solver.max_stability(0).z;
     setting.supports.add(instant, solver.supports(), placement);
     const auto bound = static_cast<double>(setting.supports.bound(instant, placement));
-    if (z > 0) EXPECT_NEAR(bound, z, 1e-4 * (1 + z));
-    if (z == 0) EXPECT_LT(bound, 1e-4);
-    if (z > 0) ++stable;
+    if (z > 0) {
+      EXPECT_NEAR(bound, z, 1e-4 * (1 + z));
+      ++stable;
+    } else {
+      EXPECT_LT(bound, 1e-4);
+    }
   }
   EXPECT_GT(stable, 5);
 }
