@@ -353,7 +353,9 @@ void bind_rows(py::module_& m) {
   bind_fields(row, "Any field by keyword; the others keep their defaults.",
               Field{"X_WO", &Row::X_WO, "(4, 4) pose of O in the world."},
               Field{"fingers", &Row::fingers, "A FingerState each."},
-              Field{"stability", &Row::stability, "z [N]."},
+              Field{"stability", &Row::stability,
+                    "z [N]; where friction is an interval, the least over the coefficients looked "
+                    "at: min_stability is what is proven for all of it."},
               Field{"compliant_stability", &Row::compliant_stability,
                     "See mechanics.compliant_stability [N]."},
               Field{"nominal_margin", &Row::nominal_margin, "Of the nominal forces [N]."});

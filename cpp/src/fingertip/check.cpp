@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace graspless::fingertip::checking {
 namespace {
@@ -37,13 +38,27 @@ Examination::Examination(const Problem& problem, const Plan& plan, const Options
                                   problem.fingers.max_normal_force)),
       wrench_scale_(mechanics::wrench_scale(problem.object.mass(), problem.object.inertia())) {}
 
+/// What a kernel cannot decide is not proven.
+template <typename Part>
+void Examination::attempt(const std::string& where, const Part& part) {
+  try {
+    part();
+  } catch (const std::logic_error& error) {
+    fault(where, std::string("could not be examined: ") + error.what());
+  } catch (const std::runtime_error& error) {
+    fault(where, std::string("could not be examined: ") + error.what());
+  }
+}
+
 Faults Examination::run() {
   if (!has_shape()) return faults_;
   check_chain();
   check_fingers();
-  check_clearances();
+  attempt("plan", [&] { check_clearances(); });
   for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
-    for (std::size_t r = 0; r < segment(s).rows.size(); ++r) check_mechanics(s, r);
+    for (std::size_t r = 0; r < segment(s).rows.size(); ++r) {
+      attempt(place(s, r), [&] { check_mechanics(s, r); });
+    }
   }
   check_cost();
   check_weakest();

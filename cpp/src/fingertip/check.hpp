@@ -11,8 +11,10 @@
 #include "fingertip/check_instant.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
-/// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here: nothing
-/// of this room but its public types is used.
+/// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here. Of this
+/// room only public types and validate() are used. Shared with the planner: the public functions of
+/// mechanics (contact_patches, internal_force_is_bounded with the reference engine,
+/// interior_equilibrium, compliant_stability, holds_over_friction), collision and geometry.
 namespace graspless::fingertip::checking {
 
 using Faults = std::vector<std::string>;
@@ -41,6 +43,8 @@ class Examination {
   struct World;  // spheres and obstacles about the object
 
   void fault(const std::string& where, const std::string& what);
+  template <typename Part>
+  void attempt(const std::string& where, const Part& part);
   std::string place(std::size_t segment) const;
   std::string place(std::size_t segment, std::size_t row) const;
   static std::string figure(double value);
@@ -58,6 +62,9 @@ class Examination {
   // check_motion.cpp: where the object goes
   void check_chain();
   void check_rows(std::size_t segment);
+  void check_names(std::size_t segment);
+  int num_tumbles() const;
+  Vector6d axis_W(std::size_t segment, std::size_t arc) const;
   void check_motion(const Path& path, const Poses& way);
   void check_motion(const Lattice& lattice, const Poses& way);
   void check_motion(const Goal& goal, const Poses& way);
@@ -72,10 +79,14 @@ class Examination {
   void check_contact(std::size_t segment, std::size_t row, std::size_t finger);
   Eigen::Vector3d center(const FingerState& finger) const;  // of the sphere, in O
   void check_clearances();
-  void check_spheres(std::size_t segment, std::size_t pose);
+  void check_arcs();
+  void check_between_regrasps(World& world, std::size_t segment);
+  void check_planes(const std::string& where, const Row& row, const Eigen::Isometry3d& X_WO,
+                    double slack);
+  void check_spheres(const std::string& where, const Row& row);
   void check_world(World& world, const std::string& where, const Row& row,
                    const Eigen::Isometry3d& X_WO);
-  double bulge() const;
+  double bulge(std::size_t segment, std::size_t arc) const;
 
   // check_mechanics.cpp: what holds the object
   void check_mechanics(std::size_t segment, std::size_t row);

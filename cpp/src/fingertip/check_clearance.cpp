@@ -4,6 +4,8 @@
 // check(): what fingertips and object must not touch. Against planes and each other by distances of
 // centres, against object and obstacles by FCL.
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "graspless/collision/world.hpp"
 
@@ -38,56 +40,87 @@ struct Examination::World {
   std::vector<int> fingers;
 };
 
-/// How far a sphere's way leaves the chord between two poses, at most.
-double Examination::bulge() const {
+/// How far a sphere's way leaves the chord between an arc's two poses, at most.
+double Examination::bulge(std::size_t s, std::size_t arc) const {
+  const Vector6d twist = arc_twist(s, arc);
   double most = 0;
-  for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
-    if (is_regrasp(s)) continue;
-    for (std::size_t arc = 0; arc + 1 < segment(s).X_WO.size(); ++arc) {
-      const Vector6d twist = arc_twist(s, arc);
-      for (const FingerState& finger : segment(s).rows[0].fingers) {
-        const Eigen::Vector3d way = twist.head<3>() + twist.tail<3>().cross(center(finger));
-        most = std::max(most, way.norm() * twist.tail<3>().norm() / 8);
-      }
-    }
+  for (const FingerState& finger : segment(s).rows[0].fingers) {
+    const Eigen::Vector3d way = twist.head<3>() + twist.tail<3>().cross(center(finger));
+    most = std::max(most, way.norm() * twist.tail<3>().norm() / 8);
   }
   return most;
 }
 
 void Examination::check_clearances() {
-  const double radius = (1 - kSkin) * problem_.fingers.radius;
-  World at_poses(problem_, radius);
-  // Clear at two poses, a sphere may still graze a flat side in between, by the bulge of its way.
-  World between(problem_, std::max(radius - bulge(), kSkin * radius));
+  World at_poses(problem_, (1 - kSkin) * problem_.fingers.radius);
   for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
-    const Row& row = segment(s).rows[0];
     for (std::size_t k = 0; k < segment(s).X_WO.size(); ++k) {
-      check_spheres(s, k);
-      check_world(at_poses, place(s) + ", pose " + std::to_string(k), row, segment(s).X_WO[k]);
+      const std::string where = place(s) + ", pose " + std::to_string(k);
+      check_spheres(where, segment(s).rows[0]);
+      check_planes(where, segment(s).rows[0], segment(s).X_WO[k], 0);
+      check_world(at_poses, where, segment(s).rows[0], segment(s).X_WO[k]);
     }
+    if (s > 0 && is_regrasp(s) && is_regrasp(s - 1)) check_between_regrasps(at_poses, s);
+  }
+  check_arcs();
+}
+
+/// Clear at two poses, a sphere may still graze a flat side in between, by the bulge of its way.
+void Examination::check_arcs() {
+  const double skin = kSkin * problem_.fingers.radius;
+  const auto parts = static_cast<std::size_t>(options_.samples_per_arc);
+  std::map<double, World> worlds;  // by what is left out of the radius, in whole skins
+  for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
     for (std::size_t r = 0; r < segment(s).rows.size() && !is_regrasp(s); ++r) {
-      check_world(between, place(s, r), row, row_pose(s, r));
+      const double slack = bulge(s, r / parts);
+      const double skins = std::min(1 + std::ceil(slack / skin - 1e-6), 1 / kSkin - 1);
+      World& world =
+          worlds.try_emplace(skins, problem_, problem_.fingers.radius - skins * skin).first->second;
+      check_planes(place(s, r), segment(s).rows[r], row_pose(s, r), slack);
+      check_world(world, place(s, r), segment(s).rows[r], row_pose(s, r));
     }
   }
 }
 
-/// Fingertips above the planes and apart from each other.
-void Examination::check_spheres(std::size_t s, std::size_t pose) {
-  const Row& row = segment(s).rows[0];
-  const std::string where = place(s) + ", pose " + std::to_string(pose);
-  const double radius = problem_.fingers.radius;
+/// Two regrasps at one pose: in between all fingers are on the object, the first one to move at its
+/// new place and the second at its old one.
+void Examination::check_between_regrasps(World& world, std::size_t s) {
+  const auto first = static_cast<std::size_t>(segment(s - 1).finger);
+  const auto second = static_cast<std::size_t>(segment(s).finger);
+  const std::string where = place(s) + ", before it";
+  if (first == second) {
+    return fault(where, "finger " + std::to_string(first) + " regrasps twice on end");
+  }
+  Row between = segment(s).rows[0];
+  between.fingers[second] = segment(s - 1).rows[0].fingers[second];
+  check_spheres(where, between);
+  check_planes(where, between, segment(s).X_WO[0], 0);
+  check_world(world, where, between, segment(s).X_WO[0]);
+}
+
+/// Fingertips above the planes, but for `slack` [m].
+void Examination::check_planes(const std::string& where, const Row& row,
+                               const Eigen::Isometry3d& X_WO, double slack) {
   for (std::size_t i = 0; i < row.fingers.size(); ++i) {
     if (!row.fingers[i].touches) continue;
-    const std::string who = "finger " + std::to_string(i);
-    const Eigen::Vector3d center_W = segment(s).X_WO[pose] * center(row.fingers[i]);
+    const Eigen::Vector3d center_W = X_WO * center(row.fingers[i]);
     for (const Plane& plane : problem_.planes) {
-      const double depth = radius - (plane.n_W.normalized().dot(center_W) - plane.offset);
-      if (depth > same_length_) {
-        fault(where, who + " reaches " + figure(depth) + " m into plane '" + plane.name + "'");
-      }
+      const double depth =
+          problem_.fingers.radius - (plane.n_W.normalized().dot(center_W) - plane.offset);
+      if (depth <= slack + same_length_) continue;
+      fault(where, "finger " + std::to_string(i) + " reaches " + figure(depth) + " m into plane '" +
+                       plane.name + "'");
     }
+  }
+}
+
+/// Fingertips apart from each other, but not too far.
+void Examination::check_spheres(const std::string& where, const Row& row) {
+  const double radius = problem_.fingers.radius;
+  for (std::size_t i = 0; i < row.fingers.size(); ++i) {
+    const std::string who = "finger " + std::to_string(i);
     for (std::size_t j = 0; j < i; ++j) {
-      if (!row.fingers[j].touches) continue;
+      if (!row.fingers[i].touches || !row.fingers[j].touches) continue;
       const double apart = (center(row.fingers[i]) - center(row.fingers[j])).norm();
       if (apart < 2 * radius - same_length_) {
         fault(where, who + " overlaps finger " + std::to_string(j));
@@ -107,9 +140,12 @@ void Examination::check_world(World& world, const std::string& where, const Row&
     const Eigen::Vector3d center_O = center(row.fingers[i]);
     world.world.set_pose(world.fingers[i], X_WO * Eigen::Translation3d(center_O));
   }
+  const auto is_lifted = [&](int body) {
+    const int finger = body - world.fingers[0];
+    return finger >= 0 && !row.fingers[static_cast<std::size_t>(finger)].touches;
+  };
   for (const auto& [a, b] : world.world.all_collisions()) {
-    const int finger = b - world.fingers[0];
-    if (finger >= 0 && !row.fingers[static_cast<std::size_t>(finger)].touches) continue;
+    if (is_lifted(a) || is_lifted(b)) continue;
     fault(where, world.world.name(b) + " touches " + world.world.name(a));
   }
 }

@@ -11,6 +11,9 @@ namespace graspless::fingertip::checking {
 namespace {
 
 constexpr double kSameAngle = 1e-6;  // [rad]
+// By the contract a smaller turn is none [rad], and an axis this near to upright is; to a factor 2.
+constexpr double kNoTurn = 1e-9, kUpright = 1e-6;
+constexpr double kSameAxis = 1e-3;  // of tumbles; of lengths, by the object's size
 constexpr double kTwoPi = 6.28318530717958647692;
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
@@ -95,7 +98,52 @@ void Examination::check_chain() {
     way.insert(way.end(), poses.begin() + 1, poses.end());
   }
   std::visit([&](const auto& motion) { check_motion(motion, way); }, problem_.motion);
-  for (std::size_t s = 0; s < plan_.segments.size(); ++s) check_rows(s);
+  for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
+    check_rows(s);
+    if (!is_regrasp(s)) check_names(s);
+  }
+}
+
+/// Slides do not turn, turns are about the floor's normal, tumbles about another axis.
+void Examination::check_names(std::size_t s) {
+  const std::string& name = segment(s).name;
+  for (std::size_t arc = 0; arc + 1 < segment(s).X_WO.size(); ++arc) {
+    const Eigen::Vector3d w_O = arc_twist(s, arc).tail<3>();
+    const Eigen::Vector3d w_W = segment(s).X_WO[arc].linear() * w_O;
+    const double angle = w_W.norm();
+    const double tilt = w_W.cross(problem_.planes.front().n_W.normalized()).norm();
+    const bool right = name == "slide"  ? angle <= 2 * kNoTurn
+                       : name == "turn" ? angle >= kNoTurn / 2 && tilt <= 2 * kUpright * angle
+                                        : angle >= kNoTurn / 2 && tilt >= kUpright / 2 * angle;
+    if (!right) fault(place(s), "is no " + name + " after pose " + std::to_string(arc));
+  }
+}
+
+/// What a turning arc turns about: the axis's direction and moment in the world.
+Vector6d Examination::axis_W(std::size_t s, std::size_t arc) const {
+  const Vector6d twist_O = arc_twist(s, arc);
+  const Eigen::Isometry3d& X_WO = segment(s).X_WO[arc];
+  const Eigen::Vector3d w_W = X_WO.linear() * twist_O.tail<3>();
+  Vector6d axis;
+  axis << X_WO.linear() * twist_O.head<3>() - w_W.cross(X_WO.translation()), w_W;
+  axis.head<3>() /= problem_.object.size();
+  return axis / w_W.norm();
+}
+
+/// A tumble goes on, also over regrasps, as long as its axis stays.
+int Examination::num_tumbles() const {
+  int tumbles = 0;
+  Vector6d last = Vector6d::Zero();
+  for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
+    if (is_regrasp(s)) continue;
+    if (segment(s).name != "tumble") last.setZero();
+    for (std::size_t k = 0; segment(s).name == "tumble" && k + 1 < segment(s).X_WO.size(); ++k) {
+      const Vector6d axis = axis_W(s, k);
+      if ((axis - last).norm() > kSameAxis) ++tumbles;
+      last = axis;
+    }
+  }
+  return tumbles;
 }
 
 void Examination::check_rows(std::size_t s) {
@@ -149,6 +197,10 @@ void Examination::check_motion(const Lattice& lattice, const Poses& way) {
 /// From start to goal in steps that are small enough.
 void Examination::check_motion(const Goal& goal, const Poses& way) {
   check_ends(goal.X_WO_start, goal.X_WO_goal, way);
+  const int tumbles = num_tumbles();
+  if (tumbles > goal.max_tumbles) {
+    fault("plan", "tumbles " + std::to_string(tumbles) + " times, more than max_tumbles");
+  }
   const double size = problem_.object.size();
   for (std::size_t k = 1; k < way.size(); ++k) {
     const double angle = rotation_vector(way[k - 1].linear().transpose() * way[k].linear()).norm();

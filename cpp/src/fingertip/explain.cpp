@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 #include "fingertip/explain_blocked.hpp"
 
@@ -66,7 +67,13 @@ class Trials {
     planning::Budget rest;
     rest.seconds = std::numeric_limits<double>::infinity();
     rest.interrupted = [this] { return clock_.is_out(); };
-    return plan(problem, options, rest).status == Status::solved;
+    try {
+      return plan(problem, options, rest).status == Status::solved;
+    } catch (const std::logic_error&) {  // no longer a problem that can be posed
+      return false;
+    } catch (const std::runtime_error&) {  // nor solved
+      return false;
+    }
   }
   bool solves(const Knob& knob, double factor) {
     return solves([&](Problem& problem, Options& options) { knob.turn(problem, options, factor); });

@@ -72,9 +72,10 @@ mechanics::BodyState state_at(const Options& options, const Plan& plan, std::siz
   return rests ? resting_state(at, twist_O) : moving_state(at, twist_O);
 }
 
-std::string sentence(const Plan& plan, const FrictionFailure& failure) {
+std::string sentence(const Plan& plan, const FrictionFailure& failure, bool gave_up) {
   std::ostringstream out;
-  out << "no plan holds for every friction in the intervals: the last one found fails at "
+  out << (gave_up ? "the search gave up, having found no plan that holds" : "no plan holds")
+      << " for every friction in the intervals: the last one found fails at "
       << failure.verdict.environment << " (environment) and " << failure.verdict.fingers
       << " (fingers) in segment " << failure.segment << " ("
       << plan.segments[static_cast<std::size_t>(failure.segment)].name << "), row " << failure.row
@@ -113,7 +114,7 @@ Plan plan_over_friction(const Problem& problem, const Options& options, Instants
   for (int round = 0; plan; ++round) {
     const auto failure = find_friction_failure(problem, options, instants, plan);
     if (!failure) break;
-    const std::string why = sentence(plan, *failure);
+    const std::string why = sentence(plan, *failure, round == kRounds);
     if (round < kRounds) {
       instants.add_friction(failure->verdict.environment);
       plan = search();

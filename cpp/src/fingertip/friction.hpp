@@ -27,8 +27,9 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
 
 /// Searches until the plan holds for all coefficients in the intervals: each that it fails for is
 /// looked at from then on by `instants`, beside the ends, and the search run anew. When that does
-/// not come to an end, the plan is `unstable` and its reason names the last such coefficient. Of
-/// friction that is known exactly, this is one search.
+/// not come to an end, the plan is `unstable` and its reason says that the search gave up, and
+/// names the last such coefficient: a plan may exist. Of friction that is known exactly, this is
+/// one search.
 Plan plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
                         const std::function<Plan()>& search);
 

@@ -28,9 +28,17 @@ void require_positive(const std::string& field, double value) {
   require(value > 0 && std::isfinite(value), field, value, "must be positive and finite");
 }
 
+// Beyond this the kernels' arithmetic would overflow.
+constexpr double kLargest = 1e9;
+
+void require_moderate(const std::string& field, double value) {
+  require_positive(field, value);
+  require(value <= kLargest, field, value, "must be at most 1e9");
+}
+
 void check_friction(const std::string& field, const FrictionInterval& friction) {
-  require_positive(field + ".lower", friction.lower);
-  require_positive(field + ".upper", friction.upper);
+  require_moderate(field + ".lower", friction.lower);
+  require_moderate(field + ".upper", friction.upper);
   require(friction.lower <= friction.upper, field + ".lower", friction.lower,
           "must not exceed " + field + ".upper = " + std::to_string(friction.upper));
 }
@@ -40,7 +48,7 @@ void check_fingers(const Fingers& fingers) {
           fingers.count, "must be 1 to " + std::to_string(mechanics::kMaxFingers));
   require(fingers.radius > 0 && fingers.radius <= geometry::kMaxLength, "fingers.radius",
           fingers.radius, "must lie in (0, 1e4] m");
-  require_positive("fingers.max_normal_force", fingers.max_normal_force);
+  require_moderate("fingers.max_normal_force", fingers.max_normal_force);
   check_friction("fingers.friction", fingers.friction);
   require(fingers.max_span >= 2 * fingers.radius, "fingers.max_span", fingers.max_span,
           "must be at least two radii (infinity: any)");
@@ -110,6 +118,9 @@ void validate(const Problem& problem) {
   check_planes(problem.planes);
   check_obstacles(problem);
   if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
+  require(problem.gravity_W.cwiseAbs().maxCoeff() <= kLargest, "gravity_W",
+          problem.gravity_W.cwiseAbs().maxCoeff(), "must lie within 1e9 m/s^2");
+  require_moderate("object.mass", problem.object.mass());
   check_motion(problem);
 }
 
@@ -122,7 +133,7 @@ void validate(const Options& o) {
           "must be 3 to 64");
   require(o.samples_per_arc >= 1 && o.samples_per_arc <= 1000, "options.samples_per_arc",
           o.samples_per_arc, "must be 1 to 1000");
-  require_positive("options.min_stability", o.min_stability);
+  require_moderate("options.min_stability", o.min_stability);
   require_positive("options.regrasp_cost", o.regrasp_cost);
   require(o.stability_weight >= 0 && std::isfinite(o.stability_weight), "options.stability_weight",
           o.stability_weight, "must not be negative, and finite");

@@ -112,6 +112,32 @@ TEST_F(FingertipCheck, ARegraspAtTheEnd) {
   expect_fault("a plan begins and ends with all fingers on the object");
 }
 
+TEST_F(FingertipCheck, AnotherName) {
+  plan_.segments[0].name = "turn";
+  expect_fault("segment 0 (turn): is no turn after pose 0");
+  plan_.segments[0].name = "tumble";
+  expect_fault("segment 0 (tumble): is no tumble after pose 0");
+}
+
+TEST_F(FingertipCheck, FingersThatOverlapBetweenTwoRegrasps) {
+  // Finger 0 moves beside where finger 1 still is; then finger 1 moves away.
+  plan_ = with_regrasp();
+  Segment first = plan_.segments[1], second = first;
+  first.finger = 0;
+  first.rows[0].fingers[0].touches = false;
+  first.rows[0].fingers[1].touches = true;
+  second.rows[0].fingers[0] = behind(0.2, 0);
+  plan_.segments[1] = first;
+  plan_.segments.insert(plan_.segments.begin() + 2, second);
+  expect_fault("segment 2 (regrasp), before it: finger 1 overlaps finger 0");
+}
+
+TEST_F(FingertipCheck, AFingerThatRegraspsTwiceOnEnd) {
+  plan_ = with_regrasp();
+  plan_.segments.insert(plan_.segments.begin() + 1, Segment(plan_.segments[1]));
+  expect_fault("segment 2 (regrasp), before it: finger 1 regrasps twice on end");
+}
+
 TEST_F(FingertipCheck, AFingertipInAWall) {
   problem_.planes.push_back({"wall", {1, 0, 0}, -4.4});
   expect_fault("segment 0 (slide), pose 0: finger 1 reaches 0.1 m into plane 'wall'");

@@ -31,6 +31,19 @@ TEST(FingertipValidate, TakesThePapersCases) {
   for (const Case& it : paper_cases()) EXPECT_NO_THROW(validate(it.problem, Options{})) << it.name;
 }
 
+TEST(FingertipValidate, RefusesNumbersThatWouldOverflow) {
+  expect_problem_refused([](Problem& p) { p.fingers.max_normal_force = 1e300; },
+                         "fingers.max_normal_force must be at most 1e9, not 1e+300");
+  expect_problem_refused([](Problem& p) { p.gravity_W.z() = -1e300; }, "gravity_W must lie within");
+  expect_problem_refused([](Problem& p) { p.friction.upper = 1e300; }, "friction.upper must be");
+  expect_problem_refused(
+      [](Problem& p) {
+        p.object = Object::box("heavy", {1, 1, 1}, 1e300);
+      },
+      "object.mass must be at most 1e9");
+  expect_options_refused([](Options& o) { o.min_stability = 1e300; }, "options.min_stability");
+}
+
 TEST(FingertipValidate, RefusesBadNumbers) {
   for (const double bad : {0.0, -1.0, kNan, HUGE_VAL}) {
     expect_problem_refused([&](Problem& p) { p.fingers.radius = bad; }, "fingers.radius");

@@ -74,7 +74,10 @@ struct FingerState {
 struct Row {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   std::vector<FingerState> fingers;
-  double stability = 0;            ///< z [N]
+  /// z [N]; where friction is an interval, the least over the coefficients looked at: min_stability
+  /// is what is proven for all of the interval. Modes and commanded forces hold for all of it,
+  /// nominal forces are those at its lower end.
+  double stability = 0;
   double compliant_stability = 0;  ///< see mechanics::compliant_stability [N]
   double nominal_margin = 0;       ///< mechanics::Equilibrium::margin [N]
 };
@@ -138,7 +141,10 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 
 /// Re-derives every row from the problem with none of the search's code: contacts from geometry, z
 /// and jamming by the reference engine, nominal forces, clearances by FCL, cost by its definition,
-/// continuity. Each entry says which segment and row fails and how; empty: the plan holds.
+/// continuity. Shared with the planner are validate(), mechanics' public functions (contacts,
+/// nominal forces, compliant stability, friction intervals), collision and geometry. That nothing
+/// is cheaper than lower_bound is not proven again. Each entry says which segment and row fails and
+/// how; empty: the plan holds.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 
