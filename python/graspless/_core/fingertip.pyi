@@ -619,7 +619,7 @@ class Row:
     @property
     def stability(self) -> float:
         """
-        z [N].
+        z [N]; where friction is an interval, the least over the coefficients looked at: min_stability is what is proven for all of it.
         """
     @stability.setter
     def stability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
