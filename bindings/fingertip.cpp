@@ -520,41 +520,15 @@ void bind_realization(py::module_& m) {
 }
 
 void bind_planner(py::module_& m) {
-  const py::arg_v default_options("options", Options{}, "Options()");
   const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
-  m.def("validate", py::overload_cast<const Problem&>(&validate), py::arg("problem"),
-        py::call_guard<py::gil_scoped_release>(),
-        "Raises ValueError that names the field at fault, its value and the choices.");
-  m.def("validate", py::overload_cast<const Options&>(&validate), py::arg("options"),
-        "Raises ValueError that names the option at fault, its value and what it may be.");
+  bind_front_door<Problem, Options, Plan>(
+      m,
+      "Plans where the fingers press, which holds its position and which its force, and when to "
+      "change grip.\nNot finding a plan is a status.",
+      "Derives every row of a plan anew from its problem, with none of the search's code.");
   m.def("validate", py::overload_cast<const Problem&, const Options&>(&validate),
         py::arg("problem"), py::arg("options"), py::call_guard<py::gil_scoped_release>(),
         "Both, and that the search fits into options.max_memory.");
-  m.def(
-      "plan",
-      [](const Problem& problem, const Options& options, const StoppableBudget& budget) {
-        return run_interruptibly(budget, [&problem, options](const planning::Budget& b) {
-          return plan(problem, options, b);
-        });
-      },
-      py::arg("problem"), default_options, default_budget,
-      "Plans where the fingers press, which holds its position and which its force, and when to "
-      "change grip.\nNot finding a plan is a status.\n\n"
-      "Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns "
-      "the best so far.\n"
-      "Raises ValueError on a bad problem or bad options.");
-  m.def(
-      "check",
-      [](const Problem& problem, const Plan& plan, const Options& options) {
-        // Copied while the GIL is held: another thread may write to them meanwhile.
-        const Plan plan_now = plan;
-        const Options options_now = options;
-        const py::gil_scoped_release release;
-        return check(problem, plan_now, options_now);
-      },
-      py::arg("problem"), py::arg("plan"), default_options,
-      "Derives every row of a plan anew from its problem, with none of the search's code.\n\n"
-      "Each entry says which segment and row fails and how; an empty list means the plan holds.");
   const py::arg_v default_realize("options", RealizeOptions{}, "RealizeOptions()");
   m.def(
       "realize",

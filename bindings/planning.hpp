@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <pybind11/pybind11.h>
 
@@ -44,6 +45,49 @@ auto run_interruptibly(const StoppableBudget& given, const Query& query) {
   }();
   if (raised) throw py::error_already_set(*raised);
   return result;
+}
+
+/// What every planner has: validate() of a problem and of options, plan() and check(), found in the
+/// namespace of Problem. The docs are what a planner says of its own plan() and check().
+template <class Problem, class Options, class Plan>
+void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
+                     const std::string& check_doc) {
+  namespace py = pybind11;
+  const py::arg_v default_options("options", Options{}, "Options()");
+  const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
+  m.def(
+      "validate", [](const Problem& problem) { validate(problem); }, py::arg("problem"),
+      py::call_guard<py::gil_scoped_release>(),
+      "Raises ValueError that names the field at fault, its value and the choices.");
+  m.def(
+      "validate", [](const Options& options) { validate(options); }, py::arg("options"),
+      "Raises ValueError that names the option at fault, its value and what it may be.");
+  m.def(
+      "plan",
+      [](const Problem& problem, const Options& options, const StoppableBudget& budget) {
+        return run_interruptibly(budget, [&problem, options](const planning::Budget& b) {
+          return plan(problem, options, b);
+        });
+      },
+      py::arg("problem"), default_options, default_budget,
+      (plan_doc +
+       "\n\nOther Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() "
+       "returns the best so far.\nRaises ValueError on a bad problem or bad options.")
+          .c_str());
+  m.def(
+      "check",
+      [](const Problem& problem, const Plan& plan, const Options& options) {
+        // Copied while the GIL is held: another thread may write to them meanwhile.
+        const Plan plan_now = plan;
+        const Options options_now = options;
+        const py::gil_scoped_release release;
+        return check(problem, plan_now, options_now);
+      },
+      py::arg("problem"), py::arg("plan"), default_options,
+      (check_doc +
+       "\n\nEach entry says which segment and row fails and how; an empty list means the plan "
+       "holds.")
+          .c_str());
 }
 
 }  // namespace graspless::bindings

@@ -349,38 +349,10 @@ void bind_slide(py::module_ m) {
   bind_segment(m);
   bind_statistics(m);
   bind_plan(m);
-  const py::arg_v default_options("options", Options{}, "Options()");
-  const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
-  m.def("validate", py::overload_cast<const Problem&>(&validate), py::arg("problem"),
-        py::call_guard<py::gil_scoped_release>(),
-        "Raises ValueError that names the field at fault, its value and the choices.");
-  m.def("validate", py::overload_cast<const Options&>(&validate), py::arg("options"),
-        "Raises ValueError that names the option at fault, its value and what it may be.");
-  m.def(
-      "plan",
-      [](const Problem& problem, const Options& options, const StoppableBudget& budget) {
-        return run_interruptibly(budget, [&problem, options](const planning::Budget& b) {
-          return plan(problem, options, b);
-        });
-      },
-      py::arg("problem"), default_options, default_budget,
-      "Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a "
-      "status.\n\n"
-      "Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns "
-      "the best so far.\n"
-      "Raises ValueError on a bad problem or bad options.");
-  m.def(
-      "check",
-      [](const Problem& problem, const Plan& plan, const Options& options) {
-        // Copied while the GIL is held: another thread may write to them meanwhile.
-        const Plan plan_now = plan;
-        const Options options_now = options;
-        const py::gil_scoped_release release;
-        return check(problem, plan_now, options_now);
-      },
-      py::arg("problem"), py::arg("plan"), default_options,
-      "Replays a plan against its problem, with none of the search's code.\n\n"
-      "Each entry says which segment and row fails and how; an empty list means the plan holds.");
+  bind_front_door<Problem, Options, Plan>(
+      m,
+      "Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a status.",
+      "Replays a plan against its problem, with none of the search's code.");
 }
 
 }  // namespace graspless::bindings

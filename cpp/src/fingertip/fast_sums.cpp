@@ -6,13 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-// Compiled for wider registers too; the loader takes what the machine has.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
-    !defined(__SANITIZE_ADDRESS__)
-#define GRASPLESS_WIDE __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define GRASPLESS_WIDE
-#endif
+#include "mechanics/wide.hpp"
 
 namespace graspless::fingertip {
 

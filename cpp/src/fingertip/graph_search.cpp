@@ -163,14 +163,6 @@ class GraphSearch {
   std::size_t most_open_ = 0;
 };
 
-int num_regrasps(const Route& route) {
-  int count = 0;
-  for (std::size_t i = 1; i < route.nodes.size(); ++i) {
-    if (route.nodes[i].pose == route.nodes[i - 1].pose) ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
 Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fingertip/fast_sums.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
 using mechanics::Vector6d;
 
-constexpr float kFree = 1e30F;       // an empty place in a table bounds nothing
 constexpr double kPolar = 1e-12;     // y . g of a functional of length 1 that counts as <= 0
 constexpr float kRounding = 1e-5F;   // of single precision, relative to the terms added
 constexpr double kProgress = 0.999;  // a functional must bound by that much better to be kept
@@ -53,18 +54,12 @@ LatticeBounds::Table& LatticeBounds::table(int instant) {
 
 double LatticeBounds::bound(int instant, const Placement& placement) {
   const Table& t = table(instant);
-  float least = kFree;
-  for (int i = 0; i < t.size; i += 8) {
-    float sums[8];
-    std::copy_n(t.offsets.data() + i, 8, sums);
-    for (const std::int32_t location : placement) {
-      if (location < 0) break;
-      const float* h = t.h.data() + ix(location) * kWidth + i;
-      for (int k = 0; k < 8; ++k) sums[k] += h[k];
-    }
-    for (const float sum : sums) least = std::min(least, sum);
+  const float* rows[1 + mechanics::kMaxFingers] = {t.offsets.data()};
+  int count = 1;
+  for (const std::int32_t location : placement) {
+    if (location >= 0) rows[count++] = t.h.data() + ix(location) * kWidth;
   }
-  return static_cast<double>(least);
+  return static_cast<double>(least_sum(rows, count, (t.size + kStep - 1) / kStep * kStep));
 }
 
 double LatticeBounds::solve(int instant, const Placement& placement) {

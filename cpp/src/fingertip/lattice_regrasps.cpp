@@ -17,14 +17,6 @@ constexpr double kSmallGraph = 3e5;  // nodes that are searched to the end
 constexpr std::size_t kHastyNodes = 2000000;
 constexpr double kHaste = 2.5;
 
-int num_regrasps(const Route& route) {
-  int regrasps = 0;
-  for (std::size_t i = 1; i < route.nodes.size(); ++i) {
-    if (route.nodes[i].placement != route.nodes[i - 1].placement) ++regrasps;
-  }
-  return regrasps;
-}
-
 /// Of all sphere centres, how far one has to go at least: some finger goes all the way when there
 /// is but one regrasp.
 double least_distance(const Workshop& workshop, const LatticeSpace& space,

@@ -100,4 +100,12 @@ double arc_cost(const PathQuery& query, int arc, const Placement& placement, con
   return displacement * weight;  // (9): every finger moves evenly
 }
 
+int num_regrasps(const Route& route) {
+  int count = 0;
+  for (std::size_t i = 1; i < route.nodes.size(); ++i) {
+    if (route.nodes[i].pose == route.nodes[i - 1].pose) ++count;
+  }
+  return count;
+}
+
 }  // namespace graspless::fingertip

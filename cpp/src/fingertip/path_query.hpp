@@ -59,6 +59,8 @@ struct Route {
   std::vector<Node> nodes;
 };
 
+int num_regrasps(const Route& route);
+
 /// Uniform cost, or A* with (11): Section 4. Routes of `limit` or more are not looked for: then
 /// complete and not found means that there is none below.
 Route search_graph(const PathQuery& query, Evaluator& evaluator, bool heuristic,

@@ -8,12 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
-    !defined(__SANITIZE_ADDRESS__)
-#define GRASPLESS_WIDE __attribute__((target_clones("arch=x86-64-v3", "default")))
-#else
-#define GRASPLESS_WIDE
-#endif
+#include "mechanics/wide.hpp"
+
 #define GRASPLESS_INLINE inline __attribute__((always_inline))
 
 namespace graspless::mechanics::kernels {

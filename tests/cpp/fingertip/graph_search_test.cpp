@@ -62,14 +62,6 @@ std::unique_ptr<Instance> coarse_instance(unsigned seed) {
   return std::make_unique<Instance>(std::move(problem), std::move(options));
 }
 
-int num_regrasps(const Route& route) {
-  int count = 0;
-  for (std::size_t i = 1; i < route.nodes.size(); ++i) {
-    count += route.nodes[i].pose == route.nodes[i - 1].pose ? 1 : 0;
-  }
-  return count;
-}
-
 /// What a route costs by (9) and (10), each arc judged anew; infinite when one is not feasible.
 double cost_of(Instance& instance, const Route& route) {
   const PathQuery& query = instance.query;
