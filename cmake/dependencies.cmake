@@ -11,6 +11,9 @@ find_package(Threads REQUIRED)
 # The SRDF is read with TinyXML, which urdfdom 3 links but urdfdom 4 does not.
 find_library(GRASPLESS_TINYXML_LIBRARY tinyxml REQUIRED)
 
+# The target of its config changed its name with 0.8.
+find_library(GRASPLESS_YAML_LIBRARY yaml-cpp REQUIRED)
+
 # GLPK comes without a config.
 find_library(GRASPLESS_GLPK_LIBRARY glpk REQUIRED)
 find_path(GRASPLESS_GLPK_INCLUDE_DIR glpk.h REQUIRED)

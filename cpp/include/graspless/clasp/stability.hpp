@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "graspless/clasp/problem.hpp"
+#include "graspless/export.hpp"
+
+namespace graspless::clasp {
+
+/// The test of Section V-A: the hand stands still, the object moves at random, each move until it
+/// hits the hand. Deeper penetration than the paper's none, so that the test errs towards escape.
+struct StabilityOptions {
+  int sequences = 10;
+  int moves = 500;             ///< a sequence: translations and rotations in turn
+  double step = 0.002;         ///< of a translation between tests [m]
+  double turn = 0.01;          ///< of a rotation about the hand's centre between tests [rad]
+  double penetration = 0.003;  ///< that does not count as a hit [m]
+  /// Every point of the loop farther from the hand's centre than this has escaped [m]; 0: the
+  /// radius of the hand's curves about their centre with all fingers straight, and a fifth more.
+  double escape_distance = 0;
+  std::uint64_t seed = 1;
+};
+
+/// Throws std::invalid_argument that names the option, its value and what it may be.
+GRASPLESS_API void validate(const StabilityOptions& options);
+
+struct Stability {
+  bool secure = false;
+  int escapes = 0;  ///< sequences in which the loop came free
+  /// 1 - farthest / escape_distance, of the farthest that the loop's nearest point came from the
+  /// hand's centre in any sequence: 1 cannot move, 0 or less escaped.
+  double margin = 0;
+  std::int64_t checks = 0;  ///< poses looked at
+};
+
+/// Whether the object's loop stays in the hand at q. Throws std::invalid_argument on a bad problem,
+/// loop or configuration.
+GRASPLESS_API Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,
+                                       const StabilityOptions& options = {});
+
+}  // namespace graspless::clasp

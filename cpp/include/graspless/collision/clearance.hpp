@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/export.hpp"
+#include "graspless/geometry/shape.hpp"
+
+namespace graspless::collision {
+
+/// The distance from points to a triangle surface: what settles the clear cases before FCL is
+/// asked.
+///
+/// Exact distances by CGAL's tree of boxes; between them bounds from a grid of cells that is filled
+/// where it is asked (the distance changes by no more than one moves). Copies share the tree and
+/// have grids of their own: one a thread.
+class GRASPLESS_API Clearance {
+ public:
+  /// `cell`: side of the grid's cells [m]. Throws std::invalid_argument when the mesh has no
+  /// triangle or is not valid.
+  explicit Clearance(const geometry::Mesh& mesh, double cell = 0.01);
+  Clearance(const Clearance& other);
+  Clearance& operator=(const Clearance& other);
+  Clearance(Clearance&&) noexcept;
+  Clearance& operator=(Clearance&&) noexcept;
+  ~Clearance();
+
+  /// Exact up to rounding [m].
+  double distance(const Eigen::Vector3d& point) const;
+  /// Bounds on distance(point) at most a cell's diagonal apart [m], from the grid.
+  struct Bounds {
+    double lower, upper;
+  };
+  Bounds bounds(const Eigen::Vector3d& point);
+
+ private:
+  struct Tree;
+  struct Grid;
+  std::shared_ptr<const Tree> tree_;
+  std::unique_ptr<Grid> grid_;
+};
+
+}  // namespace graspless::collision

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include <Eigen/Core>
+#include <ompl/base/Planner.h>
+
+#include "graspless/export.hpp"
+
+namespace graspless::planning {
+
+/// A tree in task space that a controller grows: Algorithms 1 to 3 of Stork, Pokorny and Kragic
+/// 2013.
+///
+/// Runs on any state space, given a projection to task space and a controller that takes one step
+/// towards a task-space target. Motions are judged by the space information's motion validator. The
+/// search ends when TS-CONNECT-GOAL reaches a target within the tolerance; without a tolerance,
+/// when the problem's goal is satisfied. A tree that has led nowhere for restart_cycles() cycles is
+/// thrown away and grown anew.
+///
+/// Repeatable for one seed: OMPL's random numbers are not used.
+class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
+ public:
+  using State = ompl::base::State;
+  /// TS-PROJECTION: writes x of a state; its size must not change.
+  using Projection = std::function<void(const State* q, Eigen::VectorXd& x)>;
+  /// TS-CONTROL: writes the state one step from q towards x_target; false where control has nothing
+  /// to give (a stall), which ends a connection as a collision does. `is_exploring` in TS-EXTEND.
+  using Controller =
+      std::function<bool(const State* q, const Eigen::VectorXd& x, const Eigen::VectorXd& x_target,
+                         bool is_exploring, State* q_new)>;
+  /// RANDOM-TS-SAMPLE.
+  using RandomTask = std::function<void(std::mt19937_64& rng, Eigen::VectorXd& x)>;
+  /// TS-TOLERANCE: whether x is near enough to a target.
+  using Tolerance = std::function<bool(const Eigen::VectorXd& x_target, const Eigen::VectorXd& x)>;
+
+  explicit TaskSpaceRRT(const ompl::base::SpaceInformationPtr& si);
+  ~TaskSpaceRRT() override;
+
+  void set_projection(Projection projection) { project_ = std::move(projection); }
+  void set_controller(Controller controller) { control_ = std::move(controller); }
+  void set_random_task(RandomTask draw) { random_task_ = std::move(draw); }
+  void set_tolerance(Tolerance tolerance) { tolerance_ = std::move(tolerance); }
+  /// The task-space goals, tried in this order in every cycle.
+  void set_targets(std::vector<Eigen::VectorXd> x) { targets_ = std::move(x); }
+  /// Weights of the coordinates of x in the nearest-neighbour distance; ones unless given.
+  void set_weights(const Eigen::VectorXd& weights) { weights_ = weights; }
+  void set_seed(std::uint64_t seed) { rng_.seed(seed); }
+
+  void set_random_probability(double probability);  ///< P, in [0, 1); 0.1
+  double random_probability() const { return random_probability_; }
+  void set_pre_expansions(int expansions);  ///< n: random extensions of a new tree; 50
+  int pre_expansions() const { return pre_expansions_; }
+  void set_max_iterations(std::int64_t cycles);  ///< K, over all trees
+  void set_restart_cycles(int cycles);  ///< cycles of a tree before it is given up; 0: never; 20
+  int restart_cycles() const { return restart_cycles_; }
+  void set_max_connect_steps(int steps);  ///< control steps of one TS-CONNECT-GOAL; 150
+
+  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
+  void clear() override;
+  void setup() override;
+  void getPlannerData(ompl::base::PlannerData& data) const override;
+
+  /// A node of the tree as it stands.
+  struct Node {
+    const State* state;
+    Eigen::VectorXd x;
+    int parent;  ///< index; its own for the root
+  };
+  std::size_t num_nodes() const;                               ///< of the last tree
+  Node node(std::size_t index) const;                          ///< of the last tree
+  std::int64_t num_nodes_grown() const { return num_grown_; }  ///< of all trees
+  std::int64_t num_cycles() const { return num_cycles_; }      ///< over all trees, K counted
+  std::int64_t num_restarts() const { return num_restarts_; }  ///< trees given up
+  std::int64_t num_steps() const { return num_steps_; }        ///< control steps
+  int reached_target() const { return reached_target_; }       ///< index; -1 before
+
+ private:
+  struct Tree;
+  Projection project_;
+  Controller control_;
+  RandomTask random_task_;
+  Tolerance tolerance_;
+  std::vector<Eigen::VectorXd> targets_;
+  Eigen::VectorXd weights_;
+  std::mt19937_64 rng_{1};
+  double random_probability_ = 0.1;
+  int pre_expansions_ = 50;
+  int restart_cycles_ = 20;
+  int max_connect_steps_ = 150;
+  std::int64_t max_iterations_;
+  std::unique_ptr<Tree> tree_;
+  std::int64_t num_grown_ = 0, num_cycles_ = 0, num_restarts_ = 0, num_steps_ = 0;
+  int reached_target_ = -1;
+};
+
+}  // namespace graspless::planning

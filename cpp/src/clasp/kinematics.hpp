@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "graspless/clasp/hand.hpp"
+#include "graspless/robot/robot.hpp"
+
+namespace graspless::clasp {
+
+/// Where the hand's curves are at a configuration, and how they move. Not shared between threads.
+class HandKinematics {
+ public:
+  using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+  HandKinematics(const robot::Robot& robot, const Hand& hand);
+
+  /// Forward kinematics: the poses of all links, and the nodes of all curves.
+  void update(const Eigen::VectorXd& q);
+  const robot::Poses& poses() const { return X_WL_; }
+
+  /// Every distinct node once: finger 0 from palm to tip, finger 1, ..., the thumb last [m].
+  const Eigen::Matrix3Xd& nodes() const { return p_WN_; }
+  int num_curves() const { return static_cast<int>(curves_.size()); }
+  /// Curve i as columns of nodes(): from the tip of finger i to the tip of the thumb.
+  const std::vector<int>& curve(int i) const { return curves_[static_cast<std::size_t>(i)]; }
+  Eigen::Matrix3Xd curve_points(int i) const;
+  Eigen::Vector3d forward_W() const;   ///< v_fwd
+  Eigen::Vector3d sideways_W() const;  ///< v_swd
+
+  /// Derivative of node n by q (3 x dof), at the configuration last given to update().
+  void node_jacobian(int n, Jacobian3& J) const;
+  /// Angular velocity of the hand frame by q (3 x dof).
+  void hand_rotation_jacobian(Jacobian3& J) const;
+
+ private:
+  // owned by the implementer of this room: private members as needed
+  robot::Robot robot_;
+  robot::Poses X_WL_;
+  Eigen::Matrix3Xd p_WN_;
+  std::vector<std::vector<int>> curves_;
+};
+
+}  // namespace graspless::clasp
