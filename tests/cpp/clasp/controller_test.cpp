@@ -101,6 +101,25 @@ TEST_P(ControllerOf, AnOpenHandWaits) {
   EXPECT_NE(q, q_new);
 }
 
+TEST_P(ControllerOf, AnAttractedHandDoesNot) {
+  options_.attract = true;
+  Controller controller(tasks_, robot_.robot, robot_.hand, options_);
+  // The goal where the hand is, so that it does not wait for the arm.
+  TaskPoint x = tasks_.project(home_);
+  x[3] = 1;
+  VectorXd q_new;
+  ASSERT_TRUE(controller.step(home_, x, 0.01, q_new));
+  VectorXd before = VectorXd::Zero(tasks_.linking_of_curves().size()), after = before;
+  Eigen::MatrixXd J(before.size(), home_.size());
+  tasks_.attract(before, J);
+  VectorXd q = home_;
+  for (const int j : robot_.robot.group(robot_.hand.hand)) q[j] = q_new[j];
+  EXPECT_NE(home_, q);
+  tasks_.project(q);
+  tasks_.attract(after, J);
+  EXPECT_LT(after.norm(), before.norm());
+}
+
 /// GAIN: with the ring in the hand, but the goal far from it, the arm goes first.
 TEST_P(ControllerOf, ClosesOnlyNearTheGoal) {
   const Ring ring = ring_ahead(0);
