@@ -24,6 +24,7 @@ pytest.importorskip("viser")
 
 from graspless import view  # noqa: E402
 from graspless.view import bodies, raster, visuals  # noqa: E402
+from graspless.view.film import spread  # noqa: E402
 from graspless.view.slide import bodies as slide_bodies  # noqa: E402
 from graspless.view.slide import stage  # noqa: E402
 from graspless.view.slide.film import film  # noqa: E402
@@ -154,7 +155,7 @@ def test_film_passes_every_row_in_time(plan):
 
 
 def test_every_link_of_the_robot_has_its_shapes(plan):
-    found = {body.name: body.parts for body in slide_bodies.robot(plan.task)}
+    found = {body.name: body.parts for body in bodies.robot(plan.task)}
     for index, _ in plan.task.problem.robot.shapes:
         assert found[plan.task.problem.robot.frame_names[index]]
 
@@ -164,7 +165,7 @@ def test_prisms_and_shapes_face_outward(plan):
 
     task = plan.task
     parts = slide_bodies.object_body(task).parts + slide_bodies.table_body(task).parts
-    parts += [part for body, _ in slide_bodies.obstacles(task) for part in body.parts]
+    parts += [part for body, _ in bodies.obstacles(task) for part in body.parts]
     for part in parts:
         mesh = trimesh.Trimesh(part.vertices, part.triangles)
         assert mesh.volume > 0
@@ -179,9 +180,7 @@ def test_robot_without_visuals_is_drawn_by_its_collision_shapes(plan, tmp_path):
         shutil.copy(directory("urdf") / f"wam_t42{suffix}", tmp_path / f"bare{suffix}")
     (tmp_path / "task.yaml").write_text(changed("wam_t42", "bare.urdf"))
     task = graspless.load_task(tmp_path / "task.yaml")
-    assert sum(len(body.parts) for body in slide_bodies.robot(task)) == len(
-        task.problem.robot.shapes
-    )
+    assert sum(len(body.parts) for body in bodies.robot(task)) == len(task.problem.robot.shapes)
 
 
 @pytest.mark.parametrize(
@@ -205,7 +204,7 @@ def test_visual_mesh_that_cannot_be_read_is_warned_of_once(plan, tmp_path, mesh,
     task = dataclasses.replace(plan.task, fields=fields)
     visuals._warned.clear()
     with pytest.warns(UserWarning, match=re.escape(why)) as caught:
-        found = [slide_bodies.robot(task) for _ in range(2)][0]
+        found = [bodies.robot(task) for _ in range(2)][0]
     assert len(caught) == 1
     assert "\n" not in str(caught[0].message)
     name = str(caught[0].message).partition(":")[0]
@@ -262,9 +261,9 @@ def test_camera_fits_every_point():
 
 def test_camera_of_a_replay_sees_every_pose_of_the_robot(plan):
     shown = film(plan)
-    camera = stage.camera(shown, 4, 3, stage.spread(shown))
-    assert stage.spread(shown)[-1] == len(shown.times) - 1
-    robot = slide_bodies.robot(plan.task)
+    camera = stage.camera(shown, 4, 3, spread(shown))
+    assert spread(shown)[-1] == len(shown.times) - 1
+    robot = bodies.robot(plan.task)
     for row in range(len(shown.times)):
         for body, X_WB in zip(robot, shown.link_poses[row], strict=True):
             for part in body.parts:

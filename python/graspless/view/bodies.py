@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from ..robot import Robot
-    from ..tasks import shapes
+    from ..tasks import Task, shapes
     from ..tasks.robots import Robot as RobotFields
 
 Color = tuple[float, float, float]
@@ -87,6 +87,16 @@ def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
         if names[index] not in drawn:
             bodies[index].parts.append(placed_part(placed, ARM))
     return bodies
+
+
+def robot(task: Task) -> list[Body]:
+    """One body a link of the problem's robot, in the order of Robot.frame_names."""
+    return robot_bodies(task.problem.robot, task.fields.robot)
+
+
+def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
+    """The obstacles with their poses in the world."""
+    return obstacle_bodies(task.fields.obstacles)
 
 
 def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Matrix]]:

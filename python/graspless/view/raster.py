@@ -126,6 +126,14 @@ def render(
     return np.clip(mean, 0, 1)
 
 
+def over(front: Matrix, back: Matrix, share: float) -> Matrix:
+    """A picture with `share` of the opacity of another over it."""
+    weight = share * front[..., 3:]
+    opacity = weight + (1 - weight) * back[..., 3:]
+    color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
+    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
 def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
     """All triangles in the world, with normals at faces and corners."""
     points, faces, colors, owners = [], [], [], []
