@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -38,7 +38,7 @@ class Film:
         The segment of each row.
     """
 
-    plan: Plan
+    plan: Any
     times: Matrix
     positions: Matrix
     object_poses: Matrix

@@ -33,7 +33,12 @@ class FilmStage:
         ]
         self.thing = add(scene, "/object", thing, shown.object_poses[0])
         look(server, view)
-        self.captions = Captions(scene, view, shown.names)
+        self.texts = self.tell()
+        self.captions = Captions(scene, view, self.texts)
+
+    def tell(self) -> list[str]:
+        """What to say at each moment."""
+        return self.shown.names
 
     def show(self, row: int) -> None:
         """Moves the robot and the object to a row; what stays is not sent again."""
@@ -42,4 +47,4 @@ class FilmStage:
         for i, handle in self.links:
             move(handle, self.shown.link_poses[row, i], self.shown.link_poses[before, i], before)
         move(self.thing, self.shown.object_poses[row], self.shown.object_poses[before], before)
-        self.captions.show(self.shown.names[row])
+        self.captions.show(self.texts[row])
