@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/collision/obstacle.hpp"
 #include "graspless/collision/world.hpp"
 
 #include "conversions.hpp"
@@ -22,9 +23,28 @@ int body_index(const World& world, const Key& body) {
   return index;
 }
 
+void bind_obstacle(py::module_& m) {
+  using collision::Obstacle;
+  py::class_<Obstacle>(m, "Obstacle", "Something that stands in the way.")
+      .def(py::init([](const std::string& name, const Shapes& shapes, const Array& X_WB) {
+             return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
+           }),
+           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
+           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
+      .def_readonly("name", &Obstacle::name, "What errors call it.")
+      .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
+      .def_property_readonly(
+          "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
+          "(4, 4) pose in the world.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"name", "shapes", "X_WB"});
+      });
+}
+
 }  // namespace
 
 void bind_collision(py::module_ m) {
+  bind_obstacle(m);
   py::class_<World>(
       m, "World",
       "Bodies at poses, and which pairs of them must not touch. Knows no robot.\n\n"

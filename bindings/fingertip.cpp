@@ -174,22 +174,6 @@ void bind_surroundings(py::module_& m) {
         return represent(self, {"name", "n_W", "offset"});
       });
 
-  py::class_<Obstacle>(m, "Obstacle", "Something that neither object nor fingertips may touch.")
-      .def(py::init([](const std::string& name, const std::vector<geometry::PlacedShape>& shapes,
-                       const Array& X_WB) {
-             return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
-           }),
-           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
-           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
-      .def_readonly("name", &Obstacle::name, "What errors call it.")
-      .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
-      .def_property_readonly(
-          "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
-          "(4, 4) pose in the world.")
-      .def("__repr__", [](const py::object& self) {
-        return represent(self, {"name", "shapes", "X_WB"});
-      });
-
   py::class_<Fingers> fingers(
       m, "Fingers",
       "The fingertips: equal spheres in one-point contact that do not slide or roll.");

@@ -146,22 +146,6 @@ void bind_hand(py::module_& m) {
 }
 
 void bind_problem(py::module_& m) {
-  py::class_<Obstacle>(m, "Obstacle", "Something in the way, of the arm and of the sliding object.")
-      .def(py::init([](const std::string& name, const std::vector<PlacedShape>& shapes,
-                       const Array& X_WB) {
-             return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
-           }),
-           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
-           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
-      .def_readonly("name", &Obstacle::name, "What errors call it.")
-      .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
-      .def_property_readonly(
-          "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
-          "(4, 4) pose in the world.")
-      .def("__repr__", [](const py::object& self) {
-        return represent(self, {"name", "shapes", "X_WB"});
-      });
-
   py::class_<Problem>(
       m, "Problem",
       "What is given: slide the object to the edge of the support and grasp it there.")

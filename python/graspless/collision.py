@@ -3,9 +3,11 @@
 """Bodies at poses, and which of them touch."""
 
 from ._core.collision import (
+    Obstacle,
     World,
 )
 
 __all__ = [
+    "Obstacle",
     "World",
 ]

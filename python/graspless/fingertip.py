@@ -22,7 +22,6 @@ from ._core.fingertip import (
     JointSegment,
     Lattice,
     Object,
-    Obstacle,
     Options,
     Path,
     Plan,
@@ -46,6 +45,7 @@ from ._core.fingertip import (
     validate,
 )
 from ._core.mechanics import Compliance, FingerMode
+from .collision import Obstacle
 
 Motion = Path | Lattice | Goal
 

@@ -6,7 +6,6 @@ from ._core.slide import (
     FingerModel,
     Hand,
     Object,
-    Obstacle,
     Options,
     Plan,
     Problem,
@@ -20,6 +19,7 @@ from ._core.slide import (
     plan,
     validate,
 )
+from .collision import Obstacle
 
 __all__ = [
     "FingerModel",

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "graspless/collision/world.hpp"
 #include "graspless/fingertip/problem.hpp"
 #include "graspless/robot/robot.hpp"
+
+#include "scene/replay.hpp"
 
 namespace graspless::fingertip {
 
@@ -28,13 +29,7 @@ class RealizeReplay {
                                     const std::vector<Allowed>& allowed);
 
  private:
-  void add(const std::string& name, const std::vector<geometry::PlacedShape>& shapes,
-           const Eigen::Isometry3d& X_WB);
-  int body_of(const std::string& link) const;  // -1 for a link without shapes
-
-  const robot::Robot& robot_;
-  collision::World world_;
-  std::vector<int> link_of_body_;
+  scene::Replay replay_;
   int object_ = -1;
 };
 

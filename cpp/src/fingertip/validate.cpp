@@ -67,24 +67,6 @@ void check_planes(const std::vector<Plane>& planes) {
   }
 }
 
-void check_obstacles(const Problem& problem) {
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < problem.obstacles.size(); ++i) {
-    const Obstacle& obstacle = problem.obstacles[i];
-    const std::string field = "obstacles[" + std::to_string(i) + "]";
-    if (!taken.insert(obstacle.name).second) {
-      throw std::invalid_argument(field + ".name '" + obstacle.name +
-                                  "' is taken by another obstacle");
-    }
-    if (obstacle.shapes.empty()) throw std::invalid_argument(field + ".shapes must not be empty");
-    for (const auto& placed : obstacle.shapes) {
-      geometry::validate(placed.shape, field);
-      check_pose(field + ".shapes.X_BG", placed.X_BG);
-    }
-    check_pose(field + ".X_WB", obstacle.X_WB);
-  }
-}
-
 void check_lattice_options(const Problem& problem, const Options& options, double locations) {
   if (!std::holds_alternative<Lattice>(problem.motion)) return;
   if (options.search != Search::fast) {
@@ -101,22 +83,11 @@ void check_lattice_options(const Problem& problem, const Options& options, doubl
 
 }  // namespace
 
-void check_pose(const std::string& field, const Eigen::Isometry3d& X) {
-  const Eigen::Matrix3d R = X.linear();
-  const bool is_near = X.translation().cwiseAbs().maxCoeff() <= geometry::kMaxLength;
-  if (X.matrix().allFinite() && is_near && (R * R.transpose()).isIdentity(1e-6) &&
-      R.determinant() > 0) {
-    return;
-  }
-  throw std::invalid_argument(field +
-                              " must be a rigid pose within 1e4 m: finite, with a rotation");
-}
-
 void validate(const Problem& problem) {
   check_fingers(problem.fingers);
   check_friction("friction", problem.friction);
   check_planes(problem.planes);
-  check_obstacles(problem);
+  collision::require_obstacles(problem.obstacles);
   if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
   require(problem.gravity_W.cwiseAbs().maxCoeff() <= kLargest, "gravity_W",
           problem.gravity_W.cwiseAbs().maxCoeff(), "must lie within 1e9 m/s^2");

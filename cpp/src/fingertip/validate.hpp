@@ -8,9 +8,6 @@
 
 namespace graspless::fingertip {
 
-/// Throws std::invalid_argument, naming `field`, unless a pose is rigid, finite and not far off.
-void check_pose(const std::string& field, const Eigen::Isometry3d& X);
-
 /// The part of validate(Problem) that is about its motion.
 void check_motion(const Problem& problem);
 

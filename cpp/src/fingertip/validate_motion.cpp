@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/mechanics/contact_patch.hpp"
 
 #include "fingertip/clearance.hpp"
@@ -47,7 +48,7 @@ void check_state(const Problem& problem, const mechanics::BodyState& state,
 
 void check_standing(const Problem& problem, Clearance& clearance, const Eigen::Isometry3d& X_WO,
                     const std::string& where) {
-  check_pose(where, X_WO);
+  geometry::require_pose(X_WO, where);
   check_state(problem, resting_state(X_WO, Vector6d::Zero()), where);
   const std::string obstacle = clearance.obstacle_at(X_WO);
   if (!obstacle.empty()) refuse(where, "the object touches " + obstacle);
@@ -63,7 +64,7 @@ void check_path(const Problem& problem, Clearance& clearance, const Path& path) 
   check_standing(problem, clearance, X_WO[0], at(0));
   for (std::size_t i = 0; i + 1 < X_WO.size(); ++i) {
     const std::string where = at(i) + " to the next";
-    check_pose(at(i + 1), X_WO[i + 1]);
+    geometry::require_pose(X_WO[i + 1], at(i + 1));
     const Vector6d twist_O = screw_between(X_WO[i], X_WO[i + 1]);
     if (!(twist_O.norm() > 1e-9)) refuse(where, "must differ, but are the same pose");
     if (twist_O.tail<3>().norm() > kMaxTurn) {

@@ -200,4 +200,18 @@ bool Robot::is_within(const VectorXd& q, double tolerance) const {
          (q.array() <= model_->upper.array() + tolerance).all();
 }
 
+void require_configuration(const Robot& robot, const VectorXd& q, const std::string& field) {
+  if (q.size() != robot.dof()) {
+    throw std::invalid_argument(field + " has " + std::to_string(q.size()) + " values for " +
+                                std::to_string(robot.dof()) + " joints");
+  }
+  for (int i = 0; i < robot.dof(); ++i) {
+    if (q[i] >= robot.lower()[i] - 1e-9 && q[i] <= robot.upper()[i] + 1e-9) continue;
+    throw std::invalid_argument(
+        field + ": joint '" + robot.joint_names()[static_cast<std::size_t>(i)] + "' is " +
+        std::to_string(q[i]) + ", outside its limits [" + std::to_string(robot.lower()[i]) + ", " +
+        std::to_string(robot.upper()[i]) + "]");
+  }
+}
+
 }  // namespace graspless::robot

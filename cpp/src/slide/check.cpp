@@ -12,8 +12,6 @@ namespace graspless::slide {
 
 namespace {
 
-constexpr double kLongestStep = 0.05 + 1e-9;  // [rad]
-
 const std::vector<std::string> kNames = {"approach", "press", "slide", "lift",
                                          "reach",    "grasp", "close"};
 
@@ -102,14 +100,9 @@ void Examination::check_rows() {
     fault("approach row 0", "is not the home configuration");
   }
   for (const Segment& s : plan_.segments) {
-    for (std::size_t i = 0; i < s.positions.size(); ++i) {
-      const double step = (s.positions[i] - before).lpNorm<Eigen::Infinity>();
-      if (i == 0 && step > kSame) fault(s, i, "does not continue the segment before it");
-      if (step > kLongestStep)
-        fault(s, i, "a joint moves by " + figure(step) + " rad between rows");
-      if (!problem_.robot.is_within(s.positions[i], 1e-6)) fault(s, i, "leaves the joint limits");
-      before = s.positions[i];
-    }
+    scene::check_rows(problem_.robot, before, kSame, s.positions,
+                      [&](std::size_t row, const std::string& what) { fault(s, row, what); });
+    before = s.positions.back();
   }
 }
 
@@ -164,7 +157,7 @@ void Examination::check_collisions(const Segment& segment) {
   const bool slides = segment.name == "slide";
   const Finger start = finger(segment.positions[0]);
   std::size_t faulty_row = segment.positions.size();  // one report a row is enough
-  replay(segment, [&](std::size_t row, const Eigen::VectorXd& q) {
+  scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const Eigen::Isometry3d X_WO = slides ? followed(start, finger(q)) : segment.object_poses[row];
     const auto touching = world.touching(q, X_WO);
     if (touching.empty() || row == faulty_row) return;

@@ -59,7 +59,7 @@ void Examination::check_pressing(const Segment& segment) {
   constexpr double kTurn = 1e-3;  // [rad]
   const bool press = segment.name == "press";
   const Finger pressed = finger(press ? segment.positions.back() : segment.positions.front());
-  replay(segment, [&](std::size_t row, const Eigen::VectorXd& q) {
+  scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const Finger now = finger(q);
     if (now.depth > options_.max_depth + options_.height_tolerance) {
       fault(segment, row, "pressed " + figure(now.depth) + " m deep");
@@ -99,7 +99,9 @@ void Examination::check_slide() {
       fault(slide, 0, "begins or ends at pitch " + figure(pitch) + " rad");
     }
   }
-  replay(slide, [&](std::size_t row, const Eigen::VectorXd& q) { check_slide_row(slide, row, q); });
+  scene::replay_rows(slide.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
+    check_slide_row(slide, row, q);
+  });
   for (std::size_t row = 0; row < slide.positions.size(); ++row) {
     if (!is_same(followed(start, finger(slide.positions[row])), slide.object_poses[row], kSame)) {
       fault(slide, row, "the object does not follow the contact");

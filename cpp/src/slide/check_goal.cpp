@@ -126,7 +126,7 @@ void Examination::check_straight(const Segment& grasp) {
   const robot::Robot& robot = problem_.robot;
   const int H = robot.frame(problem_.hand.grasp_frame);
   double back = 0;
-  replay(grasp, [&](std::size_t row, const Eigen::VectorXd& q) {
+  scene::replay_rows(grasp.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const Eigen::Isometry3d X_HH = plan_.X_WH_grasp.inverse() * robot.pose(H, q);
     if (X_HH.translation().head<2>().norm() > kSideways ||
         Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) {

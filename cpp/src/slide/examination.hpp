@@ -9,12 +9,13 @@
 
 #include "graspless/slide/slide.hpp"
 
+#include "scene/rows.hpp"
+
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
 /// and from docs/architecture.md, so that a mistake in the search's cannot hide here.
 namespace graspless::slide {
 
-constexpr double kReplayStep = 0.01;  // [rad]
-constexpr double kSame = 1e-6;        // [m, rad]
+constexpr double kSame = 1e-6;  // [m, rad]
 
 using Faults = std::vector<std::string>;
 
@@ -77,10 +78,6 @@ class Examination {
   void check_straight(const Segment& grasp);
   Finger finger(const Eigen::VectorXd& q) const;
   Eigen::Isometry3d followed(const Finger& start, const Finger& now) const;
-  /// Calls visit(row, q) at steps of 0.01 rad along a segment; `row` is the one that the step leads
-  /// to.
-  template <typename Visit>
-  void replay(const Segment& segment, Visit visit) const;
 
   const Problem& problem_;
   const Plan& plan_;
@@ -88,17 +85,5 @@ class Examination {
   Eigen::Isometry3d X_SW_;
   Faults faults_;
 };
-
-template <typename Visit>
-void Examination::replay(const Segment& segment, Visit visit) const {
-  visit(0, segment.positions[0]);
-  for (std::size_t row = 1; row < segment.positions.size(); ++row) {
-    const Eigen::VectorXd& from = segment.positions[row - 1];
-    const Eigen::VectorXd step = segment.positions[row] - from;
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / kReplayStep)));
-    for (int i = 1; i <= pieces; ++i) visit(row, from + step * i / pieces);
-  }
-}
 
 }  // namespace graspless::slide

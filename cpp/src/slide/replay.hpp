@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "graspless/collision/world.hpp"
 #include "graspless/slide/slide.hpp"
 
-/// What check() replays a plan in. Nothing here is shared with the search: its own bodies, its own
-/// pairs, FCL without the boxes in front, and contact allowances where the search relies on its
-/// bands.
+#include "scene/replay.hpp"
+
+/// What check() replays a plan in: contact allowances stand where the search relies on its bands.
 namespace graspless::slide {
 
 /// Which contacts a segment may have.
@@ -25,15 +24,12 @@ class Replay {
   std::vector<std::string> touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO);
 
  private:
-  void add_links();
   void add_surroundings();
   void allow_press(const Options& options);
   void ignore_fingers();
-  int body_of(const std::string& link) const;
 
   const Problem& problem_;
-  collision::World world_;
-  std::vector<int> link_of_body_;  // -1 for what is not a link
+  scene::Replay replay_;
   int support_ = 0, object_ = 0;
 };
 

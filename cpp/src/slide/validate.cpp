@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/slide/slide.hpp"
 
 #include "slide/hand_frames.hpp"
@@ -56,42 +57,11 @@ void check_hand(const Hand& hand, const robot::Robot& robot) {
           "must lie in [0, 0.1] m");
 }
 
-void check_rigid(const std::string& field, const Eigen::Isometry3d& X) {
-  const Eigen::Matrix3d R = X.linear();
-  if (X.matrix().allFinite() && (R * R.transpose()).isIdentity(1e-6) && R.determinant() > 0) return;
-  throw std::invalid_argument(field + " must be a rigid pose: finite, with a rotation");
-}
-
 void check_obstacles(const Problem& problem) {
   std::set<std::string> taken{"object", "support"};
   for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
-  for (std::size_t i = 0; i < problem.obstacles.size(); ++i) {
-    const Obstacle& obstacle = problem.obstacles[i];
-    const std::string field = "obstacles[" + std::to_string(i) + "]";
-    if (!taken.insert(obstacle.name).second) {
-      throw std::invalid_argument(field + ".name '" + obstacle.name +
-                                  "' is taken: by a link, another obstacle, 'object' or 'support'");
-    }
-    if (obstacle.shapes.empty()) throw std::invalid_argument(field + ".shapes must not be empty");
-    for (const auto& placed : obstacle.shapes) geometry::validate(placed.shape, field);
-    check_rigid(field + ".X_WB", obstacle.X_WB);
-  }
-}
-
-void check_home(const Problem& problem) {
-  const robot::Robot& robot = problem.robot;
-  if (problem.q_home.size() != robot.dof()) {
-    throw std::invalid_argument("q_home has " + std::to_string(problem.q_home.size()) +
-                                " values for " + std::to_string(robot.dof()) + " joints");
-  }
-  for (int i = 0; i < robot.dof(); ++i) {
-    const double q = problem.q_home[i];
-    if (q >= robot.lower()[i] - 1e-9 && q <= robot.upper()[i] + 1e-9) continue;
-    throw std::invalid_argument(
-        "q_home: joint '" + robot.joint_names()[static_cast<std::size_t>(i)] + "' is " +
-        std::to_string(q) + ", outside its limits [" + std::to_string(robot.lower()[i]) + ", " +
-        std::to_string(robot.upper()[i]) + "]");
-  }
+  collision::require_obstacles(problem.obstacles, taken,
+                               "a link, another obstacle, 'object' or 'support'");
 }
 
 void check_object_pose(const Problem& problem) {
@@ -117,8 +87,8 @@ void check_object_pose(const Problem& problem) {
 void validate(const Problem& problem) {
   check_hand(problem.hand, problem.robot);
   check_hand_frames(problem);
-  check_home(problem);
-  check_rigid("X_WO_start", problem.X_WO_start);
+  robot::require_configuration(problem.robot, problem.q_home, "q_home");
+  geometry::require_pose(problem.X_WO_start, "X_WO_start");
   check_object_pose(problem);
   check_obstacles(problem);
 }

@@ -10,18 +10,13 @@
 
 #include "graspless/clasp/hand.hpp"
 #include "graspless/clasp/object.hpp"
+#include "graspless/collision/obstacle.hpp"
 #include "graspless/export.hpp"
-#include "graspless/geometry/shape.hpp"
 #include "graspless/robot/robot.hpp"
 
 namespace graspless::clasp {
 
-/// Something that stands in the way.
-struct Obstacle {
-  std::string name;
-  std::vector<geometry::PlacedShape> shapes;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-};
+using collision::Obstacle;
 
 /// What is given: put the hand through a hole of `object` and close it.
 struct Problem {

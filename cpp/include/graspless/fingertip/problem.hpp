@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "graspless/collision/obstacle.hpp"
 #include "graspless/export.hpp"
 #include "graspless/fingertip/object.hpp"
 #include "graspless/geometry/shape.hpp"
@@ -27,12 +28,7 @@ struct Plane {
   double offset = 0;                               ///< n_W . p of its points [m]
 };
 
-/// Something that neither object nor fingertips may touch.
-struct Obstacle {
-  std::string name;
-  std::vector<geometry::PlacedShape> shapes;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-};
+using collision::Obstacle;  // neither object nor fingertips may touch it
 
 /// The fingertips: equal spheres in one-point contact, which neither slide nor roll.
 struct Fingers {

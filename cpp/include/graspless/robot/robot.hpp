@@ -112,4 +112,9 @@ class GRASPLESS_API Robot {
   std::shared_ptr<const Model> model_;
 };
 
+/// Throws std::invalid_argument, naming `field`, unless q has a value for every joint, within its
+/// limits.
+GRASPLESS_API void require_configuration(const Robot& robot, const Eigen::VectorXd& q,
+                                         const std::string& field);
+
 }  // namespace graspless::robot

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "graspless/collision/obstacle.hpp"
 #include "graspless/collision/solid.hpp"
 #include "graspless/export.hpp"
 #include "graspless/geometry/band.hpp"
@@ -122,12 +123,7 @@ struct Hand {
   double tip_radius = 0.005;     ///< of the pad that rolls on the object [m]
 };
 
-/// Something that stands in the way, of the arm and of the sliding object.
-struct Obstacle {
-  std::string name;
-  std::vector<geometry::PlacedShape> shapes;
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-};
+using collision::Obstacle;  // in the way of the arm and of the sliding object
 
 /// What is given: slide `object` from X_WO_start to the edge of `support` and grasp it there.
 struct Problem {

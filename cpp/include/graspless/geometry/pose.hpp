@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "graspless/export.hpp"
+
+namespace graspless::geometry {
+
+/// Throws std::invalid_argument, naming `field`, unless a pose is rigid, finite and within
+/// kMaxLength.
+GRASPLESS_API void require_pose(const Eigen::Isometry3d& X, const std::string& field);
+
+}  // namespace graspless::geometry

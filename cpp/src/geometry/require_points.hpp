@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+namespace graspless::geometry {
+
+/// Throws std::invalid_argument, naming `what` and the column, unless every coordinate is finite
+/// and within kMaxLength.
+void require_points(const Eigen::Matrix3Xd& points, const std::string& what);
+
+}  // namespace graspless::geometry

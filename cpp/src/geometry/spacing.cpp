@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How far the points of a cloud are apart.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graspless/geometry/sampling.hpp"
+
+#include "geometry/point_grid.hpp"
+#include "geometry/require_points.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Equal points count once.
+void keep_nearer(double squared, double& nearest) {
+  if (squared > 0 && squared < nearest) nearest = squared;
+}
+
+/// The median squared distance of a few points to their nearest, by looking at all.
+double guess(const Eigen::Matrix3Xd& points) {
+  constexpr Eigen::Index kFew = 32;
+  std::vector<double> nearest;
+  const Eigen::Index step = std::max<Eigen::Index>(1, points.cols() / kFew);
+  for (Eigen::Index i = 0; i < points.cols(); i += step) {
+    nearest.push_back(kInfinity);
+    for (Eigen::Index j = 0; j < points.cols(); ++j) {
+      keep_nearer((points.col(j) - points.col(i)).squaredNorm(), nearest.back());
+    }
+  }
+  return median(nearest);
+}
+
+}  // namespace
+
+double spacing(const Eigen::Matrix3Xd& points) {
+  require_points(points, "points");
+  if (points.cols() < 2) return 0;
+  const double first_guess = guess(points);
+  if (!(first_guess < kInfinity)) return 0;
+  std::vector<double> nearest(static_cast<std::size_t>(points.cols()));
+  // Neighbours within a cell's side are certain. The median is, once half the points have one.
+  for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
+    const PointGrid grid(points, cell);
+    for (int i = 0; i < static_cast<int>(points.cols()); ++i) {
+      double& squared = nearest[static_cast<std::size_t>(i)];
+      squared = kInfinity;
+      grid.near(
+          i, [&](int j) { keep_nearer((points.col(j) - points.col(i)).squaredNorm(), squared); });
+    }
+    const double middle = std::sqrt(median(nearest));
+    if (middle <= grid.cell()) return middle;
+  }
+}
+
+}  // namespace graspless::geometry

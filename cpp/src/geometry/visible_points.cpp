@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What of a cloud is seen from one place (hidden point removal; Katz, Tal, Basri 2007).
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Extreme_points_traits_adapter_3.h>
+#include <CGAL/convex_hull_3.h>
+#include <CGAL/property_map.h>
+
+#include "graspless/geometry/sampling.hpp"
+
+#include "geometry/require_points.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+// Radius of the sphere by the farthest point's distance. Larger, and more is seen through the gaps
+// between points; smaller, and more of what is seen at a slant is lost.
+constexpr double kRadiusRatio = 100;
+
+}  // namespace
+
+std::vector<int> visible_points(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& viewpoint) {
+  require_points(points, "points");
+  require_points(viewpoint, "viewpoint");
+  const Eigen::Matrix3Xd from_view = points.colwise() - viewpoint;
+  if (points.cols() == 0) return {};
+  const Eigen::VectorXd distance = from_view.colwise().norm();
+  if (!(distance.minCoeff() > 0)) {
+    throw std::invalid_argument("viewpoint must not be one of the points");
+  }
+  // Each point is flipped along its ray to beyond the sphere; seen are the corners of the hull of
+  // these and the viewpoint.
+  const double radius = kRadiusRatio * distance.maxCoeff();
+  std::vector<Kernel::Point_3> flipped;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d p = from_view.col(i) * (2 * radius / distance[i] - 1);
+    flipped.emplace_back(p.x(), p.y(), p.z());
+  }
+  const int n = static_cast<int>(points.cols());
+  flipped.emplace_back(0, 0, 0);
+  std::vector<int> indices(flipped.size());
+  std::iota(indices.begin(), indices.end(), 0);
+  std::vector<int> visible;
+  CGAL::extreme_points_3(
+      indices, std::back_inserter(visible),
+      CGAL::make_extreme_points_traits_adapter(CGAL::make_property_map(flipped)));
+  visible.erase(std::remove(visible.begin(), visible.end(), n), visible.end());
+  std::sort(visible.begin(), visible.end());
+  return visible;
+}
+
+}  // namespace graspless::geometry

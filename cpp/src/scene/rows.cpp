@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/rows.hpp"
+
+#include <sstream>
+
+namespace graspless::scene {
+
+void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
+                const std::vector<Eigen::VectorXd>& rows,
+                const std::function<void(std::size_t row, const std::string& what)>& fault) {
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double step = (rows[row] - before).lpNorm<Eigen::Infinity>();
+    if (row == 0 && step > same) fault(row, "does not continue the segment before it");
+    if (step > kLongestStep) {
+      std::ostringstream text;
+      text << "a joint moves by " << step << " rad between rows";
+      fault(row, text.str());
+    }
+    if (!robot.is_within(rows[row], 1e-6)) fault(row, "leaves the joint limits");
+    before = rows[row];
+  }
+}
+
+}  // namespace graspless::scene

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/robot/robot.hpp"
+
+/// What every check() asks of the rows of a motion, whatever the motion is for.
+namespace graspless::scene {
+
+constexpr double kReplayStep = 0.01;          // between configurations looked at [rad or m]
+constexpr double kLongestStep = 0.05 + 1e-9;  // between rows [rad or m]
+
+/// Calls visit(row, q) at steps of kReplayStep along rows; `row` is the one the step leads to.
+template <typename Visit>
+void replay_rows(const std::vector<Eigen::VectorXd>& rows, Visit visit) {
+  visit(std::size_t{0}, rows[0]);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const Eigen::VectorXd& from = rows[row - 1];
+    const Eigen::VectorXd step = rows[row] - from;
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / kReplayStep)));
+    for (int i = 1; i <= pieces; ++i) visit(row, from + step * i / pieces);
+  }
+}
+
+/// Calls fault(row, what) for each row that does not follow on the one before it (the first on
+/// `before`, within `same`), is too far from it, or leaves the joint limits.
+void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
+                const std::vector<Eigen::VectorXd>& rows,
+                const std::function<void(std::size_t row, const std::string& what)>& fault);
+
+}  // namespace graspless::scene
