@@ -10,10 +10,13 @@ namespace {
 // A coordinate is 21 bits of a key, with room for neighbours at both ends.
 constexpr double kMaxCellsPerAxis = 1e6;
 
+// Differences between the keys of neighbours.
+constexpr std::uint64_t kAlongX = std::uint64_t{1} << 42, kAlongY = std::uint64_t{1} << 21;
+
 }  // namespace
 
 PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
-    : points_(points), lower_(Eigen::Vector3d::Zero()), cell_(cell), shift_(60) {
+    : lower_(Eigen::Vector3d::Zero()), cell_(cell), shift_(60) {
   const int n = static_cast<int>(points.cols());
   if (n > 0) {
     lower_ = points.rowwise().minCoeff();
@@ -25,8 +28,7 @@ PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
 
   std::vector<int> cell_of(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
-    const auto at = coordinates(i);
-    const int c = find_or_insert(key(at[0], at[1], at[2]));
+    const int c = find_or_insert(key_of(points.col(i)));
     cell_of[static_cast<std::size_t>(i)] = c;
     ++first_[static_cast<std::size_t>(c)];
   }
@@ -41,6 +43,26 @@ PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
     int& first = first_[static_cast<std::size_t>(cell_of[static_cast<std::size_t>(i)])];
     members_[static_cast<std::size_t>(--first)] = i;
   }
+}
+
+void PointGrid::points_around(int c, std::vector<int>& points) const {
+  points.clear();
+  const Key middle = keys_[static_cast<std::size_t>(c)];
+  for (int neighbour = 0; neighbour < 27; ++neighbour) {
+    const Key x = static_cast<Key>(neighbour / 9), y = static_cast<Key>(neighbour / 3 % 3),
+              z = static_cast<Key>(neighbour % 3);
+    const int found = find(middle - kAlongX - kAlongY - 1 + x * kAlongX + y * kAlongY + z);
+    if (found < 0) continue;
+    points.insert(points.end(), members_.begin() + first(found),
+                  members_.begin() + first(found + 1));
+  }
+}
+
+// One cell is left free at the lower end, so that neighbours have a key too.
+PointGrid::Key PointGrid::key_of(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d at = (point - lower_) / cell_ + Eigen::Vector3d::Ones();
+  return static_cast<Key>(at.x()) * kAlongX + static_cast<Key>(at.y()) * kAlongY +
+         static_cast<Key>(at.z());
 }
 
 int PointGrid::find(Key key) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 #include "geometry/point_grid.hpp"
@@ -12,11 +13,14 @@
 namespace graspless::geometry {
 namespace {
 
-/// What points within reach of each other add to each other's crowding.
+/// Who crowds whom, and how much.
 struct Neighbours {
-  std::vector<std::size_t> first;  // of a point, in the lists; one more at the end
-  std::vector<int> points;
-  std::vector<float> weights;
+  struct Entry {
+    int point;
+    float weight;
+  };
+  std::vector<std::size_t> begin, end;  // of a point, in the entries
+  std::vector<Entry> entries;
 };
 
 float weight(double distance, double reach) {
@@ -28,18 +32,60 @@ float weight(double distance, double reach) {
 Neighbours find_neighbours(const Eigen::Matrix3Xd& points, double reach) {
   const PointGrid grid(points, reach);
   Neighbours all;
-  for (int i = 0; i < static_cast<int>(points.cols()); ++i) {
-    all.first.push_back(all.points.size());
-    grid.near(i, [&](int j) {
-      const double squared = (points.col(j) - points.col(i)).squaredNorm();
-      if (j == i || squared >= reach * reach) return;
-      all.points.push_back(j);
-      all.weights.push_back(weight(std::sqrt(squared), reach));
-    });
+  all.begin.resize(static_cast<std::size_t>(points.cols()));
+  all.end.resize(all.begin.size());
+  std::vector<int> around;
+  for (int c = 0; c < grid.num_cells(); ++c) {
+    grid.points_around(c, around);
+    for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
+      const int i = grid.members()[static_cast<std::size_t>(k)];
+      all.begin[static_cast<std::size_t>(i)] = all.entries.size();
+      for (const int j : around) {
+        const double squared = (points.col(j) - points.col(i)).squaredNorm();
+        if (j == i || squared >= reach * reach) continue;
+        all.entries.push_back({j, weight(std::sqrt(squared), reach)});
+      }
+      all.end[static_cast<std::size_t>(i)] = all.entries.size();
+    }
   }
-  all.first.push_back(all.points.size());
   return all;
 }
+
+/// The queue of points, most crowded first. Crowding only falls: an entry that is out of date goes
+/// back with what is true now.
+class Crowd {
+ public:
+  explicit Crowd(const Neighbours& neighbours)
+      : neighbours_(neighbours), crowding_(neighbours.begin.size(), 0) {
+    std::vector<std::pair<float, int>> entries;
+    for (std::size_t i = 0; i < crowding_.size(); ++i) {
+      for (std::size_t k = neighbours.begin[i]; k < neighbours.end[i]; ++k) {
+        crowding_[i] += neighbours.entries[k].weight;
+      }
+      entries.emplace_back(crowding_[i], static_cast<int>(i));
+    }
+    queue_ = std::priority_queue<std::pair<float, int>>({}, std::move(entries));
+  }
+
+  std::size_t take_away_most_crowded() {
+    auto [value, point] = queue_.top();
+    for (queue_.pop(); value > crowding_[static_cast<std::size_t>(point)]; queue_.pop()) {
+      queue_.emplace(crowding_[static_cast<std::size_t>(point)], point);
+      std::tie(value, point) = queue_.top();
+    }
+    const std::size_t i = static_cast<std::size_t>(point);
+    for (std::size_t k = neighbours_.begin[i]; k < neighbours_.end[i]; ++k) {
+      const Neighbours::Entry& entry = neighbours_.entries[k];
+      crowding_[static_cast<std::size_t>(entry.point)] -= entry.weight;
+    }
+    return i;
+  }
+
+ private:
+  const Neighbours& neighbours_;
+  std::vector<float> crowding_;
+  std::priority_queue<std::pair<float, int>> queue_;
+};
 
 }  // namespace
 
@@ -47,33 +93,11 @@ std::vector<int> eliminate_samples(const Eigen::Matrix3Xd& points, int count, do
   // No `count` discs of this radius fit on the area.
   const double radius = std::sqrt(area / (2 * std::sqrt(3.0) * count));
   const Neighbours neighbours = find_neighbours(points, 2 * radius);
+  Crowd crowd(neighbours);
   const std::size_t n = static_cast<std::size_t>(points.cols());
-
-  std::vector<double> crowding(n, 0);
-  std::vector<std::pair<double, int>> entries;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = neighbours.first[i]; k < neighbours.first[i + 1]; ++k) {
-      crowding[i] += static_cast<double>(neighbours.weights[k]);
-    }
-    entries.emplace_back(crowding[i], static_cast<int>(i));
-  }
-  // Crowding only falls: an entry that is out of date goes back with what is true now.
-  std::priority_queue<std::pair<double, int>> queue({}, std::move(entries));
   std::vector<bool> is_out(n, false);
-  for (std::size_t left = n; left > static_cast<std::size_t>(count);) {
-    const auto [value, point] = queue.top();
-    const std::size_t i = static_cast<std::size_t>(point);
-    queue.pop();
-    if (value > crowding[i]) {
-      queue.emplace(crowding[i], point);
-      continue;
-    }
-    is_out[i] = true;
-    --left;
-    for (std::size_t k = neighbours.first[i]; k < neighbours.first[i + 1]; ++k) {
-      crowding[static_cast<std::size_t>(neighbours.points[k])] -=
-          static_cast<double>(neighbours.weights[k]);
-    }
+  for (std::size_t left = n; left > static_cast<std::size_t>(count); --left) {
+    is_out[crowd.take_away_most_crowded()] = true;
   }
   std::vector<int> kept;
   for (std::size_t i = 0; i < n; ++i) {

@@ -9,6 +9,7 @@
 
 #include "geometry/interior.hpp"
 #include "geometry/sample_elimination.hpp"
+#include "geometry/space_order.hpp"
 #include "geometry/surface_draw.hpp"
 
 namespace graspless::geometry {
@@ -50,6 +51,7 @@ class Surface {
       if (!is_outside(point, shape)) continue;
       candidates.points.col(found++) = point.p_B;
     }
+    candidates.points = in_space_order(candidates.points);
     candidates.area = area_ * count / static_cast<double>(num_draws);
     return candidates;
   }

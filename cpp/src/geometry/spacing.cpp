@@ -40,6 +40,23 @@ double guess(const Eigen::Matrix3Xd& points) {
   return median(nearest);
 }
 
+/// Squared distances to the nearest point, infinite where there is none in the cells around.
+void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
+                  std::vector<double>& nearest) {
+  std::vector<int> around;
+  for (int c = 0; c < grid.num_cells(); ++c) {
+    grid.points_around(c, around);
+    for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
+      const int i = grid.members()[static_cast<std::size_t>(k)];
+      double& squared = nearest[static_cast<std::size_t>(i)];
+      squared = kInfinity;
+      for (const int j : around) {
+        keep_nearer((points.col(j) - points.col(i)).squaredNorm(), squared);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 double spacing(const Eigen::Matrix3Xd& points) {
@@ -51,12 +68,7 @@ double spacing(const Eigen::Matrix3Xd& points) {
   // Neighbours within a cell's side are certain. The median is, once half the points have one.
   for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
     const PointGrid grid(points, cell);
-    for (int i = 0; i < static_cast<int>(points.cols()); ++i) {
-      double& squared = nearest[static_cast<std::size_t>(i)];
-      squared = kInfinity;
-      grid.near(
-          i, [&](int j) { keep_nearer((points.col(j) - points.col(i)).squaredNorm(), squared); });
-    }
+    find_nearest(points, grid, nearest);
     const double middle = std::sqrt(median(nearest));
     if (middle <= grid.cell()) return middle;
   }
