@@ -19,7 +19,8 @@ namespace graspless::geometry {
 GRASPLESS_API double gauss_linking(const Eigen::Matrix3Xd& a, bool a_is_closed,
                                    const Eigen::Matrix3Xd& b, bool b_is_closed);
 
-/// Lk of two closed polylines by signed crossings: the integral (1) as an integer.
+/// Lk of two closed polylines by signed crossings: the integral (1) as an integer. Where the curves
+/// touch to within rounding, the integral rounded, a half towards zero.
 GRASPLESS_API int linking_number(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
 
 /// VLk of eq. (2): (1 - chord / length of the closed curve) Lk(loop, closed curve), with the chord
@@ -53,6 +54,7 @@ class GRASPLESS_API PreparedLoop {
  private:
   Eigen::Matrix3Xd points_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> corners_;  // a column per coordinate, the first repeated
+  double reach_ = 0;  // largest coordinate
 };
 
 }  // namespace graspless::geometry
