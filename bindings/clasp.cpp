@@ -101,7 +101,9 @@ void bind_object(py::module_& m) {
           "How loops were looked for; a copy.")
       .def_property_readonly(
           "surface", [](const Object& self) { return self.surface(); },
-          "Mesh of the triangles of K_d, and thin ones along edges that bound none, in O.")
+          "Mesh of what must not be touched, in O: the triangles of K_d, and thin ones along edges "
+          "that "
+          "bound none.")
       .def_property_readonly("spacing", &Object::spacing, "Between the points of K_d [m].")
       .def("__repr__", [](const Object& self) {
         return "<Object '" + self.name() + "' of " + std::to_string(self.points().cols()) +
@@ -286,6 +288,8 @@ void bind_statistics(py::module_& m) {
   bind_fields(
       statistics, "Any field by keyword; the others are zero.",
       Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+      Field{"stability_seconds", &Statistics::stability_seconds,
+            "Of these, in stability tests [s]."},
       Field{"cycles", &Statistics::cycles,
             "Of Algorithm 1 after the pre-expansions, over all trees."},
       Field{"nodes", &Statistics::nodes, "Over all trees."},
@@ -301,8 +305,9 @@ void bind_statistics(py::module_& m) {
       "as_dict",
       [](const py::object& self) {
         py::typing::Dict<py::str, py::object> result;
-        for (const char* name : {"seconds", "cycles", "nodes", "restarts", "control_steps",
-                                 "collision_checks", "fcl_checks", "stability_tests", "refusals"}) {
+        for (const char* name :
+             {"seconds", "stability_seconds", "cycles", "nodes", "restarts", "control_steps",
+              "collision_checks", "fcl_checks", "stability_tests", "refusals"}) {
           result[name] = self.attr(name);
         }
         return result;

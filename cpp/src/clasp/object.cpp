@@ -47,7 +47,7 @@ double Object::spacing() const { return data_->spacing; }
 
 const collision::Solid& Object::solid() const {
   std::call_once(data_->solid_made, [&] {
-    data_->solid.emplace(std::vector<geometry::PlacedShape>{{data_->surface, {}}},
+    data_->solid.emplace(std::vector<geometry::PlacedShape>{{data_->surface}},
                          "object '" + data_->name + "'");
   });
   return *data_->solid;

@@ -11,11 +11,10 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "graspless/geometry/shape.hpp"
-
 #include "geometry/delaunay.hpp"
 #include "geometry/plateaus.hpp"
 #include "geometry/reduction.hpp"
+#include "geometry/require_points.hpp"
 #include "geometry/simplices.hpp"
 
 namespace graspless::geometry {
@@ -23,15 +22,6 @@ namespace {
 
 /// Thickness by length of a cloud that counts as flat.
 constexpr double kFlat = 1e-6;
-
-void check_points(const Eigen::Matrix3Xd& points, const std::string& what) {
-  if (!points.allFinite()) throw std::invalid_argument(what + " has a value that is not finite");
-  if (points.size() > 0 && points.cwiseAbs().maxCoeff() > kMaxLength) {
-    throw std::invalid_argument(what + " has a coordinate of " +
-                                std::to_string(points.cwiseAbs().maxCoeff()) +
-                                " m; none may be larger than " + std::to_string(kMaxLength) + " m");
-  }
-}
 
 bool is_flat(const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
@@ -52,7 +42,7 @@ void check_span(const Delaunay& delaunay, const Eigen::Matrix3Xd& points, const 
 }
 
 Simplices triangulated(const Eigen::Matrix3Xd& points, const std::string& what) {
-  check_points(points, what);
+  require_points(points, what);
   const Delaunay triangulation = delaunay(points);
   check_span(triangulation, points, what);
   return simplices(points, triangulation);
@@ -120,7 +110,9 @@ const std::vector<PersistencePair>& Filtration::persistence() const {
 
 const BettiCurve& Filtration::betti() const { return data_->curve(); }
 
-std::vector<Plateau> Filtration::plateaus() const { return geometry::plateaus(betti()); }
+std::vector<Plateau> Filtration::plateaus(double lasting) const {
+  return geometry::plateaus(persistence(), lasting);
+}
 
 PersistencePair Filtration::span(const std::vector<int>& cycle, double max_edge_length) const {
   const std::vector<int>& rank = data_->reduce().ranking().rank;

@@ -74,32 +74,6 @@ int count_crossings(const kernels::Line& line, const Matrix3Xd& curve, double sc
   return static_cast<int>(std::copysign(size_of_integral, integral));
 }
 
-/// The open curve with its chord as a closed one.
-struct Chord {
-  double chord, length;  // of the chord, and of the closed curve
-};
-
-Chord measure(const Matrix3Xd& curve) {
-  const Eigen::Index n = curve.cols();
-  const double chord = (curve.col(n - 1) - curve.col(0)).norm();
-  return {chord, chord + (curve.rightCols(n - 1) - curve.leftCols(n - 1)).colwise().norm().sum()};
-}
-
-int closed_linking_number(const Matrix3Xd& loop, const Matrix3Xd& curve) {
-  check(loop, "loop", true);
-  check(curve, "curve", false);
-  return curve.cols() < 3 ? 0 : linking_number(loop, curve);
-}
-
-void add_direction(const Vector3d& from, const Vector3d& to, double factor, Matrix3Xd& gradient,
-                   Eigen::Index i, Eigen::Index j) {
-  const double length = (to - from).norm();
-  if (length == 0) return;
-  const Vector3d direction = (to - from) * (factor / length);
-  gradient.col(i) -= direction;
-  gradient.col(j) += direction;
-}
-
 }  // namespace
 
 double gauss_linking(const Matrix3Xd& a, bool a_is_closed, const Matrix3Xd& b, bool b_is_closed) {
@@ -119,34 +93,12 @@ int linking_number(const Matrix3Xd& a, const Matrix3Xd& b) {
   return count_crossings(line_of(corners), b, scale_for(std::max(reach(a), reach(b))));
 }
 
-double virtual_linking(const Matrix3Xd& loop, const Matrix3Xd& curve) {
-  const int number = closed_linking_number(loop, curve);
-  if (number == 0) return 0;
-  const Chord closed = measure(curve);
-  return (1 - closed.chord / closed.length) * number;
-}
-
-VirtualLinking virtual_linking_gradient(const Matrix3Xd& loop, const Matrix3Xd& curve) {
-  VirtualLinking result;
-  result.linking_number = closed_linking_number(loop, curve);
-  result.gradient.setZero(3, curve.cols());
-  if (result.linking_number == 0) return result;
-  const Chord closed = measure(curve);
-  result.value = (1 - closed.chord / closed.length) * result.linking_number;
-  const Eigen::Index last = curve.cols() - 1;
-  const double per_length = result.linking_number * closed.chord / (closed.length * closed.length);
-  const double per_chord = per_length - result.linking_number / closed.length;
-  add_direction(curve.col(last), curve.col(0), per_chord, result.gradient, last, 0);
-  for (Eigen::Index i = 0; i < last; ++i) {
-    add_direction(curve.col(i), curve.col(i + 1), per_length, result.gradient, i, i + 1);
-  }
-  return result;
-}
-
 PreparedLoop::PreparedLoop(const Matrix3Xd& loop) : points_(loop) {
   check(loop, "loop", true);
   corners_ = by_coordinate(loop, true);
   reach_ = reach(loop);
+  low_ = loop.rowwise().minCoeff();
+  high_ = loop.rowwise().maxCoeff();
 }
 
 double PreparedLoop::gauss_linking(const Matrix3Xd& curve, bool is_closed) const {
@@ -157,6 +109,9 @@ double PreparedLoop::gauss_linking(const Matrix3Xd& curve, bool is_closed) const
 
 int PreparedLoop::linking_number(const Matrix3Xd& closed_curve) const {
   check(closed_curve, "curve", true);
+  const bool lies_apart = (closed_curve.rowwise().minCoeff().array() > high_.array()).any() ||
+                          (closed_curve.rowwise().maxCoeff().array() < low_.array()).any();
+  if (lies_apart) return 0;
   return count_crossings(line_of(corners_), closed_curve,
                          scale_for(std::max(reach_, reach(closed_curve))));
 }

@@ -122,6 +122,8 @@ def _shortened(faults: list[str]) -> list[str]:
 def _counter(name: str, value: float) -> str:
     if name == "memory":
         return f"{value / 1e6:.1f} MB"
+    if name.endswith("_seconds"):
+        return f"{_duration(value)} of {name.removesuffix('_seconds')}"
     return count(value, name.replace("_", " "))
 
 

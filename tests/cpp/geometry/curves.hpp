@@ -38,6 +38,13 @@ inline Eigen::Matrix3Xd torus_strand(int k, double phase, int corners) {
   return points;
 }
 
+/// The closed curve as an open one that comes back to where it began.
+inline Eigen::Matrix3Xd opened(const Eigen::Matrix3Xd& closed) {
+  Eigen::Matrix3Xd open(3, closed.cols() + 1);
+  open << closed, closed.col(0);
+  return open;
+}
+
 inline Eigen::Isometry3d random_motion(std::mt19937_64& rng) {
   std::normal_distribution<double> normal;
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();

@@ -65,12 +65,6 @@ double by_quadrature(const Matrix3Xd& a, bool a_is_closed, const Matrix3Xd& b, b
   return sum / (4 * M_PI * n * n);
 }
 
-Matrix3Xd opened(const Matrix3Xd& closed) {
-  Matrix3Xd open(3, closed.cols() + 1);
-  open << closed, closed.col(0);
-  return open;
-}
-
 TEST(Linking, IsWhatTheIntegralSays) {
   const Matrix3Xd a = circle(Vector3d::Zero(), kX, kY, 1, 9);
   const Matrix3Xd b = circle(kX, kX, kZ, 0.9, 7), arc = b.leftCols(4);
@@ -261,7 +255,6 @@ TEST(Linking, IgnoresCornersGivenTwiceAndStraightOnes) {
   const Matrix3Xd point = Matrix3Xd::Constant(3, 5, 0.25);
   EXPECT_EQ(0, linking_number(a, point));
   EXPECT_EQ(0, gauss_linking(a, true, point, true));
-  EXPECT_EQ(0, virtual_linking(a, point));
 }
 
 TEST(Linking, CrossesItself) {
@@ -269,50 +262,6 @@ TEST(Linking, CrossesItself) {
   eight << 0, 2, 2, 0, 0, 0, 0, 0, -1, 1, -1, 1;
   const Matrix3Xd loop = circle(Vector3d(0.5, 0, 0), kX, kY, 0.3, 30);
   EXPECT_NEAR(linking_number(loop, eight), gauss_linking(loop, true, eight, true), 1e-12);
-}
-
-TEST(VirtualLinking, IsEquationTwo) {
-  const Matrix3Xd loop = circle(Vector3d::Zero(), kX, kY, 1, 20);
-  const Matrix3Xd finger = circle(kX, kX, kZ, 0.5, 10);
-  const Matrix3Xd curve = finger.leftCols(8);
-  const double chord = (curve.col(7) - curve.col(0)).norm();
-  const double length = chord + 7 * (curve.col(1) - curve.col(0)).norm();
-  const double expected = (1 - chord / length) * linking_number(loop, curve);
-  EXPECT_NEAR(expected, virtual_linking(loop, curve), 1e-14);
-  EXPECT_GT(std::abs(expected), 0.7);
-  EXPECT_EQ(0, virtual_linking(loop, curve.colwise() + 3 * kX));
-  EXPECT_NEAR(1, std::abs(virtual_linking(loop, opened(finger))), 1e-14);  // the tips meet
-}
-
-TEST(VirtualLinking, HasTheDerivativeOfDifferences) {
-  std::mt19937_64 rng(8);
-  constexpr double kStep = 1e-6;
-  int linked = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Matrix3Xd loop = random_curve(20, rng), curve = random_curve(7, rng);
-    const VirtualLinking at = virtual_linking_gradient(loop, curve);
-    EXPECT_DOUBLE_EQ(virtual_linking(loop, curve), at.value);
-    linked += at.linking_number != 0 ? 1 : 0;
-    for (int k = 0; k < curve.size(); ++k) {
-      Matrix3Xd more = curve, less = curve;
-      more.data()[k] += kStep;
-      less.data()[k] -= kStep;
-      const VirtualLinking high = virtual_linking_gradient(loop, more);
-      const VirtualLinking low = virtual_linking_gradient(loop, less);
-      if (high.linking_number != low.linking_number) continue;
-      EXPECT_NEAR((high.value - low.value) / (2 * kStep), at.gradient.data()[k], 1e-6);
-    }
-  }
-  EXPECT_GT(linked, 30);
-}
-
-TEST(VirtualLinking, HasAFiniteDerivativeEverywhere) {
-  const Matrix3Xd loop = circle(Vector3d::Zero(), kX, kY, 1, 20);
-  Matrix3Xd curve = opened(circle(kX, kX, kZ, 0.5, 10));
-  curve.col(4) = curve.col(5);
-  const VirtualLinking at = virtual_linking_gradient(loop, curve);
-  EXPECT_EQ(1, std::abs(at.linking_number));
-  EXPECT_TRUE(at.gradient.allFinite());
 }
 
 TEST(PreparedLoop, AnswersAsTheFunctions) {
@@ -341,7 +290,6 @@ TEST(Linking, RefusesWhatIsNoCurve) {
   expect_refused([&] { linking_number(loop.leftCols(2), loop); },
                  "a must have at least 3 corners, not 2");
   expect_refused([&] { gauss_linking(bad, true, loop, true); }, "a must be finite");
-  expect_refused([&] { virtual_linking(loop, bad); }, "curve must be finite");
   expect_refused([&] { PreparedLoop{bad}; }, "loop must be finite");
   expect_refused([&] { PreparedLoop{loop}.linking_number(bad); }, "curve must be finite");
 }

@@ -28,7 +28,7 @@ struct BettiCurve {
   std::vector<int> loops;               ///< dimension of H_1(K_d; Z_2)
 };
 
-/// A stretch of d, lower < d <= upper, over which K_d has the same number of loops.
+/// A stretch of d, lower < d <= upper, over which the same loops live.
 struct Plateau {
   double lower = 0, upper = 0;  ///< of d [m]
   int loops = 0;
@@ -39,6 +39,9 @@ struct Plateau {
 struct PersistencePair {
   double birth = 0, death = 0;
 };
+
+/// The least ratio death / birth of a loop that is not taken for noise.
+constexpr double kLasting = 1.12;
 
 /// The Delaunay triangulation of a cloud, its simplices in order of their longest edge: every K_d
 /// at once. Immutable; copies share.
@@ -59,8 +62,10 @@ class GRASPLESS_API Filtration {
   const std::vector<PersistencePair>& persistence() const;
   /// The whole Betti-1 curve.
   const BettiCurve& betti() const;
-  /// Stretches of d with at least one loop, widest ratio first.
-  std::vector<Plateau> plateaus() const;
+  /// Stretches of d with at least one lasting loop, widest ratio first. A loop lasts whose ratio
+  /// death / birth is at least `lasting`: those that come and go at once are the cloud's noise. 1
+  /// counts all, as the Betti curve does.
+  std::vector<Plateau> plateaus(double lasting = kLasting) const;
   /// From when to when the class of a closed walk of K_d lives: birth is where the first walk of
   /// its class appears, death where it is filled; equal where it is filled in K_d itself. `cycle`
   /// holds columns, the first not repeated. Throws std::invalid_argument on a step that is no edge.

@@ -23,8 +23,14 @@ GRASPLESS_API double gauss_linking(const Eigen::Matrix3Xd& a, bool a_is_closed,
 /// touch to within rounding, the integral rounded, a half towards zero.
 GRASPLESS_API int linking_number(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
 
-/// VLk of eq. (2): (1 - chord / length of the closed curve) Lk(loop, closed curve), with the chord
-/// from the curve's last corner to its first. `loop` is closed, `curve` open. Signed.
+/// The first factor of eq. (2): 1 - chord / length of an open curve, with the chord from its last
+/// corner to its first and the length of both together; 1 when the ends meet, 0 for a point.
+GRASPLESS_API double closedness(const Eigen::Matrix3Xd& curve);
+/// The same, with its derivative by the corners, one a column [1/m].
+GRASPLESS_API double closedness(const Eigen::Matrix3Xd& curve, Eigen::Matrix3Xd& gradient);
+
+/// VLk of eq. (2): closedness(curve) times Lk(loop, curve and chord). `loop` is closed, `curve`
+/// open. Signed.
 GRASPLESS_API double virtual_linking(const Eigen::Matrix3Xd& loop, const Eigen::Matrix3Xd& curve);
 
 /// VLk with its derivative by the curve's corners. Lk is constant but where curves cross, so that
@@ -54,7 +60,8 @@ class GRASPLESS_API PreparedLoop {
  private:
   Eigen::Matrix3Xd points_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> corners_;  // a column per coordinate, the first repeated
-  double reach_ = 0;  // largest coordinate
+  double reach_ = 0;                                  // largest coordinate
+  Eigen::Vector3d low_, high_;                        // corners of its box
 };
 
 }  // namespace graspless::geometry
