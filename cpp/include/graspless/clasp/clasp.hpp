@@ -28,7 +28,7 @@ struct Options {
   // TS-CONTROL, Algorithm 4
   double dt = 0.5;                ///< Delta_t
   double max_step = 0.12;         ///< LIMIT-STEP-SIZE: of any joint [rad]
-  double blend_distance = 0.03;   ///< where GAIN is a half [m]
+  double blend_distance = 0.02;   ///< where GAIN is a half [m]
   double blend_slope = 120;       ///< of GAIN there [1/m]
   double position_damping = 0.2;  ///< of the pseudo-inverses [m]
   double alignment_damping = 0.1;
