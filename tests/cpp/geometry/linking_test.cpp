@@ -286,6 +286,26 @@ TEST(PreparedLoop, AnswersAsTheFunctions) {
   }
 }
 
+TEST(PreparedLoop, FieldIsTheDerivativeByACurvesEnd) {
+  std::mt19937_64 rng(10);
+  constexpr double kStep = 1e-6;
+  for (int i = 0; i < 30; ++i) {
+    const PreparedLoop loop(random_curve(20, rng));
+    const Matrix3Xd curve = random_curve(5, rng);
+    for (const int end : {0, 4}) {
+      const Vector3d field = loop.field(curve.col(end)) * (end == 0 ? -1 : 1);
+      for (int k = 0; k < 3; ++k) {
+        Matrix3Xd more = curve, less = curve;
+        more(k, end) += kStep;
+        less(k, end) -= kStep;
+        const double change = loop.gauss_linking(more, false) - loop.gauss_linking(less, false);
+        EXPECT_NEAR(change / (2 * kStep), field[k], 1e-6 * (1 + field.norm()));
+      }
+    }
+    EXPECT_TRUE(loop.field(loop.points().col(3)).allFinite());
+  }
+}
+
 TEST(Linking, RefusesWhatIsNoCurve) {
   const Matrix3Xd loop = circle(Vector3d::Zero(), kX, kY, 1, 5), one = Matrix3Xd::Zero(3, 1);
   Matrix3Xd bad = loop;
