@@ -113,10 +113,8 @@ class Plan(AnyPlan):
         ]
         plan.loop = -1 if self.loop is None else self.loop
         if self.target is not None:
-            target = geometry.ClaspTarget()
-            target.point = np.array(self.target.point)
-            target.tangent = np.array(self.target.tangent)
-            plan.target = target
+            point, tangent = np.array(self.target.point), np.array(self.target.tangent)
+            plan.target = geometry.ClaspTarget(point=point, tangent=tangent)
         plan.min_linking = self.min_linking
         if self.stability is not None:
             plan.stability = clasp.Stability(**self.stability.model_dump())
