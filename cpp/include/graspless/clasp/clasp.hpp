@@ -79,9 +79,10 @@ struct Tree {
 /// What the search did.
 struct Statistics {
   double seconds = 0;
-  std::int64_t cycles = 0;    ///< of Algorithm 1 after the pre-expansions, over all trees
-  std::int64_t nodes = 0;     ///< over all trees
-  std::int64_t restarts = 0;  ///< trees given up
+  double stability_seconds = 0;  ///< of these, in stability tests
+  std::int64_t cycles = 0;       ///< of Algorithm 1 after the pre-expansions, over all trees
+  std::int64_t nodes = 0;        ///< over all trees
+  std::int64_t restarts = 0;     ///< trees given up
   std::int64_t control_steps = 0;
   std::int64_t collision_checks = 0;  ///< configurations looked at
   std::int64_t fcl_checks = 0;        ///< link against object by FCL: what the clearance left open
