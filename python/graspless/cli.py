@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: graspless plan, check, view, example, bench."""
+"""The command line: graspless plan, check, view, loops, example, bench."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
+from ._loops import add_parser as _add_loops
 from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
 
@@ -92,6 +93,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_plan(commands)
     _add_check(commands)
     _add_view(commands)
+    _add_loops(commands)
     _add_example(commands)
     _add_bench(commands)
     return parser
