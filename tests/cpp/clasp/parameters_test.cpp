@@ -6,7 +6,7 @@
 
 #include "clasp/kinematics.hpp"
 #include "hands.hpp"
-#include "rings.hpp"
+#include "ring_problem.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -8,7 +8,7 @@
 #include "clasp/free_space.hpp"
 #include "clasp/kinematics.hpp"
 #include "complaint.hpp"
-#include "rings.hpp"
+#include "ring_problem.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -1,39 +1,54 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The smallest thing that can be clasped: a ring, standing up in front of an arm.
+// A ring in free space for a hand to clasp.
 #pragma once
 
 #include <cmath>
+#include <vector>
 
-#include "graspless/clasp/clasp.hpp"
+#include <Eigen/Geometry>
 
-#include "hands.hpp"
+#include "graspless/geometry/loops.hpp"
+
+#include "clasp/kinematics.hpp"
 
 namespace graspless::clasp {
 
-/// Points on a torus about the x axis [m].
-inline Eigen::Matrix3Xd ring_cloud(double radius, double thickness, int round = 48,
-                                   int across = 8) {
-  Eigen::Matrix3Xd p(3, round * across);
-  for (int i = 0; i < round; ++i) {
-    for (int k = 0; k < across; ++k) {
-      const double a = 2 * M_PI * (i + 0.5 * (k % 2)) / round, b = 2 * M_PI * k / across;
-      const double r = radius + thickness / 2 * std::cos(b);
-      p.col(i * across + k) << thickness / 2 * std::sin(b), r * std::cos(a), r * std::sin(a);
-    }
+struct Ring {
+  Eigen::Matrix3Xd p_W;
+  std::vector<geometry::ClaspTarget> targets;  // the first at the place given
+};
+
+/// Through `p` along `tangent`, the middle ahead in the direction of `inwards`.
+inline Ring ring_through(const Eigen::Vector3d& p, const Eigen::Vector3d& tangent,
+                         const Eigen::Vector3d& inwards, double radius) {
+  constexpr int kCorners = 96, kTargets = 12;
+  const Eigen::Vector3d out = (tangent * inwards.dot(tangent) - inwards).normalized();
+  const Eigen::Vector3d middle = p - radius * out;
+  Ring ring;
+  ring.p_W.resize(3, kCorners);
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * M_PI * i / kCorners;
+    const Eigen::Vector3d along = tangent * std::cos(angle) - out * std::sin(angle);
+    ring.p_W.col(i) = middle + radius * (out * std::cos(angle) + tangent * std::sin(angle));
+    if (i % (kCorners / kTargets) == 0) ring.targets.push_back({ring.p_W.col(i), along});
   }
-  return p;
+  return ring;
 }
 
-/// A ring of 24 cm in front of the KR 5 with the SDH, whose hand looks at it.
-inline Problem ring_problem() {
-  static const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
-  const RobotWithHand r = robot_with_hand("kr5_sdh");
-  Problem problem{r.robot, r.hand, ring, Eigen::Isometry3d::Identity(), {}, at_home(r, "open"),
-                  {},      {},     {}};
-  problem.X_WO.translation() = Eigen::Vector3d(0.6, 0, 0.5);
-  return problem;
+/// Centre of the box of the hand's curves.
+inline Eigen::Vector3d hand_center(const HandKinematics& kinematics) {
+  const Eigen::Matrix3Xd& nodes = kinematics.nodes();
+  return (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
+}
+
+/// A ring of radius 0.2 m whose first target lies in the hand as it stands, moved by `ahead` along
+/// forward [m].
+inline Ring ring_in_hand(const HandKinematics& kinematics, double ahead) {
+  const Eigen::Vector3d forward = kinematics.forward_W();
+  return ring_through(hand_center(kinematics) + ahead * forward, kinematics.sideways_W(), forward,
+                      0.2);
 }
 
 }  // namespace graspless::clasp
