@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/clasp/hand.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -163,6 +164,15 @@ TEST_F(HandValidate, NeedsFingersThatCloseAgainstAThumb) {
   hand_ = robot_with_hand("kr5_sdh").hand;
   hand_.thumb.nodes.resize(1);
   expect_invalid("hand.thumb must have at least 2 nodes, from the palm to the tip, not 1");
+}
+
+TEST_F(HandValidate, NeedsFingersThatMeetTheThumbInThePalm) {
+  auto& nodes = hand_.fingers[1].nodes;
+  std::reverse(nodes.begin(), nodes.end() - 1);  // the distal joint first
+  expect_invalid("hand.fingers.finger_2 does not meet the thumb: joints of the group 'hand' move");
+  hand_ = robot_with_hand("kr5_sdh").hand;
+  hand_.thumb.nodes.erase(hand_.thumb.nodes.begin(), hand_.thumb.nodes.begin() + 2);
+  expect_invalid("on link 'thumb_distal'; nodes run from the palm to the tip");
 }
 
 TEST_F(HandValidate, RefusesCornersThatCoincide) {
