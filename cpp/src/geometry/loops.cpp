@@ -80,6 +80,7 @@ void polish(const Eigen::Matrix3Xd& points, Loops& result) {
   const std::vector<Cycle> cycles = polished(whole, curves);
   const std::vector<int> columns = all_columns(points);
   for (std::size_t i = 0; i < cycles.size(); ++i) {
+    if (cycles[i].empty()) continue;
     Loop loop = described(points, cycles[i], columns);
     loop.birth = result.loops[i].birth;
     loop.death = result.loops[i].death;
