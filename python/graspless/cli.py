@@ -121,8 +121,8 @@ def _add_plan(commands: Any) -> None:
     parser.add_argument(
         "--search",
         choices=["dijkstra", "paper", "fast"],
-        help="dijkstra (fingertip tasks), as published, or the faster one, the default; clasp tasks "
-        "have one search",
+        help="dijkstra (fingertip tasks), as published, or the faster one, the default; "
+        "clasp tasks have one search",
     )
     parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
     _add_pictures(parser)
