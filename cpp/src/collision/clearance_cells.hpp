@@ -1,79 +1,120 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A grid without end that holds a distance at the middle of every cell asked about.
+// A grid without end, each of whose cells is cut into 64 where that is asked for, and which knows
+// the distance of its middle from a surface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "collision/clearance_tree.hpp"
+#include "graspless/collision/clearance.hpp"
+
+#include "collision/clearance_triangles.hpp"
 
 namespace graspless::collision {
 
-/// Cubes of cells, found by hashing. Not shared between threads.
+/// Not shared between threads.
+///
+/// A cell that is cut keeps the triangles that are nearest to any of its points, and its parts look
+/// at no others: the smaller a cell, the cheaper its distance.
 class ClearanceCells {
  public:
-  explicit ClearanceCells(double cell);
+  using Triangles = std::vector<SurfaceTriangle>;
 
+  ClearanceCells(std::shared_ptr<const Triangles> triangles, double cell);
+
+  double cell() const { return cell_; }
   /// Whether the point is so near to the origin that cells are numbered there.
-  bool covers(const Eigen::Vector3d& point) const { return (point.array().abs() < reach_).all(); }
-  /// The distance at the middle of the point's cell, too small by no more than rounding to single
-  /// precision, and how far off the middle is [m]. The point must be covered.
-  struct Sample {
-    float distance;
-    double offset;
-  };
-  Sample sample(const Eigen::Vector3d& point, const ClearanceTree& tree, Eigen::Vector3d& near) {
-    const Eigen::Vector3d scaled = point * per_cell_;
-    // Truncation of a positive number is its floor, and cheaper.
-    const std::int64_t x = static_cast<std::int64_t>(scaled.x() + kBias) - kBias;
-    const std::int64_t y = static_cast<std::int64_t>(scaled.y() + kBias) - kBias;
-    const std::int64_t z = static_cast<std::int64_t>(scaled.z() + kBias) - kBias;
-    const Eigen::Vector3d middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5,
-                                 static_cast<double>(z) + 0.5);
-    float& value = block(x >> 3, y >> 3, z >> 3)[((x & 7) << 6) | ((y & 7) << 3) | (z & 7)];
-    if (value < 0) value = static_cast<float>(tree.distance(middle * cell_, near));
-    return {value, (scaled - middle).norm() * cell_};
+  bool covers(const Eigen::Vector3d& point) const {
+    return (point.array().abs() < kMostRoots * root_).all();
+  }
+  /// Bounds from the cell of side `cell` around the point, which must be covered.
+  Clearance::Bounds bounds(const Eigen::Vector3d& point) {
+    return descend(point, kCellLevel, [](const auto&, double) { return false; });
+  }
+  /// Bounds from the largest cell that settles on which side of the threshold the distance lies,
+  /// and if it is more, about how much; from one of side `cell` / 16 if none does.
+  Clearance::Bounds bounds(const Eigen::Vector3d& point, double threshold) {
+    return descend(point, kFinestLevel, [threshold](const auto& bounds, double offset) {
+      return bounds.lower - offset > threshold || bounds.upper < threshold;
+    });
   }
 
  private:
-  static constexpr std::int64_t kBias = std::int64_t{1} << 20;  // cells each way
-  static constexpr std::size_t kBlock = 512;                    // 8 x 8 x 8 cells
+  static constexpr int kParts = 4;        // of a cell's side
+  static constexpr int kCellLevel = 3;    // cell = root / 4^3
+  static constexpr int kFinestLevel = 5;  // and a sixteenth of it
+  static constexpr double kMostRoots = 1 << 20;
 
+  using Number = Eigen::Matrix<std::int64_t, 3, 1>;
+
+  struct Cell {
+    float distance = -1;  // of the middle; negative: not yet known
+    int parts = -1;       // in blocks_
+  };
+  struct Block {
+    std::array<Cell, kParts * kParts * kParts> cells;
+    std::vector<int> nearest;  // the triangles to look at
+  };
   struct Slot {
     std::uint64_t key;
-    float* values;  // null in a free slot
+    int root;  // in roots_; -1 in a free slot
   };
 
-  float* block(std::int64_t x, std::int64_t y, std::int64_t z) {
-    const std::uint64_t key = (static_cast<std::uint64_t>(x + kBias) << 42) |
-                              (static_cast<std::uint64_t>(y + kBias) << 21) |
-                              static_cast<std::uint64_t>(z + kBias);
-    if (key == last_key_) return last_;
-    for (std::size_t i = place(key);; i = (i + 1) & (slots_.size() - 1)) {
-      if (slots_[i].values == nullptr) return add(key);
-      if (slots_[i].key != key) continue;
-      last_key_ = key;
-      return last_ = slots_[i].values;
-    }
-  }
-  std::size_t place(std::uint64_t key) const {
-    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15u) >> shift_);
-  }
-  float* add(std::uint64_t key);
+  template <typename Settled>
+  Clearance::Bounds descend(const Eigen::Vector3d& point, int last_level, Settled settled);
+  Cell& root(const Number& number);
+  std::size_t find(std::uint64_t key) const;
+  void measure(Cell& cell, const Eigen::Vector3d& middle, const std::vector<int>& nearest) const;
+  int cut(const Cell& cell, const Eigen::Vector3d& middle, double side,
+          const std::vector<int>& nearest);
   void clear();
   void grow();
 
-  double cell_, per_cell_, reach_;
+  std::shared_ptr<const Triangles> triangles_;
+  std::vector<int> all_;  // the triangles of a root
+  double cell_, root_, per_root_;
   std::vector<Slot> slots_;  // a power of two, at most half full
-  int shift_;
-  std::vector<std::unique_ptr<float[]>> blocks_;
-  std::uint64_t last_key_ = ~std::uint64_t{0};
-  float* last_ = nullptr;
+  int shift_ = 0;
+  std::vector<Cell> roots_;
+  std::vector<std::unique_ptr<Block>> blocks_;
+  std::uint64_t last_key_ = 0;
+  int last_root_ = -1;
 };
+
+template <typename Settled>
+Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last_level,
+                                          Settled settled) {
+  constexpr double kRounding = 1e-7;  // of a distance in single precision
+  // Truncation is the floor of a positive number, and a single instruction.
+  const Eigen::Vector3d scaled = (point * per_root_).array() + kMostRoots;
+  const Number number = scaled.cast<std::int64_t>();
+  Eigen::Vector3d within = scaled - number.cast<double>();  // of the cell, in [0, 1)
+  double side = root_;
+  Cell* cell = &root(number);
+  const std::vector<int>* nearest = &all_;
+  for (int level = 0;; ++level) {
+    const Eigen::Vector3d from_middle = side * (within.array() - 0.5).matrix();
+    if (cell->distance < 0) measure(*cell, point - from_middle, *nearest);
+    const auto distance = static_cast<double>(cell->distance);
+    const double offset = from_middle.norm() + kRounding * distance;
+    const Clearance::Bounds bounds{std::max(0.0, distance - offset), distance + offset};
+    if (level == last_level || settled(bounds, offset)) return bounds;
+    if (cell->parts < 0) cell->parts = cut(*cell, point - from_middle, side, *nearest);
+    within *= kParts;
+    const Eigen::Vector3i part = within.cast<int>().cwiseMin(kParts - 1);
+    within -= part.cast<double>();
+    side /= kParts;
+    Block& block = *blocks_[static_cast<std::size_t>(cell->parts)];
+    const int index = (part.x() * kParts + part.y()) * kParts + part.z();
+    cell = &block.cells[static_cast<std::size_t>(index)];
+    nearest = &block.nearest;
+  }
+}
 
 }  // namespace graspless::collision

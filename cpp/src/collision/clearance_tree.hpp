@@ -5,30 +5,27 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <Eigen/Core>
 
-#include "graspless/geometry/shape.hpp"
+#include "collision/clearance_triangles.hpp"
 
 namespace graspless::collision {
 
 /// Immutable; the tree is built by whoever first asks. May be asked from several threads.
 class ClearanceTree {
  public:
-  explicit ClearanceTree(const geometry::Mesh& mesh);
+  explicit ClearanceTree(const std::vector<SurfaceTriangle>& triangles);
   ~ClearanceTree();
 
-  /// The distance to the surface [m]. `near` is any point of the surface, the nearer to `point` the
-  /// faster the answer; it becomes the nearest.
-  double distance(const Eigen::Vector3d& point, Eigen::Vector3d& near) const;
-  /// As above, with the nearest of a few points of the surface to begin with.
+  /// The distance to the surface [m].
   double distance(const Eigen::Vector3d& point) const;
-  Eigen::Vector3d any_point() const { return hints_.col(0); }
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
-  Eigen::Matrix3Xd hints_;
+  Eigen::Matrix3Xd hints_;  // points of the surface: a search begins with the nearest
 };
 
 }  // namespace graspless::collision
