@@ -23,10 +23,15 @@ bool is_path_free(Query& query, const Path& path) {
 
 /// The randomised path pruning of Section IV-D. Both ends stay where they are.
 Path pruned(Query& query, Path path) {
+  std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>> refused;  // are drawn again and again
   const planning::Connect straight = [&](const Eigen::VectorXd& a,
                                          const Eigen::VectorXd& b) -> std::optional<Path> {
-    if (query.clock.is_out() || !query.is_motion_free(a, b)) return std::nullopt;
-    return Path{a, b};
+    const auto pair = std::make_pair(a, b);
+    if (query.clock.is_out() || std::count(refused.begin(), refused.end(), pair) > 0)
+      return std::nullopt;
+    if (query.is_motion_free(a, b)) return Path{a, b};
+    refused.push_back(pair);
+    return std::nullopt;
   };
   return planning::shortcut(std::move(path), straight, query.options.shortcut_rounds, query.rng);
 }
@@ -75,7 +80,7 @@ std::string reason(const Plan& plan) {
 
 }  // namespace
 
-std::optional<Found> close_clasp(Query& query, const LoopSearch& search) {
+std::optional<Found> close_clasp(Query& query, LoopSearch& search) {
   Found found;
   found.reach = search.path();
   if (!is_path_free(query, found.reach)) {
@@ -84,6 +89,10 @@ std::optional<Found> close_clasp(Query& query, const LoopSearch& search) {
   }
   const Problem& problem = query.problem;
   found.close = close_hand(query.free, problem.robot, problem.hand, found.reach.back());
+  if (search.linking(found.close.back()).maxCoeff() == 0) {
+    query.refuse("clasp: the loop slips out while the fingers close");
+    return std::nullopt;
+  }
   const double before = query.clock.seconds();
   found.stability =
       test_stability(problem, found.close.back(), search.of().loop, query.options.stability);

@@ -14,7 +14,7 @@ struct Found {
 };
 
 /// The fingers close until contact, and the stability test; counts what is refused.
-std::optional<Found> close_clasp(Query& query, const LoopSearch& search);
+std::optional<Found> close_clasp(Query& query, LoopSearch& search);
 
 /// Writes a clasp into the plan: path pruning, rows, virtual linking, the tree.
 void assemble(Query& query, const LoopSearch& search, Found found, Plan& plan);

@@ -16,9 +16,10 @@ using planning::vector;
 
 namespace {
 
-constexpr double kCoarse = 0.04;  // joint step while trees grow [rad]; a path found is looked at
-                                  // finer
-constexpr double kMargin = 0.3;   // of the box of random tasks around hand and object [m]
+constexpr double kCoarse = 0.04;   // joint step while trees grow [rad]; a path found is looked at
+                                   // finer
+constexpr double kTighter = 1e-3;  // least gain of linking of a further step
+constexpr double kMargin = 0.3;    // of the box of random tasks around hand and object [m]
 
 /// COLLISION-FREE of Algorithms 2 and 3.
 class FreeMotion : public ob::MotionValidator {
@@ -136,8 +137,29 @@ bool LoopSearch::cycle() {
   return planner_->solve(is_out) == ob::PlannerStatus::EXACT_SOLUTION;
 }
 
-planning::Path LoopSearch::path() const {
-  return planning::to_path(problem_->getSolutionPath(), dof_);
+planning::Path LoopSearch::path() {
+  planning::Path path = planning::to_path(problem_->getSolutionPath(), dof_);
+  tighten(path);
+  return path;
+}
+
+void LoopSearch::tighten(planning::Path& path) {
+  TaskPoint goal;
+  goal << reached_W().point, 1;
+  Eigen::VectorXd q_new(dof_);
+  double linking = project(path.back())[4];
+  for (int i = 0; i < of_.options.max_connect_steps; ++i) {
+    if (!controller_.step(path.back(), goal, of_.options.max_step, q_new)) return;
+    const double now = project(q_new)[4];
+    if (now <= linking + kTighter || !query_.is_motion_free(path.back(), q_new)) return;
+    linking = now;
+    path.push_back(q_new);
+  }
+}
+
+const Eigen::VectorXd& LoopSearch::linking(const Eigen::VectorXd& q) {
+  tasks_.project(q);
+  return tasks_.linking_of_curves();
 }
 
 const geometry::ClaspTarget& LoopSearch::reached_W() const {

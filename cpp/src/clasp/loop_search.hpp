@@ -25,9 +25,12 @@ class LoopSearch {
 
   /// One cycle of Algorithm 1; whether it reached a target.
   bool cycle();
-  /// From the start to the target reached.
-  planning::Path path() const;
+  /// From the start to the target reached, and on as far as control closes the hand without a
+  /// touch: it keeps the loop in the middle, which the fingers alone would not.
+  planning::Path path();
   Tree tree() const;
+  /// |VLk| of every finger curve at q.
+  const Eigen::VectorXd& linking(const Eigen::VectorXd& q);
 
   const LoopTargets& of() const { return of_; }
   const geometry::ClaspTarget& reached_W() const;
@@ -37,6 +40,7 @@ class LoopSearch {
   void make_space(const Eigen::VectorXd& q_start);
   void make_planner();
   Eigen::VectorXd project(const Eigen::VectorXd& q);
+  void tighten(planning::Path& path);
   void draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const;
 
   Query& query_;

@@ -266,19 +266,24 @@ TEST(Linking, CrossesItself) {
 
 TEST(PreparedLoop, AnswersAsTheFunctions) {
   std::mt19937_64 rng(9);
-  const Matrix3Xd loop = random_curve(100, rng);
-  const PreparedLoop prepared(loop);
-  std::vector<Matrix3Xd> curves;
-  for (int i = 0; i < 20; ++i) curves.push_back(random_curve(8, rng));
-  const std::vector<double> integrals = prepared.gauss_linking(curves, false);
-  const std::vector<int> numbers = prepared.linking_numbers(curves);
-  ASSERT_EQ(curves.size(), integrals.size());
-  ASSERT_EQ(curves.size(), numbers.size());
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    EXPECT_DOUBLE_EQ(gauss_linking(loop, true, curves[i], false), integrals[i]);
-    EXPECT_EQ(linking_number(loop, curves[i]), numbers[i]);
+  for (int corners = 3; corners < 300; corners += 9) {
+    const Matrix3Xd loop = random_curve(corners, rng);
+    const PreparedLoop prepared(loop);
+    std::vector<Matrix3Xd> curves;  // large ones and small ones, near and far
+    for (int i = 0; i < 40; ++i) {
+      curves.push_back((0.2 + 0.1 * (i % 9)) * random_curve(8, rng));
+      curves.back().colwise() += Vector3d(0.05 * i, 0, 0);
+    }
+    const std::vector<double> integrals = prepared.gauss_linking(curves, false);
+    const std::vector<int> numbers = prepared.linking_numbers(curves);
+    ASSERT_EQ(curves.size(), integrals.size());
+    ASSERT_EQ(curves.size(), numbers.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      EXPECT_NEAR(gauss_linking(loop, true, curves[i], false), integrals[i], 1e-11);
+      EXPECT_EQ(linking_number(loop, curves[i]), numbers[i]);
+    }
+    EXPECT_EQ(loop, prepared.points());
   }
-  EXPECT_EQ(loop, prepared.points());
 }
 
 TEST(Linking, RefusesWhatIsNoCurve) {

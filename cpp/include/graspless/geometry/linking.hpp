@@ -61,7 +61,7 @@ class GRASPLESS_API PreparedLoop {
   Eigen::Matrix3Xd points_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> corners_;  // a column per coordinate, the first repeated
   double reach_ = 0;                                  // largest coordinate
-  Eigen::Vector3d low_, high_;                        // corners of its box
+  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes_;    // low, high of every few segments in turn
 };
 
 }  // namespace graspless::geometry
