@@ -12,9 +12,10 @@
 namespace graspless::clasp {
 
 /// Where the hand's curves are at a configuration, and how they move. Not shared between threads.
-class HandKinematics {
+class GRASPLESS_API HandKinematics {
  public:
   using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
   HandKinematics(const robot::Robot& robot, const Hand& hand);
 
@@ -33,15 +34,40 @@ class HandKinematics {
 
   /// Derivative of node n by q (3 x dof), at the configuration last given to update().
   void node_jacobian(int n, Jacobian3& J) const;
+  /// Adds the derivative of `direction` times node n to a row of dof numbers.
+  void add_row(int n, const Eigen::Vector3d& direction, Row row) const;
   /// Angular velocity of the hand frame by q (3 x dof).
   void hand_rotation_jacobian(Jacobian3& J) const;
+  /// Adds `axis` times that angular velocity to a row of dof numbers.
+  void add_rotation_row(const Eigen::Vector3d& axis, Row row) const;
 
  private:
-  // owned by the implementer of this room: private members as needed
+  /// A link that a joint moves.
+  struct Mover {
+    int link, joint;
+    bool is_prismatic;
+    Eigen::Vector3d axis_L;  // times the multiplier of a joint that follows another
+    Eigen::Vector3d axis_W, p_W;
+  };
+  struct Node {
+    int link;
+    Eigen::Vector3d p_L;
+    std::vector<int> movers;  // of movers_, that carry it
+  };
+
+  std::vector<int> movers_of(int link);
+  int add_node(const CurveNode& node);
+  std::vector<int> add_finger(const Finger& finger);
+
   robot::Robot robot_;
   robot::Poses X_WL_;
+  std::vector<Mover> movers_;
+  std::vector<Node> nodes_;
   Eigen::Matrix3Xd p_WN_;
   std::vector<std::vector<int>> curves_;
+  int hand_frame_;
+  std::vector<int> hand_movers_;
+  Eigen::Vector3d forward_H_, sideways_H_;
 };
 
 }  // namespace graspless::clasp

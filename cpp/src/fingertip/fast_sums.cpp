@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "mechanics/wide.hpp"
+#include "geometry/wide.hpp"
 
 namespace graspless::fingertip {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/wide.hpp"
+#include "geometry/wide.hpp"
 
 #define GRASPLESS_INLINE inline __attribute__((always_inline))
 

@@ -12,45 +12,29 @@
 #include <gtest/gtest.h>
 
 #include "fingertip/cases.hpp"
+#include "fingertip/instance.hpp"
 #include "fingertip/path_query.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
-/// A problem with all that a search needs.
-struct Instance {
-  Instance(Problem problem_in, Options options_in)
-      : problem(std::move(problem_in)),
-        options(std::move(options_in)),
-        locations(problem.object, problem.fingers, options),
-        instants(problem, options),
-        query(problem, std::get<Path>(problem.motion), locations, instants, options) {}
+/// An instance that the fast search can be run on.
+struct FastInstance : Instance {
+  using Instance::Instance;
 
-  Route dijkstra() {
-    Evaluator evaluator(instants, locations, options);
-    planning::Clock clock(planning::Budget{});
-    Statistics statistics;
-    return search_graph(query, evaluator, false, clock, statistics);
-  }
+  Route dijkstra() { return search(false); }
   Route fast(int lanes = kLanes, const planning::Budget& budget = {},
              double limit = std::numeric_limits<double>::infinity()) {
     std::vector<Evaluator> evaluators;
     for (int i = 0; i < lanes; ++i) evaluators.emplace_back(instants, locations, options);
     planning::Clock clock(budget);
-    Statistics statistics;
     return search_fast(query, evaluators, clock, statistics, limit);
   }
-
-  Problem problem;
-  Options options;
-  Locations locations;
-  Instants instants;
-  PathQuery query;
 };
 
 /// A box slid or tumbled. Each location is out of reach on some stretch of the way, so that
 /// regrasps are needed.
-std::unique_ptr<Instance> random_instance(unsigned seed) {
+std::unique_ptr<FastInstance> random_instance(unsigned seed) {
   std::mt19937 rng(seed);
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(rng);
@@ -77,7 +61,7 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
   options.min_stability = uniform(0.05, 0.4);
   options.regrasp_cost = pick(0, 1) == 0 ? 100 : uniform(0.01, 1);
   options.max_regrasps = pick(0, 4);
-  auto instance = std::make_unique<Instance>(std::move(problem), options);
+  auto instance = std::make_unique<FastInstance>(std::move(problem), options);
   const int poses = instance->query.num_poses(), locations = instance->locations.size();
   const int often = pick(0, 3);
   for (int location = 0; location < locations; ++location) {
@@ -91,7 +75,7 @@ std::unique_ptr<Instance> random_instance(unsigned seed) {
 }
 
 /// The cost of a route by (9) and (10), from its nodes; fails where the graph has no such arc.
-double cost_of(Instance& instance, const Route& route) {
+double cost_of(FastInstance& instance, const Route& route) {
   const PathQuery& query = instance.query;
   Evaluator evaluator(instance.instants, instance.locations, instance.options);
   EXPECT_EQ(route.nodes.front().pose, 0);
@@ -156,8 +140,8 @@ TEST(FastSearch, CostsWhatDijkstraCostsMoreOften) {
   for (const int count : solved) EXPECT_GT(count, 10);
 }
 
-std::unique_ptr<Instance> instance_of(const Problem& problem) {
-  return std::make_unique<Instance>(problem, Options{});
+std::unique_ptr<FastInstance> instance_of(const Problem& problem) {
+  return std::make_unique<FastInstance>(problem, Options{});
 }
 
 TEST(FastSearch, CostsOfThePapersCases) {
@@ -219,7 +203,7 @@ TEST(FastSearch, LooksNoFartherThanTheLimit) {
 TEST(FastSearch, ShowsThatThereIsNone) {
   Options options;
   options.min_stability = 50;
-  Instance instance(tumble_case(false), options);
+  FastInstance instance(tumble_case(false), options);
   const Route route = instance.fast();
   EXPECT_TRUE(route.is_complete);
   EXPECT_FALSE(route.found);
@@ -228,7 +212,7 @@ TEST(FastSearch, ShowsThatThereIsNone) {
 TEST(FastSearch, RefusesToOutgrowItsMemory) {
   Options options;
   options.max_memory = 1e5;
-  Instance instance(tumble_case(true), options);
+  FastInstance instance(tumble_case(true), options);
   EXPECT_THROW(instance.fast(), std::length_error);
 }
 

@@ -10,20 +10,20 @@
 
 #include "fingertip/cases.hpp"
 #include "fingertip/fast_candidates.hpp"
+#include "fingertip/instance.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
-struct Setting {
+Options low_stability() {
+  Options options;
+  options.min_stability = 1e-3;
+  return options;
+}
+
+struct Setting : Instance {
   explicit Setting(const Problem& problem_in)
-      : problem(problem_in),
-        locations(problem.object, problem.fingers, options),
-        instants(problem, options),
-        query(problem, std::get<Path>(problem.motion), locations, instants, options),
-        evaluator(instants, locations, options),
-        supports(query, instants) {
-    options.min_stability = 1e-3;
-  }
+      : Instance(problem_in, low_stability()), supports(query, instants) {}
 
   Placement random_placement() {
     const auto draw = [&] {
@@ -41,12 +41,6 @@ struct Setting {
     return z;
   }
 
-  Problem problem;
-  Options options;
-  Locations locations;
-  Instants instants;
-  PathQuery query;
-  Evaluator evaluator;
   Supports supports;
   std::mt19937 rng{1};
 };

@@ -12,32 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "fingertip/cases.hpp"
+#include "fingertip/instance.hpp"
 
 namespace graspless::fingertip {
 namespace {
-
-/// A path with all that a search of it needs.
-struct Instance {
-  Instance(Problem problem_in, Options options_in)
-      : problem(std::move(problem_in)),
-        options(std::move(options_in)),
-        locations(problem.object, problem.fingers, options),
-        instants(problem, options),
-        query(problem, std::get<Path>(problem.motion), locations, instants, options),
-        evaluator(instants, locations, options) {}
-  Route search(bool heuristic, const planning::Budget& budget = {}) {
-    planning::Clock clock(budget);
-    return search_graph(query, evaluator, heuristic, clock, statistics);
-  }
-
-  Problem problem;
-  Options options;
-  Locations locations;
-  Instants instants;
-  PathQuery query;
-  Evaluator evaluator;
-  Statistics statistics;
-};
 
 /// The paper's tumble or slide on a coarse lattice, with walls, forces and prices drawn anew.
 std::unique_ptr<Instance> coarse_instance(unsigned seed) {

@@ -6,22 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "fingertip/lattice_problem.hpp"
 #include "fingertip/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {
-
-Problem lattice_problem() {
-  Lattice lattice;
-  lattice.X_WO_start = Eigen::Isometry3d(Eigen::Translation3d(0.2, 0.1, 0.025));
-  lattice.X_WO_goal = lattice.X_WO_start;
-  lattice.X_WO_goal.pretranslate(Eigen::Vector3d(0.1, 0.06, 0));
-  lattice.X_WO_goal.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ()));
-  lattice.lower << -0.02, -0.02, -0.1;
-  lattice.upper << 0.12, 0.08, 0.7;
-  lattice.counts = {8, 6, 9};
-  return {Object::box("block", {0.05, 0.06, 0.05}, 1), {}, {Plane{}}, {0.5, 0.5}, lattice, {}};
-}
 
 TEST(LatticeSpace, MovesUndoEachOtherAndLeadWhereTheySay) {
   const Problem problem = lattice_problem();

@@ -19,11 +19,18 @@ namespace graspless::geometry {
 GRASPLESS_API double gauss_linking(const Eigen::Matrix3Xd& a, bool a_is_closed,
                                    const Eigen::Matrix3Xd& b, bool b_is_closed);
 
-/// Lk of two closed polylines by signed crossings: the integral (1) as an integer.
+/// Lk of two closed polylines by signed crossings: the integral (1) as an integer. Where the curves
+/// touch to within rounding, the integral rounded, a half towards zero.
 GRASPLESS_API int linking_number(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
 
-/// VLk of eq. (2): (1 - chord / length of the closed curve) Lk(loop, closed curve), with the chord
-/// from the curve's last corner to its first. `loop` is closed, `curve` open. Signed.
+/// The first factor of eq. (2): 1 - chord / length of an open curve, with the chord from its last
+/// corner to its first and the length of both together; 1 when the ends meet, 0 for a point.
+GRASPLESS_API double closedness(const Eigen::Matrix3Xd& curve);
+/// The same, with its derivative by the corners, one a column [1/m].
+GRASPLESS_API double closedness(const Eigen::Matrix3Xd& curve, Eigen::Matrix3Xd& gradient);
+
+/// VLk of eq. (2): closedness(curve) times Lk(loop, curve and chord). `loop` is closed, `curve`
+/// open. Signed.
 GRASPLESS_API double virtual_linking(const Eigen::Matrix3Xd& loop, const Eigen::Matrix3Xd& curve);
 
 /// VLk with its derivative by the curve's corners. Lk is constant but where curves cross, so that
@@ -45,6 +52,9 @@ class GRASPLESS_API PreparedLoop {
   /// As the free functions, with this loop as the first curve.
   double gauss_linking(const Eigen::Matrix3Xd& curve, bool is_closed) const;
   int linking_number(const Eigen::Matrix3Xd& closed_curve) const;
+  /// The field whose integral along a curve is gauss_linking() of that curve: that of a current in
+  /// the loop [1/m]. Zero on the loop itself.
+  Eigen::Vector3d field(const Eigen::Vector3d& point) const;
   /// All curves at once.
   std::vector<double> gauss_linking(const std::vector<Eigen::Matrix3Xd>& curves,
                                     bool are_closed) const;
@@ -53,6 +63,8 @@ class GRASPLESS_API PreparedLoop {
  private:
   Eigen::Matrix3Xd points_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> corners_;  // a column per coordinate, the first repeated
+  double reach_ = 0;                                  // largest coordinate
+  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes_;    // low, high of every few segments in turn
 };
 
 }  // namespace graspless::geometry

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "graspless/geometry/loops.hpp"
+
+#include "geometry/require_points.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+/// A closed polyline by its arc length.
+class Arc {
+ public:
+  explicit Arc(const Eigen::Matrix3Xd& loop) : loop_(loop) {
+    for (Eigen::Index i = 0; i < loop.cols(); ++i) {
+      ends_.push_back(length() + (loop.col((i + 1) % loop.cols()) - loop.col(i)).norm());
+    }
+  }
+  double length() const { return ends_.empty() ? 0 : ends_.back(); }
+
+  /// The point at arc length s of [-length, 2 length).
+  Eigen::Vector3d at(double s) const {
+    s -= std::floor(s / length()) * length();
+    const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, s);
+    const Eigen::Index i = end - ends_.begin();
+    const double begin = i > 0 ? *(end - 1) : 0;
+    const double share = *end > begin ? std::min(1.0, (s - begin) / (*end - begin)) : 0;
+    return (1 - share) * loop_.col(i) + share * loop_.col((i + 1) % loop_.cols());
+  }
+
+ private:
+  const Eigen::Matrix3Xd& loop_;
+  std::vector<double> ends_;  // of the segments
+};
+
+}  // namespace
+
+std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count) {
+  require_points(loop, "loop");
+  if (count < 1) {
+    throw std::invalid_argument("count must be positive, not " + std::to_string(count));
+  }
+  const Arc arc(loop);
+  if (loop.cols() < 3 || !(arc.length() > 0)) {
+    throw std::invalid_argument("loop must have at least 3 corners and a length, not " +
+                                std::to_string(loop.cols()) + " corners and " +
+                                std::to_string(arc.length()) + " m");
+  }
+  // With one or two targets the chord would span the whole loop.
+  const double step = arc.length() / count, half = arc.length() / std::max(2 * count, 16);
+  std::vector<ClaspTarget> targets;
+  for (int i = 0; i < count; ++i) {
+    const double s = i * step;
+    Eigen::Vector3d chord = arc.at(s + half) - arc.at(s - half);
+    // A loop that runs back along itself has none there: take the way ahead.
+    if (!(chord.norm() > 1e-9 * arc.length())) chord = arc.at(s + half) - arc.at(s);
+    if (!(chord.norm() > 0)) chord = Eigen::Vector3d::UnitX();
+    targets.push_back({arc.at(s), chord.normalized()});
+  }
+  return targets;
+}
+
+}  // namespace graspless::geometry

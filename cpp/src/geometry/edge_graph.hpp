@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "graspless/geometry/complex.hpp"
+
+namespace graspless::geometry {
+
+/// The edges of a complex as neighbours of its points.
+class EdgeGraph {
+ public:
+  struct Arc {
+    int to, edge;
+    double length;  // [m]
+  };
+  struct Arcs {
+    const Arc *first, *last;
+    const Arc* begin() const { return first; }
+    const Arc* end() const { return last; }
+  };
+
+  explicit EdgeGraph(const Complex& complex);
+
+  int num_vertices() const { return static_cast<int>(first_.size()) - 1; }
+  int num_edges() const { return static_cast<int>(ends_.size()); }
+  Arcs arcs(int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return {arcs_.data() + first_[v], arcs_.data() + last_[v]};
+  }
+  struct Ends {
+    int a, b;
+  };
+  Ends ends(int edge) const { return ends_[static_cast<std::size_t>(edge)]; }
+  double length(int edge) const { return lengths_[static_cast<std::size_t>(edge)]; }
+  /// The edge between two vertices; -1 where there is none.
+  int edge(int a, int b) const;
+  /// Takes a vertex's arcs away, to it and from it.
+  void remove(int vertex);
+
+ private:
+  std::vector<int> first_, last_;  // arcs of a vertex; past num_vertices(), their count
+  std::vector<Arc> arcs_;
+  std::vector<Ends> ends_;
+  std::vector<double> lengths_;
+};
+
+}  // namespace graspless::geometry

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "geometry/annotation.hpp"
+#include "geometry/shortest_basis.hpp"
+#include "geometry/shortest_paths.hpp"
+
+namespace graspless::geometry {
+
+/// The cycles of an edge and the shortest paths from a root to its ends, with their classes: among
+/// those of enough roots are the shortest of every class (Horton 1987; Dey, Sun, Wang 2010).
+class RootedCycles {
+ public:
+  /// An edge that closes a cycle which does not bound.
+  struct Closing {
+    double length;  // of the edge and both ways to the root [m]
+    int a, b;
+  };
+
+  RootedCycles(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation);
+
+  /// Those of at most `longest` [m] from a root, shortest first; good until the next call.
+  const std::vector<Closing>& from(int root, double longest);
+  /// Of the last root. Good until the next call.
+  const Annotation::Word* class_of(const Closing& closing);
+  /// Of the last root, without the stretch that both ways share.
+  Cycle cycle(const Closing& closing) const;
+  /// No way runs through this vertex from now on.
+  void remove(int vertex) { graph_.remove(vertex); }
+
+ private:
+  using Word = Annotation::Word;
+
+  void mark_way(int vertex);
+  bool bounds(int a, int b, int edge) const;
+  Word* way(int vertex) { return ways_.data() + static_cast<std::size_t>(vertex) * words_; }
+  const Word* way(int vertex) const {
+    return ways_.data() + static_cast<std::size_t>(vertex) * words_;
+  }
+
+  const Annotation& annotation_;
+  EdgeGraph graph_;
+  ShortestPaths paths_;
+  std::size_t words_;
+  std::vector<char> is_zero_;  // an edge's class
+  std::vector<Word> ways_;     // classes of the ways from the root to settled vertices
+  std::vector<Word> sum_;
+  std::vector<Closing> closings_;
+};
+
+}  // namespace graspless::geometry

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/geometry/loops.hpp"
+
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "graspless/geometry/linking.hpp"
+
+#include "complaint.hpp"
+#include "geometry/clouds.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+/// A ring of radius 0.1 m, 24 mm thick, about 500 points.
+const Eigen::Matrix3Xd& ring() {
+  static const Eigen::Matrix3Xd cloud = noisy(torus(0.1, 0.012, 0.01), 0.0005, 1);
+  return cloud;
+}
+
+/// A closed curve through the ring's hole.
+Eigen::Matrix3Xd through_ring() {
+  Eigen::Matrix3Xd curve(3, 4);
+  curve << 0, 0, 1, 1, 0, 0, 0, 0, -1, 1, 1, -1;
+  return curve;
+}
+
+/// Consecutive corners are edges of K_d, the length is theirs, vertices are columns of the cloud.
+void expect_consistent(const Loops& found, const Eigen::Matrix3Xd& cloud) {
+  for (const Loop& loop : found.loops) {
+    ASSERT_EQ(loop.points.cols(), static_cast<Eigen::Index>(loop.vertices.size()));
+    ASSERT_GE(loop.points.cols(), 3);
+    double length = 0;
+    for (Eigen::Index i = 0; i < loop.points.cols(); ++i) {
+      EXPECT_EQ(loop.points.col(i), cloud.col(loop.vertices[static_cast<std::size_t>(i)]));
+      const double step =
+          (loop.points.col(i) - loop.points.col((i + 1) % loop.points.cols())).norm();
+      EXPECT_LT(step, found.complex.max_edge_length);
+      length += step;
+    }
+    EXPECT_NEAR(loop.length, length, 1e-12);
+    EXPECT_LT(loop.birth, found.complex.max_edge_length);
+    EXPECT_GE(loop.death, found.complex.max_edge_length);
+    EXPECT_GT(loop.thickness, 0);
+  }
+  const auto shorter = [](const Loop& a, const Loop& b) { return a.length < b.length; };
+  EXPECT_TRUE(std::is_sorted(found.loops.begin(), found.loops.end(), shorter));
+}
+
+bool has_warning(const Loops& found, const std::string& words) {
+  return std::any_of(found.warnings.begin(), found.warnings.end(), [&](const std::string& warning) {
+    return warning.find(words) != std::string::npos;
+  });
+}
+
+TEST(ShortestLoops, RunThroughTheRing) {
+  const Loops found = shortest_loops(ring());
+  ASSERT_EQ(found.status, LoopStatus::found) << found.reason;
+  ASSERT_EQ(found.loops.size(), 1u);
+  expect_consistent(found, ring());
+  const Loop& loop = found.loops[0];
+  EXPECT_EQ(std::abs(linking_number(loop.points, through_ring())), 1);
+  EXPECT_GT(loop.length, 2 * M_PI * 0.088 * 0.97);  // the inner circle is the shortest
+  EXPECT_LT(loop.length, 2 * M_PI * 0.1);
+  EXPECT_GT(loop.death / loop.birth, 4);
+  EXPECT_EQ(found.plateau.loops, 1);
+  EXPECT_GT(found.complex.max_edge_length, found.plateau.lower);
+  EXPECT_LT(found.complex.max_edge_length, found.plateau.upper);
+  EXPECT_TRUE(found.warnings.empty());
+  EXPECT_NE(found.reason.find("1 loop at max_edge_length"), std::string::npos) << found.reason;
+}
+
+TEST(ShortestLoops, AreAsManyAsTheHoles) {
+  const Eigen::Matrix3Xd other = moved(ring(), {0.23, 0.003, 0.002});
+  EXPECT_EQ(shortest_loops(side_by_side({ring(), other})).loops.size(), 2u);
+  EXPECT_EQ(shortest_loops(noisy(ring(), 0.003, 4)).loops.size(), 1u);
+  EXPECT_EQ(shortest_loops(sphere_cloud(0.1, 600)).status, LoopStatus::no_reliable_hole);
+}
+
+TEST(ShortestLoops, DoNotDependOnOrder) {
+  std::vector<int> order(static_cast<std::size_t>(ring().cols()));
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::shuffle(order.begin(), order.end(), std::mt19937_64(3));
+  const Eigen::Matrix3Xd shuffled = ring()(Eigen::all, order);
+  const Loop one = shortest_loops(ring()).loops.at(0), other = shortest_loops(shuffled).loops.at(0);
+  EXPECT_NEAR(one.length, other.length, 1e-12);
+  EXPECT_EQ(one.death, other.death);
+  std::set<int> vertices;
+  for (const int v : other.vertices) vertices.insert(order[static_cast<std::size_t>(v)]);
+  EXPECT_EQ(vertices, std::set<int>(one.vertices.begin(), one.vertices.end()));
+}
+
+TEST(ShortestLoops, OfAThinnedCloudAreNearlyThose) {
+  const Eigen::Matrix3Xd dense = noisy(torus(0.1, 0.012, 0.0025), 0.0002, 2);
+  LoopOptions options;
+  options.max_points = 3000;
+  ASSERT_GT(dense.cols(), 6000);
+  const Loops thinned = shortest_loops(dense, options);
+  ASSERT_EQ(thinned.loops.size(), 1u) << thinned.reason;
+  EXPECT_LT(thinned.complex.points.cols(), 1800);
+  EXPECT_GT(thinned.complex.points.cols(), 1200);
+  expect_consistent(thinned, dense);
+
+  options.polish = true;
+  const Loops polished = shortest_loops(dense, options);
+  ASSERT_EQ(polished.loops.size(), 1u);
+  expect_consistent(polished, dense);
+  EXPECT_LE(polished.loops[0].length, thinned.loops[0].length);
+  EXPECT_LT(thinned.loops[0].length, 1.03 * polished.loops[0].length);
+  EXPECT_EQ(std::abs(linking_number(polished.loops[0].points, through_ring())), 1);
+}
+
+TEST(ShortestLoops, TakeTheEdgeLengthGiven) {
+  LoopOptions options;
+  options.max_edge_length = 0.05;
+  const Loops found = shortest_loops(ring(), options);
+  ASSERT_EQ(found.loops.size(), 1u);
+  EXPECT_EQ(found.complex.max_edge_length, 0.05);
+  EXPECT_EQ(found.plateau.loops, 0);
+  expect_consistent(found, ring());
+}
+
+TEST(ShortestLoops, SayWhyThereAreNone) {
+  LoopOptions options;
+  const auto reason = [&](double d) {
+    options.max_edge_length = d;
+    const Loops found = shortest_loops(ring(), options);
+    EXPECT_EQ(found.status, LoopStatus::no_reliable_hole);
+    EXPECT_TRUE(found.loops.empty());
+    EXPECT_FALSE(found.betti.loops.empty());
+    return found.reason;
+  };
+  EXPECT_NE(reason(1e-4).find("is too small: no two points are nearer"), std::string::npos);
+  const double first_loop = Filtration(ring()).betti().max_edge_length[0];
+  EXPECT_NE(reason(first_loop).find("is too small: the points do not join"), std::string::npos);
+  EXPECT_NE(reason(0.5).find("is too large: every hole is filled; 1 loop lives from"),
+            std::string::npos);
+
+  const Loops ball = shortest_loops(sphere_cloud(0.1, 600));
+  EXPECT_NE(ball.reason.find("no reliable hole"), std::string::npos) << ball.reason;
+  EXPECT_FALSE(ball.betti.loops.empty());
+  EXPECT_EQ(ball.complex.edges.cols(), 0);
+}
+
+TEST(ShortestLoops, WarnOfGapsBetweenPoints) {
+  LoopOptions options;
+  options.max_edge_length = 0.0112;
+  const Loops found = shortest_loops(ring(), options);
+  EXPECT_GT(found.loops.size(), 64u);
+  expect_consistent(found, ring());
+  EXPECT_TRUE(has_warning(found, "may be too small"));
+}
+
+TEST(ShortestLoops, WarnOfMillimetresAndEqualPoints) {
+  EXPECT_TRUE(has_warning(shortest_loops(1000 * ring()), "looks like millimetres"));
+  const Loops twice = shortest_loops(side_by_side({ring(), ring()}));
+  EXPECT_TRUE(has_warning(twice, "equal others: they count once"));
+  ASSERT_EQ(twice.loops.size(), 1u);
+  EXPECT_NEAR(twice.loops[0].length, shortest_loops(ring()).loops[0].length, 1e-12);
+}
+
+TEST(ShortestLoops, LowestPlateauTakesGapsForHoles) {
+  // A window in the ring's outer side, three spacings wide.
+  std::vector<int> kept;
+  for (int i = 0; i < ring().cols(); ++i) {
+    if ((ring().col(i) - Eigen::Vector3d(0.112, 0, 0)).norm() > 0.022) kept.push_back(i);
+  }
+  const Eigen::Matrix3Xd cloud = ring()(Eigen::all, kept);
+  LoopOptions options;
+  EXPECT_EQ(shortest_loops(cloud, options).loops.size(), 1u);
+  options.lowest_plateau = true;
+  options.lowest_ratio = 1.2;
+  const Loops found = shortest_loops(cloud, options);
+  EXPECT_GT(found.loops.size() + found.meridians.size(), 1u);
+}
+
+TEST(ShortestLoops, RefuseBadClouds) {
+  const auto call = [](const Eigen::Matrix3Xd& points) {
+    return [points] { shortest_loops(points); };
+  };
+  Eigen::Matrix3Xd nan = random_cloud(50, 1);
+  nan(2, 5) = std::numeric_limits<double>::quiet_NaN();
+  Eigen::Matrix3Xd flat = random_cloud(50, 1);
+  flat.row(0).setConstant(0.3);
+  expect_refused(call(Eigen::Matrix3Xd(3, 0)), "distinct points, not 0");
+  expect_refused(call(random_cloud(19, 1)), "at least 20 distinct points, not 19");
+  expect_refused(call(Eigen::Matrix3Xd::Ones(3, 100)), "distinct points, not 1");
+  expect_refused(call(nan), "column 5");
+  expect_refused(call(flat), "lie in a plane");
+  const Eigen::Matrix3Xd many(3, 10000001);  // never touched
+  expect_refused([&] { shortest_loops(many); }, "at most 10000000, not 10000001");
+}
+
+TEST(ShortestLoops, RefuseBadOptions) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto with = [](auto member, auto value) {
+    return [=] {
+      LoopOptions options;
+      options.*member = value;
+      shortest_loops(ring(), options);
+    };
+  };
+  expect_refused(with(&LoopOptions::max_edge_length, -1.0), "max_edge_length must be in [0");
+  expect_refused(with(&LoopOptions::max_edge_length, nan), "max_edge_length");
+  expect_refused(with(&LoopOptions::min_ratio, 1.0), "min_ratio must be greater than 1");
+  expect_refused(with(&LoopOptions::lowest_ratio, nan), "lowest_ratio");
+  expect_refused(with(&LoopOptions::max_points, 3), "max_points must be in [100, 1000000], not 3");
+}
+
+}  // namespace
+}  // namespace graspless::geometry
