@@ -35,25 +35,27 @@ class ClearanceCells {
   }
   /// Bounds from the cell of side `cell` around the point, which must be covered.
   Clearance::Bounds bounds(const Eigen::Vector3d& point) {
-    return descend(point, kCellLevel, [](const auto&, double, int) { return false; });
+    return descend(point, kCellLevel, [](const auto&, double) { return false; });
   }
   /// Bounds from the largest cell that settles on which side of the threshold the distance lies,
   /// and if it is more, about how much; the distance itself where none does.
   Clearance::Bounds bounds(const Eigen::Vector3d& point, double threshold) {
-    return descend(point, kFinestLevel + 1,
-                   [threshold](const auto& bounds, double offset, int level) {
-                     const double enough = level < kCellLevel ? kEnoughOfLarge : kEnough;
-                     return bounds.lower - enough * offset > threshold || bounds.upper < threshold;
-                   });
+    return descend(point, kFinestLevel + 1, [threshold](const auto& bounds, double offset) {
+      return bounds.lower - kEnough * offset > threshold || bounds.upper < threshold;
+    });
+  }
+  /// The same, from a cell of side `cell` where no larger one settles it.
+  Clearance::Bounds rough_bounds(const Eigen::Vector3d& point, double threshold) {
+    return descend(point, kCellLevel, [threshold](const auto& bounds, double) {
+      return bounds.lower > threshold || bounds.upper < threshold;
+    });
   }
 
  private:
   static constexpr int kParts = 4;      // of a cell's side
   static constexpr int kCellLevel = 3;  // cell = root / 4^3
   static constexpr int kFinestLevel = 4;
-  // What must be left of the distance beyond a threshold, for a cell's uncertainty: large cells are
-  // few and soon all known, so that more can be asked of them.
-  static constexpr double kEnough = 0.3, kEnoughOfLarge = 1;
+  static constexpr double kEnough = 0.3;  // of a cell's uncertainty, beyond a threshold it settles
   static constexpr double kMostRoots = 1 << 20;
   static constexpr double kRounding = 1e-7;  // of a distance in single precision
   // Of a cube of side 1: half its diagonal, and how far its middle is at most from that of the cube
@@ -121,7 +123,7 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
     const auto distance = static_cast<double>(cell->distance);
     const double offset = from_middle.norm() + kRounding * distance;
     const Clearance::Bounds bounds{std::max(0.0, distance - offset), distance + offset};
-    if (level == last_level || settled(bounds, offset, level)) return bounds;
+    if (level == last_level || settled(bounds, offset)) return bounds;
     if (cell->parts < 0) cell->parts = cut(*cell, point - from_middle, side, *nearest);
     Block& block = *blocks_[static_cast<std::size_t>(cell->parts)];
     if (level == kFinestLevel) {
