@@ -17,9 +17,9 @@ namespace {
 
 using Depth = std::function<double(const Eigen::Vector3d&)>;
 
-constexpr double kCapsuleExcess = 0.001;  // of the spheres around a capsule [m]
-constexpr double kCell = 0.008;           // side of the cells that others are cut into [m]
-constexpr double kMaxCells = 600;         // about as many a shape at most
+constexpr double kCapsuleExcess = 0.0001;  // of the spheres around a capsule [m]
+constexpr double kCell = 0.008;            // side of the cells that others are cut into [m]
+constexpr double kMaxCells = 600;          // about as many a shape at most
 
 double nowhere(const Eigen::Vector3d&) { return -1; }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr int kFirstBits = 8;
 constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that all is forgotten
 constexpr std::size_t kMaxRoots = 1 << 20;
+constexpr double kSmall = 0.1;  // of a cell's side
 
 }  // namespace
 
@@ -95,11 +96,12 @@ int ClearanceCells::cut(const Cell& cell, const Eigen::Vector3d& middle, double 
   for (const Near& near : nearest) {
     if (static_cast<double>(near.distance) - offset > farthest) continue;
     const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(near.triangle)];
-    const double reach = farthest + triangle.radius;
-    if ((middle - triangle.middle).squaredNorm() > reach * reach) continue;
-    const double square = squared_distance(triangle, middle);
-    if (square > farthest * farthest) continue;
-    const double least = std::sqrt(square) * (1 - kRounding);
+    double least = (middle - triangle.middle).norm() - triangle.radius;
+    if (least > farthest) continue;
+    // In large cells the sphere around the triangle says as much as the triangle.
+    if (triangle.radius > kSmall * side) least = std::sqrt(squared_distance(triangle, middle));
+    if (least > farthest) continue;
+    least *= 1 - kRounding;
     list.push_back({static_cast<float>(least), near.triangle});
     if (list.back().distance < list.front().distance) std::swap(list.front(), list.back());
   }
