@@ -37,7 +37,8 @@ struct Hand {
   std::vector<Finger> fingers;
   Finger thumb;
   std::string open = "open";      ///< state of the hand's joints with which the search begins
-  std::string closed = "closed";  ///< state towards which every joint closes
+  /// State towards which every joint closes; one that is the same in both states does not.
+  std::string closed = "closed";
 };
 
 /// Reads a hand from YAML (the grammar: docs/task-files.md; the files beside our URDFs are
