@@ -13,6 +13,7 @@ void bind_mechanics(py::module_ m);
 void bind_planning(py::module_ m);
 void bind_slide(py::module_ m);
 void bind_fingertip(py::module_ m);
+void bind_clasp(py::module_ m);
 void bind_bench(py::module_ m);
 }  // namespace graspless::bindings
 
@@ -33,5 +34,7 @@ PYBIND11_MODULE(_core, m) {
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
   bind_fingertip(m.def_submodule(
       "fingertip", "Push, slide and tumble an object with bare fingertips (Maeda, Arai)."));
+  bind_clasp(m.def_submodule(
+      "clasp", "Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic)."));
   bind_bench(m.def_submodule("bench", "What the planners are measured against."));
 }

@@ -48,8 +48,9 @@ GRASPLESS_API Hand hand_from_yaml_file(const std::string& path);
 
 /// Throws std::invalid_argument that names the field, the value and the choices: unknown links,
 /// groups or states; no finger; a finger or thumb with fewer than two nodes, or nodes that
-/// coincide; a finger whose tip no joint of the hand moves; forward and sideways not orthogonal
-/// unit vectors; arm and hand that share joints; open and closed that are the same.
+/// coincide; a finger whose tip no joint of the hand moves, or that does not meet the thumb in the
+/// palm; a frame that the arm does not carry; forward and sideways not orthogonal unit vectors; arm
+/// and hand that share joints; open and closed that are the same.
 GRASPLESS_API void validate(const Hand& hand, const robot::Robot& robot);
 
 }  // namespace graspless::clasp
