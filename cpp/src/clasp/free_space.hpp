@@ -20,7 +20,7 @@ namespace graspless::clasp {
 /// spheres around the links and the object's clearance settle the clear cases before it. Limits and
 /// self-collision included. K_d is a surface: a link wholly inside the object would not touch it,
 /// but no motion that is looked at in small steps gets it there. Not shared between threads.
-class FreeSpace {
+class GRASPLESS_API FreeSpace {
  public:
   explicit FreeSpace(const Problem& problem);
 

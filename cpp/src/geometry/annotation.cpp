@@ -73,6 +73,7 @@ class Spreading {
       paths.start(root);
       for (int v = root; (v = paths.next(std::numeric_limits<double>::infinity())) >= 0;) {
         depth_[index(v)] = paths.distance(v);
+        paths.expand(v);
         if (paths.via(v) >= 0) settle(paths.via(v), {});
       }
     }

@@ -57,12 +57,13 @@ std::vector<Cycle> shortest_basis(const Complex& complex) {
   if (annotation.num_classes() == 0) return {};
   RootedCycles cycles(complex, graph, annotation);
   for (const int root : roots(graph, annotation)) {
-    cycles.from(
-        root, [&] { return basis.bound() / 2; },
-        [&](double length, const Annotation::Word* cls) { return basis.has_place(cls, length); },
-        [&](const Annotation::Word* cls, double length, Cycle cycle) {
-          basis.offer(cls, length, std::move(cycle));
-        });
+    for (const RootedCycles::Closing& closing : cycles.from(root, basis.bound())) {
+      const Annotation::Word* cls = cycles.class_of(closing);
+      if (!basis.has_place(cls, closing.length)) continue;
+      Cycle cycle = cycles.cycle(closing);
+      const double length = cycle_length(complex.points, cycle);
+      basis.offer(cls, length, std::move(cycle));
+    }
     cycles.remove(root);  // what runs through it has been seen
   }
   return basis.cycles();

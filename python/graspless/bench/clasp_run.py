@@ -126,14 +126,14 @@ def _of_clasp(problem: clasp.Problem, plan: clasp.Plan, options: clasp.Options) 
 def gauss_linking(problem: clasp.Problem, plan: clasp.Plan) -> list[float]:
     """|Gauss linking integral| of each finger curve, open as it is, with the loop (Fig. 6)."""
     robot, hand = problem.robot, problem.hand
-    poses = robot.link_poses(plan.segments[-1].positions[-1])
+    poses = robot.forward(plan.segments[-1].positions[-1])
     X_WO = problem.X_WO
     loop = problem.object.loops.loops[plan.loop].points @ X_WO[:3, :3].T + X_WO[:3, 3]
 
     def corners(finger: clasp.Finger) -> list[Any]:
         found = []
         for node in finger.nodes:
-            X_WL = poses[robot.links.index(node.link)]
+            X_WL = poses[robot.frame(node.link)]
             found.append(X_WL[:3, :3] @ node.p_L + X_WL[:3, 3])
         return found
 
