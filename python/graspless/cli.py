@@ -121,7 +121,8 @@ def _add_plan(commands: Any) -> None:
     parser.add_argument(
         "--search",
         choices=["dijkstra", "paper", "fast"],
-        help="dijkstra (fingertip tasks), as published, or the faster one, the default",
+        help="dijkstra (fingertip tasks), as published, or the faster one, the default; "
+        "clasp tasks have one search",
     )
     parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
     _add_pictures(parser)
@@ -198,7 +199,7 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
 
     flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
     if options.search is not None and options.search not in (choices := searches(task.kind)):
-        shown = ", ".join(choices)
+        shown = ", ".join(choices) or "it has one alone"
         raise TaskError(f"--search: {options.search}: no such search of {task.kind} ({shown})")
     try:
         return task.with_changes(search=options.search, **flags)

@@ -104,7 +104,7 @@ def test_what_looks_wrong_is_warned_of():
         (lambda: shortest_loops(RING[:, :2]), r"points has shape .* must have shape \(N, 3\)"),
         (lambda: shortest_loops(np.empty((0, 3))), "points"),
         (lambda: shortest_loops(RING[:15]), "20 distinct points, not 15"),
-        (lambda: shortest_loops(np.where(RING == RING[4], np.nan, RING)), "nan nan nan"),
+        (lambda: shortest_loops(np.where(RING[4] == RING, np.nan, RING)), "nan nan nan"),
         (lambda: shortest_loops(RING * [1, 1, 0]), "lie in a plane"),
         (lambda: shortest_loops(RING, -1), "max_edge_length must be in"),
         (lambda: shortest_loops(RING, min_ratio=0.5), "min_ratio must be greater than 1"),

@@ -66,7 +66,7 @@ def test_out_of_reach_is_told(task, capsys):
 def test_there_is_no_other_search(task, capsys):
     code, _, err = run(capsys, "plan", "task.yaml", "--search", "dijkstra")
     assert code == 2
-    assert "--search: dijkstra: no such search of clasp" in err
+    assert err == "--search: dijkstra: no such search of clasp (it has one alone)\n"
 
 
 def test_loops_of_a_cloud(cloud, capsys):

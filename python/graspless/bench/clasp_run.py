@@ -139,9 +139,7 @@ def gauss_linking(problem: clasp.Problem, plan: clasp.Plan) -> list[float]:
 
     thumb = corners(hand.thumb)
     curves = [np.array(corners(finger)[::-1] + thumb) for finger in hand.fingers]
-    return [
-        abs(geometry.gauss_linking(loop, curve, b_is_closed=False)) for curve in curves
-    ]
+    return [abs(geometry.gauss_linking(loop, curve, b_is_closed=False)) for curve in curves]
 
 
 def _opened_escapes(problem: clasp.Problem, plan: clasp.Plan, options: clasp.Options) -> bool:

@@ -46,11 +46,14 @@ class Part:
         Rows of vertex indices, counter-clockwise seen from outside.
     color : tuple
         Red, green, blue, each 0 to 1.
+    normals : array [V, 3] or None
+        By which pictures shade it, whichever way they point; None: those of the triangles.
     """
 
     vertices: Matrix
     triangles: NDArray[np.int64]
     color: Color
+    normals: Matrix | None = None
 
 
 @dataclass

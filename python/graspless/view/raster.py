@@ -111,7 +111,9 @@ def render(
         weights = _weights(screen[faces[f]], xs + 0.5, ys + 0.5)
         points = np.einsum("nk,nkj->nj", weights, scene["points"][faces[f]])
         normals = np.einsum("nk,nkj->nj", weights, scene["corners"][f])
-        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+        away = np.einsum("ij,ij->i", normals, camera.eye - points) < 0
+        normals[away & scene["two_sided"][f]] *= -1
         light = np.clip(normals @ camera.light(), 0, 1) * _lit(
             scene, points, normals, camera.light()
         )
@@ -137,7 +139,7 @@ def over(front: Matrix, back: Matrix, share: float) -> Matrix:
 
 def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
     """All triangles in the world, with normals at faces and corners."""
-    points, faces, colors, owners = [], [], [], []
+    points, faces, colors, owners, given = [], [], [], [], []
     count = 0
     for index, (body, X_WB) in enumerate(placed):
         for part in body.parts:
@@ -146,6 +148,8 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
             colors.append(np.tile(part.color, (len(part.triangles), 1)))
             owners.append(np.full(len(part.triangles), index))
             count += len(part.vertices)
+            own = np.zeros_like(part.vertices) if part.normals is None else part.normals
+            given.append(own @ X_WB[:3, :3].T)
     p, f = np.concatenate(points), np.concatenate(faces)
     areas = np.cross(p[f[:, 1]] - p[f[:, 0]], p[f[:, 2]] - p[f[:, 0]])
     normals = areas / np.maximum(np.linalg.norm(areas, axis=1, keepdims=True), 1e-15)
@@ -153,7 +157,9 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
     for k in range(3):
         np.add.at(smooth, f[:, k], areas)
     smooth /= np.maximum(np.linalg.norm(smooth, axis=1, keepdims=True), 1e-15)
-    corners = smooth[f]
+    shading = np.concatenate(given)
+    has_own = shading.any(axis=1)
+    corners = np.where(has_own[:, None], shading, smooth)[f]
     return {
         "points": p,
         "faces": f,
@@ -161,6 +167,7 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
         "corners": corners,
         "colors": np.concatenate(colors),
         "bodies": np.concatenate(owners),
+        "two_sided": has_own[f[:, 0]],
     }
 
 

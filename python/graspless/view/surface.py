@@ -14,7 +14,11 @@ from .bodies import Part
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from ..frames import Matrix
     from .bodies import Color
+
+
+FLAT = 0.05  # spread across a plane, to that along it
 
 
 def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
@@ -41,7 +45,26 @@ def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
     # A sheet has two sides, each with corners of its own, or their shades would cancel.
     back = sheets[:, [0, 2, 1]] + len(p)
     vertices = np.concatenate([p, p]) if len(sheets) else p
-    return Part(vertices, np.concatenate([outer, sheets, back]), color)
+    shading = _normals(p, faces)
+    normals = np.concatenate([shading, shading]) if len(sheets) else shading
+    return Part(vertices, np.concatenate([outer, sheets, back]), color, normals)
+
+
+def _normals(p: Matrix, faces: NDArray[np.int64]) -> Matrix:
+    """[N, 3] across the plane nearest to the corners around each point, either way; zero where
+    these lie near no plane. The slivers of a Delaunay triangulation would shade a flat side like
+    gravel.
+    """
+    pairs = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [0, 2]]])
+    pairs = np.unique(pairs, axis=0)
+    a, b = np.concatenate([pairs, pairs[:, ::-1]]).T
+    around = np.zeros((len(p), 3, 3))
+    step = p[b] - p[a]
+    lengths = np.maximum(np.einsum("ij,ij->i", step, step), 1e-18)
+    np.add.at(around, a, np.einsum("ni,nj->nij", step, step) / lengths[:, None, None] ** 1.5)
+    spread, axes = np.linalg.eigh(around)
+    is_flat = spread[:, 0] < FLAT * spread[:, 1]  # no thin handle
+    return np.where(is_flat[:, None], axes[:, :, 0], 0.0)
 
 
 def _opposite_corners(faces: NDArray[np.int64]) -> list[list[int]]:

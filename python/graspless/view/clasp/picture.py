@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from .. import raster
+from ..bodies import LOOP
 from ..figures import INK, as_png, draw_panel, new_figure
 from ..loops import draw_cloud
 from . import bodies, stage
@@ -139,16 +140,17 @@ def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
         name = fingers[k].name.replace("_", " ")
         axes.plot(rows, found[:, k], lw=1.9, color=blues[k % len(blues)], label=name)
     axes.axhline(plan.min_linking, color="#b3261e", lw=1.1, ls=(0, (6, 3)), label="threshold")
+    late = first > 0.85 * len(found)
     axes.text(
-        first, 1.015, " close", fontsize=9, color=INK, va="bottom", ha="left",
-        transform=axes.get_xaxis_transform(),
+        len(found) - 1 if late else first, 1.015, "close", fontsize=9, color=INK, va="bottom",
+        ha="right" if late else "left", transform=axes.get_xaxis_transform(),
     )  # fmt: skip
     axes.set_xlim(0, max(len(found) - 1, 1))
     axes.set_ylim(0, 1.02)
     axes.set_title("virtual linking", fontsize=11, color=INK, loc="left", pad=3)
     axes.set_xlabel("row of the plan", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
-    axes.legend(fontsize=8.5, frameon=False, loc="upper left")
+    axes.legend(fontsize=8.5, frameon=False, loc="center left")
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
 
@@ -157,7 +159,7 @@ def _draw_key(figure: Any, plan: Plan) -> None:
     """What the colours mean."""
     lines = [
         (bodies.CLASPED, "-", "loop clasped"),
-        (bodies.LOOP, "-", "other loops"),
+        (LOOP, "-", "other loops"),
         (bodies.CURVE, "-", "finger curves"),
         (bodies.CHORD, "-", "chords"),
         (bodies.NODE, "-", "tree"),

@@ -105,7 +105,9 @@ def direction(plan: Plan, shown: Film, row: int | None = None) -> Matrix:
     for azimuth in np.radians(np.arange(0, 360, 10)):
         level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
         toward = np.cos(ELEVATION) * level + np.sin(ELEVATION) * np.array([0.0, 0.0, 1.0])
-        score = -abs(abs(float(toward @ axis)) - OPEN) - 0.5 * max(0.0, -float(level @ ahead) - 0.2)
+        facing = float(level @ ahead)  # -1: from behind the robot, 1: into its face
+        score = -abs(abs(float(toward @ axis)) - OPEN)
+        score -= 0.5 * max(0.0, -facing - 0.2) + 0.3 * max(0.0, facing - 0.5)
         if best is None or score > best[0] + 1e-9:
             best = score, toward
     assert best is not None
