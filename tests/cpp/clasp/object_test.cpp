@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "graspless/collision/world.hpp"
+
 #include "clasp/object_surface.hpp"
 #include "clasp/ring_problem.hpp"
 #include "complaint.hpp"
