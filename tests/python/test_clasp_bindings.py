@@ -72,7 +72,7 @@ def test_sample_objects():
     [
         (lambda: clasp.Object.from_cloud("x", np.zeros((30, 2))), r"p_OP has shape \(30, 2\)"),
         (lambda: clasp.Object.from_cloud("x", np.zeros((30, 3))), "point"),
-        (lambda: clasp.Object.from_cloud("x", np.full((30, 3), np.nan)), "finite"),
+        (lambda: clasp.Object.from_cloud("x", np.full((30, 3), np.nan)), "nan nan nan"),
         (lambda: problem(q_start=[0, 0]), r"q_start has shape \(2,\)"),
         (lambda: problem(X_WO=np.zeros((4, 4))), "X_WO is not a rigid transform"),
         (lambda: problem(marks=[[0, 0]]), r"marks has shape \(1, 2\)"),

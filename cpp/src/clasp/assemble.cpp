@@ -89,8 +89,8 @@ std::optional<Found> close_clasp(Query& query, LoopSearch& search) {
   }
   const Problem& problem = query.problem;
   found.close = close_hand(query.free, problem.robot, problem.hand, found.reach.back());
-  if (search.linking(found.close.back()).maxCoeff() == 0) {
-    query.refuse("clasp: the loop slips out while the fingers close");
+  if (search.linking(found.close.back()).minCoeff() < search.of().options.min_linking) {
+    query.refuse("clasp: a finger loses the loop while it closes");
     return std::nullopt;
   }
   const double before = query.clock.seconds();

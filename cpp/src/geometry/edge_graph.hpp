@@ -27,7 +27,7 @@ class EdgeGraph {
   int num_edges() const { return static_cast<int>(ends_.size()); }
   Arcs arcs(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
-    return {arcs_.data() + first_[v], arcs_.data() + first_[v + 1]};
+    return {arcs_.data() + first_[v], arcs_.data() + last_[v]};
   }
   struct Ends {
     int a, b;
@@ -36,9 +36,11 @@ class EdgeGraph {
   double length(int edge) const { return lengths_[static_cast<std::size_t>(edge)]; }
   /// The edge between two vertices; -1 where there is none.
   int edge(int a, int b) const;
+  /// Takes a vertex's arcs away, to it and from it.
+  void remove(int vertex);
 
  private:
-  std::vector<int> first_;
+  std::vector<int> first_, last_;  // arcs of a vertex; past num_vertices(), their count
   std::vector<Arc> arcs_;
   std::vector<Ends> ends_;
   std::vector<double> lengths_;

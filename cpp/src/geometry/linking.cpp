@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "geometry/linking_kernels.hpp"
 
 namespace graspless::geometry {
@@ -151,6 +153,21 @@ int PreparedLoop::linking_number(const Matrix3Xd& closed_curve) const {
     number += kernels::signed_crossings(part, curve, scale, scale * closed_curve.col(0), is_sure);
   }
   return is_sure ? number : count_with_care(line, closed_curve, scale);
+}
+
+Vector3d PreparedLoop::field(const Vector3d& point) const {
+  if (!point.allFinite()) throw std::invalid_argument("point must be finite");
+  Vector3d sum = Vector3d::Zero();
+  Vector3d r0 = points_.col(points_.cols() - 1) - point;
+  for (Eigen::Index i = 0; i < points_.cols(); ++i) {
+    const Vector3d r1 = points_.col(i) - point;
+    const double lengths = r0.norm() * r1.norm(), apart = lengths + r0.dot(r1);
+    if (apart > 1e-15 * lengths) {
+      sum += r0.cross(r1) * ((r0.norm() + r1.norm()) / (lengths * apart));
+    }
+    r0 = r1;
+  }
+  return sum / (4 * M_PI);
 }
 
 std::vector<double> PreparedLoop::gauss_linking(const std::vector<Matrix3Xd>& curves,

@@ -69,9 +69,9 @@ class Polish {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const int from = corners[i], to = corners[(i + 1) % corners.size()];
       const double straight = (complex_.points.col(from) - complex_.points.col(to)).norm();
-      paths_.start(from);
+      paths_.start(from, kDetour * straight);
       int v = from;
-      while (v >= 0 && v != to) v = paths_.next(kDetour * straight);
+      while ((v = paths_.next()) >= 0 && v != to) paths_.expand(v);
       if (v < 0) return {};
       std::vector<int> way = paths_.path(to);  // back to `from`
       std::reverse(way.begin(), way.end());
@@ -93,15 +93,12 @@ class Polish {
   /// The shortest cycle of the class that runs through the root, where it is shorter.
   void shorten(int root, const Class& cls, Cycle& cycle, double& length) {
     const double bound = std::min(length, cycle_length(complex_.points, cycle) * kSlack);
-    cycles_.from(
-        root, [&] { return std::min(length, bound) / 2; },
-        [&](double closed, const Annotation::Word* found) {
-          return closed < std::min(length, bound) && std::equal(cls.begin(), cls.end(), found);
-        },
-        [&](const Annotation::Word*, double shortened, Cycle found) {
-          length = shortened;
-          cycle = std::move(found);
-        });
+    for (const RootedCycles::Closing& closing : cycles_.from(root, bound)) {
+      if (!std::equal(cls.begin(), cls.end(), cycles_.class_of(closing))) continue;
+      cycle = cycles_.cycle(closing);
+      length = cycle_length(complex_.points, cycle);
+      return;
+    }
   }
 
   const Complex& complex_;

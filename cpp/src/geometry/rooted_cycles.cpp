@@ -3,56 +3,67 @@
 #include "geometry/rooted_cycles.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace graspless::geometry {
 
 RootedCycles::RootedCycles(const Complex& complex, const EdgeGraph& graph,
                            const Annotation& annotation)
-    : complex_(complex),
+    : annotation_(annotation),
       graph_(graph),
-      annotation_(annotation),
-      paths_(graph),
+      paths_(graph_),
       words_(static_cast<std::size_t>(annotation.words())),
-      classes_(static_cast<std::size_t>(graph.num_vertices()) * words_),
-      sum_(words_) {}
-
-void RootedCycles::add_class(Annotation::Word* to, const Annotation::Word* cls) const {
-  for (std::size_t w = 0; w < words_; ++w) to[w] ^= cls[w];
+      is_zero_(static_cast<std::size_t>(complex.edges.cols())),
+      ways_(static_cast<std::size_t>(graph.num_vertices()) * words_),
+      sum_(words_) {
+  for (int e = 0; e < graph.num_edges(); ++e)
+    is_zero_[static_cast<std::size_t>(e)] = annotation.is_zero(e);
 }
 
-void RootedCycles::from(int root, const Radius& radius, const IsWanted& is_wanted,
-                        const Take& take) {
-  paths_.start(root);
-  for (int v = root; (v = paths_.next(radius())) >= 0;) {
-    const int parent = paths_.parent(v);
-    if (parent < 0) {
-      std::fill_n(class_of(v), words_, 0);
-    } else {
-      std::copy_n(class_of(parent), words_, class_of(v));
-      add_class(class_of(v), annotation_.of(paths_.via(v)));
-    }
-    for (const EdgeGraph::Arc& arc : graph_.arcs(v)) {
-      if (arc.edge != paths_.via(v) && paths_.is_settled(arc.to)) close(v, arc, is_wanted, take);
-    }
+const std::vector<RootedCycles::Closing>& RootedCycles::from(int root, double longest) {
+  closings_.clear();
+  paths_.start(root, longest / 2);
+  for (int v = root; (v = paths_.next()) >= 0;) {
+    mark_way(v);
+    paths_.expand(v, [&](const EdgeGraph::Arc& arc) {
+      if (bounds(v, arc.to, arc.edge)) return;
+      const double length = paths_.distance(v) + paths_.distance(arc.to) + arc.length;
+      if (length <= longest) closings_.push_back({length, v, arc.to});
+    });
   }
+  std::sort(closings_.begin(), closings_.end(), [](const Closing& p, const Closing& q) {
+    return std::tie(p.length, p.a, p.b) < std::tie(q.length, q.a, q.b);
+  });
+  return closings_;
 }
 
-void RootedCycles::close(int vertex, const EdgeGraph::Arc& arc, const IsWanted& is_wanted,
-                         const Take& take) {
-  std::copy_n(class_of(vertex), words_, sum_.data());
-  add_class(sum_.data(), class_of(arc.to));
-  add_class(sum_.data(), annotation_.of(arc.edge));
-  if (std::all_of(sum_.begin(), sum_.end(), [](auto word) { return word == 0; })) return;
-  const double length = paths_.distance(vertex) + paths_.distance(arc.to) + arc.length;
-  if (!is_wanted(length, sum_.data())) return;
-  Cycle found = cycle(vertex, arc.to);
-  const double shortened = cycle_length(complex_.points, found);
-  take(sum_.data(), shortened, std::move(found));
+void RootedCycles::mark_way(int vertex) {
+  const int parent = paths_.parent(vertex);
+  if (parent < 0) {
+    std::fill_n(way(vertex), words_, 0);
+    return;
+  }
+  const Word* cls = annotation_.of(paths_.via(vertex));
+  for (std::size_t w = 0; w < words_; ++w) way(vertex)[w] = way(parent)[w] ^ cls[w];
+}
+
+bool RootedCycles::is_boundary(int a, int b, int edge) const {
+  const Word* cls = annotation_.of(edge);
+  for (std::size_t w = 0; w < words_; ++w) {
+    if ((way(a)[w] ^ way(b)[w]) != cls[w]) return false;
+  }
+  return true;
+}
+
+const Annotation::Word* RootedCycles::class_of(const Closing& closing) {
+  const Word* cls = annotation_.of(graph_.edge(closing.a, closing.b));
+  for (std::size_t w = 0; w < words_; ++w) sum_[w] = way(closing.a)[w] ^ way(closing.b)[w] ^ cls[w];
+  return sum_.data();
 }
 
 /// From one end of the closing edge to where the ways to the root meet, and out to the other.
-Cycle RootedCycles::cycle(int a, int b) const {
-  std::vector<int> out = paths_.path(a), back = paths_.path(b);
+Cycle RootedCycles::cycle(const Closing& closing) const {
+  std::vector<int> out = paths_.path(closing.a), back = paths_.path(closing.b);
   while (out.size() > 1 && back.size() > 1 && out[out.size() - 2] == back[back.size() - 2]) {
     out.pop_back();
     back.pop_back();

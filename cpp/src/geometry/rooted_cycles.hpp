@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "geometry/annotation.hpp"
@@ -15,35 +14,48 @@ namespace graspless::geometry {
 /// those of enough roots are the shortest of every class (Horton 1987; Dey, Sun, Wang 2010).
 class RootedCycles {
  public:
+  /// An edge that closes a cycle which does not bound.
+  struct Closing {
+    double length;  // of the edge and both ways to the root [m]
+    int a, b;
+  };
+
   RootedCycles(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation);
 
-  /// Asked of every edge that closes a cycle: what it comes to with the ways to the root, and the
-  /// class. True where the cycle itself is wanted.
-  using IsWanted = std::function<bool(double length, const Annotation::Word* cls)>;
-  /// A cycle that was wanted, without the stretch that both ways share.
-  using Take = std::function<void(const Annotation::Word* cls, double length, Cycle cycle)>;
-  /// How far to look from the root [m]; asked again and again.
-  using Radius = std::function<double()>;
-
-  void from(int root, const Radius& radius, const IsWanted& is_wanted, const Take& take);
-  /// Ways avoid this vertex from now on.
-  void remove(int vertex) { paths_.remove(vertex); }
+  /// Those of at most `longest` [m] from a root, shortest first; good until the next call.
+  const std::vector<Closing>& from(int root, double longest);
+  /// Of the last root. Good until the next call.
+  const Annotation::Word* class_of(const Closing& closing);
+  /// Of the last root, without the stretch that both ways share.
+  Cycle cycle(const Closing& closing) const;
+  /// Of the last root, from it [m]; infinite beyond half of `longest`.
+  double distance(int vertex) const { return paths_.reached_distance(vertex); }
+  /// No way runs through this vertex from now on.
+  void remove(int vertex) { graph_.remove(vertex); }
 
  private:
-  void close(int vertex, const EdgeGraph::Arc& arc, const IsWanted& is_wanted, const Take& take);
-  void add_class(Annotation::Word* to, const Annotation::Word* cls) const;
-  Annotation::Word* class_of(int vertex) {
-    return classes_.data() + static_cast<std::size_t>(vertex) * words_;
-  }
-  Cycle cycle(int a, int b) const;
+  using Word = Annotation::Word;
 
-  const Complex& complex_;
-  const EdgeGraph& graph_;
+  void mark_way(int vertex);
+  /// Whether both ways to the root and the edge between their ends are a boundary together.
+  bool bounds(int a, int b, int edge) const {
+    if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)]) return *way(a) == *way(b);
+    return is_boundary(a, b, edge);
+  }
+  bool is_boundary(int a, int b, int edge) const;
+  Word* way(int vertex) { return ways_.data() + static_cast<std::size_t>(vertex) * words_; }
+  const Word* way(int vertex) const {
+    return ways_.data() + static_cast<std::size_t>(vertex) * words_;
+  }
+
   const Annotation& annotation_;
+  EdgeGraph graph_;
   ShortestPaths paths_;
   std::size_t words_;
-  std::vector<Annotation::Word> classes_;  // of the way from the root to a settled vertex
-  std::vector<Annotation::Word> sum_;
+  std::vector<char> is_zero_;  // an edge's class
+  std::vector<Word> ways_;     // classes of the ways from the root to settled vertices
+  std::vector<Word> sum_;
+  std::vector<Closing> closings_;
 };
 
 }  // namespace graspless::geometry

@@ -5,48 +5,72 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/bucket_queue.hpp"
 #include "geometry/edge_graph.hpp"
 
 namespace graspless::geometry {
 
 /// Dijkstra's shortest paths from one vertex after another, out to a radius. The arrays are used
-/// again, so that a search costs what it reaches.
+/// again, so that a search costs what it reaches. The graph must outlive it, and may lose arcs.
 class ShortestPaths {
  public:
   explicit ShortestPaths(const EdgeGraph& graph);
 
-  /// Paths avoid this vertex from now on.
-  void remove(int vertex) { is_removed_[static_cast<std::size_t>(vertex)] = 1; }
+  /// What is farther from the root than `radius` [m] is not looked at.
+  void start(int root, double radius);
+  /// The next vertex in order of distance, settled; -1 when there is none left.
+  int next();
+  /// Looks at the arcs of a vertex that next() gave, before next() is called again. Those that lead
+  /// to a settled vertex (the parent too) are handed to `meet`.
+  template <class Meet>
+  void expand(int vertex, const Meet& meet);
+  void expand(int vertex) {
+    expand(vertex, [](const EdgeGraph::Arc&) {});
+  }
 
-  void start(int root);
-  /// The next vertex in order of distance; -1 when there is none within `radius` [m].
-  int next(double radius);
-
-  bool is_settled(int vertex) const { return reached_[index(vertex)] == 2 * epoch_ + 1; }
-  double distance(int vertex) const { return distance_[index(vertex)]; }
-  int parent(int vertex) const { return parent_[index(vertex)]; }  ///< -1 at the root
-  int via(int vertex) const { return via_[index(vertex)]; }        ///< edge to the parent
+  double distance(int vertex) const { return state_[index(vertex)].distance; }
+  /// The same of any vertex: infinite where it is not settled.
+  double reached_distance(int vertex) const {
+    return state_[index(vertex)].stamp == 2 * epoch_ + 1 ? distance(vertex)
+                                                         : std::numeric_limits<double>::infinity();
+  }
+  int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 at the root
+  int via(int vertex) const { return via_[index(vertex)]; }              ///< edge to the parent
   /// From a settled vertex to the root.
   std::vector<int> path(int vertex) const;
 
  private:
-  struct Item {
+  struct State {
     double distance;
-    int vertex;
-    bool operator<(const Item& other) const {
-      return distance > other.distance || (distance == other.distance && vertex > other.vertex);
-    }
+    unsigned stamp;  // 2 epoch: seen, 2 epoch + 1: settled
+    int parent;
   };
   static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
-  void relax(int vertex);
 
   const EdgeGraph& graph_;
-  unsigned epoch_ = 0;             // of the present root
-  std::vector<unsigned> reached_;  // 2 epoch: seen, 2 epoch + 1: settled
-  std::vector<char> is_removed_;
-  std::vector<double> distance_;
-  std::vector<int> parent_, via_;
-  std::vector<Item> queue_;
+  unsigned epoch_ = 0;  // of the present root
+  double radius_ = 0;
+  std::vector<State> state_;
+  std::vector<int> via_;
+  BucketQueue queue_;
 };
+
+template <class Meet>
+void ShortestPaths::expand(int vertex, const Meet& meet) {
+  const double from = distance(vertex);
+  const unsigned seen = 2 * epoch_, settled = seen + 1;
+  for (const EdgeGraph::Arc& arc : graph_.arcs(vertex)) {
+    State& to = state_[index(arc.to)];
+    if (to.stamp == settled) {
+      meet(arc);
+      continue;
+    }
+    const double distance = from + arc.length;
+    if (distance > radius_ || (to.stamp == seen && distance >= to.distance)) continue;
+    to = {distance, seen, vertex};
+    via_[index(arc.to)] = arc.edge;
+    queue_.push(distance, arc.to);
+  }
+}
 
 }  // namespace graspless::geometry

@@ -133,6 +133,18 @@ def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None =
     return frame
 
 
+def add_segments(scene: Any, name: str, ends: Matrix, color: Color, radius: float) -> Any:
+    """Bars between pairs of points [N, 2, 3]; its `points` move them."""
+    return scene.add_arrows(
+        name,
+        ends.astype(np.float32),
+        shade(color),
+        shaft_radius=radius,
+        head_radius=radius,  # arrows whose heads are not seen
+        head_length=1e-4,
+    )
+
+
 def shade(color: Color) -> tuple[int, int, int]:
     """A colour as viser takes it, dimmed to its lights."""
     red, green, blue = (round(255 * DIM * value) for value in color)

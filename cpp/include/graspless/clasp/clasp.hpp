@@ -26,13 +26,15 @@ struct Options {
   double random_probability = 0.1;  ///< P
   int restart_cycles = 20;          ///< cycles before a tree is given up; 0: never
   // TS-CONTROL, Algorithm 4
-  double dt = 0.5;                 ///< Delta_t
-  double max_step = 0.12;          ///< LIMIT-STEP-SIZE: of any joint [rad]
-  double blend_distance = 0.03;    ///< where GAIN is a half [m]
-  double blend_slope = 120;        ///< of GAIN there [1/m]
-  double position_damping = 0.02;  ///< of the pseudo-inverses [m]
+  double dt = 0.5;                ///< Delta_t
+  double max_step = 0.12;         ///< LIMIT-STEP-SIZE: of any joint [rad]
+  double blend_distance = 0.02;   ///< where GAIN is a half [m]
+  double blend_slope = 120;       ///< of GAIN there [1/m]
+  double position_damping = 0.2;  ///< of the pseudo-inverses [m]
   double alignment_damping = 0.1;
   double linking_damping = 0.02;
+  /// How much the hand waits on its way while it is misaligned; 0: not at all, as the paper has it.
+  double patience = 20;
   double linking_weight = 0.3;   ///< of the linking in the nearest-neighbour distance [m]
   double exploring_step = 0.35;  ///< longest step of TS-EXTEND, of any joint [rad]
   int max_connect_steps = 150;   ///< control steps of one connection

@@ -58,9 +58,10 @@ def build_object(thing: model.Object, source: Source) -> clasp.Object:
     """The object of a resolved task: its loops are looked for here."""
     given = source.given("object")
     field = next((n for n in ("cloud", "mesh", "sample", "points") if n in given), "points")
+    points = np.array(thing.points, dtype=float).reshape(-1, 3)
     options = geometry.LoopOptions(**thing.loops.model_dump(exclude_none=True))
     try:
-        return clasp.Object.from_cloud(thing.name, np.array(thing.points), options)
+        return clasp.Object.from_cloud(thing.name, points, options)
     except ValueError as error:
         named = re.match(r"(?:options\.)?(\w+):? (.*)", str(error), re.DOTALL)
         if named is not None and named[1] in type(thing.loops).model_fields:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..film import spread
 from ..film_stage import FilmStage
-from ..replay import add, plain, shade
+from ..replay import add, add_segments, plain
 from . import bodies
 from .film import film, linking_at
 from .stage import Scene, camera
@@ -18,8 +18,6 @@ from .stage import Scene, camera
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.clasp import Plan
-
-WIDTH = 5.0  # of lines [pixels]
 
 
 class Stage(FilmStage):
@@ -35,8 +33,12 @@ class Stage(FilmStage):
             add(server.scene, f"/loops/{plain(body.name)}", body, X_WO)
         self._add_cloud(server.scene, X_WO)
         self._add_tree(server.scene)
-        self.curves = self._add_curves(server.scene)
-        self.last: Matrix | None = None
+        self.last = self._curve_ends(0)
+        styles = (("/curves", bodies.CURVE, 0.0035), ("/chords", bodies.CHORD, 0.0025))
+        self.curves = [
+            add_segments(server.scene, name, ends, color, radius)
+            for (name, color, radius), ends in zip(styles, self.last, strict=True)
+        ]
 
     def tell(self) -> list[str]:
         """What happens, and how far every curve is closed around the loop."""
@@ -52,9 +54,10 @@ class Stage(FilmStage):
         """Moves the robot and its finger curves to a row; what stays is not sent again."""
         super().show(row)
         ends = self._curve_ends(self.row)
-        if self.last is None or not np.array_equal(ends, self.last):
-            self.curves.points = ends
-            self.last = ends
+        for handle, now, before in zip(self.curves, ends, self.last, strict=True):
+            if not np.array_equal(now, before):
+                handle.points = now
+        self.last = ends
 
     def _add_cloud(self, scene: Any, X_WO: Matrix) -> None:
         points = np.asarray(self.plan.task.problem.object.points)
@@ -64,30 +67,22 @@ class Stage(FilmStage):
         )
 
     def _add_tree(self, scene: Any) -> None:
-        points = np.array(self.plan.tree.points, dtype=np.float32).reshape(-1, 3)
+        points = np.array(self.plan.tree.points, dtype=float).reshape(-1, 3)
         if len(points) < 2:
             return
         parents, path = np.array(self.plan.tree.parents), self.plan.tree.path
         branches = np.stack([points, points[parents]], axis=1)[1:]
-        scene.add_line_segments("/tree", branches, shade(bodies.NODE), line_width=1.0)
+        add_segments(scene, "/tree", branches, bodies.NODE, 0.0008)
         if len(path) > 1:
             way = np.stack([points[path[:-1]], points[path[1:]]], axis=1)
-            scene.add_line_segments("/path", way, shade(bodies.PATH), line_width=3.0)
+            add_segments(scene, "/path", way, bodies.PATH, 0.0025)
 
-    def _add_curves(self, scene: Any) -> Any:
-        """Finger curves and their chords; the last segment of each is the chord."""
-        ends = self._curve_ends(0)
-        colors = np.tile(np.array(shade(bodies.CURVE), dtype=np.uint8), (len(ends), 2, 1))
-        colors[self._chords()] = shade(bodies.CHORD)
-        return scene.add_line_segments("/curves", ends, colors, line_width=WIDTH)
-
-    def _chords(self) -> list[int]:
-        hand = self.plan.task.problem.hand
-        counts = [len(finger.nodes) + len(hand.thumb.nodes) for finger in hand.fingers]
-        return [int(end) - 1 for end in np.cumsum(counts)]
-
-    def _curve_ends(self, row: int) -> Matrix:
-        """[S, 2, 3] segments of all closed curves in the world."""
+    def _curve_ends(self, row: int) -> list[Matrix]:
+        """[S, 2, 3] segments of all finger curves, and of all chords, in the world."""
         curves = bodies.finger_curves(self.plan.task, self.shown.link_poses[row])
-        closed = [np.stack([curve, np.roll(curve, -1, axis=0)], axis=1) for curve in curves]
-        return np.round(np.concatenate(closed), 5).astype(np.float32)
+        along = [np.stack([curve[:-1], curve[1:]], axis=1) for curve in curves]
+        chords = [curve[[0, -1]] for curve in curves]
+        return [
+            np.round(ends, 5).astype(np.float32)
+            for ends in (np.concatenate(along), np.stack(chords))
+        ]
