@@ -13,6 +13,7 @@ void bind_mechanics(py::module_ m);
 void bind_planning(py::module_ m);
 void bind_slide(py::module_ m);
 void bind_fingertip(py::module_ m);
+void bind_clasp(py::module_ m);
 void bind_bench(py::module_ m);
 }  // namespace graspless::bindings
 
@@ -20,7 +21,9 @@ void bind_bench(py::module_ m);
 PYBIND11_MODULE(_core, m) {
   using namespace graspless::bindings;
   m.doc() = "The C++ core of graspless. Import its rooms from `graspless`, not from here.";
-  bind_geometry(m.def_submodule("geometry", "Shapes, supports and outlines. Lengths in metres."));
+  bind_geometry(m.def_submodule("geometry",
+                                "Shapes, supports, outlines, and the loops through the holes of a "
+                                "cloud. Lengths in metres."));
   bind_robot(m.def_submodule("robot", "Robots read from URDF, and their inverse kinematics."));
   bind_collision(m.def_submodule("collision", "Bodies at poses, and which of them touch."));
   bind_scene(m.def_submodule("scene", "A robot among bodies."));
@@ -31,5 +34,7 @@ PYBIND11_MODULE(_core, m) {
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
   bind_fingertip(m.def_submodule(
       "fingertip", "Push, slide and tumble an object with bare fingertips (Maeda, Arai)."));
+  bind_clasp(m.def_submodule(
+      "clasp", "Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic)."));
   bind_bench(m.def_submodule("bench", "What the planners are measured against."));
 }

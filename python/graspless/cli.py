@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: graspless plan, check, view, example, bench."""
+"""The command line: graspless plan, check, view, loops, example, bench."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
+from ._loops import add_parser as _add_loops
 from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
 
@@ -92,6 +93,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_plan(commands)
     _add_check(commands)
     _add_view(commands)
+    _add_loops(commands)
     _add_example(commands)
     _add_bench(commands)
     return parser
@@ -119,7 +121,8 @@ def _add_plan(commands: Any) -> None:
     parser.add_argument(
         "--search",
         choices=["dijkstra", "paper", "fast"],
-        help="dijkstra (fingertip tasks), as published, or the faster one, the default",
+        help="dijkstra (fingertip tasks), as published, or the faster one, the default; "
+        "clasp tasks have one search",
     )
     parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
     _add_pictures(parser)
@@ -196,7 +199,7 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
 
     flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
     if options.search is not None and options.search not in (choices := searches(task.kind)):
-        shown = ", ".join(choices)
+        shown = ", ".join(choices) or "it has one alone"
         raise TaskError(f"--search: {options.search}: no such search of {task.kind} ({shown})")
     try:
         return task.with_changes(search=options.search, **flags)

@@ -12,7 +12,7 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-KINDS = ("slide", "fingertip")
+KINDS = ("slide", "fingertip", "clasp")
 
 
 def part(room: str, kind: str) -> Any:

@@ -18,7 +18,7 @@ def builtin(name: str) -> Path:
     Parameters
     ----------
     name : str
-        wam_t42 or kr5_t42.
+        wam_t42, wam_t42_tips, kr5_t42, kr5_sdh, kr5_dlr, kr5_icub or kr5_armar.
 
     Raises
     ------

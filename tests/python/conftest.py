@@ -13,6 +13,18 @@ from graspless.slide import Hand, Object, Problem, Support
 ROOT = pathlib.Path(__file__).parents[2]
 
 
+@pytest.fixture
+def write(tmp_path):
+    """Writes a task file and returns its path."""
+
+    def write(text, name="task.yaml"):
+        path = tmp_path / name
+        path.write_text(text)
+        return path
+
+    return write
+
+
 @pytest.fixture(scope="session")
 def wam():
     return Robot.from_urdf_file(str(ROOT / "urdf" / "wam_t42.urdf"))

@@ -1,6 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A task that is good, as text, for tests that break it."""
+"""What tests of all kinds of tasks share: a good task as text, and ways to break and run it."""
+
+import base64
+import json
+import re
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import TaskError, cli
 
 GOOD = """\
 kind: slide
@@ -23,3 +33,70 @@ def changed(old: str, new: str, text: str = GOOD) -> str:
     """The good task with one part replaced; the part must be there once."""
     assert text.count(old) == 1, old
     return text.replace(old, new)
+
+
+def fault(path):
+    """The message of a task that must not be read, without its folder."""
+    with pytest.raises(TaskError) as caught:
+        graspless.load_task(path)
+    assert isinstance(caught.value, ValueError)
+    return str(caught.value).replace(f"{path.parent}/", "")
+
+
+def run(capsys, *arguments):
+    """Exit code, stdout and stderr of one command."""
+    try:
+        code = cli.main(list(arguments))
+    except SystemExit as stopped:
+        code = stopped.code
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def reread(document, path):
+    """The plan of a document that was written to a file."""
+    path.write_text(json.dumps(document))
+    return graspless.load_plan(path)
+
+
+def without_clock(plan):
+    """What stands in a plan's file, but for how long it took."""
+    document = json.loads(plan.to_json())
+    stats = document["stats"].items()
+    document["stats"] = {name: value for name, value in stats if not name.endswith("seconds")}
+    return document
+
+
+def pixels(picture, color, tolerance=0.06):
+    """Places of pixels near a colour, whatever its brightness."""
+    rgb = picture[..., :3]
+    shade = rgb / np.maximum(rgb.max(axis=2, keepdims=True), 1e-6)
+    near = np.abs(shade - np.array(color) / max(color)).max(axis=2) < tolerance
+    return np.argwhere(near & (rgb.max(axis=2) > 0.3))
+
+
+def read_png(path):
+    """The picture in a file, [height, width, 4]."""
+    from matplotlib.image import imread
+
+    return imread(path)
+
+
+def recording(text):
+    """What a replay's page holds: its messages and how long it lasts."""
+    import msgspec
+    import zstandard
+
+    data = re.search(r'__VISER_EMBED_DATA__="([^"]+)"', text)[1]
+    inner = zstandard.ZstdDecompressor().decompressobj().decompress(base64.b64decode(data)[8:])
+    length = int.from_bytes(inner[:8], "little")
+    return msgspec.msgpack.decode(inner[8 : 8 + length])
+
+
+def last_positions(messages):
+    """Where each moving frame of a replay ends."""
+    return {
+        message["name"]: message["position"]
+        for _, message in messages
+        if message["type"] == "SetPositionMessage"
+    }

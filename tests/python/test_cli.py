@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import cli, report
-from tasks_common import GOOD, changed
+from graspless import report
+from tasks_common import GOOD, changed, run
 
 
 @pytest.fixture
@@ -26,16 +26,6 @@ def task(tmp_path, monkeypatch):
     path = tmp_path / "task.yaml"
     path.write_text(GOOD)
     return path
-
-
-def run(capsys, *arguments):
-    """Exit code, stdout and stderr of one command."""
-    try:
-        code = cli.main(list(arguments))
-    except SystemExit as stopped:
-        code = stopped.code
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
 
 
 def test_plan_and_check(task, capsys):

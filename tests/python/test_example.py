@@ -49,7 +49,13 @@ def test_cloud_is_what_its_script_makes(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "found"),
-    [(None, TASKS[0]), ("slide", "01_slide_card"), ("04", "04_clutter"), ("02_kr5", "02_kr5")],
+    [
+        (None, TASKS[0]),
+        ("slide", "01_slide_card"),
+        ("04", "04_clutter"),
+        ("02_kr5", "02_kr5"),
+        ("clasp", "13_clasp_purse"),
+    ],
 )
 def test_found_by_a_part_of_its_name(name, found):
     assert _examples.find(name).stem == found

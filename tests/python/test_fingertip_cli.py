@@ -12,8 +12,7 @@ import time
 import pytest
 
 from fingertip_common import PUSH, changed
-from graspless import cli
-from tasks_common import GOOD
+from tasks_common import GOOD, run
 
 
 @pytest.fixture
@@ -22,16 +21,6 @@ def task(tmp_path, monkeypatch):
     path = tmp_path / "task.yaml"
     path.write_text(PUSH)
     return path
-
-
-def run(capsys, *arguments):
-    """Exit code, stdout and stderr of one command."""
-    try:
-        code = cli.main(list(arguments))
-    except SystemExit as stopped:
-        code = stopped.code
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
 
 
 def test_plan_check_and_view(task, capsys):

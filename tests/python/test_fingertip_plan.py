@@ -14,6 +14,7 @@ from fingertip_common import PUSH, TUMBLE, changed
 from graspless import TaskError, fingertip, planning, report
 from graspless.plans.fingertip_model import FingertipPlanFile
 from graspless.tasks import read_task
+from tasks_common import reread, without_clock
 
 
 @pytest.fixture(scope="module")
@@ -37,11 +38,6 @@ def document(tumble):
 
 # Where the fingers press at first, and the block never comes.
 OBSTACLE = {"name": "lamp", "box": [0.1, 0.1, 0.02], "pose": {"position": [0.0, 0.0, 0.126]}}
-
-
-def reread(document, path):
-    path.write_text(json.dumps(document))
-    return graspless.load_plan(path)
 
 
 def test_pushing_and_tumbling_hold(push, tumble):
@@ -102,11 +98,6 @@ def test_plan_holds_after_its_file(tumble, tmp_path):
 
 
 def test_same_seed_gives_the_same_file(push):
-    def without_clock(plan):
-        document = json.loads(plan.to_json())
-        del document["stats"]["seconds"]
-        return document
-
     assert without_clock(graspless.plan(push.task)) == without_clock(push)
 
 

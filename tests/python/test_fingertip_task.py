@@ -10,8 +10,9 @@ import pytest
 
 import graspless
 from fingertip_common import PUSH, TUMBLE, changed
-from graspless import TaskError, fingertip, frames
+from graspless import fingertip, frames
 from graspless.tasks.fingertip.motions import angle_to_next_face, edge
+from tasks_common import fault
 
 BOX = "box: [0.05, 0.10, 0.05]"
 SLIDE = "slide: {translation: [0.05, 0, 0], segments: 6}"
@@ -19,23 +20,6 @@ TETRAHEDRON = (
     "vertices: [[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]]\n"
     "  triangles: [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]"
 )
-
-
-@pytest.fixture
-def write(tmp_path):
-    def write(text, name="task.yaml"):
-        path = tmp_path / name
-        path.write_text(text)
-        return path
-
-    return write
-
-
-def fault(path):
-    """The message of a task that must not be read, without its folder."""
-    with pytest.raises(TaskError) as caught:
-        graspless.load_task(path)
-    return str(caught.value).replace(f"{path.parent}/", "")
 
 
 def test_reads_a_task(write):

@@ -2,15 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and replays of fingertip plans: that what they shall show is on them."""
 
-import base64
-import re
-
 import numpy as np
 import pytest
 
 import graspless
 from fingertip_common import TUMBLE, changed
 from graspless.tasks import read_task
+from tasks_common import last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
 pytest.importorskip("viser")
@@ -34,19 +32,9 @@ def plan():
 
 @pytest.fixture(scope="module")
 def picture(plan, tmp_path_factory):
-    from matplotlib.image import imread
-
     path = tmp_path_factory.mktemp("png") / "a.png"
     view.write_png(plan, path)
-    return imread(path)
-
-
-def pixels(picture, color, tolerance=0.06):
-    """Places of pixels near a colour, whatever its brightness."""
-    rgb = picture[..., :3]
-    shade = rgb / np.maximum(rgb.max(axis=2, keepdims=True), 1e-6)
-    near = np.abs(shade - np.array(color) / max(color)).max(axis=2) < tolerance
-    return np.argwhere(near & (rgb.max(axis=2) > 0.3))
+    return read_png(path)
 
 
 def test_picture_shows_object_fingers_forces_floor_and_walls(picture):
@@ -143,35 +131,24 @@ def test_film_goes_round_the_object(plan):
 
 
 def test_replay_shows_fingers_forces_and_walls(plan, tmp_path):
-    import msgspec
-    import zstandard
-
     view.write_html(plan, tmp_path / "a.html")
     text = (tmp_path / "a.html").read_text()
     assert len(text) < 2_000_000
     assert "<title>graspless: block, solved</title>" in text
-    data = re.search(r'__VISER_EMBED_DATA__="([^"]+)"', text)[1]
-    inner = zstandard.ZstdDecompressor().decompressobj().decompress(base64.b64decode(data)[8:])
-    length = int.from_bytes(inner[:8], "little")
-    messages = msgspec.msgpack.decode(inner[8 : 8 + length])["messages"]
+    messages = recording(text)["messages"]
     named = {message["name"] for _, message in messages if "name" in message}
     assert {"/object", "/floor", "/walls/behind", "/walls/beside", "/forces"} <= named
     assert {"/fingers/1/position", "/fingers/1/force", "/fingers/2/free"} <= named
-    last = {}
-    for _, message in messages:
-        if message["type"] == "SetPositionMessage":
-            last[message["name"]] = message["position"]
+    last = last_positions(messages)
     goal = moments(plan)[-1]
     np.testing.assert_allclose(last["/object"], goal.X_WO[:3, 3], atol=2e-6)
     np.testing.assert_allclose(last["/fingers/1"], goal.centers_W[0], atol=2e-6)
 
 
 def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):
-    from matplotlib.image import imread
-
     failed = graspless.plan(plan.task, seconds=1e-6)
     assert not failed
     assert not failed.segments
     view.write_png(failed, tmp_path / "a.png")
-    assert len(pixels(imread(tmp_path / "a.png"), OBJECT)) > 300
+    assert len(pixels(read_png(tmp_path / "a.png"), OBJECT)) > 300
     view.write_html(failed, tmp_path / "a.html")

@@ -19,28 +19,10 @@ from graspless.tasks import task_from_dict
 from graspless.tasks.clouds import read_cloud
 from graspless.tasks.slide import model
 from graspless.tasks.source import parse_yaml
-from tasks_common import GOOD, changed
+from tasks_common import GOOD, changed, fault
 
 CARD = "rectangle: {size: [0.10, 0.08]}"
 TABLE = "rectangle: {center: [0.65, 0.0], size: [0.7, 0.7]}"
-
-
-@pytest.fixture
-def write(tmp_path):
-    def write(text, name="task.yaml"):
-        path = tmp_path / name
-        path.write_text(text)
-        return path
-
-    return write
-
-
-def fault(path):
-    """The message of a task that must not be read, without its folder."""
-    with pytest.raises(TaskError) as caught:
-        graspless.load_task(path)
-    assert isinstance(caught.value, ValueError)
-    return str(caught.value).replace(f"{path.parent}/", "")
 
 
 def test_reads_a_task(write):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and replays: that something is on them, and that a replay needs nothing else."""
 
-import base64
 import dataclasses
 import re
 import shutil
@@ -17,13 +16,14 @@ import pytest
 
 import graspless
 from graspless import TaskError, frames
-from tasks_common import changed
+from tasks_common import changed, last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
 pytest.importorskip("viser")
 
 from graspless import view  # noqa: E402
 from graspless.view import bodies, raster, visuals  # noqa: E402
+from graspless.view.film import spread  # noqa: E402
 from graspless.view.slide import bodies as slide_bodies  # noqa: E402
 from graspless.view.slide import stage  # noqa: E402
 from graspless.view.slide.film import film  # noqa: E402
@@ -52,28 +52,13 @@ def html(plan, tmp_path_factory):
     return path
 
 
-def read_png(path):
-    from matplotlib.image import imread
-
-    return imread(path)
-
-
-def has_color(picture, color, tolerance=0.06):
-    """How many pixels are near a colour, whatever its brightness."""
-    rgb = picture[..., :3]
-    shade = rgb / np.maximum(rgb.max(axis=2, keepdims=True), 1e-6)
-    wanted = np.array(color) / max(color)
-    near = np.abs(shade - wanted).max(axis=2) < tolerance
-    return int(np.count_nonzero(near & (rgb.max(axis=2) > 0.3)))
-
-
 def test_picture_shows_robot_table_object_trail_and_obstacles(plan, tmp_path):
     view.write_png(plan, tmp_path / "a.png")
     picture = read_png(tmp_path / "a.png")
     assert picture.shape[0] > 500
     assert picture.shape[1] > 1000
     for color in (bodies.TABLE, bodies.OBJECT, bodies.TRAIL, bodies.OBSTACLE):
-        assert has_color(picture, color) > 300, color
+        assert len(pixels(picture, color)) > 300, color
     panels = picture[:, picture.shape[1] // 2 :]
     assert np.count_nonzero(panels[..., :3].min(axis=2) < 0.95) > 0.1 * panels[..., 0].size
 
@@ -83,7 +68,7 @@ def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):
     assert not failed
     view.write_png(failed, tmp_path / "a.png")
     view.write_html(failed, tmp_path / "a.html")
-    assert has_color(read_png(tmp_path / "a.png"), bodies.OBJECT) > 300
+    assert len(pixels(read_png(tmp_path / "a.png"), bodies.OBJECT)) > 300
 
 
 def test_replay_is_small_and_whole(html):
@@ -99,22 +84,13 @@ def test_replay_is_small_and_whole(html):
 
 
 def test_replay_moves_every_body(plan, html):
-    import msgspec
-    import zstandard
-
-    data = re.search(r'__VISER_EMBED_DATA__="([^"]+)"', html.read_text())[1]
-    inner = zstandard.ZstdDecompressor().decompressobj().decompress(base64.b64decode(data)[8:])
-    length = int.from_bytes(inner[:8], "little")
-    recording = msgspec.msgpack.decode(inner[8 : 8 + length])
+    recorded = recording(html.read_text())
     shown = film(plan)
-    assert recording["durationSeconds"] == pytest.approx(shown.times[-1] + 1.5, abs=0.1)
-    messages = recording["messages"]
+    assert recorded["durationSeconds"] == pytest.approx(shown.times[-1] + 1.5, abs=0.1)
+    messages = recorded["messages"]
     named = {message["name"] for _, message in messages if "name" in message}
     assert {"/table", "/object", "/fingertip", "/obstacles/mug", "/obstacles/a_b"} <= named
-    last = {}
-    for _, message in messages:
-        if message["type"] == "SetPositionMessage":
-            last[message["name"]] = message["position"]
+    last = last_positions(messages)
     X_WO = shown.object_poses[-1]
     np.testing.assert_allclose(last["/object"], X_WO[:3, 3], atol=2e-6)
     robot = plan.task.problem.robot
@@ -154,7 +130,7 @@ def test_film_passes_every_row_in_time(plan):
 
 
 def test_every_link_of_the_robot_has_its_shapes(plan):
-    found = {body.name: body.parts for body in slide_bodies.robot(plan.task)}
+    found = {body.name: body.parts for body in bodies.robot(plan.task)}
     for index, _ in plan.task.problem.robot.shapes:
         assert found[plan.task.problem.robot.frame_names[index]]
 
@@ -164,7 +140,7 @@ def test_prisms_and_shapes_face_outward(plan):
 
     task = plan.task
     parts = slide_bodies.object_body(task).parts + slide_bodies.table_body(task).parts
-    parts += [part for body, _ in slide_bodies.obstacles(task) for part in body.parts]
+    parts += [part for body, _ in bodies.obstacles(task) for part in body.parts]
     for part in parts:
         mesh = trimesh.Trimesh(part.vertices, part.triangles)
         assert mesh.volume > 0
@@ -179,9 +155,7 @@ def test_robot_without_visuals_is_drawn_by_its_collision_shapes(plan, tmp_path):
         shutil.copy(directory("urdf") / f"wam_t42{suffix}", tmp_path / f"bare{suffix}")
     (tmp_path / "task.yaml").write_text(changed("wam_t42", "bare.urdf"))
     task = graspless.load_task(tmp_path / "task.yaml")
-    assert sum(len(body.parts) for body in slide_bodies.robot(task)) == len(
-        task.problem.robot.shapes
-    )
+    assert sum(len(body.parts) for body in bodies.robot(task)) == len(task.problem.robot.shapes)
 
 
 @pytest.mark.parametrize(
@@ -205,7 +179,7 @@ def test_visual_mesh_that_cannot_be_read_is_warned_of_once(plan, tmp_path, mesh,
     task = dataclasses.replace(plan.task, fields=fields)
     visuals._warned.clear()
     with pytest.warns(UserWarning, match=re.escape(why)) as caught:
-        found = [slide_bodies.robot(task) for _ in range(2)][0]
+        found = [bodies.robot(task) for _ in range(2)][0]
     assert len(caught) == 1
     assert "\n" not in str(caught[0].message)
     name = str(caught[0].message).partition(":")[0]
@@ -262,9 +236,9 @@ def test_camera_fits_every_point():
 
 def test_camera_of_a_replay_sees_every_pose_of_the_robot(plan):
     shown = film(plan)
-    camera = stage.camera(shown, 4, 3, stage.spread(shown))
-    assert stage.spread(shown)[-1] == len(shown.times) - 1
-    robot = slide_bodies.robot(plan.task)
+    camera = stage.camera(shown, 4, 3, spread(shown))
+    assert spread(shown)[-1] == len(shown.times) - 1
+    robot = bodies.robot(plan.task)
     for row in range(len(shown.times)):
         for body, X_WB in zip(robot, shown.link_poses[row], strict=True):
             for part in body.parts:

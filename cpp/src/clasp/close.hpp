@@ -16,7 +16,7 @@ namespace graspless::clasp {
 /// each, until none can move on without touching anything. The rows from q on, at most 0.05 rad
 /// apart, every one free; the last is where one more step of any joint would touch or leave the
 /// limits.
-std::vector<Eigen::VectorXd> close_hand(FreeSpace& space, const robot::Robot& robot,
-                                        const Hand& hand, const Eigen::VectorXd& q);
+GRASPLESS_API std::vector<Eigen::VectorXd> close_hand(FreeSpace& space, const robot::Robot& robot,
+                                                      const Hand& hand, const Eigen::VectorXd& q);
 
 }  // namespace graspless::clasp

@@ -51,11 +51,14 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
   const double fade = 1 / (1 + std::pow(options_.blend_distance / tasks_.target_distance(), 2));
   alignment_.u[1] *= fade;
   alignment_.J.row(1) *= fade;
+  if (options_.attract) tasks_.attract(linking_.u, linking_.J);
   position_.J.array().rowwise() *= arm_gains_.array();
   alignment_.J.array().rowwise() *= arm_gains_.array();
   linking_.J.array().rowwise() *= hand_gains_.array();
   blend_ = gain(position_.u.norm());  // 12
-  solve();                            // 10, 11, 13, 14
+  const double misalignment = alignment_.u.maxCoeff();
+  position_.u /= 1 + options_.patience * misalignment * misalignment;
+  solve();  // 10, 11, 13, 14
   for (int round = 1; round < kMostRounds && leave_out_blocked(q); ++round) solve();
   q_dot_ *= options_.dt;  // 15
   const double longest = q_dot_.cwiseAbs().maxCoeff();

@@ -15,8 +15,9 @@ namespace graspless::clasp {
 /// Read as follows: M_arm and M_hand let the arm do what position and alignment ask and the hand
 /// what the linking asks, before the pseudo-inverses, so that no part of a motion is asked of a
 /// joint that will not do it. Pseudo-inverses are damped. A curve that is not linked asks nothing.
-/// The direction to the target counts less the nearer the target is. A joint that would leave its
-/// limits is left out and the others asked anew.
+/// The direction to the target counts less the nearer the target is. The hand waits on its way
+/// while it is misaligned (Options::patience). A joint that would leave its limits is left out and
+/// the others asked anew.
 class Controller {
  public:
   /// `tasks` must outlive the controller.

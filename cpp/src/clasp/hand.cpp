@@ -47,16 +47,18 @@ void check_groups(const Hand& hand, const robot::Robot& robot) {
   }
 }
 
-/// Whether moving any joint of the group alone moves the point, at the open state.
-bool moves(const Hand& hand, const robot::Robot& robot, const std::string& group,
-           const CurveNode& node) {
-  const int frame = robot.frame(node.link);
-  const Eigen::VectorXd q = robot.state(hand.open);
-  const Vector3d p_W = robot.pose(frame, q) * node.p_L;
-  for (const int joint : robot.group(group)) {
-    Eigen::VectorXd moved = q;
+Vector3d place(const robot::Robot& robot, const CurveNode& node, const Eigen::VectorXd& q) {
+  return robot.pose(robot.frame(node.link), q) * node.p_L;
+}
+
+/// Whether a joint of the hand, moved alone from the open state, changes what `measure` says.
+template <typename Measure>
+bool hand_changes(const Hand& hand, const robot::Robot& robot, Measure measure) {
+  const Eigen::VectorXd open = robot.state(hand.open);
+  for (const int joint : robot.group(hand.hand)) {
+    Eigen::VectorXd moved = open;
     moved[joint] += 0.1;
-    if ((robot.pose(frame, moved) * node.p_L - p_W).norm() > 1e-6) return true;
+    if ((measure(moved) - measure(open)).norm() > 1e-6) return true;
   }
   return false;
 }
@@ -115,22 +117,21 @@ void check_nodes(const std::string& field, const Finger& finger, const robot::Ro
 /// No two corners that follow each other on a curve may coincide while the hand is open.
 void check_curve(const Hand& hand, const robot::Robot& robot, const std::string& field,
                  const Finger& finger) {
-  robot::Poses X_WL;
-  robot.forward(robot.state(hand.open), X_WL);
-  std::vector<CurveNode> curve(finger.nodes.rbegin(), finger.nodes.rend());
-  curve.insert(curve.end(), hand.thumb.nodes.begin(), hand.thumb.nodes.end());
-  const auto p_W = [&](const CurveNode& node) -> Vector3d {
-    return X_WL[static_cast<std::size_t>(robot.frame(node.link))] * node.p_L;
-  };
+  const Eigen::VectorXd open = robot.state(hand.open);
+  std::vector<Vector3d> corners_W;
+  for (auto node = finger.nodes.rbegin(); node != finger.nodes.rend(); ++node) {
+    corners_W.push_back(place(robot, *node, open));
+  }
+  for (const CurveNode& node : hand.thumb.nodes) corners_W.push_back(place(robot, node, open));
   const auto refuse = [&](std::size_t a, std::size_t b) {
     throw std::invalid_argument(
         field + ": corners " + std::to_string(a) + " and " + std::to_string(b) +
         " of the curve from its tip to the thumb's coincide at the state '" + hand.open + "'");
   };
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    if ((p_W(curve[i]) - p_W(curve[i - 1])).norm() < kShortest) refuse(i - 1, i);
+  for (std::size_t i = 1; i < corners_W.size(); ++i) {
+    if ((corners_W[i] - corners_W[i - 1]).norm() < kShortest) refuse(i - 1, i);
   }
-  if ((p_W(curve.back()) - p_W(curve.front())).norm() < kShortest) refuse(0, curve.size() - 1);
+  if ((corners_W.back() - corners_W.front()).norm() < kShortest) refuse(0, corners_W.size() - 1);
 }
 
 void check_names(const Hand& hand) {
@@ -141,12 +142,26 @@ void check_names(const Hand& hand) {
   }
 }
 
-/// At least one of the two ends of a curve must move when the hand closes.
 void check_tip(const Hand& hand, const robot::Robot& robot, const std::string& field,
                const Finger& finger) {
-  if (moves(hand, robot, hand.hand, finger.nodes.back())) return;
-  throw std::invalid_argument(field + ": its tip, on link '" + finger.nodes.back().link +
+  const CurveNode& tip = finger.nodes.back();
+  if (hand_changes(hand, robot, [&](const auto& q) { return place(robot, tip, q); })) return;
+  throw std::invalid_argument(field + ": its tip, on link '" + tip.link +
                               "', is moved by no joint of the group '" + hand.hand + "'");
+}
+
+/// Finger and thumb must meet in the palm, where no joint of the hand parts them.
+void check_meeting(const Hand& hand, const robot::Robot& robot, const std::string& field,
+                   const Finger& finger) {
+  const CurveNode &first = finger.nodes.front(), &thumbs = hand.thumb.nodes.front();
+  const auto distance = [&](const Eigen::VectorXd& q) {
+    return Eigen::Matrix<double, 1, 1>((place(robot, first, q) - place(robot, thumbs, q)).norm());
+  };
+  if (!hand_changes(hand, robot, distance)) return;
+  throw std::invalid_argument(field + " does not meet the thumb: joints of the group '" +
+                              hand.hand + "' move its first node, on link '" + first.link +
+                              "', against the thumb's, on link '" + thumbs.link +
+                              "'; nodes run from the palm to the tip");
 }
 
 }  // namespace
@@ -165,6 +180,7 @@ void validate(const Hand& hand, const robot::Robot& robot) {
     const std::string field = "hand.fingers." + finger.name;
     check_nodes(field, finger, robot);
     check_tip(hand, robot, field, finger);
+    check_meeting(hand, robot, field, finger);
     check_curve(hand, robot, field, finger);
   }
 }

@@ -12,7 +12,7 @@
 namespace graspless::clasp {
 
 /// Where the hand's curves are at a configuration, and how they move. Not shared between threads.
-class HandKinematics {
+class GRASPLESS_API HandKinematics {
  public:
   using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "graspless/clasp/clasp.hpp"
 
 /// What the options leave open, derived from hand and object (the paper's future work).
@@ -11,10 +13,19 @@ namespace graspless::clasp {
 /// a bar of this thickness [m] that lies along sideways in its middle.
 double reachable_linking(const robot::Robot& robot, const Hand& hand, double thickness);
 
-/// The options with every zero replaced, for one loop.
-Options derived(const Options& options, const Problem& problem, int loop);
+/// The same at the open state: how far the hand is closed when the loop has just slipped in.
+double open_linking(const robot::Robot& robot, const Hand& hand);
 
 /// Half the extent of the hand's curves along sideways, at the open state [m].
 double half_width(const robot::Robot& robot, const Hand& hand);
+
+/// How thick the fingers are about their curves: half the width of the thickest tip [m].
+double finger_radius(const robot::Robot& robot, const Hand& hand);
+
+/// The options with every zero replaced, for one loop.
+Options derived(const Options& options, const Problem& problem, int loop);
+
+/// n of the first tree, the second, ...; the last for all further ones.
+std::vector<int> pre_expansion_schedule(const Options& options);
 
 }  // namespace graspless::clasp

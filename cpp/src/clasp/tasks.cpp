@@ -138,4 +138,19 @@ void Tasks::linking_jacobian(Matrix& J) const {
   }
 }
 
+/// The integral changes with the curve's ends only: the loop's field has no curl.
+void Tasks::attract(Eigen::VectorXd& u, Matrix& J) const {
+  for (int i = 0; i < kinematics_.num_curves(); ++i) {
+    const Curve& curve = curves_[static_cast<std::size_t>(i)];
+    if (curve.linking_number != 0) continue;
+    const double integral = loop_W_.gauss_linking(curve.points, false);
+    const double sign = integral < 0 ? -1 : 1;
+    u[i] = 1 - std::min(1.0, std::abs(integral));
+    J.row(i).setZero();
+    const int first = kinematics_.curve(i).front(), last = kinematics_.curve(i).back();
+    kinematics_.add_row(last, sign * loop_W_.field(kinematics_.nodes().col(last)), J.row(i));
+    kinematics_.add_row(first, -sign * loop_W_.field(kinematics_.nodes().col(first)), J.row(i));
+  }
+}
+
 }  // namespace graspless::clasp

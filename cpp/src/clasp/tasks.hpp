@@ -50,6 +50,9 @@ class Tasks {
   /// curves x dof; the linking number is constant but where curves cross, so that rows of curves
   /// that are not linked are zero.
   void linking_jacobian(Matrix& J) const;
+  /// For curves that are not linked, the open curve's Gauss integral in place of the virtual
+  /// linking: replaces their entries of u by 1 - |integral|, their rows of J by its derivative.
+  void attract(Eigen::VectorXd& u, Matrix& J) const;
 
  private:
   struct Curve {

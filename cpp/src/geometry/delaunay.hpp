@@ -17,13 +17,14 @@ struct Delaunay {
     std::array<int, 3> vertices;  // ascending
     std::array<int, 2> regions;
   };
-  int dimension = 0;  ///< of the points' span; less than 3 leaves no facets
+  int dimension = 0;  ///< of the points' span; less than 3: no facets
   int num_vertices = 0;
   int num_regions = 0;
   std::vector<Facet> facets;
 };
 
-/// Of distinct points: of equal ones the first counts. Points must be finite.
+/// Of equal points the first counts. Points must be finite. They are moved by up to 1e-9 of their
+/// extent (see the source); planar points may therefore seem to span a volume.
 Delaunay delaunay(const Eigen::Matrix3Xd& points);
 
 }  // namespace graspless::geometry

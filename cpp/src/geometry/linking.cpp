@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "geometry/linking_kernels.hpp"
 
 namespace graspless::geometry {
@@ -52,26 +54,47 @@ kernels::Curve curve_of(const Matrix3Xd& corners, bool is_closed) {
   return {corners, static_cast<int>(corners.cols()) - (is_closed ? 0 : 1)};
 }
 
-/// By the fan from the curve's first corner; where that is in doubt, from others beside it. Where
-/// the curves touch every apex leaves doubt: then the integral decides, which leaves out what
-/// touches, rounded towards zero from the middle.
-int count_crossings(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
+/// In a fan from beside the curve; where a test is in doubt, from another place. Where the curves
+/// touch every apex leaves doubt: then the integral decides, which leaves out what touches, rounded
+/// towards zero from the middle.
+int count_with_care(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
   constexpr int kApexes = 5;
   const kernels::Curve closed = curve_of(curve, true);
-  bool is_sure = false;
-  int number = kernels::signed_crossings(line, closed, scale, scale * curve.col(0), is_sure);
-  if (is_sure) return number;
   const Vector3d middle = scale * curve.rowwise().mean();
   const double size = ((scale * curve).colwise() - middle).cwiseAbs().maxCoeff();
   for (int k = 1; k <= kApexes; ++k) {
     // no symmetry of a curve that people draw
     const Vector3d aside(std::cos(1.7 * k), std::sin(2.9 * k), std::cos(4.3 * k + 1));
-    number = kernels::signed_crossings(line, closed, scale, middle + 0.37 * size * aside, is_sure);
+    const Vector3d apex = middle + 0.37 * size * aside;
+    bool is_sure = true;
+    const int number = kernels::signed_crossings(line, closed, scale, apex, is_sure);
     if (is_sure) return number;
   }
   const double integral = kernels::gauss_integral(line, closed, scale);
-  const double size_of_integral = std::ceil(std::max(0.0, std::abs(integral) - 0.5 - 1e-6));
-  return static_cast<int>(std::copysign(size_of_integral, integral));
+  const double rounded = std::ceil(std::max(0.0, std::abs(integral) - 0.5 - 1e-6));
+  return static_cast<int>(std::copysign(rounded, integral));
+}
+
+/// In the fan from the curve's first corner, which is cheapest.
+int count_crossings(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
+  bool is_sure = true;
+  const int number =
+      kernels::signed_crossings(line, curve_of(curve, true), scale, scale * curve.col(0), is_sure);
+  return is_sure ? number : count_with_care(line, curve, scale);
+}
+
+/// Segments of a prepared loop that share a box.
+constexpr int kBoxed = 8;
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> boxes_along(const Corners& corners) {
+  const Eigen::Index segments = corners.rows() - 1;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes(6, (segments + kBoxed - 1) / kBoxed);
+  for (Eigen::Index b = 0; b < boxes.cols(); ++b) {
+    const auto part =
+        corners.middleRows(b * kBoxed, std::min<Eigen::Index>(kBoxed, segments - b * kBoxed) + 1);
+    boxes.col(b) << part.colwise().minCoeff().transpose(), part.colwise().maxCoeff().transpose();
+  }
+  return boxes;
 }
 
 }  // namespace
@@ -97,8 +120,7 @@ PreparedLoop::PreparedLoop(const Matrix3Xd& loop) : points_(loop) {
   check(loop, "loop", true);
   corners_ = by_coordinate(loop, true);
   reach_ = reach(loop);
-  low_ = loop.rowwise().minCoeff();
-  high_ = loop.rowwise().maxCoeff();
+  boxes_ = boxes_along(corners_);
 }
 
 double PreparedLoop::gauss_linking(const Matrix3Xd& curve, bool is_closed) const {
@@ -107,13 +129,45 @@ double PreparedLoop::gauss_linking(const Matrix3Xd& curve, bool is_closed) const
                                  scale_for(std::max(reach_, reach(curve))));
 }
 
+/// The fan from a corner of the curve lies within the curve's box: only segments that come near
+/// that can run through it.
 int PreparedLoop::linking_number(const Matrix3Xd& closed_curve) const {
   check(closed_curve, "curve", true);
-  const bool lies_apart = (closed_curve.rowwise().minCoeff().array() > high_.array()).any() ||
-                          (closed_curve.rowwise().maxCoeff().array() < low_.array()).any();
-  if (lies_apart) return 0;
-  return count_crossings(line_of(corners_), closed_curve,
-                         scale_for(std::max(reach_, reach(closed_curve))));
+  const kernels::Line line = line_of(corners_);
+  const kernels::Curve curve = curve_of(closed_curve, true);
+  const double scale = scale_for(std::max(reach_, reach(closed_curve)));
+  const Vector3d low = closed_curve.rowwise().minCoeff();
+  const Vector3d high = closed_curve.rowwise().maxCoeff();
+  const auto is_near = [&](Eigen::Index b) {
+    return (boxes_.col(b).head<3>().array() <= high.array()).all() &&
+           (boxes_.col(b).tail<3>().array() >= low.array()).all();
+  };
+  int number = 0;
+  bool is_sure = true;
+  for (Eigen::Index b = 0; b < boxes_.cols() && is_sure; ++b) {
+    if (!is_near(b)) continue;
+    const int begin = static_cast<int>(b) * kBoxed;
+    while (b + 1 < boxes_.cols() && is_near(b + 1)) ++b;
+    const int end = std::min(line.segments, static_cast<int>(b + 1) * kBoxed);
+    const kernels::Line part{line.x + begin, line.y + begin, line.z + begin, end - begin};
+    number += kernels::signed_crossings(part, curve, scale, scale * closed_curve.col(0), is_sure);
+  }
+  return is_sure ? number : count_with_care(line, closed_curve, scale);
+}
+
+Vector3d PreparedLoop::field(const Vector3d& point) const {
+  if (!point.allFinite()) throw std::invalid_argument("point must be finite");
+  Vector3d sum = Vector3d::Zero();
+  Vector3d r0 = points_.col(points_.cols() - 1) - point;
+  for (Eigen::Index i = 0; i < points_.cols(); ++i) {
+    const Vector3d r1 = points_.col(i) - point;
+    const double lengths = r0.norm() * r1.norm(), apart = lengths + r0.dot(r1);
+    if (apart > 1e-15 * lengths) {
+      sum += r0.cross(r1) * ((r0.norm() + r1.norm()) / (lengths * apart));
+    }
+    r0 = r1;
+  }
+  return sum / (4 * M_PI);
 }
 
 std::vector<double> PreparedLoop::gauss_linking(const std::vector<Matrix3Xd>& curves,

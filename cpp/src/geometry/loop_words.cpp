@@ -56,12 +56,18 @@ std::string why_no_loop(const Filtration& filtration, double d) {
   return reason + advice(filtration);
 }
 
-void warn_of_a_small_length(const Filtration& filtration, Loops& result) {
+/// Most of the loops are gone before the widest plateau begins.
+void warn_of_gaps(const Filtration& filtration, Loops& result) {
   const std::vector<Plateau> all = filtration.plateaus();
+  if (all.empty()) return;
+  std::size_t gaps = 0;
+  for (const auto* loops : {&result.loops, &result.meridians}) {
+    for (const Loop& loop : *loops) gaps += loop.death <= all[0].lower;
+  }
   const std::size_t found = result.loops.size() + result.meridians.size();
-  const double d = result.complex.max_edge_length;
-  if (all.empty() || d > all[0].lower || static_cast<int>(found) <= all[0].loops) return;
-  result.warnings.push_back("max_edge_length " + text(d) + " m may be too small, many of the " +
+  if (2 * gaps <= found) return;
+  result.warnings.push_back("max_edge_length " + text(result.complex.max_edge_length) +
+                            " m may be too small: " + std::to_string(gaps) + " of " +
                             count(found, "loop") + " are gaps between points" + advice(filtration));
 }
 
@@ -97,7 +103,7 @@ std::string why_no_plateau(const Filtration& filtration, const LoopOptions& opti
 void conclude(const Filtration& filtration, Loops& result) {
   const double d = result.complex.max_edge_length;
   const bool chosen = result.plateau.loops > 0;
-  if (!chosen) warn_of_a_small_length(filtration, result);
+  if (!chosen) warn_of_gaps(filtration, result);
   if (result.loops.empty()) {
     result.reason = result.meridians.empty()
                         ? why_no_loop(filtration, d)

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/geometry/sampling.hpp"
 
 #include "geometry/interior.hpp"
@@ -90,6 +91,7 @@ Eigen::Matrix3Xd sample_surface(const std::vector<PlacedShape>& shapes, int coun
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const std::string what = "shapes[" + std::to_string(i) + "]";
     validate(shapes[i].shape, what + ".shape");
+    require_pose(shapes[i].X_BG, what + ".X_BG");
   }
   std::mt19937_64 rng(seed);
   const Candidates candidates = Surface(shapes).draw(kCandidates * count, rng);

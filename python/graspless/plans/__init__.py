@@ -69,7 +69,7 @@ class Plan:
 
     @property
     def kind(self) -> str:
-        """Which planner made it: slide or fingertip."""
+        """Which planner made it: slide, fingertip or clasp."""
         return str(self.fields.kind)
 
     @property

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import fingertip, frames
+from .. import fingertip
 from . import Plan as AnyPlan
 from . import fingertip_model as model
 from .fingertip_core import core_rows, realization_document, segment_document
+from .joints import poses, positions
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -183,8 +184,8 @@ class Plan(AnyPlan):
                 segment.name,
                 segment.plan_segment,
                 segment.scrub,
-                np.array(segment.positions, dtype=float).reshape(-1, len(found.joint_names)),
-                _poses(segment.object_poses),
+                positions(segment.positions, len(found.joint_names)),
+                poses(segment.object_poses),
             )
             for segment in found.segments
         ]
@@ -280,8 +281,8 @@ def _segment(fields: model.Segment) -> Segment:
     return Segment(
         fields.name,
         fields.finger,
-        _poses(fields.X_WO),
-        _poses(fields.object_poses),
+        poses(fields.X_WO),
+        poses(fields.object_poses),
         points(fields.fingers),
         points(fields.normals),
         [list(row) for row in fields.modes],
@@ -291,10 +292,6 @@ def _segment(fields: model.Segment) -> Segment:
         np.array(fields.compliant_stability, dtype=float),
         np.array(fields.nominal_margin, dtype=float),
     )
-
-
-def _poses(rows: list[list[float]]) -> Matrix:
-    return np.array([frames.from_row(row) for row in rows]).reshape(-1, 4, 4)
 
 
 def _finite(value: float) -> float | None:

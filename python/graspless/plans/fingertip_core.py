@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import fingertip, frames
+from .joints import to_rows
 
 if TYPE_CHECKING:
     from .fingertip import Segment
@@ -73,7 +74,7 @@ def realization_document(found: fingertip.Realization) -> dict[str, Any]:
                 "name": segment.name,
                 "plan_segment": segment.plan_segment,
                 "scrub": segment.scrub,
-                "positions": np.asarray(segment.positions, dtype=float).tolist(),
+                "positions": to_rows(segment.positions),
                 "object_poses": [frames.to_row(X_WO) for X_WO in segment.X_WO],
             }
             for segment in found.segments

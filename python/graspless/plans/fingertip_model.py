@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 
 from ..tasks.fingertip.model import FingertipTask
 from ..tasks.shapes import Fields, Point3
+from .joints import require_rows
 from .model import PlanFields, PoseRow, require_unit_quaternions
 
 Index = Annotated[int, Field(ge=-1)]
@@ -100,14 +101,8 @@ class Realization(Fields):
         """Raises unless there is one value a joint in each row, and one pose a row."""
         dof = len(self.joint_names)
         for segment in self.segments:
-            if len(segment.positions) != len(segment.object_poses):
-                counts = f"{len(segment.positions)} positions and {len(segment.object_poses)} poses"
-                raise ValueError(f"'{segment.name}' has {counts}: one a row are needed")
-            for i, row in enumerate(segment.positions):
-                if len(row) != dof:
-                    where = f"row {i} of '{segment.name}'"
-                    raise ValueError(f"{where} has {len(row)} values for {dof} joint_names")
-            require_unit_quaternions(segment.object_poses)
+            where = f"'{segment.name}'"
+            require_rows(where, segment.positions, segment.object_poses, dof)
 
 
 class Relaxation(Fields):

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from .. import frames, slide
 from . import Plan as AnyPlan
+from .joints import poses, positions, to_rows
 from .slide_model import SlidePlanFile
 
 if TYPE_CHECKING:
@@ -76,8 +75,8 @@ class Plan(AnyPlan):
         return [
             Segment(
                 segment.name,
-                np.array(segment.positions, dtype=float).reshape(-1, dof),
-                np.array([frames.from_row(row) for row in segment.object_poses]).reshape(-1, 4, 4),
+                positions(segment.positions, dof),
+                poses(segment.object_poses),
             )
             for segment in self.fields.segments
         ]
@@ -118,7 +117,7 @@ def document(found: slide.Plan, task: Task) -> dict[str, Any]:
         "segments": [
             {
                 "name": segment.name,
-                "positions": np.asarray(segment.positions, dtype=float).tolist(),
+                "positions": to_rows(segment.positions),
                 "object_poses": [frames.to_row(X_WO) for X_WO in segment.object_poses],
             }
             for segment in found.segments

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 
 from ..tasks.shapes import Fields
 from ..tasks.slide.model import SlideTask
+from .joints import require_rows
 from .model import PlanFields, PoseRow, require_unit_quaternions
 
 Status = Literal[
@@ -47,13 +48,7 @@ class SlidePlanFile(PlanFields):
     def _check(self) -> SlidePlanFile:
         dof = len(self.joint_names)
         for segment in self.segments:
-            if len(segment.positions) != len(segment.object_poses):
-                counts = f"{len(segment.positions)} positions and {len(segment.object_poses)} poses"
-                raise ValueError(f"segment '{segment.name}' has {counts}: one a row are needed")
-            for i, row in enumerate(segment.positions):
-                if len(row) != dof:
-                    where = f"row {i} of segment '{segment.name}'"
-                    raise ValueError(f"{where} has {len(row)} values for {dof} joint_names")
-        poses = [row for segment in self.segments for row in segment.object_poses]
-        require_unit_quaternions([self.X_WO_goal, self.X_WH_grasp, *poses])
+            where = f"segment '{segment.name}'"
+            require_rows(where, segment.positions, segment.object_poses, dof)
+        require_unit_quaternions([self.X_WO_goal, self.X_WH_grasp])
         return self

@@ -7,6 +7,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any, Protocol
 
+import numpy as np
+
 from ..kinds import part
 
 if TYPE_CHECKING:
@@ -72,6 +74,32 @@ def count(number: float, things: str) -> str:
     return f"{number} {things.removesuffix('s') if number == 1 else things}"
 
 
+def segment_line(plan: Plan, segment: Any) -> str:
+    """A stretch of joint motion: its name, rows and least time."""
+    seconds = least_seconds(plan, segment)
+    least = "" if seconds is None else f", at least {seconds:.2f} s"
+    number, _, rows = count(len(segment), "rows").partition(" ")
+    return f"{segment.name:10}{number:>5} {rows}{least}"
+
+
+def least_seconds(plan: Plan, segment: Any) -> float | None:
+    """How long a segment takes at least, at the joints' speed limits [s]; None without limits."""
+    speed = np.asarray(plan.task.problem.robot.max_velocity)
+    if len(segment) < 2 or not np.isfinite(speed).all() or (speed <= 0).any():
+        return None
+    return float((np.abs(np.diff(segment.positions, axis=0)) / speed).max(axis=1).sum())
+
+
+def refused(plan: Plan) -> list[str]:
+    """What the search refused and how often, the most frequent first."""
+    refusals = plan.statistics.get("refusals", {})
+    if not refusals:
+        return []
+    width = max(map(len, refusals))
+    order = sorted(refusals, key=lambda name: -refusals[name])
+    return ["refused:", *(f"  {name:{width}}  {refusals[name]}" for name in order)]
+
+
 def _kind(plan: Plan) -> ReportKind:
     kind: ReportKind = part("report", plan.kind)
     return kind
@@ -94,6 +122,8 @@ def _shortened(faults: list[str]) -> list[str]:
 def _counter(name: str, value: float) -> str:
     if name == "memory":
         return f"{value / 1e6:.1f} MB"
+    if name.endswith("_seconds"):
+        return f"{_duration(value)} of {name.removesuffix('_seconds')}"
     return count(value, name.replace("_", " "))
 
 

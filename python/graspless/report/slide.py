@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import count
+from . import least_seconds, refused, segment_line
 
 if TYPE_CHECKING:
-    from ..plans.slide import Plan, Segment
+    from ..plans.slide import Plan
 
 
 def details(plan: Plan) -> dict[str, Any]:
@@ -28,32 +28,12 @@ def details(plan: Plan) -> dict[str, Any]:
 
 def lines(plan: Plan) -> list[str]:
     """A line a segment, and how far it slides."""
-    return [*(_segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
+    return [*(segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
 
 
 def lines_not_found(plan: Plan) -> list[str]:
     """Why roots and pairs were refused."""
-    refusals = plan.statistics.get("refusals", {})
-    if not refusals:
-        return []
-    width = max(map(len, refusals))
-    order = sorted(refusals, key=lambda name: -refusals[name])
-    return ["refused:", *(f"  {name:{width}}  {refusals[name]}" for name in order)]
-
-
-def least_seconds(plan: Plan, segment: Segment) -> float | None:
-    """How long a segment takes at least, at the joints' speed limits [s]; None without limits."""
-    speed = np.asarray(plan.task.problem.robot.max_velocity)
-    if len(segment) < 2 or not np.isfinite(speed).all() or (speed <= 0).any():
-        return None
-    return float((np.abs(np.diff(segment.positions, axis=0)) / speed).max(axis=1).sum())
-
-
-def _segment_line(plan: Plan, segment: Segment) -> str:
-    seconds = least_seconds(plan, segment)
-    least = "" if seconds is None else f", at least {seconds:.2f} s"
-    number, _, rows = count(len(segment), "rows").partition(" ")
-    return f"{segment.name:10}{number:>5} {rows}{least}"
+    return refused(plan)
 
 
 def _slide_line(plan: Plan) -> str:

@@ -24,7 +24,7 @@ class TaskKind(Protocol):
     """What `tasks` needs of a kind."""
 
     SEARCHES: tuple[str, ...]
-    """Choices of options.search, the default last."""
+    """Choices of options.search, the default last; none where there is one way to search."""
 
     Fields: type[pydantic.BaseModel]
     """The task file: kind, options and budget among its fields."""
@@ -55,11 +55,11 @@ class Task:
 
     Attributes
     ----------
-    fields : SlideTask or FingertipTask
+    fields : SlideTask, FingertipTask or ClaspTask
         The whole task; no file but meshes is needed beside it.
-    problem : slide.Problem or fingertip.Problem
+    problem : slide.Problem, fingertip.Problem or clasp.Problem
         What is given.
-    options : slide.Options or fingertip.Options
+    options : slide.Options, fingertip.Options or clasp.Options
         How to search.
     budget : planning.Budget
         Time and randomness.
@@ -76,7 +76,7 @@ class Task:
 
     @property
     def kind(self) -> str:
-        """Which planner it is for: slide or fingertip."""
+        """Which planner it is for: slide, fingertip or clasp."""
         return str(self.fields.kind)
 
     @property

@@ -62,6 +62,7 @@ class Robot(Fields):
 
 
 def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
+    """The robot with its files inline, and where its URDF was."""
     if robot.urdf is None:
         return robot, None
     path = directory / robot.urdf
@@ -92,7 +93,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
             "xacro_args": {},
         }
     )
-    return resolved, path.with_name(f"{stem(path)}.hand.yaml")
+    return resolved, path
 
 
 def _find_srdf(robot: Robot, urdf: Path, source: Source, directory: Path) -> Path | None:
@@ -167,6 +168,15 @@ def build_robot(robot: Robot, source: Source) -> robots.Robot:
             directory=robot.directory or "",
             X_WB=pose_matrix(robot.pose),
         )
+
+
+def require_srdf(robot: Robot, source: Source) -> None:
+    """Raises TaskError where a resolved robot came without groups and states."""
+    if robot.srdf_text is not None:
+        return
+    name = Path(str(source.data["robot"].get("urdf", ""))).name
+    looked = f": looked for {stem(name)}.srdf beside the URDF" if name else ""
+    raise source.error(("robot",), f"no SRDF{looked}; it has the groups and states of the hand")
 
 
 def build_home(

@@ -5,10 +5,10 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
 from .. import frames
 
@@ -22,6 +22,13 @@ Point3 = Annotated[list[float], Field(min_length=3, max_length=3)]
 Points2 = Annotated[list[Point2], Field(min_length=3)]
 Size2 = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Size3 = Annotated[list[Positive], Field(min_length=3, max_length=3)]
+
+
+def _along_each_axis(value: Any) -> Any:
+    return [value] * 3 if isinstance(value, (int, float)) else value
+
+
+Scale3 = Annotated[Size3, BeforeValidator(_along_each_axis)]
 
 
 class Fields(BaseModel):
@@ -102,7 +109,7 @@ class MeshFile(Fields):
     """A triangle mesh in a file."""
 
     file: str = Field(description=".stl, .obj, .off or .ply")
-    scale: Size3 = Field(default=[1.0, 1.0, 1.0])
+    scale: Scale3 = Field(default=[1.0, 1.0, 1.0], description="a number, or one an axis")
 
 
 class Obstacle(Fields):

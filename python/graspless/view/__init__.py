@@ -12,6 +12,9 @@ from ..errors import TaskError
 from ..kinds import part
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .. import geometry
     from ..plans import Plan
 
 
@@ -32,6 +35,27 @@ def write_png(plan: Plan, path: str | Path) -> None:
     except ImportError as error:
         raise TaskError(_missing(error)) from None
     files.write(path, picture)
+
+
+def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) -> None:
+    """Draws a cloud with its loops, and how many there are at every longest edge.
+
+    Parameters
+    ----------
+    points : array [N, 3]
+        [m].
+    loops : geometry.Loops
+        Of `geometry.shortest_loops`.
+    path : str or Path
+        .png file.
+    """
+    check_png(path)
+    files.check_writable(path)
+    try:
+        from .loops import draw
+    except ImportError as error:
+        raise TaskError(_missing(error)) from None
+    files.write(path, draw(points, loops))
 
 
 def check_png(path: str | Path) -> None:
@@ -63,4 +87,4 @@ def _missing(error: ImportError) -> str:
     return f"needs {error.name} to draw: pip install 'graspless[view]'"
 
 
-__all__ = ["serve", "write_html", "write_png"]
+__all__ = ["serve", "write_html", "write_loops_png", "write_png"]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from ..robot import Robot
-    from ..tasks import shapes
+    from ..tasks import Task, shapes
     from ..tasks.robots import Robot as RobotFields
 
 Color = tuple[float, float, float]
@@ -31,6 +31,7 @@ OBJECT: Color = (0.95, 0.65, 0.15)
 TABLE: Color = (0.80, 0.72, 0.60)
 OBSTACLE: Color = (0.45, 0.55, 0.68)
 TRAIL: Color = (0.78, 0.10, 0.32)
+LOOP: Color = (0.10, 0.55, 0.60)
 
 
 @dataclass
@@ -45,11 +46,14 @@ class Part:
         Rows of vertex indices, counter-clockwise seen from outside.
     color : tuple
         Red, green, blue, each 0 to 1.
+    normals : array [V, 3] or None
+        By which pictures shade it, whichever way they point; None: those of the triangles.
     """
 
     vertices: Matrix
     triangles: NDArray[np.int64]
     color: Color
+    normals: Matrix | None = None
 
 
 @dataclass
@@ -87,6 +91,16 @@ def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
         if names[index] not in drawn:
             bodies[index].parts.append(placed_part(placed, ARM))
     return bodies
+
+
+def robot(task: Task) -> list[Body]:
+    """One body a link of the problem's robot, in the order of Robot.frame_names."""
+    return robot_bodies(task.problem.robot, task.fields.robot)
+
+
+def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
+    """The obstacles with their poses in the world."""
+    return obstacle_bodies(task.fields.obstacles)
 
 
 def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Matrix]]:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .bodies import Body
 
 SHADOW_SIZE = 700  # pixels along a side of the shadow map
+BLOCK, CHUNK = 12, 1000  # triangles of at most so many pixels a side are drawn so many at once
 
 
 @dataclass
@@ -110,7 +111,9 @@ def render(
         weights = _weights(screen[faces[f]], xs + 0.5, ys + 0.5)
         points = np.einsum("nk,nkj->nj", weights, scene["points"][faces[f]])
         normals = np.einsum("nk,nkj->nj", weights, scene["corners"][f])
-        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+        away = np.einsum("ij,ij->i", normals, camera.eye - points) < 0
+        normals[away & scene["two_sided"][f]] *= -1
         light = np.clip(normals @ camera.light(), 0, 1) * _lit(
             scene, points, normals, camera.light()
         )
@@ -126,9 +129,17 @@ def render(
     return np.clip(mean, 0, 1)
 
 
+def over(front: Matrix, back: Matrix, share: float) -> Matrix:
+    """A picture with `share` of the opacity of another over it."""
+    weight = share * front[..., 3:]
+    opacity = weight + (1 - weight) * back[..., 3:]
+    color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
+    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
 def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
     """All triangles in the world, with normals at faces and corners."""
-    points, faces, colors, owners = [], [], [], []
+    points, faces, colors, owners, given = [], [], [], [], []
     count = 0
     for index, (body, X_WB) in enumerate(placed):
         for part in body.parts:
@@ -137,6 +148,8 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
             colors.append(np.tile(part.color, (len(part.triangles), 1)))
             owners.append(np.full(len(part.triangles), index))
             count += len(part.vertices)
+            own = np.zeros_like(part.vertices) if part.normals is None else part.normals
+            given.append(own @ X_WB[:3, :3].T)
     p, f = np.concatenate(points), np.concatenate(faces)
     areas = np.cross(p[f[:, 1]] - p[f[:, 0]], p[f[:, 2]] - p[f[:, 0]])
     normals = areas / np.maximum(np.linalg.norm(areas, axis=1, keepdims=True), 1e-15)
@@ -144,7 +157,9 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
     for k in range(3):
         np.add.at(smooth, f[:, k], areas)
     smooth /= np.maximum(np.linalg.norm(smooth, axis=1, keepdims=True), 1e-15)
-    corners = smooth[f]
+    shading = np.concatenate(given)
+    has_own = shading.any(axis=1)
+    corners = np.where(has_own[:, None], shading, smooth)[f]
     return {
         "points": p,
         "faces": f,
@@ -152,6 +167,7 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
         "corners": corners,
         "colors": np.concatenate(colors),
         "bodies": np.concatenate(owners),
+        "two_sided": has_own[f[:, 0]],
     }
 
 
@@ -164,10 +180,12 @@ def _depth_buffer(
     corners = screen[faces]
     low = np.clip(np.floor(corners[:, :, :2].min(axis=1)), 0, [w, h]).astype(int)
     high = np.clip(np.ceil(corners[:, :, :2].max(axis=1)), 0, [w, h]).astype(int)
-    for index in visible:
+    wide = high - low
+    seen = visible[(wide[visible] > 0).all(axis=1)]
+    small = wide[seen].max(axis=1) <= BLOCK
+    _draw_small(near, face, corners, low, seen[small])
+    for index in seen[~small]:
         (x0, y0), (x1, y1) = low[index], high[index]
-        if x0 >= x1 or y0 >= y1:
-            continue
         (ax, ay, az), (bx, by, bz), (cx, cy, cz) = corners[index].tolist()
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
         if abs(area) < 1e-9:
@@ -183,6 +201,42 @@ def _depth_buffer(
         window[better] = z[better]
         face[y0:y1, x0:x1][better] = index
     return near, face
+
+
+def _draw_small(
+    near: Matrix,
+    face: NDArray[np.int64],
+    corners: Matrix,
+    low: NDArray[np.int64],
+    chosen: NDArray[np.int64],
+) -> None:
+    """Triangles of no more than BLOCK pixels a side, many at once: fine meshes have thousands."""
+    h, w = near.shape
+    step = np.arange(BLOCK)
+    for start in range(0, len(chosen), CHUNK):
+        some = chosen[start : start + CHUNK]
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = np.moveaxis(
+            corners[some][..., None, None], (1, 2), (0, 1)
+        )
+        column = low[some, 0][:, None, None] + step
+        row = low[some, 1][:, None, None] + step[:, None]
+        x, y = column + 0.5, row + 0.5
+        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        area = np.where(np.abs(area) < 1e-9, np.inf, area)
+        u = ((bx - x) * (cy - y) - (by - y) * (cx - x)) / area
+        v = ((cx - x) * (ay - y) - (cy - y) * (ax - x)) / area
+        t = 1 - u - v
+        inside = (u >= 0) & (v >= 0) & (t >= 0) & (column < w) & (row < h) & np.isfinite(area)
+        owner, j, i = np.nonzero(inside)
+        pixel = row[owner, j, 0] * w + column[owner, 0, i]
+        z = (u * az + v * bz + t * cz)[inside]
+        order = np.lexsort((-owner, z, pixel))
+        pixel, z, owner = pixel[order], z[order], owner[order]
+        last = np.append(pixel[1:] != pixel[:-1], True) if len(pixel) else np.empty(0, dtype=bool)
+        pixel, z, owner = pixel[last], z[last], owner[last]
+        better = z > near.ravel()[pixel]
+        near.ravel()[pixel[better]] = z[better]
+        face.ravel()[pixel[better]] = some[owner[better]]
 
 
 def _weights(corners: Matrix, x: Any, y: Any) -> Matrix:

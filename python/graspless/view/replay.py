@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from ..plans import Plan
-    from .bodies import Body
+    from .bodies import Body, Color
     from .raster import Camera
 
 RATE = 20.0  # rows a second
@@ -126,11 +126,29 @@ def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None =
             f"{name}/{k}",
             np.concatenate(vertices).astype(np.float32),
             np.concatenate(triangles).astype(np.uint32),
-            color=tuple(round(255 * DIM * value) for value in color),
+            color=shade(color),
             flat_shading=body.is_flat,
             opacity=opacity,
         )
     return frame
+
+
+def add_segments(scene: Any, name: str, ends: Matrix, color: Color, radius: float) -> Any:
+    """Bars between pairs of points [N, 2, 3]; its `points` move them."""
+    return scene.add_arrows(
+        name,
+        ends.astype(np.float32),
+        shade(color),
+        shaft_radius=radius,
+        head_radius=radius,  # arrows whose heads are not seen
+        head_length=1e-4,
+    )
+
+
+def shade(color: Color) -> tuple[int, int, int]:
+    """A colour as viser takes it, dimmed to its lights."""
+    red, green, blue = (round(255 * DIM * value) for value in color)
+    return red, green, blue
 
 
 def _placed(X_WB: Matrix) -> dict[str, Any]:

@@ -101,6 +101,29 @@ TEST_P(ControllerOf, AnOpenHandWaits) {
   EXPECT_NE(q, q_new);
 }
 
+/// But the T42 stands at its limit: it would open further.
+TEST_P(ControllerOf, AnAttractedHandDoesNot) {
+  options_.attract = true;
+  Controller controller(tasks_, robot_.robot, robot_.hand, options_);
+  TaskPoint x = tasks_.project(home_);  // so that it does not wait for the arm
+  x[3] = 1;
+  VectorXd before = VectorXd::Zero(tasks_.linking_of_curves().size()), after = before;
+  Eigen::MatrixXd J(before.size(), home_.size());
+  tasks_.attract(before, J);
+  VectorXd q_new;
+  controller.step(home_, x, 0.01, q_new);
+  VectorXd q = home_;
+  for (const int j : robot_.robot.group(robot_.hand.hand)) q[j] = q_new[j];
+  tasks_.project(q);
+  tasks_.attract(after, J);
+  const double drawn = before.norm() - after.norm();
+  if (GetParam() == "wam_t42") {
+    EXPECT_EQ(0, drawn);
+  } else {
+    EXPECT_GT(drawn, 1e-4);
+  }
+}
+
 /// GAIN: with the ring in the hand, but the goal far from it, the arm goes first.
 TEST_P(ControllerOf, ClosesOnlyNearTheGoal) {
   const Ring ring = ring_ahead(0);

@@ -140,6 +140,33 @@ TEST_P(TasksOf, HaveTheDerivativesOfDifferences) {
   EXPECT_GT(linked, 3);
 }
 
+TEST_P(TasksOf, AttractByTheIntegralOfOpenCurves) {
+  int compared = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const VectorXd q = random_q();
+    Tasks tasks = this->tasks(q, 0.05 + 0.01 * trial);
+    const int curves = tasks.kinematics().num_curves();
+    VectorXd u = VectorXd::Constant(curves, 7), more = u, less = u;
+    MatrixXd J = MatrixXd::Constant(curves, q.size(), 7), other = J;
+    tasks.project(q);
+    const VectorXd linking = tasks.linking_of_curves();
+    tasks.attract(u, J);
+    for (int j = 0; j < q.size(); ++j) {
+      const VectorXd step = kStep * VectorXd::Unit(q.size(), j);
+      tasks.project(q + step);
+      tasks.attract(more, other);
+      tasks.project(q - step);
+      tasks.attract(less, other);
+      for (int i = 0; i < curves; ++i) {
+        const double expected = linking[i] > 0 ? 7 : (less[i] - more[i]) / (2 * kStep);
+        EXPECT_NEAR(expected, J(i, j), 1e-6);
+        compared += linking[i] > 0 ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_GT(compared, 10 * robot_.robot.dof());
+}
+
 /// Where the hand is carried does not matter to how closed it is.
 TEST_P(TasksOf, ArmDoesNotChangeTheLinking) {
   const VectorXd q = at_home(robot_, robot_.hand.open);

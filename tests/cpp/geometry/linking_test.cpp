@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -262,23 +261,6 @@ TEST(Linking, CrossesItself) {
   eight << 0, 2, 2, 0, 0, 0, 0, 0, -1, 1, -1, 1;
   const Matrix3Xd loop = circle(Vector3d(0.5, 0, 0), kX, kY, 0.3, 30);
   EXPECT_NEAR(linking_number(loop, eight), gauss_linking(loop, true, eight, true), 1e-12);
-}
-
-TEST(PreparedLoop, AnswersAsTheFunctions) {
-  std::mt19937_64 rng(9);
-  const Matrix3Xd loop = random_curve(100, rng);
-  const PreparedLoop prepared(loop);
-  std::vector<Matrix3Xd> curves;
-  for (int i = 0; i < 20; ++i) curves.push_back(random_curve(8, rng));
-  const std::vector<double> integrals = prepared.gauss_linking(curves, false);
-  const std::vector<int> numbers = prepared.linking_numbers(curves);
-  ASSERT_EQ(curves.size(), integrals.size());
-  ASSERT_EQ(curves.size(), numbers.size());
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    EXPECT_DOUBLE_EQ(gauss_linking(loop, true, curves[i], false), integrals[i]);
-    EXPECT_EQ(linking_number(loop, curves[i]), numbers[i]);
-  }
-  EXPECT_EQ(loop, prepared.points());
 }
 
 TEST(Linking, RefusesWhatIsNoCurve) {

@@ -26,13 +26,15 @@ struct Options {
   double random_probability = 0.1;  ///< P
   int restart_cycles = 20;          ///< cycles before a tree is given up; 0: never
   // TS-CONTROL, Algorithm 4
-  double dt = 0.5;                 ///< Delta_t
-  double max_step = 0.12;          ///< LIMIT-STEP-SIZE: of any joint [rad]
-  double blend_distance = 0.03;    ///< where GAIN is a half [m]
-  double blend_slope = 120;        ///< of GAIN there [1/m]
-  double position_damping = 0.02;  ///< of the pseudo-inverses [m]
+  double dt = 0.5;                ///< Delta_t
+  double max_step = 0.12;         ///< LIMIT-STEP-SIZE: of any joint [rad]
+  double blend_distance = 0.02;   ///< where GAIN is a half [m]
+  double blend_slope = 120;       ///< of GAIN there [1/m]
+  double position_damping = 0.2;  ///< of the pseudo-inverses [m]
   double alignment_damping = 0.1;
   double linking_damping = 0.02;
+  /// How much the hand waits on its way while it is misaligned; 0: not at all, as the paper has it.
+  double patience = 20;
   double linking_weight = 0.3;   ///< of the linking in the nearest-neighbour distance [m]
   double exploring_step = 0.35;  ///< longest step of TS-EXTEND, of any joint [rad]
   int max_connect_steps = 150;   ///< control steps of one connection
@@ -77,9 +79,10 @@ struct Tree {
 /// What the search did.
 struct Statistics {
   double seconds = 0;
-  std::int64_t cycles = 0;    ///< of Algorithm 1 after the pre-expansions, over all trees
-  std::int64_t nodes = 0;     ///< over all trees
-  std::int64_t restarts = 0;  ///< trees given up
+  double stability_seconds = 0;  ///< of these, in stability tests
+  std::int64_t cycles = 0;       ///< of Algorithm 1 after the pre-expansions, over all trees
+  std::int64_t nodes = 0;        ///< over all trees
+  std::int64_t restarts = 0;     ///< trees given up
   std::int64_t control_steps = 0;
   std::int64_t collision_checks = 0;  ///< configurations looked at
   std::int64_t fcl_checks = 0;        ///< link against object by FCL: what the clearance left open

@@ -36,8 +36,9 @@ struct Hand {
   Eigen::Vector3d sideways_H = Eigen::Vector3d::UnitY();  ///< v_swd: along what is clasped
   std::vector<Finger> fingers;
   Finger thumb;
-  std::string open = "open";      ///< state of the hand's joints with which the search begins
-  std::string closed = "closed";  ///< state towards which every joint closes
+  std::string open = "open";  ///< state of the hand's joints with which the search begins
+  /// State towards which every joint closes; one that is the same in both states does not.
+  std::string closed = "closed";
 };
 
 /// Reads a hand from YAML (the grammar: docs/task-files.md; the files beside our URDFs are
@@ -48,8 +49,9 @@ GRASPLESS_API Hand hand_from_yaml_file(const std::string& path);
 
 /// Throws std::invalid_argument that names the field, the value and the choices: unknown links,
 /// groups or states; no finger; a finger or thumb with fewer than two nodes, or nodes that
-/// coincide; a finger whose tip no joint of the hand moves; forward and sideways not orthogonal
-/// unit vectors; arm and hand that share joints; open and closed that are the same.
+/// coincide; a finger whose tip no joint of the hand moves, or that does not meet the thumb in the
+/// palm; a frame that the arm does not carry; forward and sideways not orthogonal unit vectors; arm
+/// and hand that share joints; open and closed that are the same.
 GRASPLESS_API void validate(const Hand& hand, const robot::Robot& robot);
 
 }  // namespace graspless::clasp

@@ -29,10 +29,13 @@ class GRASPLESS_API Object {
   const Eigen::Matrix3Xd& points() const;  ///< the cloud, as given, in O [m]
   const geometry::Loops& loops() const;    ///< in O
   const geometry::LoopOptions& loop_options() const;
-  /// The triangles of K_d, and thin ones along edges that bound none, in O.
+  /// What must not be touched, in O: the triangles of K_d, and along edges of K_d that bound none
+  /// triangles 1 mm wide (a tenth of the edge where that is less). Points without a neighbour
+  /// within d are taken for outliers and left out. A surface has no inside: what is wholly in the
+  /// object does not touch it.
   const geometry::Mesh& surface() const;
-  const collision::Solid& solid() const;  ///< the surface, for FCL
-  /// Of the surface. A copy has a grid of its own.
+  const collision::Solid& solid() const;  ///< the surface, for FCL; made when first asked
+  /// Of the surface; made when first asked. A copy has a grid of its own.
   const collision::Clearance& clearance() const;
   double spacing() const;  ///< between the points of K_d [m]
 

@@ -19,8 +19,8 @@ struct StabilityOptions {
   double step = 0.002;         ///< of a translation between tests [m]
   double turn = 0.01;          ///< of a rotation about the hand's centre between tests [rad]
   double penetration = 0.003;  ///< that does not count as a hit [m]
-  /// Every point of the loop farther from the hand's centre than this has escaped [m]; 0: the
-  /// radius of the hand's curves about their centre with all fingers straight, and a fifth more.
+  /// Every point of the loop farther from the hand's centre than this has escaped [m]; 0: half the
+  /// length of the longest of the hand's curves, which no hand can reach farther.
   double escape_distance = 0;
   std::uint64_t seed = 1;
 };
@@ -37,8 +37,11 @@ struct Stability {
   std::int64_t checks = 0;  ///< poses looked at
 };
 
-/// Whether the object's loop stays in the hand at q. Throws std::invalid_argument on a bad problem,
-/// loop or configuration.
+/// Whether the object's loop stays in the hand at q. All links are in the way, filled by balls (of
+/// a mesh that is not convex, its hull); a robot that stands deeper than `penetration` in the
+/// object holds nothing. The hand's centre is the middle of its curves' box. One move ends, if
+/// nothing is hit, after twice the escape distance or a whole turn. Throws std::invalid_argument on
+/// a bad problem, loop or configuration.
 GRASPLESS_API Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,
                                        const StabilityOptions& options = {});
 

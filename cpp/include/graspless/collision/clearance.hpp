@@ -15,9 +15,10 @@ namespace graspless::collision {
 /// The distance from points to a triangle surface: what settles the clear cases before FCL is
 /// asked.
 ///
-/// Exact distances by CGAL's tree of boxes; between them bounds from a grid of cells that is filled
-/// where it is asked (the distance changes by no more than one moves). Copies share the tree and
-/// have grids of their own: one a thread.
+/// Exact distances by CGAL's tree of boxes, built when it is first needed; bounds from a grid whose
+/// cells are cut smaller and filled where they are asked (the distance changes by no more than one
+/// moves). The grid has no end. Copies share the surface and have grids of their own, empty at
+/// first: one copy a thread.
 class GRASPLESS_API Clearance {
  public:
   /// `cell`: side of the grid's cells [m]. Throws std::invalid_argument when the mesh has no
@@ -36,11 +37,14 @@ class GRASPLESS_API Clearance {
     double lower, upper;
   };
   Bounds bounds(const Eigen::Vector3d& point);
+  /// Bounds just near enough to tell on which side of `threshold` [m] the distance lies, and how
+  /// much larger it is to a factor of three; the distance itself where no cell can tell.
+  Bounds bounds(const Eigen::Vector3d& point, double threshold);
 
  private:
-  struct Tree;
+  struct Surface;
   struct Grid;
-  std::shared_ptr<const Tree> tree_;
+  std::shared_ptr<const Surface> surface_;
   std::unique_ptr<Grid> grid_;
 };
 

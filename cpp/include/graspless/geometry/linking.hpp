@@ -52,6 +52,9 @@ class GRASPLESS_API PreparedLoop {
   /// As the free functions, with this loop as the first curve.
   double gauss_linking(const Eigen::Matrix3Xd& curve, bool is_closed) const;
   int linking_number(const Eigen::Matrix3Xd& closed_curve) const;
+  /// The field whose integral along a curve is gauss_linking() of that curve: that of a current in
+  /// the loop [1/m]. Zero on the loop itself.
+  Eigen::Vector3d field(const Eigen::Vector3d& point) const;
   /// All curves at once.
   std::vector<double> gauss_linking(const std::vector<Eigen::Matrix3Xd>& curves,
                                     bool are_closed) const;
@@ -61,7 +64,7 @@ class GRASPLESS_API PreparedLoop {
   Eigen::Matrix3Xd points_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> corners_;  // a column per coordinate, the first repeated
   double reach_ = 0;                                  // largest coordinate
-  Eigen::Vector3d low_, high_;                        // corners of its box
+  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes_;    // low, high of every few segments in turn
 };
 
 }  // namespace graspless::geometry

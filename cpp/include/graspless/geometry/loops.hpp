@@ -17,7 +17,8 @@ struct Loop {
   Eigen::Matrix3Xd points;    ///< corners in order; the last is joined to the first [m]
   std::vector<int> vertices;  ///< the same, as columns of the cloud given
   double length = 0;          ///< [m]
-  /// K_d has this hole from d = birth to d = death [m]: death / birth says how sure it is.
+  /// The loop's class lives in K_d for birth < d <= death [m]: death / birth says how sure it is,
+  /// and what is wider than the death does not pass. Of a thinned cloud: in its complex.
   double birth = 0, death = 0;
   /// How thick what the loop runs along is, at its thinnest place [m]; a hand must close around it.
   double thickness = 0;
@@ -25,7 +26,7 @@ struct Loop {
 
 /// How to look for loops.
 struct LoopOptions {
-  /// d [m]; 0 takes the widest plateau of the Betti curve.
+  /// d [m]; 0 takes the widest plateau, and the lowest one with the same loops (they are finer).
   double max_edge_length = 0;
   /// Instead of the widest, the lowest plateau whose ratio is at least `lowest_ratio`: splits less
   /// sure holes off, and takes patches that the camera missed for holes.
@@ -69,8 +70,8 @@ GRASPLESS_API Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOpt
 
 /// A place on a loop where a hand may clasp: p and p' of the paper.
 struct ClaspTarget {
-  Eigen::Vector3d point;    ///< [m]
-  Eigen::Vector3d tangent;  ///< unit
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector3d tangent = Eigen::Vector3d::UnitX();  ///< unit
 };
 
 /// `count` targets at equal arc length, the first at the loop's first corner. Tangents are the

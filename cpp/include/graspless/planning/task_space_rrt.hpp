@@ -22,7 +22,11 @@ namespace graspless::planning {
 /// towards a task-space target. Motions are judged by the space information's motion validator. The
 /// search ends when TS-CONNECT-GOAL reaches a target within the tolerance; without a tolerance,
 /// when the problem's goal is satisfied. A tree that has led nowhere for restart_cycles() cycles is
-/// thrown away and grown anew.
+/// thrown away and grown anew. Calling solve() again goes on with the tree as it stands, and does
+/// not come back to the node where it ended.
+///
+/// Control must be a function of its arguments: a node from which it was led towards a target once
+/// is not led there again, and neither are the nodes on that way.
 ///
 /// Repeatable for one seed: OMPL's random numbers are not used.
 class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
@@ -47,8 +51,8 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   void set_controller(Controller controller) { control_ = std::move(controller); }
   void set_random_task(RandomTask draw) { random_task_ = std::move(draw); }
   void set_tolerance(Tolerance tolerance) { tolerance_ = std::move(tolerance); }
-  /// The task-space goals, tried in this order in every cycle.
-  void set_targets(std::vector<Eigen::VectorXd> x) { targets_ = std::move(x); }
+  /// The task-space goals, tried in this order in every cycle. Fells the tree there is.
+  void set_targets(std::vector<Eigen::VectorXd> x);
   /// Weights of the coordinates of x in the nearest-neighbour distance; ones unless given.
   void set_weights(const Eigen::VectorXd& weights) { weights_ = weights; }
   void set_seed(std::uint64_t seed) { rng_.seed(seed); }
@@ -56,8 +60,10 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   void set_random_probability(double probability);  ///< P, in [0, 1); 0.1
   double random_probability() const { return random_probability_; }
   void set_pre_expansions(int expansions);  ///< n: random extensions of a new tree; 50
-  int pre_expansions() const { return pre_expansions_; }
-  void set_max_iterations(std::int64_t cycles);  ///< K, over all trees
+  /// n of the first tree, of the second, ...; the last number for all further ones.
+  void set_pre_expansion_schedule(std::vector<int> expansions);
+  int pre_expansions() const { return pre_expansions_.front(); }
+  void set_max_iterations(std::int64_t cycles);  ///< K of one solve(), over all its trees
   void set_restart_cycles(int cycles);  ///< cycles of a tree before it is given up; 0: never; 20
   int restart_cycles() const { return restart_cycles_; }
   void set_max_connect_steps(int steps);  ///< control steps of one TS-CONNECT-GOAL; 150
@@ -80,9 +86,23 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   std::int64_t num_restarts() const { return num_restarts_; }  ///< trees given up
   std::int64_t num_steps() const { return num_steps_; }        ///< control steps
   int reached_target() const { return reached_target_; }       ///< index; -1 before
+  int reached_node() const { return reached_node_; }           ///< of the last tree; -1 before
 
  private:
-  struct Tree;
+  class Tree;
+  using Termination = ompl::base::PlannerTerminationCondition;
+
+  void check_setup() const;
+  bool read_starts();
+  void plant(const Termination& ptc);
+  bool is_given_up() const;
+  bool starts_at_goal();
+  bool ts_extend(const Eigen::VectorXd& x);
+  bool ts_connect_goal(std::size_t target, const Termination& ptc);
+  int step(int near, const Eigen::VectorXd& x, bool is_exploring);
+  bool is_reached(int node, std::size_t target);
+  void accept(int node, std::size_t target);
+
   Projection project_;
   Controller control_;
   RandomTask random_task_;
@@ -91,13 +111,16 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   Eigen::VectorXd weights_;
   std::mt19937_64 rng_{1};
   double random_probability_ = 0.1;
-  int pre_expansions_ = 50;
+  std::vector<int> pre_expansions_{50};
   int restart_cycles_ = 20;
   int max_connect_steps_ = 150;
   std::int64_t max_iterations_;
+  std::vector<State*> starts_;
   std::unique_ptr<Tree> tree_;
+  State* q_new_;
+  Eigen::VectorXd x_new_, x_rand_;
   std::int64_t num_grown_ = 0, num_cycles_ = 0, num_restarts_ = 0, num_steps_ = 0;
-  int reached_target_ = -1;
+  int reached_target_ = -1, reached_node_ = -1;
 };
 
 }  // namespace graspless::planning

@@ -12,7 +12,7 @@ import numpy as np
 from ... import frames, geometry, slide
 from ...errors import TaskError
 from ..obstacles import placed_obstacles
-from ..robots import build_home, build_robot, stem
+from ..robots import build_home, build_robot, require_srdf, stem
 from ..shapes import regular_polygon
 from ..source import at
 from .resolve import support_pose
@@ -34,10 +34,7 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
         Where the task and the hand's fields stand; faults name the place.
     """
     robot = build_robot(task.robot, source)
-    if task.robot.srdf_text is None:
-        name = Path(str(source.data["robot"].get("urdf", ""))).name
-        looked = f": looked for {stem(name)}.srdf beside the URDF" if name else ""
-        raise source.error(("robot",), f"no SRDF{looked}; it has the groups and states of the hand")
+    require_srdf(task.robot, source)
     hand = build_hand(task, robot, hand_source, source)
     X_WS = support_pose(task.support)
     pose = task.object.pose

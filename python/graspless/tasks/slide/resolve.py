@@ -15,7 +15,7 @@ from .. import shapes
 from ..clouds import read_cloud
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
-from ..robots import resolve_robot, robot_meshes
+from ..robots import resolve_robot, robot_meshes, stem
 from ..shapes import pose_matrix
 from ..source import Source, read_yaml
 from . import model
@@ -45,8 +45,8 @@ def resolve(
         The task, and where its hand's fields stand.
     """
     warn_of_units(task, source)
-    robot, hand_file = resolve_robot(task.robot, source, directory)
-    hand, hand_source = _resolve_hand(task.hand, hand_file, source, directory)
+    robot, urdf = resolve_robot(task.robot, source, directory)
+    hand, hand_source = _resolve_hand(task.hand, urdf, source, directory)
     resolved = task.model_copy(
         update={
             "robot": robot,
@@ -60,11 +60,11 @@ def resolve(
 
 
 def _resolve_hand(
-    hand: model.Hand | str | None, beside: Path | None, source: Source, directory: Path
+    hand: model.Hand | str | None, urdf: Path | None, source: Source, directory: Path
 ) -> tuple[model.Hand, Source]:
     if isinstance(hand, model.Hand):
         return hand, source
-    path = beside
+    path = urdf and urdf.with_name(f"{stem(urdf)}.hand.yaml")
     if isinstance(hand, str):
         path = directory / hand
         if not path.is_file():

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ... import frames
-from ..bodies import OBJECT, Body, Color, Part, obstacle_bodies
+from ..bodies import OBJECT, Body, Color, Part
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -62,11 +62,6 @@ def wall_bodies(task: Task, points: Matrix) -> list[Body]:
             continue
         found.append(Body(wall.name, [_plate(normal, wall.offset, low, high, height, top)], True))
     return found
-
-
-def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
-    """The obstacles with their poses in the world."""
-    return obstacle_bodies(task.fields.obstacles)
 
 
 def fingertip_body(radius: float, color: Color) -> Body:

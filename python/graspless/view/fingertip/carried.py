@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import raster
-from ..bodies import robot_bodies
+from ..bodies import obstacles, robot_bodies
 from ..raster import Camera
 from . import bodies
 
@@ -72,7 +72,7 @@ def render(plan: Plan, direction: Matrix, shape: tuple[int, int]) -> list[tuple[
     on_floor = points[points[:, 2] < task.problem.planes[0].offset + task.problem.object.size]
     floor = bodies.floor_body(task, on_floor)
     camera = Camera(eye, middle).fitted(points, *shape)
-    still = [(floor, np.eye(4)), *bodies.obstacles(task)]
+    still = [(floor, np.eye(4)), *obstacles(task)]
     return [
         (raster.render([*still, *scene], camera, *shape), caption)
         for scene, (_, _, caption) in zip(placed, shown, strict=True)

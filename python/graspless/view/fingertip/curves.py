@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..figures import INK
 from . import bodies
 from .moments import measure, progress
 
 if TYPE_CHECKING:
     from ...plans.fingertip import Plan
 
-INK = (0.15, 0.17, 0.20)
 STABLE = "#1f5f8b"
 COMPLIANT = "#d98a1f"
 LIMIT = "#b3261e"

@@ -4,16 +4,15 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from ... import frames
 from .. import raster
+from ..bodies import obstacles
+from ..figures import INK, as_png, draw_panel, new_figure
 from . import bodies, carried, curves
 from .moments import moments
 from .stage import camera, swept
@@ -28,12 +27,12 @@ if TYPE_CHECKING:
     from ..raster import Camera
     from .moments import Moment
 
-INK = (0.15, 0.17, 0.20)
 ACROSS = 5  # panels in a row
 WIDTH = 15.0  # of the figure [inches]
 HEAD, CURVES, FOOT = 0.5, 2.6, 0.55  # heights [inches]
 DPI = 110
 WALLS = 0.5  # how much of what is behind is seen
+TITLE = {"pad": 2, "y": 0.96}
 HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
 
 
@@ -51,8 +50,7 @@ def draw(plan: Plan) -> bytes:
     if plan.segments:
         rows.append(CURVES)
     heights = [HEAD, *rows]
-    figure = Figure(figsize=(WIDTH, sum(heights) + FOOT), dpi=DPI, facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = new_figure(WIDTH, sum(heights) + FOOT, DPI)
     grid = figure.add_gridspec(
         len(heights), 1, height_ratios=heights, left=0.045, right=0.985,
         bottom=FOOT / figure.get_figheight(), top=1, hspace=0.04,
@@ -63,7 +61,7 @@ def draw(plan: Plan) -> bytes:
         row = grid[1 + k // across].subgridspec(1, across, wspace=0.02)
         number = f"{k + 1}  " if len(shown) > 1 else ""
         axes = figure.add_subplot(row[k % across])
-        _draw_panel(axes, scene.render(moment), number + moment.caption)
+        draw_panel(axes, scene.render(moment), number + moment.caption, **TITLE)
         for finger, place in enumerate(scene.places(moment)):
             axes.annotate(
                 str(finger + 1), place, ha="center", va="center", fontsize=8, color="white",
@@ -74,18 +72,10 @@ def draw(plan: Plan) -> bytes:
         side = round(0.95 * WIDTH / len(arm) * DPI)
         pictures = carried.render(plan, scene.camera.eye - scene.camera.target, (side, side))
         for k, (picture, caption) in enumerate(pictures):
-            _draw_panel(figure.add_subplot(row[k]), picture, caption)
+            draw_panel(figure.add_subplot(row[k]), picture, caption, **TITLE)
     if plan.segments:
         curves.draw(figure.add_subplot(grid[len(heights) - 1]), plan)
-    file = io.BytesIO()
-    figure.savefig(file, format="png")
-    return file.getvalue()
-
-
-def _draw_panel(axes: Any, picture: Matrix, caption: str) -> None:
-    axes.imshow(picture, interpolation="antialiased")
-    axes.set_title(caption, fontsize=11, color=INK, loc="left", pad=2, y=0.96)
-    axes.set_axis_off()
+    return as_png(figure)
 
 
 class _Scene:
@@ -104,7 +94,7 @@ class _Scene:
         everything = np.concatenate([points, tails_W[tails_W.any(axis=1)], *ground])
         self.camera: Camera = camera(task, shown, everything, shape)
         self.still: list[tuple[Body, Matrix]] = [(floor, eye)] if floor.parts else []
-        self.still += bodies.obstacles(task)
+        self.still += obstacles(task)
         self.walls = [(body, eye) for body in bodies.wall_bodies(task, points)]
         self.thing = bodies.object_body(task)
         radius = task.problem.fingers.radius
@@ -125,7 +115,7 @@ class _Scene:
         if self.walls:
             picture = _mix(self._render([*whole, *self.walls]), picture, WALLS)
         if fingers:
-            picture = _over(self._render([*fingers, *forces]), picture, HIDDEN)
+            picture = raster.over(self._render([*fingers, *forces]), picture, HIDDEN)
         return picture
 
     def places(self, moment: Moment) -> Matrix:
@@ -140,14 +130,6 @@ def _mix(front: Matrix, back: Matrix, share: float) -> Matrix:
     """Two pictures with opacity, over each other: `share` of the one behind."""
     opacity = (1 - share) * front[..., 3:] + share * back[..., 3:]
     color = (1 - share) * front[..., :3] * front[..., 3:] + share * back[..., :3] * back[..., 3:]
-    return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
-
-
-def _over(front: Matrix, back: Matrix, share: float) -> Matrix:
-    """A picture with `share` of the opacity of another over it."""
-    weight = share * front[..., 3:]
-    opacity = weight + (1 - weight) * back[..., 3:]
-    color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
     return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
 
 

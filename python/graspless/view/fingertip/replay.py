@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import Color, robot_bodies
-from ..replay import DIM, RATE, Captions, add, look, move, plain
+from ..bodies import obstacles, robot_bodies
+from ..replay import RATE, Captions, add, look, move, plain, shade
 from . import bodies
 from .film import film
 from .stage import camera, swept
@@ -67,7 +67,7 @@ class Stage:
             add(scene, "/floor", floor, np.eye(4))
         for wall in bodies.wall_bodies(self.task, points):
             add(scene, f"/walls/{plain(wall.name)}", wall, np.eye(4), opacity=WALL_OPACITY)
-        for body, X_WB in bodies.obstacles(self.task):
+        for body, X_WB in obstacles(self.task):
             add(scene, f"/obstacles/{plain(body.name)}", body, X_WB)
 
     def _add_fingers(self, scene: Any) -> None:
@@ -79,7 +79,7 @@ class Stage:
             frame = scene.add_frame(f"/fingers/{k + 1}", show_axes=False)
             balls = {
                 mode: scene.add_icosphere(
-                    f"/fingers/{k + 1}/{mode}", radius, _shade(color), visible=False
+                    f"/fingers/{k + 1}/{mode}", radius, shade(color), visible=False
                 )
                 for mode, color in bodies.MODES.items()
             }
@@ -90,7 +90,7 @@ class Stage:
             self.arrows = scene.add_arrows(
                 "/forces",
                 np.zeros((count, 2, 3), dtype=np.float32),
-                _shade(bodies.ARROW),
+                shade(bodies.ARROW),
                 shaft_radius=width,
                 head_radius=2.2 * width,
                 head_length=4.5 * width,
@@ -120,8 +120,3 @@ class Stage:
             for i, body in enumerate(robot_bodies(robot, self.task.fields.robot))
             if body.parts
         ]
-
-
-def _shade(color: Color) -> tuple[int, int, int]:
-    red, green, blue = (round(255 * DIM * value) for value in color)
-    return red, green, blue

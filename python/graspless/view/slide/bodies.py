@@ -8,25 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part, obstacle_bodies, robot_bodies
+from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part
 
 if TYPE_CHECKING:
     from ... import geometry
-    from ...frames import Matrix
     from ...tasks import Task
-    from .film import Film
+    from ..film import Film
 
 TRAIL_WIDTH = 0.008  # [m]
-
-
-def robot(task: Task) -> list[Body]:
-    """One body a link, in the order of Robot.frame_names."""
-    return robot_bodies(task.problem.robot, task.fields.robot)
-
-
-def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
-    """The obstacles with their poses in the world."""
-    return obstacle_bodies(task.fields.obstacles)
 
 
 def table_body(task: Task) -> Body:

@@ -1,107 +1,20 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan in time: where every body is at each moment."""
+"""A slide in time."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from ... import frames
+from .. import film as films
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from ...frames import Matrix
     from ...plans.slide import Plan
 
 SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3}  # [rad/s]
-SPEED = 0.9  # of the other segments: for watching, not for driving a robot
-PAUSE = 0.4  # between segments [s]
-LONGEST = 30.0  # [s]
 
 
-@dataclass
-class Film:
-    """Rows of a plan with a time for each.
-
-    Attributes
-    ----------
-    times : array [N]
-        [s], from 0.
-    positions : array [N, dof]
-    object_poses : array [N, 4, 4]
-        X_WO.
-    names : list of str
-        The segment of each row.
-    """
-
-    plan: Plan
-    times: Matrix
-    positions: Matrix
-    object_poses: Matrix
-    names: list[str]
-
-    @cached_property
-    def link_poses(self) -> Matrix:
-        """[N, F, 4, 4] X_WL of every frame of the robot."""
-        robot = self.plan.task.problem.robot
-        return np.array([np.asarray(robot.forward(q)) for q in self.positions])
-
-    def frame(self, name: str) -> Matrix:
-        """[N, 4, 4] poses of one frame of the robot."""
-        index = list(self.plan.task.problem.robot.frame_names).index(name)
-        poses: Matrix = self.link_poses[:, index]
-        return poses
-
-    def rows(self, name: str) -> NDArray[np.int64]:
-        """The rows of a segment."""
-        return np.flatnonzero(np.array(self.names) == name)
-
-    def resampled(self, rate: float) -> Film:
-        """The same film at even times, `rate` rows a second."""
-        count = max(2, int(np.ceil(self.times[-1] * rate)) + 1)
-        times = np.linspace(0.0, self.times[-1], count)
-        after = np.clip(np.searchsorted(self.times, times), 1, max(1, len(self.times) - 1))
-        if len(self.times) == 1:
-            after = np.zeros(count, dtype=int)
-        before = np.maximum(after - 1, 0)
-        gap = self.times[after] - self.times[before]
-        blend = np.clip((times - self.times[before]) / np.where(gap > 0, gap, 1), 0, 1)
-        positions = self.positions[before] + blend[:, None] * (
-            self.positions[after] - self.positions[before]
-        )
-        poses = [
-            frames.between(self.object_poses[i], self.object_poses[j], t)
-            for i, j, t in zip(before, after, blend, strict=True)
-        ]
-        return Film(self.plan, times, positions, np.array(poses), [self.names[i] for i in after])
-
-
-def film(plan: Plan) -> Film:
+def film(plan: Plan) -> films.Film:
     """The plan's rows at a pace for watching; a plan without motion shows the start."""
     problem = plan.task.problem
-    segments = [segment for segment in plan.segments if len(segment)]
-    if not segments:
-        q_home = np.asarray(problem.q_home, dtype=float)[None]
-        start = np.asarray(problem.X_WO_start, dtype=float)[None]
-        return Film(plan, np.zeros(1), q_home, start, [plan.status])
-    times: list[float] = []
-    now = 0.0
-    for segment in segments:
-        step = np.abs(np.diff(segment.positions, axis=0)).max(axis=1, initial=0.0)
-        steps = step / SPEEDS.get(segment.name, SPEED)
-        times += (now + np.concatenate([[0.0], np.cumsum(steps)])).tolist()
-        now = times[-1] + PAUSE
-    scale = min(1.0, LONGEST / max(times[-1], 1e-9))
-    names = [segment.name for segment in segments for _ in range(len(segment))]
-    return Film(
-        plan,
-        np.array(times) * scale,
-        np.concatenate([segment.positions for segment in segments]),
-        np.concatenate([segment.object_poses for segment in segments]),
-        names,
-    )
+    return films.film(plan, problem.q_home, problem.X_WO_start, SPEEDS)

@@ -4,33 +4,29 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
 from .. import raster
-from ..bodies import OBJECT
-from . import bodies, stage
+from ..bodies import OBJECT, obstacles
+from ..figures import INK, as_png, draw_panel, new_figure
+from . import stage
 from .film import film
 
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.slide import Plan
-    from .film import Film
+    from ..film import Film
 
 TRAIL = (0.78, 0.10, 0.32)
-INK = (0.15, 0.17, 0.20)
 PANEL = (560, 350)  # pixels
 
 
 def draw(plan: Plan) -> bytes:
     """The picture as the bytes of a PNG file."""
     shown = film(plan)
-    figure = Figure(figsize=(15, 6.5), dpi=110, facecolor="white")
-    FigureCanvasAgg(figure)
+    figure = new_figure(15, 6.5)
     grid = figure.add_gridspec(
         2, 3, width_ratios=[1.1, 1, 1], left=0.045, right=0.99, bottom=0.07, top=0.89,
         wspace=0.05, hspace=0.1,
@@ -41,15 +37,10 @@ def draw(plan: Plan) -> bytes:
     for k, (row, caption) in enumerate(moments):
         alone = len(moments) == 1
         axes = figure.add_subplot(grid[:, 1:] if alone else grid[k // 2, 1 + k % 2])
-        axes.imshow(
-            raster.render(stage.placed(shown, row), camera, *PANEL), interpolation="antialiased"
-        )
-        axes.set_title(caption, fontsize=11, color=INK, loc="left", pad=3)
-        axes.set_axis_off()
+        picture = raster.render(stage.placed(shown, row), camera, *PANEL)
+        draw_panel(axes, picture, caption, pad=3)
     figure.suptitle(_headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
-    file = io.BytesIO()
-    figure.savefig(file, format="png")
-    return file.getvalue()
+    return as_png(figure)
 
 
 def _headline(plan: Plan) -> str:
@@ -72,7 +63,7 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     for core in getattr(support.goal_band, "core", []):
         ring = np.asarray(core.vertices)
         _fill(axes, ring, facecolor="#e6d9c3", edgecolor="#b8a88c", linewidth=0.8, zorder=2)
-    for body, X_WB in bodies.obstacles(task):
+    for body, X_WB in obstacles(task):
         points = body.parts[0].vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
         ring = _hull((points @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2])
         _fill(axes, ring, facecolor="#7f93ab", edgecolor=INK, linewidth=0.8, zorder=3)

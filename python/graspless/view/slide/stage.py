@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..bodies import obstacles, robot
 from ..raster import Camera
 from . import bodies
 
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
     from ...frames import Matrix
     from ..bodies import Body
-    from .film import Film
+    from ..film import Film
 
 MOMENTS = {
     "press": "1  press",
@@ -42,8 +43,8 @@ def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
     found = [
         (bodies.table_body(task), np.asarray(task.problem.support.X_WS)),
         (bodies.object_body(task), shown.object_poses[row]),
-        *bodies.obstacles(task),
-        *zip(bodies.robot(task), shown.link_poses[row], strict=True),
+        *obstacles(task),
+        *zip(robot(task), shown.link_poses[row], strict=True),
         (bodies.trail_body(shown), np.eye(4)),
     ]
     return [(body, X_WB) for body, X_WB in found if body.parts]
@@ -80,22 +81,16 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     return Camera(eye, middle).fitted(points, width, height)
 
 
-def spread(shown: Film, most: int = 60) -> list[int]:
-    """Rows from the first to the last, so many that nothing moves far between them."""
-    last = len(shown.times) - 1
-    return sorted({round(row) for row in np.linspace(0, last, min(most, last + 1))})
-
-
 def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
     """[N, 3] vertices of all bodies at the rows, in the world."""
-    robot = bodies.robot(shown.plan.task)
+    links = robot(shown.plan.task)
     thing = bodies.object_body(shown.plan.task)
     moving = [
         (body, X_WB)
         for row in rows
         for body, X_WB in (
             (thing, shown.object_poses[row]),
-            *zip(robot, shown.link_poses[row], strict=True),
+            *zip(links, shown.link_poses[row], strict=True),
         )
     ]
     return np.concatenate(

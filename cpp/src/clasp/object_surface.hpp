@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "graspless/geometry/complex.hpp"
+#include "graspless/geometry/shape.hpp"
+
+namespace graspless::clasp {
+
+/// What of a complex must not be touched (Object::surface). A complex without any edge gives a tiny
+/// triangle a point, so that there is always something.
+geometry::Mesh surface_of(const geometry::Complex& complex);
+
+}  // namespace graspless::clasp

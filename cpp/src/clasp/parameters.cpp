@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/geometry/shape.hpp"
+
+#include "clasp/kinematics.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Eigen::Vector3d;
+using Points = Eigen::Matrix3Xd;
+
+constexpr double kStep = 0.05;     // of a joint that closes [rad]
+constexpr double kFraction = 0.5;  // of the way from the open hand to the one closed in the air
+constexpr double kTip = 0.012;     // radius of a tip without shapes [m]
+
+double polyline_length(const Points& p) {
+  return (p.rightCols(p.cols() - 1) - p.leftCols(p.cols() - 1)).colwise().norm().sum();
+}
+
+/// 1 - delta / |alpha^|: the virtual linking of a curve that is linked once.
+double closure(const Points& p) {
+  const double chord = (p.col(0) - p.col(p.cols() - 1)).norm();
+  return 1 - chord / (polyline_length(p) + chord);
+}
+
+double closure(const HandKinematics& hand) {
+  double least = 1;
+  for (int i = 0; i < hand.num_curves(); ++i)
+    least = std::min(least, closure(hand.curve_points(i)));
+  return least;
+}
+
+/// Distance of a segment from a line through `on_line` along the unit vector `along`.
+double distance(const Vector3d& a, const Vector3d& b, const Vector3d& on_line,
+                const Vector3d& along) {
+  const auto across = [&](const Vector3d& v) { return Vector3d(v - v.dot(along) * along); };
+  const Vector3d from = across(on_line - a), d = across(b - a);
+  const double square = d.squaredNorm();
+  const double t = square > 0 ? std::clamp(from.dot(d) / square, 0.0, 1.0) : 0.0;
+  return (from - t * d).norm();
+}
+
+/// The middle of the box around all curves whose sides lie along the hand's own directions.
+Vector3d middle(const HandKinematics& hand) {
+  const Vector3d forward = hand.forward_W(), sideways = hand.sideways_W();
+  Vector3d centre = Vector3d::Zero();
+  for (const Vector3d& d : {forward, sideways, Vector3d(forward.cross(sideways))}) {
+    const Eigen::RowVectorXd along = d.transpose() * hand.nodes();
+    centre += (along.minCoeff() + along.maxCoeff()) / 2 * d;
+  }
+  return centre;
+}
+
+/// Whether every curve keeps `clear` away from a bar in the hand's middle.
+bool is_clear_of_bar(const HandKinematics& hand, double clear) {
+  const Vector3d centre = middle(hand), along = hand.sideways_W();
+  for (int i = 0; i < hand.num_curves(); ++i) {
+    const Points p = hand.curve_points(i);
+    for (Eigen::Index k = 0; k + 1 < p.cols(); ++k) {
+      if (distance(p.col(k), p.col(k + 1), centre, along) < clear) return false;
+    }
+  }
+  return true;
+}
+
+double sum_of_closures(const HandKinematics& hand) {
+  double sum = 0;
+  for (int i = 0; i < hand.num_curves(); ++i) sum += closure(hand.curve_points(i));
+  return sum;
+}
+
+}  // namespace
+
+double finger_radius(const robot::Robot& robot, const Hand& hand) {
+  double thickest = 0;
+  const auto look = [&](const Finger& finger) {
+    const int tip = robot.frame(finger.nodes.back().link);
+    for (const robot::LinkShape& shape : robot.shapes()) {
+      if (shape.link != tip) continue;
+      double thinnest = HUGE_VAL;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Vector3d d = shape.placed.X_BG.linear().col(axis);
+        thinnest = std::min(thinnest, (extent(shape.placed, d) + extent(shape.placed, -d)) / 2);
+      }
+      thickest = std::max(thickest, thinnest);
+    }
+  };
+  for (const Finger& finger : hand.fingers) look(finger);
+  look(hand.thumb);
+  return thickest > 0 ? thickest : kTip;
+}
+
+double open_linking(const robot::Robot& robot, const Hand& hand) {
+  HandKinematics kinematics(robot, hand);
+  kinematics.update(robot.state(hand.open));
+  return closure(kinematics);
+}
+
+double half_width(const robot::Robot& robot, const Hand& hand) {
+  HandKinematics kinematics(robot, hand);
+  kinematics.update(robot.state(hand.open));
+  const Eigen::RowVectorXd along = kinematics.sideways_W().transpose() * kinematics.nodes();
+  return (along.maxCoeff() - along.minCoeff()) / 2;
+}
+
+// The joints close in turn; one that would touch the bar, or brings the tips no nearer, is done.
+double reachable_linking(const robot::Robot& robot, const Hand& hand, double thickness) {
+  const double clear = thickness / 2 + finger_radius(robot, hand);
+  const Eigen::VectorXd& closed = robot.state(hand.closed);
+  Eigen::VectorXd q = robot.state(hand.open);
+  HandKinematics kinematics(robot, hand);
+  kinematics.update(q);
+  double sum = sum_of_closures(kinematics);
+  std::vector<int> moving = robot.group(hand.hand);
+  const auto is_done = [&](int joint) {
+    const double before = q[joint], left = closed[joint] - before;
+    if (std::abs(left) < 1e-9) return true;
+    q[joint] += std::clamp(left, -kStep, kStep);
+    kinematics.update(q);
+    const double now = sum_of_closures(kinematics);
+    if (now > sum && is_clear_of_bar(kinematics, clear)) {
+      sum = now;
+      return false;
+    }
+    q[joint] = before;
+    return true;
+  };
+  while (!moving.empty()) {
+    moving.erase(std::remove_if(moving.begin(), moving.end(), is_done), moving.end());
+  }
+  kinematics.update(q);
+  return closure(kinematics);
+}
+
+Options derived(const Options& options, const Problem& problem, int loop) {
+  Options o = options;
+  const geometry::Loop& of = problem.object.loops().loops[static_cast<std::size_t>(loop)];
+  if (o.min_linking == 0) {
+    const double open = open_linking(problem.robot, problem.hand);
+    const double reach = reachable_linking(problem.robot, problem.hand, of.thickness);
+    o.min_linking = open + kFraction * (reach - open);
+  }
+  if (o.targets == 0) {
+    const double spacing = std::max(0.01, half_width(problem.robot, problem.hand));
+    o.targets = static_cast<int>(std::clamp(std::ceil(of.length / spacing), 4.0, 64.0));
+  }
+  if (o.pre_expansions == 0) o.pre_expansions = pre_expansion_schedule(o).front();
+  return o;
+}
+
+std::vector<int> pre_expansion_schedule(const Options& options) {
+  if (options.pre_expansions > 0) return {options.pre_expansions};
+  return {20, 50, 100, 200};
+}
+
+}  // namespace graspless::clasp

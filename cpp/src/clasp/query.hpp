@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "graspless/clasp/clasp.hpp"
+#include "graspless/planning/path.hpp"
+
+#include "clasp/free_space.hpp"
+
+namespace graspless::clasp {
+
+constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
+
+/// What one plan() works with.
+struct Query {
+  Query(const Problem& problem, const Options& options, const planning::Budget& budget)
+      : problem(problem), options(options), clock(budget), rng(budget.seed), free(problem) {}
+
+  const Problem& problem;
+  const Options& options;
+  planning::Clock clock;
+  std::mt19937_64 rng;
+  FreeSpace free;
+  Statistics statistics;
+
+  void refuse(const std::string& why) { ++statistics.refusals[why]; }
+
+  /// Whether a straight motion is free at the configurations at which the plan will be replayed:
+  /// rows of kRowStep, each cut at options.resolution.
+  bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    const planning::Path rows = planning::subdivided({from, to}, kRowStep);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      if (!free.is_free(rows[i - 1], rows[i], options.resolution)) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace graspless::clasp

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "clasp/kinematics.hpp"
+#include "clasp/parameters.hpp"
+#include "clasp/pull.hpp"
+#include "clasp/reach.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Eigen::Vector3d;
+using geometry::ClaspTarget;
+
+/// What places are judged by.
+struct Judge {
+  Judge(const Problem& problem, const Eigen::VectorXd& q)
+      : problem(problem),
+        reach(arm_reach(problem.robot, problem.hand, q)),
+        object_middle(problem.X_WO * problem.object.points().rowwise().mean()),
+        clearance(problem.object.clearance()),
+        finger(finger_radius(problem.robot, problem.hand)) {
+    HandKinematics hand(problem.robot, problem.hand);
+    hand.update(q);
+    hand_W = hand.nodes().rowwise().mean();
+  }
+  const Problem& problem;
+  Reach reach;
+  Vector3d object_middle, hand_W;
+  collision::Clearance clearance;  // a grid of its own
+  double finger;                   // radius [m]
+  double least_excess = std::numeric_limits<double>::infinity();
+};
+
+/// Of the points on a circle around the place, how many leave no room for a finger.
+int num_obstructed(Judge& judge, const ClaspTarget& place_W, double thickness) {
+  constexpr int kPoints = 12;
+  const double radius = thickness / 2 + 2 * judge.finger;
+  const Eigen::Isometry3d X_OW = judge.problem.X_WO.inverse();
+  const Vector3d u = place_W.tangent.unitOrthogonal(), v = place_W.tangent.cross(u);
+  int obstructed = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2 * M_PI * i / kPoints;
+    const Vector3d p_W = place_W.point + radius * (std::cos(angle) * u + std::sin(angle) * v);
+    obstructed += judge.clearance.bounds(X_OW * p_W).upper < judge.finger;
+  }
+  return obstructed;
+}
+
+struct Place {
+  ClaspTarget target_W;
+  double score;  // of the pull, else 0
+  int obstructed;
+  double distance;  // from the hand
+};
+
+bool is_better(const Place& a, const Place& b) {
+  if (a.score != b.score) return a.score > b.score;
+  return std::make_pair(a.obstructed, a.distance) < std::make_pair(b.obstructed, b.distance);
+}
+
+/// The places in reach and good for the pull, the best first.
+std::vector<Place> judged(Query& query, Judge& judge, const Eigen::Matrix3Xd& loop_W,
+                          double thickness, const std::vector<ClaspTarget>& targets_W) {
+  const auto& pull = query.problem.pull_W;
+  const Pulled pulled{loop_W.rowwise().mean(), judge.object_middle};
+  std::vector<Place> places;
+  for (const ClaspTarget& target : targets_W) {
+    const double excess = judge.reach.excess(target.point);
+    judge.least_excess = std::min(judge.least_excess, excess);
+    if (excess > 0) {
+      query.refuse("target: out of reach");
+      continue;
+    }
+    const auto score = pull ? pull_score(target, pulled, pull->normalized()) : 0.0;
+    if (!score) {
+      query.refuse("target: not good for the pull");
+      continue;
+    }
+    places.push_back({target, *score, num_obstructed(judge, target, thickness),
+                      (target.point - judge.hand_W).norm()});
+  }
+  std::sort(places.begin(), places.end(), is_better);
+  return places;
+}
+
+std::vector<ClaspTarget> in_world(const Eigen::Isometry3d& X_WO, std::vector<ClaspTarget> targets) {
+  for (ClaspTarget& target : targets) {
+    target = {X_WO * target.point, X_WO.linear() * target.tangent};
+  }
+  return targets;
+}
+
+/// The loop's targets at equal arc length or, where the user made marks, those of a finer row that
+/// are nearest to the marks which lie nearest to this loop.
+std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
+                                                    const std::vector<int>& loops,
+                                                    const std::vector<int>& counts) {
+  constexpr int kFiner = 8;
+  std::vector<std::vector<ClaspTarget>> targets(loops.size()), rows;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto& loop = problem.object.loops().loops[static_cast<std::size_t>(loops[i])];
+    const int count = counts[i] * (problem.marks.empty() ? 1 : kFiner);
+    rows.push_back(geometry::clasp_targets(loop.points, count));
+  }
+  if (problem.marks.empty()) return rows;
+  for (const Vector3d& mark : problem.marks) {
+    std::size_t best = 0;
+    const ClaspTarget* nearest = nullptr;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (const ClaspTarget& target : rows[i]) {
+        if (nearest && (target.point - mark).norm() >= (nearest->point - mark).norm()) continue;
+        nearest = &target;
+        best = i;
+      }
+    }
+    targets[best].push_back(*nearest);
+  }
+  return targets;
+}
+
+std::vector<int> loops_wanted(const Problem& problem) {
+  if (!problem.loops.empty()) return problem.loops;
+  std::vector<int> all(problem.object.loops().loops.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void say_none(const Query& query, const Judge& judge, Plan& plan) {
+  if (judge.least_excess > 0) {
+    plan.status = Status::no_target_in_reach;
+    plan.reason = "every target is out of the arm's reach of " +
+                  std::to_string(judge.reach.radius) + " m; the nearest is " +
+                  std::to_string(judge.least_excess) + " m too far away";
+  } else {
+    plan.status = Status::not_found;
+    plan.reason = "no place of the loops in reach lies across the pull and on its side";
+  }
+  plan.statistics.refusals = query.statistics.refusals;
+}
+
+}  // namespace
+
+std::vector<LoopTargets> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan) {
+  const Problem& problem = query.problem;
+  const std::vector<int> loops = loops_wanted(problem);
+  if (loops.empty()) {
+    plan.status = Status::no_reliable_hole;
+    plan.reason = problem.object.loops().reason;
+    return {};
+  }
+  std::vector<Options> options;
+  std::vector<int> counts;
+  for (const int loop : loops) {
+    options.push_back(derived(query.options, problem, loop));
+    counts.push_back(options.back().targets);
+  }
+  const auto targets_O = all_targets_O(problem, loops, counts);
+  Judge judge(problem, q);
+  std::vector<std::pair<Place, LoopTargets>> choice;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto& loop = problem.object.loops().loops[static_cast<std::size_t>(loops[i])];
+    LoopTargets of{loops[i], options[i], problem.X_WO * loop.points, {}};
+    const auto places =
+        judged(query, judge, of.points_W, loop.thickness, in_world(problem.X_WO, targets_O[i]));
+    for (const Place& place : places) of.targets_W.push_back(place.target_W);
+    if (!places.empty()) choice.emplace_back(places.front(), std::move(of));
+  }
+  std::stable_sort(choice.begin(), choice.end(),
+                   [](const auto& a, const auto& b) { return is_better(a.first, b.first); });
+  std::vector<LoopTargets> sorted;
+  for (auto& [place, of] : choice) sorted.push_back(std::move(of));
+  if (sorted.empty()) say_none(query, judge, plan);
+  return sorted;
+}
+
+}  // namespace graspless::clasp

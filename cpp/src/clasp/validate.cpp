@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "graspless/clasp/clasp.hpp"
+#include "graspless/geometry/pose.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+void check_loops(const Problem& problem) {
+  const auto count = static_cast<int>(problem.object.loops().loops.size());
+  for (std::size_t i = 0; i < problem.loops.size(); ++i) {
+    if (problem.loops[i] >= 0 && problem.loops[i] < count) continue;
+    throw std::invalid_argument(
+        "loops[" + std::to_string(i) + "] is " + std::to_string(problem.loops[i]) + "; object '" +
+        problem.object.name() + "' has " + std::to_string(count) + " loops, counted from 0");
+  }
+}
+
+void check_marks(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.marks.size(); ++i) {
+    const Eigen::Vector3d& mark = problem.marks[i];
+    if (mark.allFinite() && mark.cwiseAbs().maxCoeff() <= geometry::kMaxLength) continue;
+    throw std::invalid_argument("marks[" + std::to_string(i) + "] must be finite, within 1e4 m");
+  }
+}
+
+void check_pull(const Problem& problem) {
+  if (!problem.pull_W) return;
+  const double length = problem.pull_W->norm();
+  if (std::isfinite(length) && length > 1e-9) return;
+  throw std::invalid_argument("pull_W must be finite and not zero: its length is " +
+                              std::to_string(length));
+}
+
+void check_obstacles(const Problem& problem) {
+  std::set<std::string> taken{"object"};
+  for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
+  collision::require_obstacles(problem.obstacles, taken, "a link, another obstacle or 'object'");
+}
+
+}  // namespace
+
+void validate(const Problem& problem) {
+  validate(problem.hand, problem.robot);
+  robot::require_configuration(problem.robot, problem.q_start, "q_start");
+  geometry::require_pose(problem.X_WO, "X_WO");
+  check_obstacles(problem);
+  check_loops(problem);
+  check_marks(problem);
+  check_pull(problem);
+}
+
+}  // namespace graspless::clasp

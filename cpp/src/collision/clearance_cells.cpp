@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision/clearance_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace graspless::collision {
+namespace {
+
+constexpr int kFirstBits = 8;
+constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that all is forgotten
+constexpr std::size_t kMaxRoots = 1 << 20;
+
+}  // namespace
+
+ClearanceCells::ClearanceCells(std::shared_ptr<const Triangles> triangles, double cell)
+    : triangles_(std::move(triangles)),
+      all_(triangles_->size()),
+      cell_(cell),
+      root_(cell * std::pow(kParts, kCellLevel)),
+      per_root_(1 / root_) {
+  for (std::size_t i = 0; i < all_.size(); ++i) all_[i] = {0, static_cast<int>(i)};
+  clear();
+}
+
+void ClearanceCells::clear() {
+  slots_.assign(std::size_t{1} << kFirstBits, {0, -1});
+  shift_ = 64 - kFirstBits;
+  roots_.clear();
+  blocks_.clear();
+  listed_ = 0;
+  last_root_ = -1;
+}
+
+/// Where a key is in the table, or the free slot where it would go.
+std::size_t ClearanceCells::find(std::uint64_t key) const {
+  auto i = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15u) >> shift_);
+  while (slots_[i].root >= 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
+  return i;
+}
+
+ClearanceCells::Cell& ClearanceCells::root(const Number& number) {
+  const auto key = static_cast<std::uint64_t>(number.x() << 42 | number.y() << 21 | number.z());
+  if (last_root_ >= 0 && key == last_key_) return roots_[static_cast<std::size_t>(last_root_)];
+  if (listed_ > kMaxListed || roots_.size() > kMaxRoots) clear();
+  if (2 * roots_.size() >= slots_.size()) grow();
+  Slot& slot = slots_[find(key)];
+  if (slot.root < 0) {
+    slot = {key, static_cast<int>(roots_.size())};
+    roots_.emplace_back();
+  }
+  last_key_ = key;
+  last_root_ = slot.root;
+  return roots_[static_cast<std::size_t>(slot.root)];
+}
+
+void ClearanceCells::grow() {
+  std::vector<Slot> old(2 * slots_.size(), {0, -1});
+  old.swap(slots_);
+  --shift_;
+  for (const Slot& slot : old) {
+    if (slot.root >= 0) slots_[find(slot.key)] = slot;
+  }
+}
+
+/// From a point that is at most `offset` from the middle of the cell whose list it is.
+double ClearanceCells::measure(const Eigen::Vector3d& point, double offset,
+                               const List& nearest) const {
+  double square = std::numeric_limits<double>::infinity(), distance = square;
+  for (const Near& near : nearest) {
+    if (static_cast<double>(near.distance) - offset >= distance) continue;
+    const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(near.triangle)];
+    const double reach = distance + triangle.radius;
+    if ((point - triangle.middle).squaredNorm() >= reach * reach) continue;
+    const double other = squared_distance(triangle, point);
+    if (other >= square) continue;
+    square = other;
+    distance = std::sqrt(square);
+  }
+  return distance;
+}
+
+/// A new block for the parts of a cell. A point within it is at most half a diagonal h from its
+/// middle: what is nearest to the point is at most 2 h farther from the middle than the nearest.
+int ClearanceCells::cut(const Cell& cell, const Eigen::Vector3d& middle, double side,
+                        const List& nearest) {
+  const double offset = kMostOffset * side;
+  const double farthest =
+      static_cast<double>(cell.distance) * (1 + kRounding) + 2.000001 * kHalfDiagonal * side;
+  auto block = std::make_unique<Block>();
+  List& list = block->nearest;
+  for (const Near& near : nearest) {
+    if (static_cast<double>(near.distance) - offset > farthest) continue;
+    const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(near.triangle)];
+    const double reach = farthest + triangle.radius;
+    if ((middle - triangle.middle).squaredNorm() > reach * reach) continue;
+    const double square = squared_distance(triangle, middle);
+    if (square > farthest * farthest) continue;
+    const double least = std::sqrt(square) * (1 - kRounding);
+    list.push_back({static_cast<float>(least), near.triangle});
+    if (list.back().distance < list.front().distance) std::swap(list.front(), list.back());
+  }
+  listed_ += list.size() + sizeof(Block) / sizeof(Near);
+  blocks_.push_back(std::move(block));
+  return static_cast<int>(blocks_.size()) - 1;
+}
+
+}  // namespace graspless::collision

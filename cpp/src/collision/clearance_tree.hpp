@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// CGAL's tree of boxes behind one door: the distance from a point to triangles.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "collision/clearance_triangles.hpp"
+
+namespace graspless::collision {
+
+/// Immutable; the tree is built by whoever first asks. May be asked from several threads.
+class ClearanceTree {
+ public:
+  explicit ClearanceTree(const std::vector<SurfaceTriangle>& triangles);
+  ~ClearanceTree();
+
+  /// The distance to the surface [m].
+  double distance(const Eigen::Vector3d& point) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+  Eigen::Matrix3Xd hints_;  // points of the surface: a search begins with the nearest
+};
+
+}  // namespace graspless::collision

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless loops`: the holes of a cloud or a mesh."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .errors import TaskError
+
+if TYPE_CHECKING:
+    import argparse
+
+    from .frames import Matrix
+
+MESHES = (".stl", ".obj", ".off")
+FOUND, NOT_FOUND = 0, 1
+
+
+def add_parser(commands: Any) -> None:
+    """Adds `loops` to the commands of the command line."""
+    parser = commands.add_parser(
+        "loops",
+        help="find the holes of a point cloud or a mesh",
+        description="Tells the shortest loops around the holes of what a cloud was taken from. "
+        "Exit 1 when the cloud shows no reliable hole.",
+    )
+    parser.add_argument("file", metavar="CLOUD", help=".ply, .pcd, .xyz; .stl, .obj, .off: sampled")
+    parser.add_argument(
+        "--unit", choices=["m", "mm"], default="m", help="of the file (%(default)s)"
+    )
+    parser.add_argument(
+        "--points", type=int, default=2000, metavar="N", help="sampled of a mesh (%(default)s)"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, metavar="N", help="of these points (%(default)s)"
+    )
+    parser.add_argument(
+        "--edge", type=float, metavar="D", help="longest edge of the complex [m]; default: derived"
+    )
+    parser.add_argument(
+        "--lowest", action="store_true", help="take the lowest plateau, not the widest"
+    )
+    parser.add_argument(
+        "--polish", action="store_true", help="shorten the loops of a large cloud on all its points"
+    )
+    parser.add_argument("--json", action="store_true", help="print loops and Betti curve as JSON")
+    parser.add_argument("--png", metavar="FILE", help="write a picture")
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from . import files, geometry, view
+    from .report import loops as report
+
+    if options.png is not None:
+        view.check_png(options.png)
+        files.check_writable(options.png)
+    cloud = read_points(options.file, options.unit, options.points, options.seed)
+    asked = geometry.LoopOptions()
+    asked.max_edge_length = asked.max_edge_length if options.edge is None else options.edge
+    asked.lowest_plateau, asked.polish = options.lowest, options.polish
+    try:
+        found = geometry.shortest_loops(cloud, asked)
+    except ValueError as error:
+        raise TaskError(f"{options.file}: {error}") from None
+    if options.png is not None:
+        view.write_loops_png(cloud, found, options.png)
+    if options.json:
+        print(json.dumps(report.as_dict(found)))
+    else:
+        print(report.as_text(found))
+        if options.png is not None:
+            print(f"written: {options.png}")
+    return FOUND if found.loops else NOT_FOUND
+
+
+def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
+    """The points of a cloud, or `count` on the surface of a mesh.
+
+    Parameters
+    ----------
+    path : str
+        A cloud (.ply, .pcd, .xyz) or a mesh (.stl, .obj, .off).
+    unit : str
+        m or mm, of the file.
+    count, seed : int
+        Of the points of a mesh.
+
+    Returns
+    -------
+    array [N, 3]
+        [m].
+    """
+    from . import geometry
+    from .tasks.clouds import SUFFIXES, read_cloud
+
+    scale = 0.001 if unit == "mm" else 1.0
+    suffix = Path(path).suffix.lower()
+    if suffix not in (*SUFFIXES, *MESHES):
+        raise TaskError(f"{path}: unknown kind of file (one of: {', '.join((*SUFFIXES, *MESHES))})")
+    try:
+        if suffix in SUFFIXES:
+            return scale * read_cloud(path)
+        mesh = geometry.PlacedShape(geometry.read_mesh(path, scale))
+        points: Matrix = geometry.sample_surface([mesh], count, seed)
+    except ValueError as error:
+        raise TaskError(f"{path}: {str(error).removeprefix(f'{path}: ')}") from None
+    return points

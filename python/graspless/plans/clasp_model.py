@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a plan file of kind clasp holds."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from ..tasks.clasp.model import ClaspTask
+from ..tasks.shapes import Fields, NotNegative, Point3
+from .joints import require_rows
+from .model import PlanFields, PoseRow
+
+Status = Literal[
+    "solved",
+    "start_in_collision",
+    "no_reliable_hole",
+    "no_target_in_reach",
+    "not_found",
+    "not_secure",
+    "interrupted",
+]
+Index = Annotated[int, Field(ge=0)]
+
+
+class Segment(Fields):
+    """A stretch of motion."""
+
+    name: str = Field(description="reach or close")
+    positions: list[list[float]] = Field(description="[N][dof], rad or m")
+    object_poses: list[PoseRow] = Field(
+        description="[N][7], x y z qw qx qy qz in the world: the object stands still"
+    )
+    virtual_linking: list[list[float]] = Field(
+        description="[N][curves] of every finger curve with the loop that is clasped"
+    )
+
+
+class Target(Fields):
+    """Where the loop is clasped."""
+
+    point: Point3 = Field(description="in the object frame [m]")
+    tangent: Point3 = Field(description="of the loop there, unit, in the object frame")
+
+
+class Stability(Fields):
+    """What the stability test says of the last row."""
+
+    secure: bool
+    escapes: Index = Field(description="sequences of moves in which the loop came free")
+    margin: float = Field(description="1: cannot move; 0 or less: escaped")
+    checks: Index = Field(description="poses looked at")
+
+
+class Tree(Fields):
+    """The tree that led to the clasp."""
+
+    points: list[Point3] = Field(description="[N] centre of the hand's curves in the world [m]")
+    parents: list[Index] = Field(description="[N] index of a node's parent; its own for the root")
+    path: list[Index] = Field(description="nodes from the root to the clasp")
+
+    @model_validator(mode="after")
+    def _check(self) -> Tree:
+        if len(self.parents) != len(self.points):
+            counts = f"{len(self.points)} points and {len(self.parents)} parents"
+            raise ValueError(f"the tree has {counts}: one a node are needed")
+        if any(node >= len(self.points) for node in [*self.parents, *self.path]):
+            raise ValueError(f"the tree names a node beyond its {len(self.points)}")
+        return self
+
+
+class ClaspPlanFile(PlanFields):
+    """A plan with its whole task."""
+
+    kind: Literal["clasp"]
+    status: Status
+    joint_names: list[str]
+    loop: Index | None = Field(
+        default=None, description="clasped: index of the object's loops, the shortest first"
+    )
+    target: Target | None = Field(default=None, description="clasped: where on the loop")
+    min_linking: NotNegative = Field(description="virtual linking at which the hand closes")
+    stability: Stability | None = Field(default=None, description="of the last row")
+    segments: list[Segment]
+    tree: Tree
+    warnings: list[str]
+    task: ClaspTask = Field(description="the task file, with all that it names")
+
+    @model_validator(mode="after")
+    def _check(self) -> ClaspPlanFile:
+        curves = {len(row) for segment in self.segments for row in segment.virtual_linking}
+        if len(curves) > 1:
+            raise ValueError(f"virtual_linking has rows of {sorted(curves)} curves")
+        for segment in self.segments:
+            where = f"segment '{segment.name}'"
+            require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
+            if len(segment.virtual_linking) != len(segment.positions):
+                counts = f"{len(segment.virtual_linking)} virtual_linking"
+                raise ValueError(f"{where} has {counts}: one a row are needed")
+        found = (self.loop, self.target, self.stability)
+        if self.status == "solved" and None in found:
+            raise ValueError("a plan that is solved has loop, target and stability")
+        return self

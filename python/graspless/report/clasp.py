@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the clasp planner found."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import count, refused, segment_line
+from .loops import betti_line, loop_line
+
+if TYPE_CHECKING:
+    from ..plans.clasp import Plan
+
+
+def details(plan: Plan) -> dict[str, Any]:
+    """What `--json` prints of this kind alone."""
+    ends = _ends(plan)
+    return {
+        "loop": plan.loop,
+        "loops": len(plan.task.problem.object.loops.loops),
+        "target": None if plan.target is None else plan.target.model_dump(),
+        "min_linking": plan.min_linking,
+        "virtual_linking": ends,
+        "stability": None if plan.stability is None else plan.stability.model_dump(),
+        "path_nodes": len(plan.tree.path),
+        "warnings": plan.warnings,
+        "segments": [{"name": s.name, "rows": len(s)} for s in plan.segments],
+    }
+
+
+def lines(plan: Plan) -> list[str]:
+    """A line a segment, which loop is clasped, how far the fingers close, how secure it is."""
+    assert plan.stability is not None
+    loops = plan.task.problem.object.loops.loops
+    found = [f"warning: {warning}" for warning in plan.warnings]
+    found += [segment_line(plan, segment) for segment in plan.segments]
+    found.append(f"clasps {loop_line(loops, plan.loop or 0)}")
+    ends = _ends(plan)
+    if ends:
+        shown = ", ".join(f"{name} {value:.2f}" for name, value in ends.items())
+        found.append(f"virtual linking {shown}; the hand closed from {plan.min_linking:.2f}")
+    stability = plan.stability
+    sequences = plan.task.options.stability.sequences
+    held = "secure" if stability.secure else "not secure"
+    escapes = f"{stability.escapes} of {count(sequences, 'sequences')} of random moves"
+    found.append(f"{held}: {escapes} free it, margin {stability.margin:.2f}")
+    return found
+
+
+def lines_not_found(plan: Plan) -> list[str]:
+    """Without a hole, what the cloud shows; else why targets, connections and clasps failed."""
+    if plan.status == "no_reliable_hole":
+        loops = plan.task.problem.object.loops
+        return [f"warning: {warning}" for warning in loops.warnings] + betti_line(loops)
+    return [f"warning: {warning}" for warning in plan.warnings] + refused(plan)
+
+
+def _ends(plan: Plan) -> dict[str, float]:
+    """Virtual linking of each finger in the last row."""
+    rows = [segment.virtual_linking for segment in plan.segments if len(segment)]
+    if not rows:
+        return {}
+    fingers = plan.task.problem.hand.fingers
+    return {
+        finger.name: float(value)
+        for finger, value in zip(fingers, np.asarray(rows[-1])[-1], strict=True)
+    }

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Loops of a cloud in words."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from . import count
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .. import geometry
+
+MOST = 4  # stretches of the Betti curve that are told
+
+
+def loop_line(loops: Sequence[geometry.Loop], index: int) -> str:
+    """One loop: which it is, how long, and how thick what it runs along."""
+    loop = loops[index]
+    which = "the loop" if len(loops) == 1 else f"loop {index + 1} of {len(loops)}"
+    return f"{which}, {loop.length:.3g} m around, {100 * loop.thickness:.2g} cm thick"
+
+
+def betti_line(loops: geometry.Loops) -> list[str]:
+    """How many loops there are at which length of edges, the widest stretches first."""
+    edges, numbers = list(loops.betti.max_edge_length), list(loops.betti.loops)
+    stretches = [
+        (upper / lower, lower, upper, number)
+        for lower, upper, number in zip(edges, [*edges[1:], math.inf], numbers, strict=False)
+        if number > 0 and lower > 0 and math.isfinite(upper)
+    ]
+    if not stretches:
+        return ["holes at any length of edges: none"]
+    widest = sorted(stretches, reverse=True)[:MOST]
+    shown = [
+        f"{count(number, 'loops')} from {lower:.4g} to {upper:.4g} m"
+        for _, lower, upper, number in sorted(widest, key=lambda stretch: stretch[1])
+    ]
+    return ["by the longest edge: " + ", ".join(shown)]
+
+
+def as_dict(loops: geometry.Loops) -> dict[str, Any]:
+    """What `graspless loops --json` prints."""
+
+    def loop_fields(loop: geometry.Loop) -> dict[str, Any]:
+        return {
+            "length": loop.length,
+            "thickness": loop.thickness,
+            "birth": loop.birth,
+            "death": loop.death if math.isfinite(loop.death) else None,
+            "points": loop.points.tolist(),
+            "vertices": list(loop.vertices),
+        }
+
+    return {
+        "status": loops.status.name,
+        "reason": loops.reason,
+        "max_edge_length": loops.complex.max_edge_length,
+        "plateau": {
+            "lower": loops.plateau.lower,
+            "upper": loops.plateau.upper if math.isfinite(loops.plateau.upper) else None,
+            "loops": loops.plateau.loops,
+        },
+        "loops": [loop_fields(loop) for loop in loops.loops],
+        "meridians": [loop_fields(loop) for loop in loops.meridians],
+        "betti": {
+            "max_edge_length": list(loops.betti.max_edge_length),
+            "loops": list(loops.betti.loops),
+        },
+        "warnings": list(loops.warnings),
+    }
+
+
+def as_text(loops: geometry.Loops) -> str:
+    """A few lines for people."""
+    found = [f"warning: {warning}" for warning in loops.warnings]
+    if not loops.loops:
+        return "\n".join([f"no reliable hole: {loops.reason}", *betti_line(loops), *found])
+    head = (
+        f"{count(len(loops.loops), 'loops')} at edges below {loops.complex.max_edge_length:.4g} m"
+    )
+    lines = [head]
+    for k, loop in enumerate(loops.loops):
+        sure = f", there up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
+        thick = f"{100 * loop.thickness:.2g} cm thick"
+        lines.append(f"  {k + 1}: {loop.length:.3g} m around, {thick}{sure}")
+    if loops.meridians:
+        around = count(len(loops.meridians), "loops")
+        lines.append(f"  left out: {around} around a thick handle, not along it")
+    return "\n".join([*lines, *found])

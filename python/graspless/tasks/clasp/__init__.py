@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tasks of the clasp planner."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..force import in_force as _in_force
+from ..meshes import checksums
+from ..obstacles import obstacle_meshes, resolve_obstacles
+from ..robots import resolve_robot, robot_meshes
+from .build import build as build_problem
+from .build import build_options
+from .cloud import resolve_object
+from .hand import Hand, hand_in_force, resolve_hand
+from .model import ClaspTask
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ... import clasp
+    from ..source import Source
+
+SEARCHES = ()
+Fields = ClaspTask
+
+
+def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTask, Source]:
+    """The fields with robot, hand and points inline and absolute paths of meshes, and where the
+    hand's fields stand.
+    """
+    robot, urdf = resolve_robot(named.robot, source, directory)
+    hand, hand_source = resolve_hand(named.hand, urdf, source, directory)
+    obstacles = resolve_obstacles(named.obstacles, source, directory)
+    update = {
+        "robot": robot,
+        "hand": hand,
+        "object": resolve_object(named.object, source, directory),
+        "obstacles": obstacles,
+        "files": checksums(obstacle_meshes(obstacles) | robot_meshes(robot)),
+    }
+    return named.model_copy(update=update), hand_source
+
+
+def require_resolved(fields: ClaspTask, source: Source) -> None:
+    """Raises TaskError unless fields of a plan file name no file that is not beside it."""
+    if fields.robot.urdf is not None:
+        raise source.error(("robot", "urdf"), "must stand in the plan file itself")
+    if not isinstance(fields.hand, Hand):
+        raise source.error(("hand",), "must stand in the plan file itself")
+    if not isinstance(fields.object.points, list):
+        raise source.error(("object", "points"), "must stand in the plan file itself")
+
+
+def build(fields: ClaspTask, source: Source, other: Source) -> tuple[clasp.Problem, None]:
+    """The problem of resolved fields; those of the hand stand in `other`."""
+    return build_problem(fields, source, other), None
+
+
+def options(fields: ClaspTask, problem: clasp.Problem, source: Source) -> clasp.Options:
+    """How to search."""
+    return build_options(fields, source)
+
+
+def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) -> dict[str, Any]:
+    """Fields with every value that was in force; where 0 is given, the planner derives it."""
+    loops = _in_force(fields.object.loops, problem.object.loop_options)
+    stability = _in_force(fields.options.stability, options.stability)
+    names = [name for name in type(fields.options).model_fields if name != "stability"]
+    values = {name: getattr(options, name) for name in names}
+    return {
+        "hand": hand_in_force(problem.hand),
+        "object": fields.object.model_copy(update={"loops": loops}),
+        "options": type(fields.options)(**values, stability=stability),
+    }
+
+
+__all__ = ["SEARCHES", "Fields", "build", "in_force", "options", "require_resolved", "resolve"]

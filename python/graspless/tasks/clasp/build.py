@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a resolved task to the planner's own types."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import clasp, geometry
+from ..obstacles import placed_obstacles
+from ..robots import build_home, build_robot, require_srdf
+from ..shapes import pose_matrix
+from ..source import at
+from .hand import Hand, build_hand
+
+if TYPE_CHECKING:
+    from ..source import Location, Source
+    from . import model
+
+
+def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.Problem:
+    """The problem that a resolved task states.
+
+    Parameters
+    ----------
+    task : ClaspTask
+        Resolved.
+    source, hand_source : Source
+        Where the task and the hand's fields stand; faults name the place.
+    """
+    robot = build_robot(task.robot, source)
+    require_srdf(task.robot, source)
+    assert isinstance(task.hand, Hand)
+    in_task = hand_source is source
+    hand = build_hand(task.hand, robot, hand_source, ("hand",) if in_task else ())
+    problem = clasp.Problem(
+        robot=robot,
+        hand=hand,
+        object=build_object(task.object, source),
+        X_WO=pose_matrix(task.object.pose),
+        q_start=build_home(task.robot, robot, source, others=hand.open),
+        obstacles=[clasp.Obstacle(*placed) for placed in placed_obstacles(task.obstacles, source)],
+        loops=task.clasp.loops,
+        marks=np.array(task.clasp.marks).reshape(-1, 3),
+        pull_W=None if task.clasp.pull is None else np.array(task.clasp.pull),
+    )
+    try:
+        clasp.validate(problem)
+    except ValueError as error:
+        raise source.error(*_blamed(str(error))) from None
+    return problem
+
+
+def build_object(thing: model.Object, source: Source) -> clasp.Object:
+    """The object of a resolved task: its loops are looked for here."""
+    given = source.given("object")
+    field = next((n for n in ("cloud", "mesh", "sample", "points") if n in given), "points")
+    points = np.array(thing.points, dtype=float).reshape(-1, 3)
+    options = geometry.LoopOptions(**thing.loops.model_dump(exclude_none=True))
+    try:
+        return clasp.Object.from_cloud(thing.name, points, options)
+    except ValueError as error:
+        named = re.match(r"(?:options\.)?(\w+):? (.*)", str(error), re.DOTALL)
+        if named is not None and named[1] in type(thing.loops).model_fields:
+            raise source.error(("object", "loops", named[1]), named[2]) from None
+        raise source.error(("object", field), str(error).removeprefix("points: ")) from None
+
+
+def build_options(task: model.ClaspTask, source: Source) -> clasp.Options:
+    """How to search; what the task leaves out is the library's."""
+    fields = task.options.model_dump(exclude_none=True)
+    with at(source, "options", "stability"):
+        fields["stability"] = clasp.StabilityOptions(**fields["stability"])
+    with at(source, "options"):
+        options = clasp.Options(**fields)
+        clasp.validate(options)
+    return options
+
+
+# What the core calls a part of a problem, and where it stands in a task file.
+_PLACES: dict[str, Location] = {
+    "X_WO": ("object", "pose"),
+    "loops": ("clasp", "loops"),
+    "marks": ("clasp", "marks"),
+    "obstacles": ("obstacles",),
+    "pull_W": ("clasp", "pull"),
+    "q_start": ("robot", "home"),
+}
+
+
+def _blamed(message: str) -> tuple[Location, str]:
+    """The field of the task file that a message of clasp.validate() is about, and the rest."""
+    named = re.match(r"(\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
+    if named is None or named[1] not in _PLACES:
+        return ("clasp",), message
+    place = _PLACES[named[1]]
+    return (place if named[2] is None else (*place, int(named[2]))), named[3]

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The points of a task's object: read or sampled, as a camera would see them."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import clasp, geometry
+from ..clouds import read_cloud
+from ..source import Source, at
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ...frames import Matrix
+    from . import model
+
+LARGEST = 5.0  # [m]; nobody clasps a larger object
+MOST = 10_000_000  # points
+DEFAULT = 2000  # points, as in the paper
+
+
+def resolve_object(thing: model.Object, source: Source, directory: Path) -> model.Object:
+    """The same object with its points inline."""
+    points = object_points(thing, source, directory)
+    update = {
+        "points": points.tolist(),
+        "cloud": None,
+        "mesh": None,
+        "sample": None,
+        "unit": "m",
+        "scale": 1.0,
+        "views": [],
+        "noise": 0.0,
+    }
+    return thing.model_copy(update=update)
+
+
+def object_points(thing: model.Object, source: Source, directory: Path) -> Matrix:
+    """[N, 3] points on the object, in O [m]."""
+    field = source_field(thing)
+    with at(source, "object", field):
+        points = thing.scale * _points(thing, source, directory)
+    if len(points) > MOST:
+        raise source.error(("object", field), f"has {len(points)} points; at most {MOST} can be")
+    size = np.ptp(points, axis=0) if len(points) else np.zeros(3)
+    if size.max() > LARGEST:
+        what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
+        hint = "; of a file in millimetres write 'unit: mm' beside it"
+        is_file = thing.cloud is not None or thing.mesh is not None
+        warnings.warn(
+            source.message(("object", field), what + (hint if is_file else "")), stacklevel=5
+        )
+    if thing.views:
+        with at(source, "object", "views"):
+            points = _seen(points, thing.views)
+    if thing.noise > 0:
+        noise = np.random.default_rng(thing.seed).normal(scale=thing.noise, size=points.shape)
+        points = points + noise
+    return points
+
+
+def source_field(thing: model.Object) -> str:
+    """Which field says where the points are from."""
+    names = ("cloud", "mesh", "sample", "points")
+    return next(name for name in names if getattr(thing, name) is not None)
+
+
+def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
+    unit = 0.001 if thing.unit == "mm" else 1.0
+    if isinstance(thing.points, list):
+        return np.array(thing.points, dtype=float).reshape(-1, 3)
+    if thing.cloud is not None:
+        return unit * read_cloud(directory / thing.cloud)
+    count = thing.points or DEFAULT
+    if thing.mesh is not None:
+        path = directory / thing.mesh.file
+        if not path.is_file():
+            raise source.error(("object", "mesh", "file"), "no such file")
+        mesh = geometry.read_mesh(str(path), unit * np.array(thing.mesh.scale))
+        shapes = [geometry.PlacedShape(mesh, np.eye(4))]
+    else:
+        shapes = clasp.sample_object(thing.sample or "")
+    return np.asarray(geometry.sample_surface(shapes, count, thing.seed))
+
+
+def _seen(points: Matrix, views: list[list[float]]) -> Matrix:
+    """What is seen from at least one of the viewpoints."""
+    seen = np.zeros(len(points), dtype=bool)
+    for view in views:
+        seen[geometry.visible_points(points, np.array(view))] = True
+    return np.asarray(points[seen])

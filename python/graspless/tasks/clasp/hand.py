@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The hand of a task: its fields, the file they stand in, and the hand itself."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+from pydantic import AfterValidator, Field
+
+from ... import clasp
+from ..robots import stem
+from ..shapes import Fields, Point3
+from ..source import Source, read_yaml
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ... import robot as robots
+    from ..source import Location
+
+
+def _not_zero(direction: list[float]) -> list[float]:
+    if np.linalg.norm(direction) < 1e-9:
+        raise ValueError(f"{direction}: must not be zero")
+    return direction
+
+
+Direction = Annotated[Point3, AfterValidator(_not_zero)]
+
+
+class Node(Fields):
+    """A corner of a finger curve, fixed in a link."""
+
+    link: str
+    point: Point3 = Field(default=[0.0, 0.0, 0.0], description="in the link's frame [m]")
+
+
+Nodes = Annotated[list[Node], Field(min_length=2)]
+
+
+class Hand(Fields):
+    """What the planner must know of a hand: graspless.clasp.Hand."""
+
+    arm: str | None = Field(default=None, description="group of joints that carry the hand")
+    hand: str | None = Field(default=None, description="group of the hand's joints that close")
+    frame: str = Field(description="link H of the palm")
+    forward: Direction = Field(description="in H, towards what is clasped; of any length")
+    sideways: Direction = Field(description="in H, along what is clasped")
+    open: str | None = Field(default=None, description="state of the hand's joints at first")
+    closed: str | None = Field(default=None, description="state towards which each joint closes")
+    fingers: Annotated[dict[str, Nodes], Field(min_length=1)] = Field(
+        description="corners of each, from the palm to the tip"
+    )
+    thumb: Nodes = Field(description="what the fingers close against, from the palm to the tip")
+
+
+def resolve_hand(
+    hand: Hand | str | None, urdf: Path | None, source: Source, directory: Path
+) -> tuple[Hand, Source]:
+    """The hand's fields, and where they stand: in the task, in a file, or beside the URDF."""
+    if isinstance(hand, Hand):
+        return hand, source
+    if isinstance(hand, str):
+        path = directory / hand
+        if not path.is_file():
+            raise source.error(("hand",), "no such file")
+    elif urdf is not None:
+        path = urdf.with_name(f"{stem(urdf)}.clasp.yaml")
+        if not path.is_file():
+            what = f"missing, and there is no {path.name} beside the URDF"
+            raise source.error(("hand",), what)
+    else:
+        raise source.error(("hand",), "missing")
+    read = read_yaml(path)
+    return read.validate(Hand), read
+
+
+def build_hand(
+    fields: Hand, robot: robots.Robot, source: Source, place: tuple[str, ...]
+) -> clasp.Hand:
+    """The planner's hand; faults name the field at `place` of `source`."""
+    names = {
+        name: value
+        for name in ("arm", "hand", "open", "closed")
+        if (value := getattr(fields, name)) is not None
+    }
+    hand = clasp.Hand(
+        frame=fields.frame,
+        forward_H=_unit(fields.forward),
+        sideways_H=_unit(fields.sideways),
+        fingers=[_finger(name, nodes) for name, nodes in fields.fingers.items()],
+        thumb=_finger("thumb", fields.thumb),
+        **names,
+    )
+    try:
+        clasp.validate(hand, robot)
+    except ValueError as error:
+        where, what = _blamed(str(error), fields)
+        raise source.error((*place, *where), what) from None
+    return hand
+
+
+def hand_in_force(hand: clasp.Hand) -> Hand:
+    """The fields of the planner's hand."""
+    return Hand(
+        arm=hand.arm,
+        hand=hand.hand,
+        frame=hand.frame,
+        forward=_plain(hand.forward_H),
+        sideways=_plain(hand.sideways_H),
+        open=hand.open,
+        closed=hand.closed,
+        fingers={finger.name: _nodes(finger) for finger in hand.fingers},
+        thumb=_nodes(hand.thumb),
+    )
+
+
+def _unit(direction: list[float]) -> np.ndarray:
+    vector = np.array(direction, dtype=float)
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+def _finger(name: str, nodes: list[Node]) -> clasp.Finger:
+    corners = [clasp.CurveNode(link=node.link, p_L=np.array(node.point)) for node in nodes]
+    return clasp.Finger(name=name, nodes=corners)
+
+
+def _nodes(finger: clasp.Finger) -> list[Node]:
+    return [Node(link=node.link, point=_plain(node.p_L)) for node in finger.nodes]
+
+
+def _plain(vector: np.ndarray) -> list[float]:
+    return [float(value) for value in vector]
+
+
+def _blamed(message: str, fields: Hand) -> tuple[Location, str]:
+    """The field that a message of clasp.validate() is about, and the rest of it."""
+    text = message.removeprefix("hand.")
+    owners: dict[str, Location] = {f"fingers.{name}": ("fingers", name) for name in fields.fingers}
+    owners["thumb"] = ("thumb",)
+    for owner, place in owners.items():
+        rest = text.removeprefix(owner)
+        node = re.match(r"\.nodes\[(\d+)\]\.(\w+):? (.*)", rest, re.DOTALL)
+        if rest != text and node is not None:
+            return (*place, int(node[1]), node[2]), node[3]
+        if rest != text and rest[:1] in (":", " "):
+            return place, rest.lstrip(": ")
+    named = re.match(r"(\w+):? (.*)", text, re.DOTALL)
+    if named is not None and named[1] in Hand.model_fields:
+        return (named[1],), named[2]
+    return (), message

@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a task file of kind clasp may hold: docs/task-files.md says the same in prose.
+
+A task that stands in a plan file has the same fields, with the robot's files, the hand and the
+object's points put inline; meshes of robot and obstacles stay files, and `files` keeps their
+checksums.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from ..budget import Budget
+from ..obstacles import Obstacles
+from ..robots import Robot
+from ..shapes import Fields, MeshFile, NotNegative, Point3, Pose, Positive
+from .hand import Hand
+
+Count = Annotated[int, Field(ge=1)]
+CountOrZero = Annotated[int, Field(ge=0)]
+Seed = Annotated[int, Field(ge=0, lt=2**64)]
+
+
+def _kind_of_points(value: Any) -> str:
+    return "list" if isinstance(value, list) else "count"
+
+
+Points = Annotated[
+    Annotated[Annotated[int, Field(ge=20, le=1_000_000)], Tag("count")]
+    | Annotated[list[Point3], Tag("list")],
+    Discriminator(_kind_of_points),
+]
+
+
+class LoopOptions(Fields):
+    """How to look for holes: graspless.geometry.LoopOptions."""
+
+    max_edge_length: NotNegative | None = Field(
+        default=None, description="d [m]; 0: the widest plateau of the Betti curve"
+    )
+    lowest_plateau: bool | None = None
+    lowest_ratio: Annotated[float, Field(ge=1)] | None = None
+    min_ratio: Annotated[float, Field(ge=1)] | None = None
+    max_points: Count | None = Field(default=None, description="larger clouds are thinned")
+    polish: bool | None = Field(
+        default=None, description="shorten the loops of a thinned cloud on all its points"
+    )
+    drop_meridians: bool | None = Field(
+        default=None, description="leave out loops that run around a handle, not along it"
+    )
+
+
+class Object(Fields):
+    """What has a hole, in a frame O: a cloud of points on its surface."""
+
+    name: str = "object"
+    cloud: str | None = Field(default=None, description=".ply, .pcd or .xyz file")
+    mesh: MeshFile | None = Field(default=None, description="sampled")
+    sample: str | None = Field(default=None, description="that comes with graspless; sampled")
+    points: Points | None = Field(
+        default=None, description="the cloud itself, in O [m]; or how many to sample, 2000"
+    )
+    unit: Literal["m", "mm"] = Field(default="m", description="of the file")
+    scale: Positive = Field(default=1.0, description="of all lengths, about O")
+    views: list[Point3] = Field(
+        default=[], description="only what is seen from one of these points is kept, in O [m]"
+    )
+    noise: NotNegative = Field(default=0.0, description="added: a standard deviation [m]")
+    seed: Seed = Field(default=1, description="of samples and noise")
+    pose: Pose = Field(default=Pose(), description="of O in the world")
+    loops: LoopOptions = LoopOptions()
+
+    @model_validator(mode="after")
+    def _check(self) -> Object:
+        if isinstance(self.points, list):
+            self.one_of("cloud", "mesh", "sample", "points")
+        else:
+            self.one_of("cloud", "mesh", "sample")
+        if self.cloud is not None and self.points is not None:
+            raise ValueError("points is how many to sample; a cloud has its own")
+        if self.unit != "m" and self.cloud is None and self.mesh is None:
+            raise ValueError("unit is for files: cloud or mesh")
+        return self
+
+
+class Clasp(Fields):
+    """What may be clasped."""
+
+    loops: list[CountOrZero] = Field(
+        default=[], description="by number, the shortest loop is 0; none: any"
+    )
+    marks: list[Point3] = Field(
+        default=[], description="near these points of O [m]; none: anywhere"
+    )
+    pull: Point3 | None = Field(
+        default=None, description="where the object shall be pulled afterwards, in the world"
+    )
+
+
+class Stability(Fields):
+    """The stability test: graspless.clasp.StabilityOptions."""
+
+    sequences: Count | None = None
+    moves: Count | None = Field(default=None, description="a sequence")
+    step: Positive | None = Field(default=None, description="of a translation [m]")
+    turn: Positive | None = Field(default=None, description="of a rotation [rad]")
+    penetration: NotNegative | None = Field(default=None, description="that is no hit [m]")
+    escape_distance: NotNegative | None = Field(
+        default=None, description="[m]; 0: from the hand's size"
+    )
+    seed: Seed | None = None
+
+
+class Options(Fields):
+    """How to search: graspless.clasp.Options has the defaults and the reasons."""
+
+    min_linking: Annotated[float, Field(ge=0, lt=1)] | None = Field(
+        default=None, description="before the hand closes; 0: from hand and loop"
+    )
+    targets: CountOrZero | None = Field(default=None, description="a loop; 0: from its length")
+    pre_expansions: CountOrZero | None = Field(default=None, description="n; 0: as needed")
+    random_probability: Annotated[float, Field(ge=0, le=1)] | None = Field(
+        default=None, description="P"
+    )
+    restart_cycles: CountOrZero | None = Field(
+        default=None, description="before a tree is given up; 0: never"
+    )
+    dt: Positive | None = None
+    max_step: Positive | None = Field(default=None, description="of any joint [rad]")
+    blend_distance: Positive | None = Field(default=None, description="[m]")
+    blend_slope: Positive | None = Field(default=None, description="[1/m]")
+    position_damping: Positive | None = Field(default=None, description="[m]")
+    alignment_damping: Positive | None = None
+    linking_damping: Positive | None = None
+    patience: NotNegative | None = Field(
+        default=None, description="how much a misaligned hand waits; 0: not at all"
+    )
+    linking_weight: Positive | None = Field(default=None, description="[m]")
+    exploring_step: Positive | None = Field(default=None, description="of any joint [rad]")
+    max_connect_steps: Count | None = None
+    attract: bool | None = None
+    resolution: Positive | None = Field(default=None, description="[rad]")
+    shortcut_rounds: CountOrZero | None = None
+    stability: Stability = Stability()
+    must_be_secure: bool | None = None
+
+
+def _kind_of_hand(value: Any) -> str:
+    return "file" if isinstance(value, str) else "fields"
+
+
+class ClaspTask(Fields):
+    """A task for the clasp planner."""
+
+    kind: Literal["clasp"]
+    robot: Robot
+    hand: (
+        Annotated[
+            Annotated[str, Tag("file")] | Annotated[Hand, Tag("fields")],
+            Discriminator(_kind_of_hand),
+        ]
+        | None
+    ) = Field(
+        default=None, description="fields, or a file of them; default: <urdf>.clasp.yaml beside it"
+    )
+    object: Object
+    clasp: Clasp = Clasp()
+    obstacles: Obstacles = []
+    options: Options = Options()
+    budget: Budget = Budget()
+    files: dict[str, str] = Field(
+        default={}, description="in plan files: sha256 of each mesh that the task reads"
+    )

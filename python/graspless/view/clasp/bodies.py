@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The object with its loops, and the finger curves of the hand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..bodies import LOOP, OBJECT, TRAIL, Body, Color
+from ..surface import surface_part
+from ..tubes import ball, smooth, tube
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.clasp import Plan
+    from ...tasks import Task
+
+CLASPED: Color = TRAIL
+TARGET: Color = (0.98, 0.98, 0.98)
+CURVE: Color = (0.22, 0.58, 1.00)
+CHORD: Color = (0.72, 0.36, 0.95)
+NODE: Color = (0.55, 0.57, 0.60)
+PATH: Color = (0.13, 0.52, 0.30)
+
+
+def object_body(task: Task) -> Body:
+    """The outside of K_d, in O; the cloud itself where K_d has no triangle."""
+    complex_d = task.problem.object.loops.complex
+    part = surface_part(complex_d.points, complex_d.triangles, OBJECT)
+    if len(part.triangles):
+        return Body("object", [part])
+    cloud = np.asarray(task.problem.object.points)
+    some = cloud[:: max(1, len(cloud) // 500)]
+    return Body("object", [ball(p, 0.004 * size(task), OBJECT) for p in some])
+
+
+def loop_bodies(plan: Plan) -> list[Body]:
+    """A tube along each loop, in O, the one that is clasped in a colour of its own."""
+    loops = plan.task.problem.object.loops.loops
+    radius = 0.0045 * size(plan.task)
+    return [
+        Body(
+            f"loop {k + 1}",
+            [
+                tube(
+                    smooth(loop.points, closed=True),
+                    1.4 * radius if k == plan.loop else radius,
+                    CLASPED if k == plan.loop else LOOP,
+                    closed=True,
+                )
+            ],
+        )
+        for k, loop in enumerate(loops)
+    ]
+
+
+def target_body(plan: Plan) -> Body:
+    """The place that is clasped, in O."""
+    if plan.target is None:
+        return Body("target")
+    return Body("target", [ball(plan.target.point, 0.011 * size(plan.task), TARGET)])
+
+
+def curve_bodies(task: Task, link_poses: Matrix) -> list[Body]:
+    """A tube along each finger curve and another along its chord, in the world.
+
+    Parameters
+    ----------
+    task : Task
+    link_poses : array [F, 4, 4]
+        X_WL of every frame of the robot.
+    """
+    curves = finger_curves(task, link_poses)
+    reach = max((float(np.ptp(curve, axis=0).max()) for curve in curves), default=0.1)
+    radius = 0.016 * reach
+    return [
+        Body(
+            f"curve {k + 1}",
+            [
+                tube(curve, radius, CURVE),
+                *(ball(corner, 1.7 * radius, CURVE) for corner in curve),
+                tube(curve[[0, -1]], 0.7 * radius, CHORD),
+            ],
+        )
+        for k, curve in enumerate(curves)
+    ]
+
+
+def finger_curves(task: Task, link_poses: Matrix) -> list[Matrix]:
+    """[K, 3] corners of each finger curve in the world: from a finger's tip to the thumb's."""
+    problem = task.problem
+    names = list(problem.robot.frame_names)
+
+    def corners(finger: object) -> list[Matrix]:
+        found = []
+        for node in finger.nodes:  # type: ignore[attr-defined]
+            X_WL = link_poses[names.index(node.link)]
+            found.append(X_WL[:3, :3] @ np.asarray(node.p_L) + X_WL[:3, 3])
+        return found
+
+    thumb = corners(problem.hand.thumb)
+    return [np.array([*corners(finger)[::-1], *thumb]) for finger in problem.hand.fingers]
+
+
+def size(task: Task) -> float:
+    """The longest side of the box around the object [m]."""
+    return float(np.ptp(np.asarray(task.problem.object.points), axis=0).max())

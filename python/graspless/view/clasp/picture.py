@@ -1,0 +1,183 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A clasp as one picture: the robot on its way, the hand around the loop, and the linking."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+
+from .. import raster
+from ..bodies import LOOP
+from ..figures import INK, as_png, draw_panel, new_figure
+from ..loops import draw_cloud
+from . import bodies, stage
+from .film import film, linking
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.clasp import Plan
+    from ..bodies import Body
+    from ..film import Film
+    from ..raster import Camera
+
+    Placed = list[tuple[Body, Matrix]]
+
+PANEL = (560, 400)  # pixels
+THROUGH = 0.75  # how much of loops and curves is seen that something hides
+
+
+def draw(plan: Plan) -> bytes:
+    """The picture as the bytes of a PNG file."""
+    shown = film(plan)
+    figure = new_figure(15, 7.6)
+    grid = figure.add_gridspec(
+        2, 3, width_ratios=[1, 1, 1], left=0.01, right=0.985, bottom=0.075, top=0.89,
+        wspace=0.04, hspace=0.1,
+    )  # fmt: skip
+    scene, rows = stage.Scene(plan, shown), stage.moments(plan)
+    view = stage.camera(scene, [row for row, _ in rows], PANEL)
+    places = [grid[0, 0], grid[0, 1], grid[0, 2]] if len(rows) > 1 else [grid[:, :2]]
+    for place, (row, caption) in zip(places, rows, strict=True):
+        axes = figure.add_subplot(place)
+        draw_panel(axes, _render(scene.solid(row), scene.lines(row), view), caption, pad=3)
+        if row == 0 or len(rows) == 1:
+            _draw_tree(axes, plan, view)
+    if len(rows) > 1:
+        _draw_loops(figure.add_subplot(grid[1, 0]), plan, shown)
+        last = rows[-1][0]
+        near = stage.close_camera(scene, last, PANEL)
+        axes = figure.add_subplot(grid[1, 1])
+        picture = _render(scene.solid(last, near), scene.lines(last), near)
+        draw_panel(axes, picture, "the hand and its curves", pad=3)
+        _draw_linking(_inset(figure, grid[1, 2]), plan, shown)
+    else:
+        _draw_loops(figure.add_subplot(grid[0, 2]), plan, shown)
+    figure.suptitle(headline(plan), x=0.015, y=0.975, ha="left", fontsize=14, color=INK)
+    _draw_key(figure, plan)
+    return as_png(figure)
+
+
+def headline(plan: Plan) -> str:
+    """One line that says what happened."""
+    problem = plan.task.problem
+    name = problem.object.name
+    if not plan:
+        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
+    assert plan.stability is not None
+    loops = len(problem.object.loops.loops)
+    which = "" if loops == 1 else f" by loop {(plan.loop or 0) + 1} of {loops}"
+    held = "secure" if plan.stability.secure else "not secure"
+    margin = f"{held}, margin {plan.stability.margin:.2f}"
+    return f"{problem.robot.name} clasps the {name}{which}: {margin}"
+
+
+def _render(solid: Placed, lines: Placed, view: Camera) -> Matrix:
+    """Loops and curves are seen through what hides them, a little."""
+    whole = raster.render([*solid, *lines], view, *PANEL)
+    if not lines:
+        return whole
+    return raster.over(raster.render(lines, view, *PANEL), whole, THROUGH)
+
+
+def _draw_tree(axes: Any, plan: Plan, view: Camera) -> None:
+    """Nodes and branches of the tree, and the way to the clasp."""
+    points = np.array(plan.tree.points, dtype=float).reshape(-1, 3)
+    if not len(points):
+        return
+    xy = view.project(points, *PANEL)[:, :2]
+    parents = np.array(plan.tree.parents)
+    axes.add_collection(
+        LineCollection(
+            list(np.stack([xy, xy[parents]], axis=1)), colors=[bodies.NODE], linewidths=0.6
+        )
+    )
+    axes.plot(*xy.T, ".", ms=2, color=bodies.NODE)
+    if plan.tree.path:
+        way = xy[plan.tree.path]
+        axes.plot(*way.T, "-", lw=2, color=bodies.PATH, solid_capstyle="round")
+        axes.plot(*way[-1], "o", ms=5, color=bodies.PATH, mec="w", mew=0.8)
+    axes.set_xlim(0, PANEL[0])
+    axes.set_ylim(PANEL[1], 0)
+
+
+def _draw_loops(axes: Any, plan: Plan, shown: Film) -> None:
+    """The cloud with its loops, from the side that sees into the hole."""
+    problem = plan.task.problem
+    X_WO = shown.object_poses[0]
+    cloud = _moved(problem.object.points, X_WO)
+    middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
+    eye = middle + 4 * bodies.size(plan.task) * stage.direction(plan, shown)
+    view = raster.Camera(eye, middle).fitted(cloud, *PANEL)
+    rings = [_moved(loop.points, X_WO) for loop in problem.object.loops.loops]
+    draw_cloud(axes, cloud, rings, -1 if plan.loop is None else plan.loop, view, PANEL)
+    if plan.target is not None:
+        spot = view.project(_moved([plan.target.point], X_WO), *PANEL)[0]
+        axes.plot(*spot[:2], "o", ms=7, mfc="w", mec=INK, mew=1)
+
+
+def _inset(figure: Any, place: Any) -> Any:
+    """Axes with room for their labels inside a cell of the grid."""
+    inner = place.subgridspec(1, 1)
+    axes = figure.add_subplot(inner[0])
+    box = axes.get_position()
+    axes.set_position([box.x0 + 0.035, box.y0, box.width - 0.035, box.height])
+    return axes
+
+
+def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
+    """Virtual linking of every curve along the way, and the threshold."""
+    found = linking(plan)
+    fingers = plan.task.problem.hand.fingers
+    rows = np.arange(len(found))
+    first = len(plan.segments[0])
+    axes.axvspan(first - 0.5, len(found) - 1, color="#f1e8da", lw=0, zorder=0)
+    blues = [(0.12, 0.40, 0.85), (0.45, 0.25, 0.75), (0.10, 0.60, 0.65), (0.35, 0.45, 0.55)]
+    for k in range(found.shape[1]):
+        name = fingers[k].name.replace("_", " ")
+        axes.plot(rows, found[:, k], lw=1.9, color=blues[k % len(blues)], label=name)
+    axes.axhline(plan.min_linking, color="#b3261e", lw=1.1, ls=(0, (6, 3)), label="threshold")
+    late = first > 0.85 * len(found)
+    axes.text(
+        len(found) - 1 if late else first, 1.015, "close", fontsize=9, color=INK, va="bottom",
+        ha="right" if late else "left", transform=axes.get_xaxis_transform(),
+    )  # fmt: skip
+    axes.set_xlim(0, max(len(found) - 1, 1))
+    axes.set_ylim(0, 1.02)
+    axes.set_title("virtual linking", fontsize=11, color=INK, loc="left", pad=3)
+    axes.set_xlabel("row of the plan", fontsize=9, color=INK)
+    axes.tick_params(labelsize=8)
+    axes.legend(fontsize=8.5, frameon=False, loc="center left")
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def _draw_key(figure: Any, plan: Plan) -> None:
+    """What the colours mean."""
+    lines = [
+        (bodies.CLASPED, "-", "loop clasped"),
+        (LOOP, "-", "other loops"),
+        (bodies.CURVE, "-", "finger curves"),
+        (bodies.CHORD, "-", "chords"),
+        (bodies.NODE, "-", "tree"),
+        (bodies.PATH, "-", "path"),
+    ]
+    if not plan:
+        lines = lines[1:4]
+    elif len(plan.task.problem.object.loops.loops) < 2:
+        lines.pop(1)
+    handles = [
+        Line2D([], [], color=color, ls=ls, lw=2.5, label=label) for color, ls, label in lines
+    ]
+    figure.legend(
+        handles=handles, loc="upper right", bbox_to_anchor=(0.99, 0.995), ncols=len(handles),
+        fontsize=10, frameon=False, handlelength=1.4, columnspacing=1.2,
+    )  # fmt: skip
+
+
+def _moved(points: Any, X_AB: Matrix) -> Matrix:
+    """[N, 3] points of B in A."""
+    return np.asarray(np.asarray(points, dtype=float) @ X_AB[:3, :3].T + X_AB[:3, 3])

@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a picture and a replay share: the moments worth drawing, and where to look from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..bodies import obstacles, robot
+from ..raster import Camera
+from . import bodies
+from .film import linking
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...frames import Matrix
+    from ...plans.clasp import Plan
+    from ..bodies import Body
+    from ..film import Film
+
+ELEVATION = 0.38  # [rad]
+OPEN = 0.85  # cosine between view and the loop's axis: into the hole, and a little from aside
+
+
+class Scene:
+    """Every body of a clasp, made once, and where each is at a row."""
+
+    def __init__(self, plan: Plan, shown: Film) -> None:
+        self.plan, self.shown = plan, shown
+        self.object = bodies.object_body(plan.task)
+        self.links = robot(plan.task)
+        self.obstacles = obstacles(plan.task)
+        marks = [*bodies.loop_bodies(plan), bodies.target_body(plan)]
+        self.marks = [body for body in marks if body.parts]
+
+    def solid(self, row: int, around: Camera | None = None) -> list[tuple[Body, Matrix]]:
+        """Robot, object and obstacles in the world; of the robot only what is near to where a
+        camera looks, if one is given.
+        """
+        links = zip(self.links, self.shown.link_poses[row], strict=True)
+        near = [(body, X) for body, X in links if around is None or _is_near(body, X, around)]
+        found = [(self.object, self.shown.object_poses[row]), *self.obstacles, *near]
+        return [(body, X_WB) for body, X_WB in found if body.parts]
+
+    def lines(self, row: int) -> list[tuple[Body, Matrix]]:
+        """Loops, target and finger curves in the world."""
+        marks = [(body, self.shown.object_poses[row]) for body in self.marks]
+        curves = bodies.curve_bodies(self.plan.task, self.shown.link_poses[row])
+        return marks + [(body, np.eye(4)) for body in curves]
+
+
+def moments(plan: Plan) -> list[tuple[int, str]]:
+    """Rows to draw the robot at, with what happens there."""
+    found = linking(plan)
+    if not len(found):
+        return [(0, "start")]
+    last = len(found) - 1
+    apart = np.flatnonzero(~(found > 1e-9).all(axis=1))
+    linked = min(int(apart[-1]) + 1, last) if len(apart) else 0
+    return [(0, "1  start"), (linked, "2  the loop runs through the hand"), (last, "3  clasped")]
+
+
+def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
+    """From where the hole is open to the eye, and never from behind the robot.
+
+    Parameters
+    ----------
+    scene : Scene
+    rows : sequence of int
+        That the picture must hold whole.
+    shape : tuple of int
+        Width and height of the picture.
+    """
+    points = np.concatenate([_points(scene.solid(row)) for row in rows])
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    toward = direction(scene.plan, scene.shown)
+    eye = middle + 3.5 * float(np.ptp(points, axis=0).max()) * toward
+    return Camera(eye, middle).fitted(points, *shape)
+
+
+def close_camera(scene: Scene, row: int, shape: tuple[int, int]) -> Camera:
+    """Into the hand."""
+    plan, shown = scene.plan, scene.shown
+    curves = np.concatenate(bodies.finger_curves(plan.task, shown.link_poses[row]))
+    middle = (curves.min(axis=0) + curves.max(axis=0)) / 2
+    reach = float(np.ptp(curves, axis=0).max())
+    around = middle + 0.8 * reach * np.concatenate([np.eye(3), -np.eye(3)])
+    toward = direction(plan, shown, row)
+    return Camera(middle + 8 * reach * toward, middle).fitted(around, *shape)
+
+
+def direction(plan: Plan, shown: Film, row: int | None = None) -> Matrix:
+    """[3] unit, to the viewer; in a close-up of a row, along what the hand clasps."""
+    base = shown.link_poses[0, 0, :3, 3]
+    X_WO = shown.object_poses[0]
+    cloud = np.asarray(plan.task.problem.object.points)
+    ahead = X_WO[:3, :3] @ cloud.mean(axis=0) + X_WO[:3, 3] - base
+    ahead[2] = 0.0
+    ahead /= max(float(np.linalg.norm(ahead)), 1e-6)
+    axis = _loop_axis(plan, X_WO) if row is None else _sideways(plan, shown, row)
+    best: tuple[float, Matrix] | None = None
+    for azimuth in np.radians(np.arange(0, 360, 10)):
+        level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+        toward = np.cos(ELEVATION) * level + np.sin(ELEVATION) * np.array([0.0, 0.0, 1.0])
+        facing = float(level @ ahead)  # -1: from behind the robot, 1: into its face
+        score = -abs(abs(float(toward @ axis)) - OPEN)
+        score -= 0.5 * max(0.0, -facing - 0.2) + 0.3 * max(0.0, facing - 0.5)
+        if best is None or score > best[0] + 1e-9:
+            best = score, toward
+    assert best is not None
+    return best[1]
+
+
+def _loop_axis(plan: Plan, X_WO: Matrix) -> Matrix:
+    """[3] across the plane of the loop that is clasped, or else of the shortest, in the world."""
+    loops = plan.task.problem.object.loops.loops
+    if not loops:
+        return np.array([0.0, 1.0, 0.0])
+    points = np.asarray(loops[plan.loop or 0].points)
+    axis = np.linalg.svd(points - points.mean(axis=0))[2][2]
+    return np.asarray(X_WO[:3, :3] @ axis)
+
+
+def _sideways(plan: Plan, shown: Film, row: int) -> Matrix:
+    """[3] v_swd in the world."""
+    problem = plan.task.problem
+    X_WH = shown.link_poses[row, list(problem.robot.frame_names).index(problem.hand.frame)]
+    return np.asarray(X_WH[:3, :3] @ np.asarray(problem.hand.sideways_H))
+
+
+def _is_near(body: Body, X_WB: Matrix, view: Camera) -> bool:
+    """Whether a body has a point within what a camera was fitted to."""
+    if not body.parts:
+        return False
+    points = _points([(body, X_WB)])
+    reach = np.linalg.norm(view.target - view.eye) * np.tan(view.angle / 2)
+    return bool((np.linalg.norm(points - view.target, axis=1) < reach).any())
+
+
+def _points(found: Sequence[tuple[Body, Matrix]]) -> Matrix:
+    return np.concatenate(
+        [
+            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
+            for body, X_WB in found
+            for part in body.parts
+        ]
+    )

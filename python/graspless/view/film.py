@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot's motion in time: where every body is at each moment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..frames import Matrix
+    from ..plans import Plan
+
+SPEED = 0.9  # of segments without one of their own: for watching, not for driving a robot [rad/s]
+PAUSE = 0.4  # between segments [s]
+LONGEST = 30.0  # [s]
+
+
+@dataclass
+class Film:
+    """Rows of a plan with a time for each.
+
+    Attributes
+    ----------
+    times : array [N]
+        [s], from 0.
+    positions : array [N, dof]
+    object_poses : array [N, 4, 4]
+        X_WO.
+    names : list of str
+        The segment of each row.
+    """
+
+    plan: Any
+    times: Matrix
+    positions: Matrix
+    object_poses: Matrix
+    names: list[str]
+
+    @cached_property
+    def link_poses(self) -> Matrix:
+        """[N, F, 4, 4] X_WL of every frame of the robot."""
+        robot = self.plan.task.problem.robot
+        return np.array([np.asarray(robot.forward(q)) for q in self.positions])
+
+    def frame(self, name: str) -> Matrix:
+        """[N, 4, 4] poses of one frame of the robot."""
+        index = list(self.plan.task.problem.robot.frame_names).index(name)
+        poses: Matrix = self.link_poses[:, index]
+        return poses
+
+    def rows(self, name: str) -> NDArray[np.int64]:
+        """The rows of a segment."""
+        return np.flatnonzero(np.array(self.names) == name)
+
+    def resampled(self, rate: float) -> Film:
+        """The same film at even times, `rate` rows a second."""
+        count = max(2, int(np.ceil(self.times[-1] * rate)) + 1)
+        times = np.linspace(0.0, self.times[-1], count)
+        after = np.clip(np.searchsorted(self.times, times), 1, max(1, len(self.times) - 1))
+        if len(self.times) == 1:
+            after = np.zeros(count, dtype=int)
+        before = np.maximum(after - 1, 0)
+        gap = self.times[after] - self.times[before]
+        blend = np.clip((times - self.times[before]) / np.where(gap > 0, gap, 1), 0, 1)
+        positions = self.positions[before] + blend[:, None] * (
+            self.positions[after] - self.positions[before]
+        )
+        poses = [
+            frames.between(self.object_poses[i], self.object_poses[j], t)
+            for i, j, t in zip(before, after, blend, strict=True)
+        ]
+        return Film(self.plan, times, positions, np.array(poses), [self.names[i] for i in after])
+
+
+def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) -> Film:
+    """The plan's rows at a pace for watching.
+
+    Parameters
+    ----------
+    plan : Plan
+        Of a kind whose segments have positions and object_poses.
+    q, X_WO : array [dof], array [4, 4]
+        What a plan without motion shows.
+    speeds : dict
+        Of segments by name [rad/s].
+    """
+    segments = [segment for segment in plan.segments if len(segment)]
+    if not segments:
+        joints, pose = np.asarray(q, dtype=float), np.asarray(X_WO, dtype=float)
+        return Film(plan, np.zeros(1), joints[None], pose[None], [plan.status])
+    times: list[float] = []
+    now = 0.0
+    for segment in segments:
+        step = np.abs(np.diff(segment.positions, axis=0)).max(axis=1, initial=0.0)
+        steps = step / speeds.get(segment.name, SPEED)
+        times += (now + np.concatenate([[0.0], np.cumsum(steps)])).tolist()
+        now = times[-1] + PAUSE
+    scale = min(1.0, LONGEST / max(times[-1], 1e-9))
+    names = [segment.name for segment in segments for _ in range(len(segment))]
+    return Film(
+        plan,
+        np.array(times) * scale,
+        np.concatenate([segment.positions for segment in segments]),
+        np.concatenate([segment.object_poses for segment in segments]),
+        names,
+    )
+
+
+def spread(shown: Film, most: int = 60) -> list[int]:
+    """Rows from the first to the last, so many that nothing moves far between them."""
+    last = len(shown.times) - 1
+    return sorted({round(row) for row in np.linspace(0, last, min(most, last + 1))})

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is seen of a complex K_d from outside."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .bodies import Part
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..frames import Matrix
+    from .bodies import Color
+
+
+FLAT = 0.05  # spread across a plane, to that along it
+
+
+def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
+    """The triangles of K_d that have a side to the outside, counter-clockwise seen from there.
+
+    Parameters
+    ----------
+    points : array [N, 3]
+        [m].
+    triangles : array [M, 3]
+        Of K_d, interior ones too.
+    color : tuple
+    """
+    p = np.asarray(points, dtype=float)
+    faces = np.sort(np.asarray(triangles, dtype=np.int64).reshape(-1, 3), axis=1)
+    across = _opposite_corners(faces)
+    counts = np.array([len(corners) for corners in across], dtype=int)
+    outer = faces[counts == 1]  # of one tetrahedron: outside is where it is not
+    fourth = np.array([corners[0] for corners in across if len(corners) == 1], dtype=np.int64)
+    a, b, c = p[outer].swapaxes(0, 1)
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), p[fourth] - a) > 0
+    outer = np.where(inward[:, None], outer[:, [0, 2, 1]], outer)
+    sheets = faces[counts == 0]
+    # A sheet has two sides, each with corners of its own, or their shades would cancel.
+    back = sheets[:, [0, 2, 1]] + len(p)
+    vertices = np.concatenate([p, p]) if len(sheets) else p
+    shading = _normals(p, faces)
+    normals = np.concatenate([shading, shading]) if len(sheets) else shading
+    return Part(vertices, np.concatenate([outer, sheets, back]), color, normals)
+
+
+def _normals(p: Matrix, faces: NDArray[np.int64]) -> Matrix:
+    """[N, 3] across the plane nearest to the corners around each point, either way; zero where
+    these lie near no plane. The slivers of a Delaunay triangulation would shade a flat side like
+    gravel.
+    """
+    pairs = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [0, 2]]])
+    pairs = np.unique(pairs, axis=0)
+    a, b = np.concatenate([pairs, pairs[:, ::-1]]).T
+    around = np.zeros((len(p), 3, 3))
+    step = p[b] - p[a]
+    lengths = np.maximum(np.einsum("ij,ij->i", step, step), 1e-18)
+    np.add.at(around, a, np.einsum("ni,nj->nij", step, step) / lengths[:, None, None] ** 1.5)
+    spread, axes = np.linalg.eigh(around)
+    is_flat = spread[:, 0] < FLAT * spread[:, 1]  # no thin handle
+    return np.where(is_flat[:, None], axes[:, :, 0], 0.0)
+
+
+def _opposite_corners(faces: NDArray[np.int64]) -> list[list[int]]:
+    """Of each triangle: the fourth corners of tetrahedra whose four sides are all in K_d."""
+    known = {tuple(face) for face in faces.tolist()}
+    beside: defaultdict[Any, set[int]] = defaultdict(set)
+    for a, b, c in known:
+        beside[a, b].add(c)
+        beside[b, c].add(a)
+        beside[a, c].add(b)
+    return [
+        sorted(beside[a, b] & beside[b, c] & beside[a, c]) for a, b, c in map(tuple, faces.tolist())
+    ]

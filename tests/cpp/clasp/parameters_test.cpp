@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include "clasp/kinematics.hpp"
+#include "hands.hpp"
+#include "ring_problem.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+class OfAHand : public ::testing::TestWithParam<std::string> {
+ protected:
+  const RobotWithHand r = robot_with_hand(GetParam());
+};
+
+TEST_P(OfAHand, ClosesFartherAroundThinnerBars) {
+  double last = 1;
+  for (const double thickness : {0.001, 0.01, 0.03, 0.05, 0.08}) {
+    const double linking = reachable_linking(r.robot, r.hand, thickness);
+    EXPECT_LE(linking, last + 1e-12) << thickness;
+    EXPECT_GE(linking, open_linking(r.robot, r.hand)) << thickness;
+    last = linking;
+  }
+  EXPECT_GT(reachable_linking(r.robot, r.hand, 0.001), open_linking(r.robot, r.hand) + 0.05);
+  EXPECT_EQ(reachable_linking(r.robot, r.hand, 1), open_linking(r.robot, r.hand));
+}
+
+// The bar lies in the middle whichever way the hand is turned: nothing depends on the arm.
+TEST_P(OfAHand, WidthAndThicknessAreThoseOfAHand) {
+  EXPECT_GT(half_width(r.robot, r.hand), 0.015);
+  EXPECT_LT(half_width(r.robot, r.hand), 0.1);
+  EXPECT_GT(finger_radius(r.robot, r.hand), 0.004);
+  EXPECT_LT(finger_radius(r.robot, r.hand), 0.025);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parameters, OfAHand, ::testing::ValuesIn(robots_with_hands()),
+                         [](const auto& info) { return info.param; });
+
+TEST(Parameters, KnuckleToKnuckleIsTheWidthOfTheSdh) {
+  const RobotWithHand r = robot_with_hand("kr5_sdh");
+  EXPECT_NEAR(half_width(r.robot, r.hand), 0.033, 1e-9);
+}
+
+TEST(Parameters, OnlyZerosAreDerived) {
+  const Problem problem = ring_problem();
+  Options given;
+  given.min_linking = 0.7;
+  given.targets = 5;
+  given.pre_expansions = 33;
+  const Options same = derived(given, problem, 0);
+  EXPECT_EQ(same.min_linking, 0.7);
+  EXPECT_EQ(same.targets, 5);
+  EXPECT_EQ(same.pre_expansions, 33);
+  EXPECT_EQ(pre_expansion_schedule(given), std::vector<int>{33});
+
+  const Options all = derived({}, problem, 0);
+  EXPECT_GT(all.min_linking, open_linking(problem.robot, problem.hand));
+  EXPECT_LT(all.min_linking, 1);
+  const double length = problem.object.loops().loops[0].length;
+  EXPECT_NEAR(all.targets, length / half_width(problem.robot, problem.hand), 1);
+  EXPECT_EQ(all.pre_expansions, pre_expansion_schedule({}).front());
+}
+
+TEST(Parameters, MorePreExpansionsForEveryFurtherTree) {
+  const std::vector<int> n = pre_expansion_schedule({});
+  for (std::size_t i = 1; i < n.size(); ++i) EXPECT_GT(n[i], n[i - 1]);
+}
+
+}  // namespace
+}  // namespace graspless::clasp

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "graspless/clasp/clasp.hpp"
+#include "graspless/geometry/linking.hpp"
+
+#include "clasp/free_space.hpp"
+#include "clasp/kinematics.hpp"
+#include "complaint.hpp"
+#include "ring_problem.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Eigen::Vector3d;
+
+planning::Budget cycles(std::int64_t iterations, std::uint64_t seed = 1) {
+  return {std::numeric_limits<double>::infinity(), iterations, seed, {}};
+}
+
+const Plan& ring_plan() {
+  static const Plan plan = clasp::plan(ring_problem(), {}, cycles(200));
+  return plan;
+}
+
+std::vector<Eigen::VectorXd> all_rows(const Plan& plan) {
+  std::vector<Eigen::VectorXd> rows;
+  for (const Segment& segment : plan.segments) {
+    rows.insert(rows.end(), segment.positions.begin(), segment.positions.end());
+  }
+  return rows;
+}
+
+TEST(ClaspPlan, ReachesAndClosesAroundARing) {
+  const Problem problem = ring_problem();
+  const Plan& plan = ring_plan();
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  ASSERT_EQ(plan.segments.size(), 2u);
+  EXPECT_EQ(plan.segments[0].name, "reach");
+  EXPECT_EQ(plan.segments[1].name, "close");
+  EXPECT_EQ(plan.joint_names, problem.robot.joint_names());
+  EXPECT_EQ(plan.loop, 0);
+  EXPECT_TRUE(plan.stability.secure);
+  EXPECT_EQ(plan.segments[0].positions.front(), problem.q_start);
+  EXPECT_EQ(plan.segments[0].positions.back(), plan.segments[1].positions.front());
+}
+
+TEST(ClaspPlan, RowsAreFreeAndNearEachOther) {
+  const std::vector<Eigen::VectorXd> rows = all_rows(ring_plan());
+  FreeSpace free(ring_problem());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_LE((rows[i] - rows[i - 1]).lpNorm<Eigen::Infinity>(), 0.05 + 1e-12);
+    EXPECT_TRUE(free.is_free(rows[i - 1], rows[i], 0.01)) << "row " << i;
+  }
+}
+
+// By the integral (1), of which the search takes no use.
+TEST(ClaspPlan, VirtualLinkingIsThatOfTheRows) {
+  const Problem problem = ring_problem();
+  const Plan& plan = ring_plan();
+  const Eigen::Matrix3Xd loop_W = problem.X_WO * problem.object.loops().loops[0].points;
+  HandKinematics hand(problem.robot, problem.hand);
+  for (const Segment& segment : plan.segments) {
+    ASSERT_EQ(segment.virtual_linking.rows(), hand.num_curves());
+    ASSERT_EQ(segment.virtual_linking.cols(), static_cast<Eigen::Index>(segment.positions.size()));
+    for (std::size_t row = 0; row < segment.positions.size(); row += 5) {
+      hand.update(segment.positions[row]);
+      for (int i = 0; i < hand.num_curves(); ++i) {
+        const double linking = std::abs(geometry::virtual_linking(loop_W, hand.curve_points(i)));
+        EXPECT_NEAR(segment.virtual_linking(i, static_cast<Eigen::Index>(row)),
+                    std::min(1.0, linking), 1e-9);
+      }
+    }
+  }
+  const auto last_of_reach = plan.segments[0].virtual_linking.rightCols(1);
+  EXPECT_GE(last_of_reach.minCoeff(), plan.min_linking);
+  EXPECT_GE(plan.segments[1].virtual_linking.rightCols(1).sum(), last_of_reach.sum());
+}
+
+TEST(ClaspPlan, TheTreeLeadsFromTheStartToTheClasp) {
+  const Plan& plan = ring_plan();
+  const auto n = static_cast<int>(plan.tree.parents.size());
+  ASSERT_EQ(plan.tree.p_W.cols(), n);
+  ASSERT_FALSE(plan.tree.path.empty());
+  EXPECT_EQ(plan.tree.path.front(), 0);
+  for (std::size_t i = 1; i < plan.tree.path.size(); ++i) {
+    EXPECT_EQ(plan.tree.parents[static_cast<std::size_t>(plan.tree.path[i])],
+              plan.tree.path[i - 1]);
+  }
+  EXPECT_LE(n, plan.statistics.nodes);
+  EXPECT_GT(plan.statistics.control_steps, 0);
+  EXPECT_GT(plan.statistics.collision_checks, 0);
+  EXPECT_EQ(plan.statistics.stability_tests, 1);
+  EXPECT_LE(plan.statistics.cycles, 50);
+}
+
+TEST(ClaspPlan, SameSeedSamePlan) {
+  const Plan again = clasp::plan(ring_problem(), {}, cycles(200));
+  EXPECT_EQ(all_rows(again), all_rows(ring_plan()));
+  const Plan other = clasp::plan(ring_problem(), {}, cycles(200, 2));
+  EXPECT_NE(all_rows(other), all_rows(ring_plan()));
+}
+
+TEST(ClaspPlan, AMarkIsClasped) {
+  Problem problem = ring_problem();
+  problem.marks = {{0, 0, 0.13}};
+  const Plan top = clasp::plan(problem, {}, cycles(400));
+  ASSERT_TRUE(top) << top.reason;
+  EXPECT_LT((top.target.point - problem.marks[0]).norm(), 0.03);
+}
+
+TEST(ClaspPlan, APullPicksThePlace) {
+  Problem problem = ring_problem();
+  problem.pull_W = Vector3d(0, 0, 1);
+  const Plan up = clasp::plan(problem, {}, cycles(400));
+  ASSERT_TRUE(up) << up.reason;
+  EXPECT_GT(up.target.point.z(), 0.04);
+  problem.pull_W = Vector3d(1, 0, 0);  // along the axis of the hole: no place serves
+  const Plan none = clasp::plan(problem, {}, cycles(400));
+  EXPECT_EQ(none.status, Status::not_found);
+  EXPECT_NE(none.reason.find("pull"), std::string::npos) << none.reason;
+}
+
+TEST(ClaspPlan, SaysThatTheStartTouchesSomething) {
+  Problem problem = ring_problem();
+  HandKinematics hand(problem.robot, problem.hand);
+  hand.update(problem.q_start);
+  problem.obstacles.push_back({"ball",
+                               {{geometry::Sphere{0.05}}},
+                               Eigen::Isometry3d(Eigen::Translation3d(hand.nodes().col(0)))});
+  const Plan plan = clasp::plan(problem, {}, cycles(1));
+  EXPECT_EQ(plan.status, Status::start_in_collision);
+  EXPECT_NE(plan.reason.find("'ball'"), std::string::npos) << plan.reason;
+  EXPECT_TRUE(plan.segments.empty());
+}
+
+TEST(ClaspPlan, SaysThatThereIsNoHole) {
+  Eigen::Matrix3Xd ball(3, 300);
+  for (int i = 0; i < 300; ++i) {
+    const double z = 1 - (2.0 * i + 1) / 300, a = 2.4 * i;
+    ball.col(i) << std::sqrt(1 - z * z) * std::cos(a), std::sqrt(1 - z * z) * std::sin(a), z;
+  }
+  Problem problem = ring_problem();
+  problem.object = Object::from_cloud("ball", 0.1 * ball);
+  const Plan plan = clasp::plan(problem, {}, cycles(1));
+  EXPECT_EQ(plan.status, Status::no_reliable_hole);
+  EXPECT_EQ(plan.reason, problem.object.loops().reason);
+}
+
+TEST(ClaspPlan, SaysHowMuchTooFarAwayTheObjectIs) {
+  Problem problem = ring_problem();
+  problem.X_WO.translation().x() = 3;
+  const Plan plan = clasp::plan(problem, {}, cycles(1));
+  EXPECT_EQ(plan.status, Status::no_target_in_reach);
+  EXPECT_NE(plan.reason.find("too far away"), std::string::npos) << plan.reason;
+  EXPECT_GT(plan.statistics.refusals.at("target: out of reach"), 3);
+}
+
+TEST(ClaspPlan, EndsWithItsBudget) {
+  const Plan none = clasp::plan(ring_problem(), {}, cycles(0));
+  EXPECT_EQ(none.status, Status::not_found);
+  EXPECT_EQ(none.statistics.cycles, 0);
+  planning::Budget budget = cycles(1000);
+  budget.interrupted = [] { return true; };
+  EXPECT_EQ(clasp::plan(ring_problem(), {}, budget).status, Status::interrupted);
+}
+
+TEST(ClaspPlan, AClaspThatIsNotSecureIsRefused) {
+  Options options;
+  options.stability.escape_distance = 0.001;  // everything has escaped
+  options.stability.sequences = 1;
+  const Plan refused = clasp::plan(ring_problem(), options, cycles(3));
+  EXPECT_EQ(refused.status, Status::not_secure) << refused.reason;
+  EXPECT_EQ(refused.statistics.refusals.at("clasp: not secure"),
+            refused.statistics.stability_tests);
+  options.must_be_secure = false;
+  const Plan taken = clasp::plan(ring_problem(), options, cycles(200));
+  EXPECT_EQ(taken.status, Status::solved);
+  EXPECT_FALSE(taken.stability.secure);
+}
+
+TEST(ClaspPlan, RefusesBadOptionsByName) {
+  const auto refuses = [](auto spoil, const std::string& words) {
+    Options options;
+    spoil(options);
+    expect_refused([&] { validate(options); }, words);
+  };
+  refuses([](Options& o) { o.min_linking = 1; }, "options.min_linking must lie in (0, 1)");
+  refuses([](Options& o) { o.targets = -1; }, "options.targets");
+  refuses([](Options& o) { o.pre_expansions = -1; }, "options.pre_expansions");
+  refuses([](Options& o) { o.random_probability = 1; }, "options.random_probability");
+  refuses([](Options& o) { o.restart_cycles = -1; }, "options.restart_cycles");
+  refuses([](Options& o) { o.dt = 0; }, "options.dt");
+  refuses([](Options& o) { o.max_step = std::nan(""); }, "options.max_step");
+  refuses([](Options& o) { o.blend_distance = 0; }, "options.blend_distance");
+  refuses([](Options& o) { o.blend_slope = -1; }, "options.blend_slope");
+  refuses([](Options& o) { o.position_damping = 0; }, "options.position_damping");
+  refuses([](Options& o) { o.alignment_damping = 0; }, "options.alignment_damping");
+  refuses([](Options& o) { o.linking_damping = 0; }, "options.linking_damping");
+  refuses([](Options& o) { o.linking_weight = -1; }, "options.linking_weight");
+  refuses([](Options& o) { o.exploring_step = 0; }, "options.exploring_step");
+  refuses([](Options& o) { o.max_connect_steps = 0; }, "options.max_connect_steps");
+  refuses([](Options& o) { o.resolution = 0.02; }, "options.resolution");
+  refuses([](Options& o) { o.shortcut_rounds = -1; }, "options.shortcut_rounds");
+}
+
+}  // namespace
+}  // namespace graspless::clasp

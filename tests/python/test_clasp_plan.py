@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clasp plans: what is written is what was found, and what is read back checks the same."""
+
+import json
+
+import numpy as np
+import pytest
+
+import graspless
+from clasp_common import PURSE, changed
+from graspless import TaskError, clasp, report
+from graspless.plans.clasp_model import ClaspPlanFile
+from graspless.tasks import read_task
+from tasks_common import reread, without_clock
+
+
+@pytest.fixture(scope="module")
+def plan():
+    plan = graspless.plan(read_task(PURSE, "purse.yaml"))
+    assert plan, plan.reason
+    return plan
+
+
+@pytest.fixture(scope="module")
+def document(plan):
+    return json.loads(plan.to_json())
+
+
+def test_plan_holds_after_its_file(plan, tmp_path):
+    plan.save(tmp_path / "plan.json")
+    again = graspless.load_plan(tmp_path / "plan.json")
+    assert graspless.check(again) == []
+    assert again.to_json() == plan.to_json()
+    assert ClaspPlanFile.model_validate(json.loads(plan.to_json())) == plan.fields
+    for mine, theirs in zip(plan.segments, again.segments, strict=True):
+        np.testing.assert_array_equal(mine.positions, theirs.positions)
+        np.testing.assert_array_equal(mine.virtual_linking, theirs.virtual_linking)
+
+
+def test_file_has_the_planner_s_own_numbers(plan):
+    task = plan.task
+    found = clasp.plan(task.problem, task.options, task.budget)
+    assert plan.joint_names == list(found.joint_names)
+    for mine, theirs in zip(plan.segments, found.segments, strict=True):
+        assert mine.name == theirs.name
+        np.testing.assert_array_equal(mine.positions, theirs.positions)  # bit by bit
+        np.testing.assert_array_equal(mine.virtual_linking, theirs.virtual_linking)
+    assert (plan.loop, plan.min_linking) == (found.loop, found.min_linking)
+    assert plan.target.point == found.target.point.tolist()
+    assert plan.target.tangent == found.target.tangent.tolist()
+    assert plan.stability.margin == found.stability.margin
+    np.testing.assert_array_equal(plan.tree.points, found.tree.p_W)
+    core = plan.to_core()
+    assert core.stability.checks == found.stability.checks
+    np.testing.assert_array_equal(core.tree.p_W, found.tree.p_W)
+
+
+def test_same_seed_gives_the_same_file(plan):
+    assert without_clock(graspless.plan(plan.task)) == without_clock(plan)
+
+
+def test_object_stands_still(plan):
+    for segment in plan.segments:
+        assert segment.object_poses.shape == (len(segment), 4, 4)
+        np.testing.assert_allclose(
+            segment.object_poses - np.asarray(plan.task.problem.X_WO), 0, atol=1e-9
+        )
+
+
+def test_rows_follow_each_other(plan):
+    rows = np.concatenate([segment.positions for segment in plan.segments])
+    assert np.abs(np.diff(rows, axis=0)).max() <= 0.05 + 1e-9
+    np.testing.assert_array_equal(rows[0], plan.task.problem.q_start)
+
+
+def test_path_of_the_tree_leads_from_its_root(plan):
+    tree = plan.tree
+    assert tree.parents[tree.path[0]] == tree.path[0]
+    for before, node in zip(tree.path, tree.path[1:], strict=False):
+        assert tree.parents[node] == before
+
+
+def test_file_says_every_value_in_force(document):
+    options = document["task"]["options"]
+    assert options["restart_cycles"] == clasp.Options().restart_cycles
+    assert options["stability"]["moves"] == clasp.StabilityOptions().moves
+    assert document["task"]["robot"]["urdf_text"].startswith("<?xml")
+    assert len(document["task"]["object"]["points"]) == 2000
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d["segments"][0]["positions"][3].__setitem__(1, 0.4),
+        lambda d: d["segments"][0]["object_poses"][3].__setitem__(0, 0.2),
+        lambda d: d["segments"][1]["virtual_linking"][-1].__setitem__(0, 0.99),
+        lambda d: d["segments"].pop(1),
+        lambda d: (
+            d["segments"][1]["positions"].pop()
+            and d["segments"][1]["object_poses"].pop()
+            and d["segments"][1]["virtual_linking"].pop()
+        ),
+        lambda d: d["target"]["point"].__setitem__(2, 0.0),
+        lambda d: d["stability"].update(margin=0.99),
+        lambda d: d["joint_names"].reverse(),
+    ],
+    ids=["row", "pose", "linking", "close", "last", "target", "margin", "names"],
+)
+def test_check_finds_a_plan_that_was_changed(document, tmp_path, change):
+    broken = json.loads(json.dumps(document))
+    change(broken)
+    assert graspless.check(reread(broken, tmp_path / "plan.json"))
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        (
+            lambda d: d.update(kind="clap"),
+            "kind: clap: should be 'slide' or 'fingertip' or 'clasp'",
+        ),
+        (lambda d: d.update(status="unstable"), "status: unstable: should be 'solved'"),
+        (lambda d: d.update(loop=-1), "loop: -1: should be greater than or equal to 0"),
+        (lambda d: d.pop("stability"), "a plan that is solved has loop, target and stability"),
+        (lambda d: d["tree"]["parents"].pop(), "one a node are needed"),
+        (lambda d: d["tree"]["path"].append(10**6), "names a node beyond"),
+        (lambda d: d["segments"][0]["virtual_linking"].pop(), "one a row are needed"),
+        (lambda d: d["segments"][0]["virtual_linking"][0].pop(), "rows of .1, 2. curves"),
+        (lambda d: d["segments"][0]["positions"][0].pop(), "row 0 of segment 'reach' has 11"),
+        (lambda d: d["segments"][0]["object_poses"][0].__setitem__(3, 2.0), "not of unit length"),
+        (lambda d: d["task"].pop("object"), "object: missing"),
+    ],
+)
+def test_broken_plan_files(document, tmp_path, change, what):
+    broken = json.loads(json.dumps(document))
+    change(broken)
+    with pytest.raises(TaskError, match=what) as caught:
+        reread(broken, tmp_path / "plan.json")
+    assert str(caught.value).startswith(str(tmp_path / "plan.json"))
+
+
+def test_report_names_loop_fingers_and_margin(plan):
+    text = report.as_text(plan)
+    assert "clasps the loop, " in text
+    assert "finger_1 " in text
+    assert f"margin {plan.stability.margin:.2f}" in text
+    assert "secure: 0 of 10 sequences of random moves free it" in text
+    assert len(text.splitlines()) < 12
+    printed = report.as_dict(plan)
+    assert printed["loop"] == 0
+    assert set(printed["virtual_linking"]) == {"finger_1", "finger_2"}
+    assert min(printed["virtual_linking"].values()) >= plan.min_linking
+    json.dumps(printed)
+
+
+def test_cloud_without_a_hole_is_told_with_its_betti_curve(tmp_path):
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=0.1)
+    np.savetxt(tmp_path / "ball.xyz", ball.vertices)
+    (tmp_path / "task.yaml").write_text(changed("sample: purse", "cloud: ball.xyz"))
+    plan = graspless.plan(tmp_path / "task.yaml")
+    assert not plan
+    assert (plan.status, plan.loop, plan.target) == ("no_reliable_hole", None, None)
+    text = report.as_text(plan)
+    assert plan.reason in text
+    assert "by the longest edge: " in text or "holes at any length of edges: none" in text
+    plan.save(tmp_path / "plan.json")
+    again = graspless.load_plan(tmp_path / "plan.json")
+    assert again.fields == plan.fields
+    assert graspless.check(again)[0].startswith(
+        "nothing to check: the plan's status is no_reliable"
+    )
+
+
+def test_no_time_is_a_status():
+    plan = graspless.plan(read_task(PURSE, "purse.yaml"), iterations=0)
+    assert not plan
+    assert plan.status == "not_found"
+    assert plan.segments == []
+    assert graspless.check(plan)
