@@ -102,6 +102,8 @@ bool Examination::has_sound_rows(const Segment& segment) {
 
 void Examination::check_rows() {
   Eigen::VectorXd before = problem_.q_start;
+  if ((reach().positions[0] - before).lpNorm<Eigen::Infinity>() > kSame)
+    fault("reach row 0", "is not where the robot stands");
   for (const Segment& segment : plan_.segments) {
     scene::check_rows(
         problem_.robot, before, kSame, segment.positions,

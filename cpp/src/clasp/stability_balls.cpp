@@ -9,12 +9,15 @@
 namespace graspless::clasp {
 namespace {
 
-// A ball that looks out of another by less than this adds nothing [m].
-constexpr double kNothing = 0.0003;
+// Balls of one size whose centres are sqrt(r times this) apart leave dents of an eighth of it [m].
+constexpr double kDents = 0.004;
+// Balls smaller than this part of a link's largest only fill its edges.
+constexpr double kSmallest = 1.0 / 3;
 
-bool adds(const LinkSphere& ball, const SphereTree& others) {
-  return std::none_of(others.begin(), others.end(), [&](const LinkSphere& other) {
-    return (ball.p_L - other.p_L).norm() + ball.inner <= other.inner + kNothing;
+bool adds(const LinkSphere& ball, const SphereTree& larger) {
+  return std::none_of(larger.begin(), larger.end(), [&](const LinkSphere& other) {
+    const double apart = (ball.p_L - other.p_L).norm();
+    return apart + ball.inner <= other.inner + kDents / 8 || apart * apart < kDents * other.inner;
   });
 }
 
@@ -24,7 +27,8 @@ SphereTree needed(SphereTree tree) {
                    [](const LinkSphere& a, const LinkSphere& b) { return a.inner > b.inner; });
   SphereTree kept;
   for (const LinkSphere& ball : tree) {
-    if (ball.inner > 0 && adds(ball, kept)) kept.push_back(ball);
+    const double least = kept.empty() ? 0 : kSmallest * kept.front().inner;
+    if (ball.inner > least && adds(ball, kept)) kept.push_back(ball);
   }
   return kept;
 }

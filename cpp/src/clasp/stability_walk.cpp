@@ -23,18 +23,20 @@ ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& ra
       step_(options.step),
       turn_(options.turn),
       clearance_(clearance),
-      bound_(radii.size()),
-      looked_(radii.size()) {
+      looked_(3, radii.size()),
+      distance_(radii.size()) {
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {
     if (look(i, R_OW_ * p_CB_W_.col(i) + p_OC_)) hits_at_start_ = true;
   }
-  bound_start_ = bound_;
+  looked_at_start_ = looked_;
+  distance_at_start_ = distance_;
 }
 
 void ObjectWalk::to_start() {
   R_OW_ = R_OW_start_;
   p_OC_ = p_OC_start_;
-  bound_ = bound_start_;
+  looked_ = looked_at_start_;
+  distance_ = distance_at_start_;
 }
 
 /// Whether a ball hits the object; if not, how far it is from it.
@@ -42,8 +44,15 @@ bool ObjectWalk::look(Eigen::Index ball, const Eigen::Vector3d& p_O) {
   const double radius = radii_[ball];
   const auto distance = clearance_.bounds(p_O, radius);
   if (distance.upper < radius) return true;
-  bound_[ball] = std::max(0.0, distance.lower - radius);
+  looked_.col(ball) = p_O;
+  distance_[ball] = std::max(0.0, distance.lower - radius);
   return false;
+}
+
+/// Puts a ball down for the first step at which it may hit, when it is `bound` [m] away at `from`.
+void ObjectWalk::schedule(int ball, double bound, double travel, int from, int most) {
+  const double safe = bound / (travel + 1e-12);
+  if (safe < most - from) due_.push_back({from + static_cast<int>(std::max(0.0, safe)) + 1, ball});
 }
 
 /// Goes on until a ball hits; returns the steps gone. `travel` of each ball in a step [m];
@@ -53,16 +62,9 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int most, PlaceAt place_a
   const auto later = [](const Due& a, const Due& b) {
     return a.step != b.step ? a.step > b.step : a.ball > b.ball;
   };
-  // The first step at which a ball whose bound was found at step `from` may hit.
-  const auto due_step = [&](Eigen::Index ball, int from) {
-    const double safe = bound_[ball] / (travel[ball] + 1e-12);
-    return safe < most ? from + static_cast<int>(safe) + 1 : most + 1;
-  };
   due_.clear();
-  looked_.setZero();
-  for (Eigen::Index i = 0; i < radii_.size(); ++i) {
-    const int step = due_step(i, 0);
-    if (step <= most) due_.push_back({step, static_cast<int>(i)});
+  for (int i = 0; i < static_cast<int>(radii_.size()); ++i) {
+    schedule(i, distance_[i] - (place_at(i, 0) - looked_.col(i)).norm(), travel[i], 0, most);
   }
   std::make_heap(due_.begin(), due_.end(), later);
   int gone = most;
@@ -74,14 +76,10 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int most, PlaceAt place_a
       gone = next.step - 1;
       break;
     }
-    looked_[next.ball] = next.step;
-    const int again = due_step(next.ball, next.step);
-    if (again > most) continue;
-    due_.push_back({again, next.ball});
-    std::push_heap(due_.begin(), due_.end(), later);
+    const std::size_t before = due_.size();
+    schedule(next.ball, distance_[next.ball], travel[next.ball], next.step, most);
+    if (due_.size() > before) std::push_heap(due_.begin(), due_.end(), later);
   }
-  bound_ -= (gone - looked_.array()).abs().cast<double>().matrix().cwiseProduct(travel);
-  bound_ = bound_.cwiseMax(0);
   steps_ += gone + 1;
   return gone;
 }

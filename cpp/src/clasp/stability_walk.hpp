@@ -16,8 +16,8 @@ namespace graspless::clasp {
 
 /// Moves the object until it hits one of the balls: seen from the object, the balls move.
 ///
-/// Every ball keeps a bound on its distance from the object. A move takes that bound down by at
-/// most what the ball travels, so that a ball is looked at again only when its bound is used up.
+/// Every ball remembers where it was looked at and how far from the object it was there: it is
+/// looked at again only when it may have gone so far.
 class ObjectWalk {
  public:
   /// Balls about the hand's centre, in W; where the hand's centre and the axes of W are in O.
@@ -44,6 +44,7 @@ class ObjectWalk {
 
   template <typename PlaceAt>
   int advance(const Eigen::VectorXd& travel, int most, PlaceAt place_at);
+  void schedule(int ball, double bound, double travel, int from, int most);
   bool look(Eigen::Index ball, const Eigen::Vector3d& p_O);
 
   Eigen::Matrix3Xd p_CB_W_;
@@ -53,9 +54,9 @@ class ObjectWalk {
   double step_, turn_;
   collision::Clearance& clearance_;
   bool hits_at_start_ = false;
-  Eigen::VectorXd bound_, bound_start_;  // of each ball's distance from the object, at this pose
-  Eigen::VectorXi looked_;               // step of the present move at which it was found
-  std::vector<Due> due_;                 // a heap, the next on top
+  Eigen::Matrix3Xd looked_, looked_at_start_;     // where, in O
+  Eigen::VectorXd distance_, distance_at_start_;  // of each ball from the object there, at least
+  std::vector<Due> due_;                          // a heap, the next on top
   std::int64_t steps_ = 0;
 };
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace graspless::collision {
 namespace {
 
 constexpr int kFirstBits = 8;
-constexpr std::size_t kMaxBlocks = 1 << 16;  // some 60 MB; beyond that all is forgotten
+constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that all is forgotten
+constexpr std::size_t kMaxRoots = 1 << 20;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ ClearanceCells::ClearanceCells(std::shared_ptr<const Triangles> triangles, doubl
       cell_(cell),
       root_(cell * std::pow(kParts, kCellLevel)),
       per_root_(1 / root_) {
-  std::iota(all_.begin(), all_.end(), 0);
+  for (std::size_t i = 0; i < all_.size(); ++i) all_[i] = {0, static_cast<int>(i)};
   clear();
 }
 
@@ -31,6 +31,7 @@ void ClearanceCells::clear() {
   shift_ = 64 - kFirstBits;
   roots_.clear();
   blocks_.clear();
+  listed_ = 0;
   last_root_ = -1;
 }
 
@@ -44,7 +45,7 @@ std::size_t ClearanceCells::find(std::uint64_t key) const {
 ClearanceCells::Cell& ClearanceCells::root(const Number& number) {
   const auto key = static_cast<std::uint64_t>(number.x() << 42 | number.y() << 21 | number.z());
   if (last_root_ >= 0 && key == last_key_) return roots_[static_cast<std::size_t>(last_root_)];
-  if (blocks_.size() > kMaxBlocks || roots_.size() > kMaxBlocks) clear();
+  if (listed_ > kMaxListed || roots_.size() > kMaxRoots) clear();
   if (2 * roots_.size() >= slots_.size()) grow();
   Slot& slot = slots_[find(key)];
   if (slot.root < 0) {
@@ -65,34 +66,44 @@ void ClearanceCells::grow() {
   }
 }
 
-void ClearanceCells::measure(Cell& cell, const Eigen::Vector3d& middle,
-                             const std::vector<int>& nearest) const {
+/// From a point that is at most `offset` from the middle of the cell whose list it is.
+double ClearanceCells::measure(const Eigen::Vector3d& point, double offset,
+                               const List& nearest) const {
   double square = std::numeric_limits<double>::infinity(), distance = square;
-  for (const int i : nearest) {
-    const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(i)];
+  for (const Near& near : nearest) {
+    if (static_cast<double>(near.distance) - offset >= distance) continue;
+    const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(near.triangle)];
     const double reach = distance + triangle.radius;
-    if ((middle - triangle.middle).squaredNorm() > reach * reach) continue;
-    const double other = squared_distance(triangle, middle);
+    if ((point - triangle.middle).squaredNorm() >= reach * reach) continue;
+    const double other = squared_distance(triangle, point);
     if (other >= square) continue;
     square = other;
     distance = std::sqrt(square);
   }
-  cell.distance = static_cast<float>(distance);
+  return distance;
 }
 
 /// A new block for the parts of a cell. A point within it is at most half a diagonal h from its
 /// middle: what is nearest to the point is at most 2 h farther from the middle than the nearest.
 int ClearanceCells::cut(const Cell& cell, const Eigen::Vector3d& middle, double side,
-                        const std::vector<int>& nearest) {
+                        const List& nearest) {
+  const double offset = kMostOffset * side;
   const double farthest =
-      static_cast<double>(cell.distance) * (1 + 1e-6) + std::sqrt(3.0) * side * (1 + 1e-9);
+      static_cast<double>(cell.distance) * (1 + kRounding) + 2.000001 * kHalfDiagonal * side;
   auto block = std::make_unique<Block>();
-  for (const int i : nearest) {
-    const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(i)];
+  List& list = block->nearest;
+  for (const Near& near : nearest) {
+    if (static_cast<double>(near.distance) - offset > farthest) continue;
+    const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(near.triangle)];
     const double reach = farthest + triangle.radius;
     if ((middle - triangle.middle).squaredNorm() > reach * reach) continue;
-    if (squared_distance(triangle, middle) <= farthest * farthest) block->nearest.push_back(i);
+    const double square = squared_distance(triangle, middle);
+    if (square > farthest * farthest) continue;
+    const double least = std::sqrt(square) * (1 - kRounding);
+    list.push_back({static_cast<float>(least), near.triangle});
+    if (list.back().distance < list.front().distance) std::swap(list.front(), list.back());
   }
+  listed_ += list.size() + sizeof(Block) / sizeof(Near);
   blocks_.push_back(std::move(block));
   return static_cast<int>(blocks_.size()) - 1;
 }

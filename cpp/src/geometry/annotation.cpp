@@ -70,8 +70,8 @@ class Spreading {
     depth_.assign(index(graph_.num_vertices()), -1);
     for (int root = 0; root < graph_.num_vertices(); ++root) {
       if (depth_[index(root)] >= 0) continue;
-      paths.start(root);
-      for (int v = root; (v = paths.next(std::numeric_limits<double>::infinity())) >= 0;) {
+      paths.start(root, std::numeric_limits<double>::infinity());
+      for (int v = root; (v = paths.next()) >= 0;) {
         depth_[index(v)] = paths.distance(v);
         paths.expand(v);
         if (paths.via(v) >= 0) settle(paths.via(v), {});

@@ -69,9 +69,9 @@ class Polish {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const int from = corners[i], to = corners[(i + 1) % corners.size()];
       const double straight = (complex_.points.col(from) - complex_.points.col(to)).norm();
-      paths_.start(from);
+      paths_.start(from, kDetour * straight);
       int v = from;
-      while ((v = paths_.next(kDetour * straight)) >= 0 && v != to) paths_.expand(v);
+      while ((v = paths_.next()) >= 0 && v != to) paths_.expand(v);
       if (v < 0) return {};
       std::vector<int> way = paths_.path(to);  // back to `from`
       std::reverse(way.begin(), way.end());

@@ -39,17 +39,16 @@ class Judge {
   scene::Scene scene_;
 };
 
-/// Problems whose object stands so that a part of it is near the palm at q.
-Problem near_palm(const std::string& hand, const Object& object, std::mt19937_64& rng,
-                  VectorXd& q) {
-  Problem problem = problem_of(hand, object, Isometry3d::Identity());
+/// A problem whose purse stands so that its handle or top is near the palm at q.
+Problem near_palm(const std::string& hand, std::mt19937_64& rng, VectorXd& q) {
+  Problem problem = problem_of(hand, purse(), Isometry3d::Identity());
   std::uniform_real_distribution<double> unit(-1, 1);
   scene::Scene alone(problem.robot);
   do {
     q = robot::random_q(problem.robot, rng);
   } while (!alone.is_free(q));
   const Isometry3d X_WH = problem.robot.pose(problem.robot.frame("palm"), q);
-  const Eigen::Matrix3Xd& points = object.points();
+  const Eigen::Matrix3Xd& points = purse().points();
   Eigen::Index nearest = 0;
   const Vector3d side(unit(rng), unit(rng), 2 + unit(rng));
   (side.transpose() * points).maxCoeff(&nearest);
@@ -68,11 +67,10 @@ class FreeSpaceOf : public testing::TestWithParam<std::string> {};
 
 TEST_P(FreeSpaceOf, ConfigurationsAreWhatFclSays) {
   std::mt19937_64 rng(1);
-  const Object purse = sample("purse");
   int free = 0, looked = 0;
   for (int i = 0; i < 12; ++i) {
     VectorXd q0;
-    const Problem problem = near_palm(GetParam(), purse, rng, q0);
+    const Problem problem = near_palm(GetParam(), rng, q0);
     FreeSpace space(problem);
     Judge judge(problem);
     for (int j = 0; j < 150; ++j) {
@@ -90,11 +88,10 @@ TEST_P(FreeSpaceOf, ConfigurationsAreWhatFclSays) {
 
 TEST_P(FreeSpaceOf, MotionsAreWhatFclSaysStepByStep) {
   std::mt19937_64 rng(2);
-  const Object purse = sample("purse");
   int free = 0, looked = 0;
   for (int i = 0; i < 12; ++i) {
     VectorXd q0;
-    const Problem problem = near_palm(GetParam(), purse, rng, q0);
+    const Problem problem = near_palm(GetParam(), rng, q0);
     FreeSpace space(problem);
     Judge judge(problem);
     for (int j = 0; j < 40; ++j) {
@@ -110,6 +107,43 @@ TEST_P(FreeSpaceOf, MotionsAreWhatFclSaysStepByStep) {
   EXPECT_GT(looked, 40);
   EXPECT_GT(free, looked / 10);
   EXPECT_LT(free, looked * 9 / 10);
+}
+
+TEST(FreeSpace, SpheresSettleMostOfIt) {
+  const Problem problem = problem_of("kr5_sdh", purse(), Isometry3d(Translation3d(0.7, 0, 0)));
+  std::mt19937_64 rng(3);
+  FreeSpace space(problem);
+  for (int i = 0; i < 1000; ++i) space.is_free(moved(problem.q_start, 0.5, rng));
+  EXPECT_GT(space.num_checks(), 300);
+  EXPECT_LT(space.num_fcl_checks(), space.num_checks() / 10);
+}
+
+TEST(FreeSpace, NamesWhatTouches) {
+  Problem problem = ring_within("kr5_sdh");
+  EXPECT_EQ(FreeSpace(problem).collision(problem.q_start).first, "");
+  Problem inside = problem;
+  inside.X_WO.translation() =
+      problem.robot.pose(problem.robot.frame("palm"), problem.q_start) * Vector3d(0, 0, 0.04) -
+      problem.X_WO.linear() * Vector3d(0, 0.1, 0);
+  EXPECT_EQ(FreeSpace(inside).collision(inside.q_start),
+            std::make_pair(std::string("palm"), std::string("ring")));
+  EXPECT_FALSE(FreeSpace(inside).is_free(inside.q_start));
+  const geometry::PlacedShape block{geometry::Sphere{0.03}};
+  problem.obstacles.push_back(
+      {"lamp", {block}, problem.robot.pose(problem.robot.frame("palm"), problem.q_start)});
+  EXPECT_EQ(FreeSpace(problem).collision(problem.q_start).second, "lamp");
+  EXPECT_FALSE(FreeSpace(problem).is_free(problem.q_start));
+}
+
+TEST(FreeSpace, OutOfLimitsIsNotFree) {
+  const Problem problem = ring_within("kr5_sdh");
+  FreeSpace space(problem);
+  VectorXd q = problem.q_start;
+  q[0] = problem.robot.upper()[0] + 0.01;
+  EXPECT_FALSE(space.is_free(q));
+  EXPECT_FALSE(space.is_free(problem.q_start, q, 0.01));
+  expect_refused([&] { space.is_free(problem.q_start, problem.q_start, 0); },
+                 "resolution must be positive");
 }
 
 INSTANTIATE_TEST_SUITE_P(Hands, FreeSpaceOf, testing::Values("kr5_sdh", "kr5_icub"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Objects and problems that the tests of free space, closing and stability share.
+// Problems that the tests of free space, closing and stability share.
 #pragma once
 
 #include <random>
@@ -12,35 +12,43 @@
 #include "graspless/geometry/sampling.hpp"
 
 #include "clasp/hands.hpp"
+#include "clasp/ring_problem.hpp"
 
 namespace graspless::clasp {
 
-/// A ring in the plane z = 0 about the origin, `thick` in diameter.
-inline Object ring(double radius, double thick, int along = 60, int around = 8) {
-  Eigen::Matrix3Xd points(3, along * around);
-  for (int i = 0; i < along; ++i) {
-    for (int j = 0; j < around; ++j) {
-      const double a = 2 * M_PI * i / along, b = 2 * M_PI * (j + 0.5 * (i % 2)) / around;
-      const double r = radius + thick / 2 * std::cos(b);
-      points.col(i * around + j) << r * std::cos(a), r * std::sin(a), thick / 2 * std::sin(b);
-    }
-  }
-  geometry::LoopOptions options;
-  options.max_edge_length = std::max(4 * M_PI * radius / along, 1.2 * thick);
-  return Object::from_cloud("ring", points, options);
-}
-
-/// One of our sample objects, K_d as fine as 2000 points allow.
-inline Object sample(const std::string& name, double max_edge_length = 0.04) {
-  geometry::LoopOptions options;
-  options.max_edge_length = max_edge_length;
-  return Object::from_cloud(name, geometry::sample_surface(sample_object(name), 2000), options);
-}
-
 inline Problem problem_of(const std::string& hand, const Object& object,
                           const Eigen::Isometry3d& X_WO) {
-  const RobotWithHand given = robot_with_hand(hand);
-  return {given.robot, given.hand, object, X_WO, {}, given.robot.state("home"), {}, {}, {}};
+  const RobotWithHand r = robot_with_hand(hand);
+  return {r.robot, r.hand, object, X_WO, {}, at_home(r, r.hand.open), {}, {}, {}};
+}
+
+/// The purse of our sample objects.
+inline const Object& purse() {
+  static const Object object =
+      Object::from_cloud("purse", geometry::sample_surface(sample_object("purse"), 2000));
+  return object;
+}
+
+/// A ring 10 cm in radius and 16 mm thick, a piece of which lies in the hand at q_start along
+/// sideways, where the closed hand's middle will be.
+inline Problem ring_within(const std::string& hand) {
+  constexpr double kRadius = 0.1;
+  static const Object ring = Object::from_cloud("ring", ring_cloud(kRadius, 0.016));
+  Problem problem = problem_of(hand, ring, Eigen::Isometry3d::Identity());
+  const RobotWithHand r{problem.robot, problem.hand};
+  const Eigen::Isometry3d X_HW =
+      r.robot.pose(r.robot.frame(r.hand.frame), problem.q_start).inverse();
+  const Eigen::VectorXd closed = at_home(r, r.hand.closed);
+  Eigen::AlignedBox3d box;
+  for (const CurveNode& node : r.hand.thumb.nodes) box.extend(X_HW * place(r, node, closed));
+  for (const Finger& finger : r.hand.fingers) {
+    for (const CurveNode& node : finger.nodes) box.extend(X_HW * place(r, node, closed));
+  }
+  Eigen::Isometry3d X_HO = Eigen::Isometry3d::Identity();  // the ring's axis is x of O
+  X_HO.linear() << r.hand.forward_H.cross(r.hand.sideways_H), r.hand.forward_H, r.hand.sideways_H;
+  X_HO.translation() = box.center() + kRadius * r.hand.forward_H;
+  problem.X_WO = X_HW.inverse() * X_HO;
+  return problem;
 }
 
 }  // namespace graspless::clasp

@@ -112,7 +112,7 @@ TEST(Clearance, BoundsEncloseTheDistanceAndLieACellApart) {
   }
 }
 
-TEST(Clearance, ThresholdMakesBoundsFinerWhereTheyLeaveItOpen) {
+TEST(Clearance, ThresholdIsAlwaysToldFromTheDistance) {
   std::mt19937 rng(3);
   const Mesh mesh = random_soup(rng, 100);
   const double cell = 0.02;
@@ -124,13 +124,14 @@ TEST(Clearance, ThresholdMakesBoundsFinerWhereTheyLeaveItOpen) {
     const auto rough = clearance.bounds(p);
     const auto bounds = clearance.bounds(p, threshold);
     const double distance = clearance.distance(p);
-    ASSERT_LE(bounds.lower, distance);
-    ASSERT_GE(bounds.upper, distance);
+    ASSERT_LE(bounds.lower, distance + 1e-12);
+    ASSERT_GE(bounds.upper, distance - 1e-12);
     const bool open = bounds.lower <= threshold && threshold <= bounds.upper;
-    if (open) {
-      ASSERT_LE(bounds.upper - bounds.lower, std::sqrt(3.0) * cell / 4 + 1e-6);
+    ASSERT_FALSE(open);
+    if (bounds.lower > threshold) {
+      ASSERT_LE(distance - threshold, 3 * (bounds.lower - threshold) + 1e-12);
     }
-    finer += rough.lower <= threshold && threshold <= rough.upper && !open;
+    finer += rough.lower <= threshold && threshold <= rough.upper;
   }
   EXPECT_GT(finer, 200);
 }

@@ -38,8 +38,7 @@ class GRASPLESS_API Clearance {
   };
   Bounds bounds(const Eigen::Vector3d& point);
   /// Bounds just near enough to tell on which side of `threshold` [m] the distance lies, and how
-  /// much larger it is to a factor of three; where not even a cell a sixteenth as wide can tell,
-  /// that cell's.
+  /// much larger it is to a factor of three; the distance itself where no cell can tell.
   Bounds bounds(const Eigen::Vector3d& point, double threshold);
 
  private:

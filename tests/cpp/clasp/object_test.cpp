@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/clasp/object.hpp"
+
+#include <gtest/gtest.h>
+
+#include "graspless/collision/world.hpp"
+
+#include "clasp/object_surface.hpp"
+#include "clasp/ring_problem.hpp"
+#include "complaint.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+TEST(Object, SurfaceIsWhatTheLoopsWereTakenFrom) {
+  const Eigen::Matrix3Xd cloud = ring_cloud(0.12, 0.02);
+  const Object ring = Object::from_cloud("ring", cloud);
+  EXPECT_EQ(ring.name(), "ring");
+  EXPECT_EQ(ring.points(), cloud);
+  EXPECT_EQ(ring.loops().loops.size(), 1u);
+  const geometry::Complex& complex = ring.loops().complex;
+  EXPECT_EQ(ring.surface().triangles.leftCols(complex.triangles.cols()), complex.triangles);
+  EXPECT_GT(ring.spacing(), 0.001);
+  EXPECT_LT(ring.spacing(), 0.02);
+}
+
+TEST(Object, ClearanceAndSolidAreOfThatSurface) {
+  const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
+  EXPECT_NEAR(ring.clearance().distance(Eigen::Vector3d::Zero()), 0.11, 0.001);
+  for (const double radius : {0.109, 0.112}) {
+    collision::World world;
+    const int body = world.add_body("ring", ring.solid());
+    world.add_pair(body, world.add_body("ball", {{geometry::Sphere{radius}}}));
+    EXPECT_EQ(world.collides(), radius > 0.11);
+  }
+}
+
+TEST(Object, CopiesShare) {
+  const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
+  const Object copy = ring;
+  EXPECT_EQ(&ring.surface(), &copy.surface());
+  EXPECT_EQ(&ring.clearance(), &copy.clearance());
+}
+
+TEST(Object, RefusesWhatHasNoLoopsToTake) {
+  expect_refused([] { Object::from_cloud("dust", Eigen::Matrix3Xd::Random(3, 5)); }, "20");
+}
+
+geometry::Complex two_triangles_and_a_tail() {
+  geometry::Complex complex;
+  complex.points.resize(3, 6);
+  complex.points << 0, 1, 0, 1, 2, 9,  //
+      0, 0, 1, 1, 1, 9,                //
+      0, 0, 0, 0, 0, 9;
+  complex.edges.resize(2, 7);
+  complex.edges << 0, 0, 1, 1, 2, 3, 2,  //
+      1, 2, 2, 3, 3, 4, 4;
+  complex.triangles.resize(3, 2);
+  complex.triangles << 0, 1,  //
+      1, 2,                   //
+      2, 3;
+  return complex;
+}
+
+TEST(ObjectSurface, BareEdgesAreThinTrianglesAndLonePointsNothing) {
+  const geometry::Complex complex = two_triangles_and_a_tail();
+  const geometry::Mesh mesh = surface_of(complex);
+  ASSERT_EQ(mesh.triangles.cols(), 4);  // the edges 3-4 and 2-4 bound none
+  geometry::validate(mesh, "mesh");
+  for (Eigen::Index i = 2; i < 4; ++i) {
+    const auto corners = mesh.triangles.col(i);
+    const Eigen::Vector3d a = mesh.vertices.col(corners[0]), b = mesh.vertices.col(corners[1]),
+                          c = mesh.vertices.col(corners[2]);
+    EXPECT_NEAR((b - a).cross(c - a).norm() / (b - a).norm(), 0.001, 1e-9);
+  }
+  EXPECT_LT(mesh.triangles.cwiseEqual(5).count(), 1);
+}
+
+TEST(ObjectSurface, DustIsSpecks) {
+  geometry::Complex complex;
+  complex.points = Eigen::Matrix3Xd::Random(3, 4);
+  complex.edges.resize(2, 0);
+  complex.triangles.resize(3, 0);
+  const geometry::Mesh mesh = surface_of(complex);
+  EXPECT_EQ(mesh.triangles.cols(), 4);
+  geometry::validate(mesh, "mesh");
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    EXPECT_LE(collision::Clearance(mesh).distance(complex.points.col(i)), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace graspless::clasp
