@@ -16,8 +16,6 @@ using planning::vector;
 
 namespace {
 
-constexpr double kCoarse = 0.04;  // joint step while trees grow [rad]; a path found is looked at
-                                  // finer
 constexpr int kStall = 12;        // control steps without progress that end the tightening
 constexpr double kMargin = 0.3;   // of the box of random tasks around hand and object [m]
 
@@ -27,7 +25,7 @@ class FreeMotion : public ob::MotionValidator {
   FreeMotion(const ob::SpaceInformationPtr& si, Query& query)
       : MotionValidator(si), query_(query), dof_(query.problem.robot.dof()) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    if (query_.free.is_free(vector(a, dof_), vector(b, dof_), kCoarse)) return true;
+    if (query_.is_motion_free(vector(a, dof_), vector(b, dof_))) return true;
     query_.refuse("motion: collision");
     return false;
   }
