@@ -29,7 +29,8 @@ def one():
 def test_a_row_says_all_that_is_asked(one):
     (row,) = one.rows
     assert row.keys() >= KEYS
-    assert row["found"] and row["secure"], row["reason"]
+    assert row["found"], row["reason"]
+    assert row["secure"]
     assert row["faults"] == []
     assert 0 < row["virtual_linking_min"] <= row["virtual_linking_max"] <= 1
     assert 0 < row["gauss_min"] <= row["gauss_max"]

@@ -21,9 +21,9 @@ struct Object::Data {
   geometry::Mesh surface;
   double spacing = 0;
 
-  mutable std::once_flag solid_made, clearance_made;
+  mutable std::once_flag solid_made, clearance_made, outer_made;
   mutable std::optional<collision::Solid> solid;
-  mutable std::optional<collision::Clearance> clearance;
+  mutable std::optional<collision::Clearance> clearance, outer;
 };
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
@@ -56,6 +56,11 @@ const collision::Solid& Object::solid() const {
 const collision::Clearance& Object::clearance() const {
   std::call_once(data_->clearance_made, [&] { data_->clearance.emplace(data_->surface); });
   return *data_->clearance;
+}
+
+const collision::Clearance& Object::outer_clearance() const {
+  std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.complex)); });
+  return *data_->outer;
 }
 
 }  // namespace graspless::clasp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -55,7 +56,61 @@ geometry::Mesh specks(const Eigen::Matrix3Xd& points) {
   return mesh;
 }
 
+/// The triangles of a complex by their corners, and the points that make a triangle with an edge.
+class TriangleTable {
+ public:
+  explicit TriangleTable(const geometry::Complex& complex) : points_(complex.points) {
+    const auto& triangles = complex.triangles;
+    apexes_.reserve(static_cast<std::size_t>(2 * triangles.cols()));
+    for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
+      const auto corners = triangles.col(i);  // ascending
+      apexes_[edge_key(corners[0], corners[1])].push_back(corners[2]);
+      apexes_[edge_key(corners[0], corners[2])].push_back(corners[1]);
+      apexes_[edge_key(corners[1], corners[2])].push_back(corners[0]);
+    }
+  }
+
+  /// Whether there is a tetrahedron of triangles on either side of this one.
+  bool is_walled_in(int a, int b, int c) const {
+    const Eigen::Vector3d p = points_.col(a);
+    const Eigen::Vector3d normal = (points_.col(b) - p).cross(Eigen::Vector3d(points_.col(c) - p));
+    bool above = false, below = false;
+    for (const int d : apexes_.at(edge_key(a, b))) {
+      if (d == c || !has(a, c, d) || !has(b, c, d)) continue;
+      const double side = normal.dot(Eigen::Vector3d(points_.col(d) - p));
+      above = above || side > 0;
+      below = below || side < 0;
+    }
+    return above && below;
+  }
+
+ private:
+  bool has(int a, int b, int c) const {
+    const auto found = apexes_.find(edge_key(std::min(a, b), std::max(a, b)));
+    return found != apexes_.end() &&
+           std::find(found->second.begin(), found->second.end(), c) != found->second.end();
+  }
+
+  const Eigen::Matrix3Xd& points_;
+  std::unordered_map<std::uint64_t, std::vector<int>> apexes_;
+};
+
 }  // namespace
+
+geometry::Mesh shell_of(const geometry::Complex& complex) {
+  const TriangleTable table(complex);
+  geometry::Mesh mesh = surface_of(complex);
+  if (complex.edges.cols() == 0) return mesh;
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    const Eigen::Vector3i corners = mesh.triangles.col(i);
+    const bool is_of_complex = i < complex.triangles.cols();
+    if (is_of_complex && table.is_walled_in(corners[0], corners[1], corners[2])) continue;
+    mesh.triangles.col(kept++) = corners;
+  }
+  mesh.triangles.conservativeResize(3, kept);
+  return mesh;
+}
 
 geometry::Mesh surface_of(const geometry::Complex& complex) {
   if (complex.edges.cols() == 0) return specks(complex.points);

@@ -11,4 +11,9 @@ namespace graspless::clasp {
 /// triangle a point, so that there is always something.
 geometry::Mesh surface_of(const geometry::Complex& complex);
 
+/// The same without the triangles that are walled in: those with a fourth point on either side that
+/// makes a tetrahedron of triangles with them. As far from every point outside, but a third of the
+/// triangles.
+geometry::Mesh shell_of(const geometry::Complex& complex);
+
 }  // namespace graspless::clasp

@@ -49,7 +49,7 @@ StabilityTester::StabilityTester(const Problem& problem)
     : X_OW_(problem.X_WO.inverse()),
       kinematics_(problem.robot, problem.hand),
       balls_(problem.robot),
-      clearance_(problem.object.clearance()) {}
+      clearance_(problem.object.outer_clearance()) {}
 
 Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
                                 const StabilityOptions& options) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <utility>
 
 #include "geometry/shortest_paths.hpp"
 
@@ -80,18 +80,18 @@ class Spreading {
     spread();
   }
 
+  /// The edges not known yet, those with the shortest way round first.
   std::vector<int> by_way_round() const {
-    std::vector<double> way(is_known_.size());
+    std::vector<std::pair<double, int>> order;
     for (int e = 0; e < graph_.num_edges(); ++e) {
       const auto [a, b] = graph_.ends(e);
-      way[index(e)] = depth_[index(a)] + depth_[index(b)] + graph_.length(e);
+      if (!is_known_[index(e)])
+        order.emplace_back(depth_[index(a)] + depth_[index(b)] + graph_.length(e), e);
     }
-    std::vector<int> order(is_known_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      return way[index(a)] < way[index(b)] || (way[index(a)] == way[index(b)] && a < b);
-    });
-    return order;
+    std::sort(order.begin(), order.end());
+    std::vector<int> edges;
+    for (const auto& [way, edge] : order) edges.push_back(edge);
+    return edges;
   }
 
   void settle(int edge, Symbols value) {

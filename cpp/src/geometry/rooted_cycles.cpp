@@ -37,7 +37,7 @@ const std::vector<RootedCycles::Closing>& RootedCycles::from(int root, double lo
   return closings_;
 }
 
-void RootedCycles::mark_way(int vertex) {
+void RootedCycles::add_to_way(int vertex) {
   const int parent = paths_.parent(vertex);
   if (parent < 0) {
     std::fill_n(way(vertex), words_, 0);

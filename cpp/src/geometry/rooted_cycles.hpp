@@ -36,7 +36,15 @@ class RootedCycles {
  private:
   using Word = Annotation::Word;
 
-  void mark_way(int vertex);
+  void mark_way(int vertex) {
+    const int parent = paths_.parent(vertex), via = paths_.via(vertex);
+    if (words_ == 1 && parent >= 0 && is_zero_[static_cast<std::size_t>(via)]) {
+      *way(vertex) = *way(parent);
+    } else {
+      add_to_way(vertex);
+    }
+  }
+  void add_to_way(int vertex);
   /// Whether both ways to the root and the edge between their ends are a boundary together.
   bool bounds(int a, int b, int edge) const {
     if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)]) return *way(a) == *way(b);

@@ -51,7 +51,8 @@ class Cloud:
 
 def noisy(points: Points, spacings: float = 0.5) -> Points:
     deviation = spacings * geometry.spacing(points)
-    return points + np.random.default_rng(1).normal(0, deviation, points.shape)
+    moves: Points = np.random.default_rng(1).normal(0, deviation, points.shape)
+    return points + moves
 
 
 def patchy(points: Points) -> Points:

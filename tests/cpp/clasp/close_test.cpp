@@ -15,8 +15,9 @@ class CloseHandOf : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Hands, CloseHandOf, testing::ValuesIn(robots_with_hands()));
 
 TEST_P(CloseHandOf, EndsWhereNoJointCanGoOn) {
-  const Problem problem = ring_within(GetParam());
+  const Problem problem = ring_within(GetParam(), 0.03, 0.02);
   FreeSpace space(problem);
+  ASSERT_TRUE(space.is_free(problem.q_start));
   const auto rows = close_hand(space, problem.robot, problem.hand, problem.q_start);
   const VectorXd& end = rows.back();
   const VectorXd& closed = problem.robot.state(problem.hand.closed);
@@ -31,12 +32,14 @@ TEST_P(CloseHandOf, EndsWhereNoJointCanGoOn) {
         << problem.robot.joint_names()[static_cast<std::size_t>(joint)];
     ++stopped;
   }
-  EXPECT_GT(stopped, 0);  // the ring is in the way
+  // The ring is in the way of all but the two long fingers of the T42, which pass around it.
+  EXPECT_EQ(stopped > 0, GetParam() != "wam_t42");
 }
 
 TEST_P(CloseHandOf, RowsAreNearAndEveryMotionBetweenThemIsFree) {
-  const Problem problem = ring_within(GetParam());
+  const Problem problem = ring_within(GetParam(), 0.03, 0.02);
   FreeSpace space(problem);
+  ASSERT_TRUE(space.is_free(problem.q_start));
   const auto rows = close_hand(space, problem.robot, problem.hand, problem.q_start);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     EXPECT_LE((rows[i] - rows[i - 1]).cwiseAbs().maxCoeff(), 0.05 + 1e-12);

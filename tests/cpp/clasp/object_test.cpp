@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/clasp/object.hpp"
 
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
+
+#include "graspless/collision/world.hpp"
 
 #include "clasp/object_surface.hpp"
 #include "clasp/ring_problem.hpp"
@@ -31,6 +36,19 @@ TEST(Object, ClearanceAndSolidAreOfThatSurface) {
     const int body = world.add_body("ring", ring.solid());
     world.add_pair(body, world.add_body("ball", {{geometry::Sphere{radius}}}));
     EXPECT_EQ(world.collides(), radius > 0.11);
+  }
+}
+
+TEST(Object, OuterClearanceIsThatOfTheSurfaceSeenFromOutside) {
+  const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
+  EXPECT_LT(2 * shell_of(ring.loops().complex).triangles.cols(), ring.surface().triangles.cols());
+  std::mt19937_64 rng(1);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d p = 0.2 * Eigen::Vector3d(0.3 * unit(rng), unit(rng), unit(rng));
+    const double off_axis = std::hypot(p.x(), std::hypot(p.y(), p.z()) - 0.12);
+    if (off_axis < 0.0101) continue;  // within
+    EXPECT_NEAR(ring.outer_clearance().distance(p), ring.clearance().distance(p), 1e-12);
   }
 }
 

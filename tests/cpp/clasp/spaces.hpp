@@ -29,12 +29,12 @@ inline const Object& purse() {
   return object;
 }
 
-/// A ring 10 cm in radius and 16 mm thick, a piece of which lies in the hand at q_start along
-/// sideways, where the closed hand's middle will be.
-inline Problem ring_within(const std::string& hand) {
+/// A ring 10 cm in radius, a piece of which lies in the hand at q_start along sideways, where the
+/// closed hand's middle will be, or so far ahead of it.
+inline Problem ring_within(const std::string& hand, double thickness = 0.016, double ahead = 0) {
   constexpr double kRadius = 0.1;
-  static const Object ring = Object::from_cloud("ring", ring_cloud(kRadius, 0.016));
-  Problem problem = problem_of(hand, ring, Eigen::Isometry3d::Identity());
+  Problem problem = problem_of(hand, Object::from_cloud("ring", ring_cloud(kRadius, thickness)),
+                               Eigen::Isometry3d::Identity());
   const RobotWithHand r{problem.robot, problem.hand};
   const Eigen::Isometry3d X_HW =
       r.robot.pose(r.robot.frame(r.hand.frame), problem.q_start).inverse();
@@ -46,7 +46,7 @@ inline Problem ring_within(const std::string& hand) {
   }
   Eigen::Isometry3d X_HO = Eigen::Isometry3d::Identity();  // the ring's axis is x of O
   X_HO.linear() << r.hand.forward_H.cross(r.hand.sideways_H), r.hand.forward_H, r.hand.sideways_H;
-  X_HO.translation() = box.center() + kRadius * r.hand.forward_H;
+  X_HO.translation() = box.center() + (kRadius + ahead) * r.hand.forward_H;
   problem.X_WO = X_HW.inverse() * X_HO;
   return problem;
 }

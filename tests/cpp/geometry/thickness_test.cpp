@@ -131,5 +131,45 @@ TEST(Meridians, EachOfTwoThickRingsKeepsOneLoop) {
   EXPECT_EQ(found.left(), 2);
 }
 
+template <class IsIn>
+Eigen::Matrix3Xd without(const Eigen::Matrix3Xd& cloud, const IsIn& is_in) {
+  std::vector<int> outside;
+  for (int i = 0; i < cloud.cols(); ++i) {
+    if (!is_in(Eigen::Vector3d(cloud.col(i)))) outside.push_back(i);
+  }
+  return cloud(Eigen::all, outside);
+}
+
+/// Inside a ring about z.
+bool in_ring(const Eigen::Vector3d& p, double radius, double tube) {
+  return std::hypot(std::hypot(p.x(), p.y()) - radius, p.z()) < tube;
+}
+
+TEST(Meridians, ADoubleRingKeepsTwoLoops) {
+  const Eigen::Vector3d beside(0.27, 0, 0);  // the rings run into one another
+  const Eigen::Matrix3Xd ring = torus(0.15, 0.04, 0.01);
+  const Eigen::Matrix3Xd both = side_by_side(
+      {without(ring, [&](const auto& p) { return in_ring(p - beside, 0.15, 0.04); }),
+       moved(without(ring, [&](const auto& p) { return in_ring(p + beside, 0.15, 0.04); }),
+             beside)});
+  const Found found = look(both, 0.022);
+  ASSERT_EQ(found.is_meridian.size(), 4u);
+  EXPECT_EQ(found.left(), 2);
+}
+
+TEST(Meridians, ABallWithAThickHandleKeepsOneLoop) {
+  // The handle: the part of a ring, 5 cm thick, that is outside the ball.
+  const auto in_body = [](const Eigen::Vector3d& p) {
+    return (p - Eigen::Vector3d(-0.15, 0, 0)).norm() < 0.15;
+  };
+  const Eigen::Matrix3Xd body = moved(sphere_cloud(0.15, 4000), {-0.15, 0, 0});
+  const Eigen::Matrix3Xd cloud =
+      side_by_side({without(body, [](const auto& p) { return in_ring(p, 0.1, 0.025); }),
+                    without(torus(0.1, 0.025, 0.008), in_body)});
+  const Found found = look(cloud, 0.02);
+  ASSERT_EQ(found.is_meridian.size(), 2u);
+  EXPECT_EQ(found.left(), 1);
+}
+
 }  // namespace
 }  // namespace graspless::geometry

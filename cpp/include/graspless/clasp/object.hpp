@@ -37,6 +37,8 @@ class GRASPLESS_API Object {
   const collision::Solid& solid() const;  ///< the surface, for FCL; made when first asked
   /// Of the surface; made when first asked. A copy has a grid of its own.
   const collision::Clearance& clearance() const;
+  /// Of the surface less what lies wholly within it: equal for every point outside, and cheaper.
+  const collision::Clearance& outer_clearance() const;
   double spacing() const;  ///< between the points of K_d [m]
 
  private:
