@@ -127,12 +127,14 @@ def test_surface_of_a_complex_is_its_outside():
 def test_surface_of_a_ring_faces_outward():
     import trimesh
 
-    torus = trimesh.creation.torus(0.1, 0.015, major_sections=60, minor_sections=10)
-    found = geometry.shortest_loops(torus.vertices, max_edge_length=0.035)
-    part = surface_part(found.complex.points, found.complex.triangles, OBJECT)
+    torus = trimesh.creation.torus(0.1, 0.015)
+    shape = geometry.PlacedShape(geometry.Mesh(torus.vertices, torus.faces))
+    cloud = geometry.sample_surface([shape], 800)
+    found = geometry.Filtration(cloud).complex(0.035)  # so long that the inside is filled
+    part = surface_part(found.points, found.triangles, OBJECT)
+    assert len(part.triangles) < len(found.triangles)
     mesh = trimesh.Trimesh(part.vertices, part.triangles)
-    assert len(part.triangles) < len(found.complex.triangles)
-    assert mesh.volume == pytest.approx(torus.volume, rel=0.05)
+    assert mesh.volume == pytest.approx(torus.volume, rel=0.15)
 
 
 def test_tubes_have_their_radius():
