@@ -18,7 +18,7 @@ struct GraspRrtOptions {
   double max_step = 0.2;              ///< of an extension, of any joint [rad]
   double approach_probability = 0.1;  ///< share of the iterations that try to approach
   double friction = 0.5;
-  double min_quality = 0.02;  ///< of a grasp that is good enough: the epsilon of its wrenches
+  double min_quality = 0.003;  ///< of a grasp that is good enough: the epsilon of its wrenches
 };
 
 /// A grasp of that planner, and what it is around.

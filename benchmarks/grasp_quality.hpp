@@ -15,9 +15,8 @@ struct GraspContact {
 };
 
 /// Epsilon of a grasp (Ferrari and Canny 1992): the radius of the largest ball of wrenches that
-/// contacts of unit normal force resist, the least over many fixed directions of what they resist
-/// there, so that the true one is a little smaller. Torques are divided by `size` [m]. 0 without
-/// force closure.
+/// contacts of unit normal force resist, found by descent from many directions: the true one may be
+/// a little smaller. Torques are divided by `size` [m]. 0 without force closure.
 double grasp_quality(const std::vector<GraspContact>& contacts, const Eigen::Vector3d& center_O,
                      double size, double friction);
 

@@ -212,6 +212,10 @@ void bind_options(py::module_& m) {
       Field{"position_damping", &Options::position_damping, "Of the pseudo-inverse [m]."},
       Field{"alignment_damping", &Options::alignment_damping, "Of the pseudo-inverse."},
       Field{"linking_damping", &Options::linking_damping, "Of the pseudo-inverse."},
+      Field{
+          "patience", &Options::patience,
+          "How much the hand waits on its way while it is misaligned; 0: not at all, as the paper "
+          "has it."},
       Field{"linking_weight", &Options::linking_weight,
             "Of the linking in the nearest-neighbour distance [m]."},
       Field{"exploring_step", &Options::exploring_step,

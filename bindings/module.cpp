@@ -21,7 +21,9 @@ void bind_bench(py::module_ m);
 PYBIND11_MODULE(_core, m) {
   using namespace graspless::bindings;
   m.doc() = "The C++ core of graspless. Import its rooms from `graspless`, not from here.";
-  bind_geometry(m.def_submodule("geometry", "Shapes, supports and outlines. Lengths in metres."));
+  bind_geometry(m.def_submodule("geometry",
+                                "Shapes, supports, outlines, and the loops through the holes of a "
+                                "cloud. Lengths in metres."));
   bind_robot(m.def_submodule("robot", "Robots read from URDF, and their inverse kinematics."));
   bind_collision(m.def_submodule("collision", "Bodies at poses, and which of them touch."));
   bind_scene(m.def_submodule("scene", "A robot among bodies."));

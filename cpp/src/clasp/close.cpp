@@ -17,10 +17,16 @@ class Closing {
   Closing(FreeSpace& space, const robot::Robot& robot, const Hand& hand, const VectorXd& q)
       : space_(space),
         joints_(robot.group(hand.hand)),
-        closed_(robot.clamp(robot.state(hand.closed))),
+        closed_(q),
         moves_(VectorXd::Zero(q.size())),
         rows_{q} {
-    for (const int joint : joints_) moves_[joint] = 1;
+    const VectorXd &open = robot.state(hand.open), closed = robot.clamp(robot.state(hand.closed));
+    for (const int joint : joints_) {
+      moves_[joint] = 1;
+      // A joint that is open and closed at one value does not close, and none ever opens.
+      if (closed[joint] > open[joint]) closed_[joint] = std::max(q[joint], closed[joint]);
+      if (closed[joint] < open[joint]) closed_[joint] = std::min(q[joint], closed[joint]);
+    }
   }
 
   std::vector<VectorXd> close() {

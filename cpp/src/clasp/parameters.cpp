@@ -106,7 +106,7 @@ double half_width(const robot::Robot& robot, const Hand& hand) {
   HandKinematics kinematics(robot, hand);
   kinematics.update(robot.state(hand.open));
   const Eigen::RowVectorXd along = kinematics.sideways_W().transpose() * kinematics.nodes();
-  return (along.maxCoeff() - along.minCoeff()) / 2;
+  return (along.maxCoeff() - along.minCoeff()) / 2 + finger_radius(robot, hand);
 }
 
 // The joints close in turn; one that would touch the bar, or brings the tips no nearer, is done.
@@ -147,7 +147,7 @@ Options derived(const Options& options, const Problem& problem, int loop) {
     o.min_linking = open + kFraction * (reach - open);
   }
   if (o.targets == 0) {
-    const double spacing = std::max(0.01, half_width(problem.robot, problem.hand));
+    const double spacing = half_width(problem.robot, problem.hand);
     o.targets = static_cast<int>(std::clamp(std::ceil(of.length / spacing), 4.0, 64.0));
   }
   if (o.pre_expansions == 0) o.pre_expansions = pre_expansion_schedule(o).front();

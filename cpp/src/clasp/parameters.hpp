@@ -16,7 +16,7 @@ double reachable_linking(const robot::Robot& robot, const Hand& hand, double thi
 /// The same at the open state: how far the hand is closed when the loop has just slipped in.
 double open_linking(const robot::Robot& robot, const Hand& hand);
 
-/// Half the extent of the hand's curves along sideways, at the open state [m].
+/// Half of what the fingers take up along sideways, at the open state [m].
 double half_width(const robot::Robot& robot, const Hand& hand);
 
 /// How thick the fingers are about their curves: half the width of the thickest tip [m].

@@ -11,6 +11,17 @@
 namespace graspless::clasp {
 namespace {
 
+/// What there is to say of an object without a hole; it may not even have a surface to touch.
+Plan without_hole(const Problem& problem, const planning::Budget& budget) {
+  const planning::Clock clock(budget);  // throws on a bad one
+  Plan plan;
+  plan.status = Status::no_reliable_hole;
+  plan.reason = problem.object.loops().reason;
+  plan.joint_names = problem.robot.joint_names();
+  plan.statistics.seconds = clock.seconds();
+  return plan;
+}
+
 /// Whether the robot may stand where it stands; else the plan says what touches.
 bool is_start_free(Query& query, Plan& plan) {
   const Eigen::VectorXd& q = query.problem.q_start;
@@ -46,6 +57,7 @@ Status failure(const Query& query) {
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
   validate(problem);
   validate(options);
+  if (problem.object.loops().loops.empty()) return without_hole(problem, budget);
   Query query(problem, options, budget);
   Plan plan;
   plan.joint_names = problem.robot.joint_names();
@@ -58,9 +70,10 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   }
   for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
     LoopSearch& search = *searches[turn % searches.size()];
-    if (!search.cycle()) continue;                                // IV-D: Algorithm 1
-    std::optional<Found> found = close_clasp(query, search);      // IV-D: until contact occurs; V-A
-    if (found) assemble(query, search, std::move(*found), plan);  // IV-D: path pruning
+    while (!plan && search.cycle()) {                               // IV-D: Algorithm 1
+      std::optional<Found> found = close_clasp(query, search);      // IV-D: until contact occurs
+      if (found) assemble(query, search, std::move(*found), plan);  // IV-D: path pruning
+    }
   }
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);

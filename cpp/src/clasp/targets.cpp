@@ -97,30 +97,48 @@ std::vector<ClaspTarget> in_world(const Eigen::Isometry3d& X_WO, std::vector<Cla
   return targets;
 }
 
-/// The loop's targets at equal arc length or, where the user made marks, those of a finer row that
-/// are nearest to the marks which lie nearest to this loop.
+/// The place of a loop nearest to a point, with the tangent that the nearest of many targets has.
+ClaspTarget nearest_place(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
+  constexpr int kTargets = 256;
+  ClaspTarget nearest{loop.col(0), Vector3d::Zero()};
+  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
+    const Vector3d a = loop.col(i), d = loop.col((i + 1) % loop.cols()) - a;
+    const double square = d.squaredNorm();
+    const Vector3d place = a + (square > 0 ? std::clamp(d.dot(p - a) / square, 0.0, 1.0) : 0.0) * d;
+    if ((place - p).norm() < (nearest.point - p).norm()) nearest.point = place;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const ClaspTarget& target : geometry::clasp_targets(loop, kTargets)) {
+    const double distance = (target.point - nearest.point).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest.tangent = target.tangent;
+  }
+  return nearest;
+}
+
+/// By loop: targets at equal arc length or, where the user made marks, for every mark the place
+/// nearest to it.
 std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
                                                     const std::vector<int>& loops,
-                                                    const std::vector<int>& counts) {
-  constexpr int kFiner = 8;
-  std::vector<std::vector<ClaspTarget>> targets(loops.size()), rows;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    const auto& loop = problem.object.loops().loops[static_cast<std::size_t>(loops[i])];
-    const int count = counts[i] * (problem.marks.empty() ? 1 : kFiner);
-    rows.push_back(geometry::clasp_targets(loop.points, count));
+                                                    const std::vector<Options>& options) {
+  std::vector<std::vector<ClaspTarget>> targets(loops.size());
+  const auto points = [&](std::size_t i) -> const Eigen::Matrix3Xd& {
+    return problem.object.loops().loops[static_cast<std::size_t>(loops[i])].points;
+  };
+  for (std::size_t i = 0; problem.marks.empty() && i < loops.size(); ++i) {
+    targets[i] = geometry::clasp_targets(points(i), options[i].targets);
   }
-  if (problem.marks.empty()) return rows;
   for (const Vector3d& mark : problem.marks) {
     std::size_t best = 0;
-    const ClaspTarget* nearest = nullptr;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const ClaspTarget& target : rows[i]) {
-        if (nearest && (target.point - mark).norm() >= (nearest->point - mark).norm()) continue;
-        nearest = &target;
-        best = i;
-      }
+    ClaspTarget nearest = nearest_place(points(0), mark);
+    for (std::size_t i = 1; i < loops.size(); ++i) {
+      const ClaspTarget place = nearest_place(points(i), mark);
+      if ((place.point - mark).norm() >= (nearest.point - mark).norm()) continue;
+      nearest = place;
+      best = i;
     }
-    targets[best].push_back(*nearest);
+    targets[best].push_back(nearest);
   }
   return targets;
 }
@@ -150,18 +168,11 @@ void say_none(const Query& query, const Judge& judge, Plan& plan) {
 std::vector<LoopTargets> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan) {
   const Problem& problem = query.problem;
   const std::vector<int> loops = loops_wanted(problem);
-  if (loops.empty()) {
-    plan.status = Status::no_reliable_hole;
-    plan.reason = problem.object.loops().reason;
-    return {};
-  }
   std::vector<Options> options;
-  std::vector<int> counts;
   for (const int loop : loops) {
     options.push_back(derived(query.options, problem, loop));
-    counts.push_back(options.back().targets);
   }
-  const auto targets_O = all_targets_O(problem, loops, counts);
+  const auto targets_O = all_targets_O(problem, loops, options);
   Judge judge(problem, q);
   std::vector<std::pair<Place, LoopTargets>> choice;
   for (std::size_t i = 0; i < loops.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <utility>
 
 #include "geometry/shortest_paths.hpp"
 
@@ -70,8 +70,8 @@ class Spreading {
     depth_.assign(index(graph_.num_vertices()), -1);
     for (int root = 0; root < graph_.num_vertices(); ++root) {
       if (depth_[index(root)] >= 0) continue;
-      paths.start(root);
-      for (int v = root; (v = paths.next(std::numeric_limits<double>::infinity())) >= 0;) {
+      paths.start(root, std::numeric_limits<double>::infinity());
+      for (int v = root; (v = paths.next()) >= 0;) {
         depth_[index(v)] = paths.distance(v);
         paths.expand(v);
         if (paths.via(v) >= 0) settle(paths.via(v), {});
@@ -80,18 +80,18 @@ class Spreading {
     spread();
   }
 
+  /// The edges not known yet, those with the shortest way round first.
   std::vector<int> by_way_round() const {
-    std::vector<double> way(is_known_.size());
+    std::vector<std::pair<double, int>> order;
     for (int e = 0; e < graph_.num_edges(); ++e) {
       const auto [a, b] = graph_.ends(e);
-      way[index(e)] = depth_[index(a)] + depth_[index(b)] + graph_.length(e);
+      if (!is_known_[index(e)])
+        order.emplace_back(depth_[index(a)] + depth_[index(b)] + graph_.length(e), e);
     }
-    std::vector<int> order(is_known_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      return way[index(a)] < way[index(b)] || (way[index(a)] == way[index(b)] && a < b);
-    });
-    return order;
+    std::sort(order.begin(), order.end());
+    std::vector<int> edges;
+    for (const auto& [way, edge] : order) edges.push_back(edge);
+    return edges;
   }
 
   void settle(int edge, Symbols value) {

@@ -34,6 +34,18 @@ bool CycleBasis::has_place(const Word* cls, double length) const {
   return !depends(scratch_, shorter);
 }
 
+double CycleBasis::bound(const Word* cls) const {
+  scratch_.assign(cls, cls + words_);
+  double longest = 0;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Row& row = rows_[i];
+    if (!((scratch_[static_cast<std::size_t>(row.lead / 64)] >> (row.lead % 64)) & 1)) continue;
+    for (std::size_t w = 0; w < scratch_.size(); ++w) scratch_[w] ^= row.bits[w];
+    longest = members_[i].length;
+  }
+  return lead(scratch_) < 0 ? longest : std::numeric_limits<double>::infinity();
+}
+
 void CycleBasis::offer(const Word* cls, double length, Cycle cycle) {
   if (!has_place(cls, length)) return;
   const auto place =

@@ -22,6 +22,9 @@ class CycleBasis {
   }
   /// Whether a cycle of this class and length would have a place.
   bool has_place(const Annotation::Word* cls, double length) const;
+  /// Length of the longest member that a class is made of: a cycle of this class must be shorter to
+  /// have a place [m].
+  double bound(const Annotation::Word* cls) const;
   /// Gives it that place, which may cost a longer one its own.
   void offer(const Annotation::Word* cls, double length, Cycle cycle);
 

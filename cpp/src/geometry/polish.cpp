@@ -12,8 +12,8 @@
 namespace graspless::geometry {
 namespace {
 
-constexpr int kRoots = 3;         // on a loop, evenly
-constexpr int kRounds = 3;        // of roots on the loop found last
+constexpr int kRoots = 8;         // a loop, at most
+constexpr double kGain = 1e-4;    // of a root that makes the next one worth it
 constexpr double kDetour = 4;     // of a coarse edge's way on the whole cloud, in edge lengths
 constexpr double kSlack = 1.001;  // of the bound on a way that may be the shortest
 
@@ -49,15 +49,11 @@ class Polish {
     const Class cls = class_of(cycle);
     // What was traced may go back and forth: only its class counts, and a bound on its length.
     double length = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRounds; ++round) {
+    // A cycle found from a root begins opposite of it. The next root is there or a quarter on.
+    for (int i = 0, in_vain = 0; i < kRoots && in_vain < 2; ++i) {
       const double before = length;
-      const Cycle roots = cycle;
-      for (int i = 0; i < kRoots; ++i) {
-        const auto at = (2 * static_cast<std::size_t>(i) + static_cast<std::size_t>(round % 2)) *
-                        roots.size() / (2 * kRoots);
-        shorten(roots[at], cls, cycle, length);
-      }
-      if (!(length < before)) break;
+      shorten(cycle[i % 2 == 0 ? 0 : cycle.size() / 4], cls, cycle, length);
+      in_vain = length < before * (1 - kGain) ? 0 : in_vain + 1;
     }
     return std::isfinite(length) ? cycle : Cycle();
   }
@@ -69,9 +65,9 @@ class Polish {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const int from = corners[i], to = corners[(i + 1) % corners.size()];
       const double straight = (complex_.points.col(from) - complex_.points.col(to)).norm();
-      paths_.start(from);
+      paths_.start(from, kDetour * straight);
       int v = from;
-      while ((v = paths_.next(kDetour * straight)) >= 0 && v != to) paths_.expand(v);
+      while ((v = paths_.next()) >= 0 && v != to) paths_.expand(v);
       if (v < 0) return {};
       std::vector<int> way = paths_.path(to);  // back to `from`
       std::reverse(way.begin(), way.end());

@@ -22,8 +22,8 @@ RootedCycles::RootedCycles(const Complex& complex, const EdgeGraph& graph,
 
 const std::vector<RootedCycles::Closing>& RootedCycles::from(int root, double longest) {
   closings_.clear();
-  paths_.start(root);
-  for (int v = root; (v = paths_.next(longest / 2)) >= 0;) {
+  paths_.start(root, longest / 2);
+  for (int v = root; (v = paths_.next()) >= 0;) {
     mark_way(v);
     paths_.expand(v, [&](const EdgeGraph::Arc& arc) {
       if (bounds(v, arc.to, arc.edge)) return;
@@ -37,7 +37,7 @@ const std::vector<RootedCycles::Closing>& RootedCycles::from(int root, double lo
   return closings_;
 }
 
-void RootedCycles::mark_way(int vertex) {
+void RootedCycles::add_to_way(int vertex) {
   const int parent = paths_.parent(vertex);
   if (parent < 0) {
     std::fill_n(way(vertex), words_, 0);
@@ -47,10 +47,7 @@ void RootedCycles::mark_way(int vertex) {
   for (std::size_t w = 0; w < words_; ++w) way(vertex)[w] = way(parent)[w] ^ cls[w];
 }
 
-/// Whether both ways to the root and the edge between their ends are a boundary together.
-bool RootedCycles::bounds(int a, int b, int edge) const {
-  if (is_zero_[static_cast<std::size_t>(edge)])
-    return words_ == 1 ? *way(a) == *way(b) : std::equal(way(a), way(a) + words_, way(b));
+bool RootedCycles::is_boundary(int a, int b, int edge) const {
   const Word* cls = annotation_.of(edge);
   for (std::size_t w = 0; w < words_; ++w) {
     if ((way(a)[w] ^ way(b)[w]) != cls[w]) return false;

@@ -28,14 +28,29 @@ class RootedCycles {
   const Annotation::Word* class_of(const Closing& closing);
   /// Of the last root, without the stretch that both ways share.
   Cycle cycle(const Closing& closing) const;
+  /// Of the last root, from it [m]; infinite beyond half of `longest`.
+  double distance(int vertex) const { return paths_.reached_distance(vertex); }
   /// No way runs through this vertex from now on.
   void remove(int vertex) { graph_.remove(vertex); }
 
  private:
   using Word = Annotation::Word;
 
-  void mark_way(int vertex);
-  bool bounds(int a, int b, int edge) const;
+  void mark_way(int vertex) {
+    const int parent = paths_.parent(vertex), via = paths_.via(vertex);
+    if (words_ == 1 && parent >= 0 && is_zero_[static_cast<std::size_t>(via)]) {
+      *way(vertex) = *way(parent);
+    } else {
+      add_to_way(vertex);
+    }
+  }
+  void add_to_way(int vertex);
+  /// Whether both ways to the root and the edge between their ends are a boundary together.
+  bool bounds(int a, int b, int edge) const {
+    if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)]) return *way(a) == *way(b);
+    return is_boundary(a, b, edge);
+  }
+  bool is_boundary(int a, int b, int edge) const;
   Word* way(int vertex) { return ways_.data() + static_cast<std::size_t>(vertex) * words_; }
   const Word* way(int vertex) const {
     return ways_.data() + static_cast<std::size_t>(vertex) * words_;

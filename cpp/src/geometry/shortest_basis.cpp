@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/shortest_basis.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <queue>
 
 #include "geometry/cycle_basis.hpp"
@@ -41,6 +43,73 @@ std::vector<int> roots(const EdgeGraph& graph, const Annotation& annotation) {
   return cover;
 }
 
+/// Roots taken one after another, and what each says about those near it.
+///
+/// Say a cycle of class c and length l at root r would have a place: l is less than bound(c). From
+/// a root w at distance s, it is a closed walk of length l + 2 s, made up of w's own closings, none
+/// of them longer; one of these has a bound no less than bound(c). So r needs to look no farther
+/// than the greatest bound among those of w's closings that exceed it by less than 2 s.
+class Search {
+ public:
+  Search(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation)
+      : complex_(complex),
+        cycles_(complex, graph, annotation),
+        basis_(annotation),
+        margin_(complex.max_edge_length),
+        limits_(static_cast<std::size_t>(graph.num_vertices()),
+                std::numeric_limits<double>::infinity()) {}
+
+  struct Roots {
+    std::vector<int>::const_iterator first, last;
+  };
+  void from(int root, const Roots& rest) {
+    const double limit = std::min(this->limit(root), basis_.bound());
+    if (limit > 0) {
+      const double longest = limit + 2 * margin_;
+      const auto& closings = cycles_.from(root, longest);
+      for (const RootedCycles::Closing& closing : closings) offer(closing);
+      tell(closings, longest, rest);
+    }
+    cycles_.remove(root);  // what runs through it has been seen
+  }
+  std::vector<Cycle> cycles() const { return basis_.cycles(); }
+
+ private:
+  double& limit(int root) { return limits_[static_cast<std::size_t>(root)]; }
+
+  void offer(const RootedCycles::Closing& closing) {
+    const Annotation::Word* cls = cycles_.class_of(closing);
+    if (!basis_.has_place(cls, closing.length)) return;
+    Cycle cycle = cycles_.cycle(closing);
+    const double length = cycle_length(complex_.points, cycle);
+    basis_.offer(cls, length, std::move(cycle));
+  }
+
+  void tell(const std::vector<RootedCycles::Closing>& closings, double longest, const Roots& rest) {
+    bounds_.clear();
+    for (const RootedCycles::Closing& closing : closings)
+      bounds_.push_back(basis_.bound(cycles_.class_of(closing)));
+    for (auto other = rest.first; other != rest.last; ++other) {
+      const double detour = 2 * cycles_.distance(*other) * kSlack;
+      const double before = std::min(limit(*other), basis_.bound());
+      if (before + detour > longest) continue;  // it may see what this root has not
+      double most = 0;
+      for (std::size_t i = 0; i < closings.size(); ++i) {
+        if (bounds_[i] + detour >= closings[i].length) most = std::max(most, bounds_[i]);
+      }
+      limit(*other) = std::min(before, most);
+    }
+  }
+
+  static constexpr double kSlack = 1 + 1e-9;  // sums of lengths are rounded
+  const Complex& complex_;
+  RootedCycles cycles_;
+  CycleBasis basis_;
+  double margin_;
+  std::vector<double> limits_;  // cycles at this root that may have a place are shorter
+  std::vector<double> bounds_;
+};
+
 }  // namespace
 
 double cycle_length(const Eigen::Matrix3Xd& points, const Cycle& cycle) {
@@ -53,20 +122,11 @@ double cycle_length(const Eigen::Matrix3Xd& points, const Cycle& cycle) {
 std::vector<Cycle> shortest_basis(const Complex& complex) {
   const EdgeGraph graph(complex);
   const Annotation annotation(complex, graph);
-  CycleBasis basis(annotation);
-  if (annotation.num_classes() == 0) return {};
-  RootedCycles cycles(complex, graph, annotation);
-  for (const int root : roots(graph, annotation)) {
-    for (const RootedCycles::Closing& closing : cycles.from(root, basis.bound())) {
-      const Annotation::Word* cls = cycles.class_of(closing);
-      if (!basis.has_place(cls, closing.length)) continue;
-      Cycle cycle = cycles.cycle(closing);
-      const double length = cycle_length(complex.points, cycle);
-      basis.offer(cls, length, std::move(cycle));
-    }
-    cycles.remove(root);  // what runs through it has been seen
-  }
-  return basis.cycles();
+  Search search(complex, graph, annotation);
+  const std::vector<int> all = roots(graph, annotation);
+  for (auto root = all.begin(); root != all.end(); ++root)
+    search.from(*root, {root + 1, all.end()});
+  return search.cycles();
 }
 
 }  // namespace graspless::geometry

@@ -17,7 +17,8 @@ double cycle_length(const Eigen::Matrix3Xd& points, const Cycle& cycle);
 std::vector<Cycle> shortest_basis(const Complex& complex);
 
 /// Shorter cycles of `whole` in the classes of the given ones, which are polylines near its points
-/// (loops of a thinned cloud): few roots a loop instead of all. Empty where a loop has no way there.
+/// (loops of a thinned cloud): few roots a loop instead of all. Empty where a loop has no way
+/// there.
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops);
 
 /// Thickness of what a cycle runs along, at its thinnest place [m].

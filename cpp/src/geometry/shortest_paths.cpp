@@ -4,33 +4,39 @@
 
 namespace graspless::geometry {
 
+namespace {
+
+constexpr double kBuckets = 16;  // in a mean edge: few vertices each
+
+double bucket_width(const EdgeGraph& graph) {
+  double sum = 0;
+  for (int e = 0; e < graph.num_edges(); ++e) sum += graph.length(e);
+  return graph.num_edges() > 0 ? sum / graph.num_edges() / kBuckets : 1;
+}
+
+}  // namespace
+
 ShortestPaths::ShortestPaths(const EdgeGraph& graph)
     : graph_(graph),
       state_(static_cast<std::size_t>(graph.num_vertices()), State{0, 0, -1}),
-      via_(state_.size()) {}
+      via_(state_.size()),
+      queue_(bucket_width(graph)) {}
 
-void ShortestPaths::start(int root) {
+void ShortestPaths::start(int root, double radius) {
   ++epoch_;
-  queue_.clear();
+  radius_ = radius;
   state_[index(root)] = {0, 2 * epoch_, -1};
   via_[index(root)] = -1;
-  push(0, root);
+  queue_.clear();
+  queue_.push(0, root);
 }
 
-void ShortestPaths::push(double distance, int vertex) {
-  queue_.push_back({distance, vertex});
-  std::push_heap(queue_.begin(), queue_.end());
-}
-
-int ShortestPaths::next(double radius) {
-  while (!queue_.empty()) {
-    const Item item = queue_.front();
-    if (item.distance > radius) return -1;
-    std::pop_heap(queue_.begin(), queue_.end());
-    queue_.pop_back();
+int ShortestPaths::next() {
+  const unsigned settled = 2 * epoch_ + 1;
+  for (BucketQueue::Item item; queue_.pop(item);) {
     State& state = state_[index(item.vertex)];
-    if (state.stamp == 2 * epoch_ + 1) continue;
-    state.stamp = 2 * epoch_ + 1;
+    if (state.stamp == settled) continue;
+    state.stamp = settled;
     return item.vertex;
   }
   return -1;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
+#include <limits>
 #include <vector>
 
+#include "geometry/bucket_queue.hpp"
 #include "geometry/edge_graph.hpp"
 
 namespace graspless::geometry {
@@ -15,9 +16,10 @@ class ShortestPaths {
  public:
   explicit ShortestPaths(const EdgeGraph& graph);
 
-  void start(int root);
-  /// The next vertex in order of distance, settled; -1 when there is none within `radius` [m].
-  int next(double radius);
+  /// What is farther from the root than `radius` [m] is not looked at.
+  void start(int root, double radius);
+  /// The next vertex in order of distance, settled; -1 when there is none left.
+  int next();
   /// Looks at the arcs of a vertex that next() gave, before next() is called again. Those that lead
   /// to a settled vertex (the parent too) are handed to `meet`.
   template <class Meet>
@@ -27,6 +29,11 @@ class ShortestPaths {
   }
 
   double distance(int vertex) const { return state_[index(vertex)].distance; }
+  /// The same of any vertex: infinite where it is not settled.
+  double reached_distance(int vertex) const {
+    return state_[index(vertex)].stamp == 2 * epoch_ + 1 ? distance(vertex)
+                                                         : std::numeric_limits<double>::infinity();
+  }
   int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 at the root
   int via(int vertex) const { return via_[index(vertex)]; }              ///< edge to the parent
   /// From a settled vertex to the root.
@@ -38,21 +45,14 @@ class ShortestPaths {
     unsigned stamp;  // 2 epoch: seen, 2 epoch + 1: settled
     int parent;
   };
-  struct Item {
-    double distance;
-    int vertex;
-    bool operator<(const Item& other) const {
-      return distance > other.distance || (distance == other.distance && vertex > other.vertex);
-    }
-  };
   static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
-  void push(double distance, int vertex);
 
   const EdgeGraph& graph_;
   unsigned epoch_ = 0;  // of the present root
+  double radius_ = 0;
   std::vector<State> state_;
   std::vector<int> via_;
-  std::vector<Item> queue_;
+  BucketQueue queue_;
 };
 
 template <class Meet>
@@ -66,10 +66,10 @@ void ShortestPaths::expand(int vertex, const Meet& meet) {
       continue;
     }
     const double distance = from + arc.length;
-    if (to.stamp == seen && distance >= to.distance) continue;
+    if (distance > radius_ || (to.stamp == seen && distance >= to.distance)) continue;
     to = {distance, seen, vertex};
     via_[index(arc.to)] = arc.edge;
-    push(distance, arc.to);
+    queue_.push(distance, arc.to);
   }
 }
 

@@ -17,15 +17,20 @@ std::vector<int> starts(std::vector<int> counts) {
   return counts;
 }
 
-/// Stable, by one vertex of each.
-std::vector<Facet> sorted_by(std::size_t vertex, const std::vector<Facet>& facets, std::size_t n) {
+/// Lexicographic: buckets by the first vertex, each sorted.
+std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
   std::vector<int> counts(n + 1);
-  for (const Facet& facet : facets) ++counts[static_cast<std::size_t>(facet.vertices[vertex])];
-  std::vector<int> next = starts(std::move(counts));
+  for (const Facet& facet : facets) ++counts[static_cast<std::size_t>(facet.vertices[0])];
+  const std::vector<int> begin = starts(std::move(counts));
+  std::vector<int> next = begin;
   std::vector<Facet> result(facets.size());
   for (const Facet& facet : facets) {
-    int& place = next[static_cast<std::size_t>(facet.vertices[vertex])];
+    int& place = next[static_cast<std::size_t>(facet.vertices[0])];
     result[static_cast<std::size_t>(place++)] = facet;
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    std::sort(result.begin() + begin[a], result.begin() + begin[a + 1],
+              [](const Facet& one, const Facet& other) { return one.vertices < other.vertices; });
   }
   return result;
 }
@@ -70,8 +75,7 @@ int Simplices::edge(int a, int b) const {
 
 Simplices simplices(const Eigen::Matrix3Xd& points, const Delaunay& delaunay) {
   const auto n = static_cast<std::size_t>(points.cols());
-  std::vector<Facet> facets = delaunay.facets;
-  for (const std::size_t vertex : {2u, 1u, 0u}) facets = sorted_by(vertex, facets, n);
+  const std::vector<Facet> facets = sorted(delaunay.facets, n);
 
   Simplices result;
   result.num_vertices = delaunay.num_vertices;

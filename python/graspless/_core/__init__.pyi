@@ -10,5 +10,6 @@ from . import mechanics
 from . import planning
 from . import slide
 from . import fingertip
+from . import clasp
 from . import bench
-__all__: list[str] = ['bench', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']
+__all__: list[str] = ['bench', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']

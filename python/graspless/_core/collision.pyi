@@ -7,7 +7,32 @@ import graspless._core.geometry
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['World']
+__all__: list[str] = ['Obstacle', 'World']
+class Obstacle:
+    """
+    Something that stands in the way.
+    """
+    def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
+        """
+        shapes: PlacedShapes. X_WB: (4, 4) pose in the world.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WB(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose in the world.
+        """
+    @property
+    def name(self) -> str:
+        """
+        What errors call it.
+        """
+    @property
+    def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
+        """
+        PlacedShapes in its frame B.
+        """
 class World:
     """
     Bodies at poses, and which pairs of them must not touch. Knows no robot.

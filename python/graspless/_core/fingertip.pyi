@@ -4,6 +4,7 @@ Push, slide and tumble an object with bare fingertips (Maeda, Arai).
 from __future__ import annotations
 import collections.abc
 import enum
+import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.mechanics
 import graspless._core.planning
@@ -12,7 +13,7 @@ import graspless._core.slide
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Obstacle', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'check', 'check_realization', 'join', 'plan', 'realize', 'slide_path', 'turn_path', 'validate']
+__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'check', 'check_realization', 'join', 'plan', 'realize', 'slide_path', 'turn_path', 'validate']
 class Face:
     """
     A flat part of an object's surface.
@@ -145,31 +146,6 @@ class Plane:
     def offset(self) -> float:
         """
         n_W . p of its points [m].
-        """
-class Obstacle:
-    """
-    Something that neither object nor fingertips may touch.
-    """
-    def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
-        """
-        shapes: PlacedShapes. X_WB: (4, 4) pose in the world.
-        """
-    def __repr__(self) -> str:
-        ...
-    @property
-    def X_WB(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
-        """
-        (4, 4) pose in the world.
-        """
-    @property
-    def name(self) -> str:
-        """
-        What errors call it.
-        """
-    @property
-    def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
-        """
-        PlacedShapes in its frame B.
         """
 class Fingers:
     """
@@ -345,7 +321,7 @@ class Problem:
     """
     What is given: bring an object through a motion with fingertips alone.
     """
-    def __init__(self, *, object: Object, motion: Path | Lattice | Goal, fingers: Fingers = ..., planes: collections.abc.Sequence[Plane] = ..., friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.5, 0.5), obstacles: collections.abc.Sequence[Obstacle] = [], gravity_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = [0, 0, -9.8]) -> None:
+    def __init__(self, *, object: Object, motion: Path | Lattice | Goal, fingers: Fingers = ..., planes: collections.abc.Sequence[Plane] = ..., friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.5, 0.5), obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], gravity_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = [0, 0, -9.8]) -> None:
         """
         planes: the floor first, then walls. friction: between object and planes, a number or (lower, upper).
         gravity_W: (3,) in the world [m/s^2].
@@ -378,7 +354,7 @@ class Problem:
         What is moved.
         """
     @property
-    def obstacles(self) -> list[Obstacle]:
+    def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
         What else stands around.
         """

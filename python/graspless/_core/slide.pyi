@@ -4,13 +4,14 @@ Slide a thin object to the edge of its support and grasp it.
 from __future__ import annotations
 import collections.abc
 import enum
+import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.planning
 import graspless._core.robot
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Obstacle', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'center_of_mass', 'check', 'plan', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'center_of_mass', 'check', 'plan', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -215,36 +216,11 @@ class Hand:
     @tip_radius.setter
     def tip_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
-class Obstacle:
-    """
-    Something in the way, of the arm and of the sliding object.
-    """
-    def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
-        """
-        shapes: PlacedShapes. X_WB: (4, 4) pose in the world.
-        """
-    def __repr__(self) -> str:
-        ...
-    @property
-    def X_WB(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
-        """
-        (4, 4) pose in the world.
-        """
-    @property
-    def name(self) -> str:
-        """
-        What errors call it.
-        """
-    @property
-    def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
-        """
-        PlacedShapes in its frame B.
-        """
 class Problem:
     """
     What is given: slide the object to the edge of the support and grasp it there.
     """
-    def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, support: Support, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[Obstacle] = []) -> None:
+    def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, support: Support, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = []) -> None:
         """
         X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) where the robot stands.
         """
@@ -266,7 +242,7 @@ class Problem:
         The thin object.
         """
     @property
-    def obstacles(self) -> list[Obstacle]:
+    def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
         What else stands around.
         """

@@ -40,8 +40,8 @@ POSES: dict[str, tuple[tuple[float, float, float, float], ...]] = {
 START = np.radians([0.0, -109.0, 109.0, 0.0, 80.0, 0.0])
 
 # Section V-B: the hand hangs over the seat; the loop is the one under the seat's front edge.
-OBSTRUCTED_POSE = (0.66, 0.0, FLOOR, 180.0)
-OVER_THE_SEAT = np.radians([0.0, -82.0, 106.0, 0.0, 66.0, 0.0])
+OBSTRUCTED_POSE = (0.70, 0.0, FLOOR, 180.0)
+OVER_THE_SEAT = np.radians([0.0, -66.0, 103.0, 0.0, 53.0, 0.0])
 # Section V-C.
 TOLERANCES = (0.5, 0.65, 0.70, 0.75)
 

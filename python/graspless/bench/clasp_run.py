@@ -16,7 +16,7 @@ import numpy as np
 from .. import clasp, geometry
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Iterable, Sequence
 
     from .clasp_grid import Trial
     from .summary import Row
@@ -35,45 +35,8 @@ class Found:
     plan: clasp.Plan
 
 
-@dataclasses.dataclass
-class Run:
-    """All that a command found until Ctrl-C, if that ended it."""
-
-    found: list[Found] = dataclasses.field(default_factory=list)
-    is_complete: bool = False
-
-    @property
-    def rows(self) -> list[Row]:
-        return [found.row for found in self.found]
-
-
-def run(
-    trials: Iterable[Trial],
-    seconds: float | None = None,
-    tell: Callable[[int, str], None] = lambda done, name: None,
-) -> Run:
-    """Plans each trial, and tests what it found.
-
-    Parameters
-    ----------
-    trials : iterable of Trial
-    seconds : float or None
-        Limit of each query [s]; None takes the grid's.
-    tell : function
-        Told the number of trials done, and which comes next.
-    """
-    result = Run()
-    try:
-        for done, trial in enumerate(trials):
-            tell(done, trial.name)
-            result.found.append(_measure(trial, seconds))
-        result.is_complete = True
-    except KeyboardInterrupt:
-        pass
-    return result
-
-
-def _measure(trial: Trial, seconds: float | None) -> Found:
+def measure(trial: Trial, seconds: float | None) -> Found:
+    """Plans once, and tests what was found."""
     problem, options = trial.make_problem(), trial.make_options()
     load = os.getloadavg()[0]
     start = time.perf_counter()
@@ -87,6 +50,7 @@ def _measure(trial: Trial, seconds: float | None) -> Found:
         "object": trial.object,
         "pose": trial.pose,
         "seed": trial.seed,
+        "asked": options.min_linking,
         "found": bool(plan),
         "status": plan.status.name,
         "cycles": done.cycles,

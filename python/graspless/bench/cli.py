@@ -24,6 +24,7 @@ DEFAULTS = {
     "roots": (100, 2.0),
 }
 FINGERTIP_GRIDS = ("paper", "weak", "scaling", "fingers", "se2", "faces")
+CLASP_GRIDS = ("paper", "chair", "tolerance", "grasp_rrt", "loops")
 FOUND, NOT_FOUND, INTERRUPTED = 0, 1, 130
 
 
@@ -61,6 +62,7 @@ def add_parser(commands: Any) -> None:
     )
     slide.set_defaults(run=_slide)
     _add_fingertip(planners)
+    _add_clasp(planners)
 
 
 def _add_fingertip(planners: Any) -> None:
@@ -94,6 +96,30 @@ def _add_fingertip(planners: Any) -> None:
         "--out", type=Path, metavar="DIR", help="write results, pictures and fingertip.md there"
     )
     parser.set_defaults(run=_fingertip)
+
+
+def _add_clasp(planners: Any) -> None:
+    parser = planners.add_parser(
+        "clasp",
+        help="Stork, Pokorny and Kragic 2013",
+        description="Clasps five objects with four hands in three poses, or what the paper tries "
+        "beside that, and checks every plan. Exit 1 when a plan fails its check.",
+    )
+    parser.add_argument("--grid", choices=CLASP_GRIDS, default="paper", help="(%(default)s)")
+    parser.add_argument(
+        "--seeds", type=_positive(int), default=1, metavar="N", help="runs of a task (%(default)s)"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, metavar="S", help="of the first run (%(default)s)"
+    )
+    parser.add_argument(
+        "--time", type=_positive(float), metavar="S", help="limit of each query [s] (10)"
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results, pictures and clasp.md there"
+    )
+    parser.set_defaults(run=_clasp)
 
 
 def _positive(kind: type) -> Any:
@@ -154,6 +180,26 @@ def _fingertip(options: argparse.Namespace) -> int:
         fingertip_report.write(table, result, options.out)
     print(json.dumps(table) if options.json else fingertip_report.as_text(table))
     if not result.is_complete:
+        print("interrupted: the results are partial, and not written", file=sys.stderr)
+        return INTERRUPTED
+    return NOT_FOUND if table["complaints"] else FOUND
+
+
+def _clasp(options: argparse.Namespace) -> int:
+    from . import clasp_bench, clasp_report, report
+    from .bar import Bar
+
+    if options.out is not None:
+        report.check_writable(options.out)
+    load = os.getloadavg()
+    bar = Bar(f"bench clasp, {options.grid}", clasp_bench.count(options.grid, options.seeds))
+    run = clasp_bench.run(options.grid, options.seeds, options.seed, options.time, bar.tell)
+    bar.close()
+    table = clasp_report.as_result(run, load)
+    if options.out is not None and run.is_complete:
+        clasp_report.write(table, run, options.out)
+    print(json.dumps(table) if options.json else clasp_report.as_text(table))
+    if not run.is_complete:
         print("interrupted: the results are partial, and not written", file=sys.stderr)
         return INTERRUPTED
     return NOT_FOUND if table["complaints"] else FOUND

@@ -7,15 +7,13 @@ The prose is in slide.md.template; here are its tables and pictures.
 
 from __future__ import annotations
 
-import functools
 import json
-import re
 import string
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import appendix, pictures
 from .grid import OMPL_PEERS, PAIRS, RANGES, ROOT_SCALES
+from .pages import template
 from .pictures import Panel
 from .report import columns, markdown, milliseconds, percent
 from .tables import (
@@ -35,6 +33,7 @@ from .tables import (
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from pathlib import Path
 
     from .summary import Row
 
@@ -52,22 +51,12 @@ def write(directory: Path) -> None:
         "parts": appendix.parts,
         "circumstances": appendix.circumstances,
     }
-    text = [_template()["head"]]
+    text = [template("slide")["head"]]
     for name, make in makers.items():
         fields = make(results, directory)
         if fields is not None:
-            text.append(string.Template(_template()[name]).substitute(fields))
+            text.append(string.Template(template("slide")[name]).substitute(fields))
     (directory / "slide.md").write_text("\n".join(text))
-
-
-@functools.cache
-def _template() -> dict[str, str]:
-    """Sections of the template by name."""
-    text = (Path(__file__).parent / "slide.md.template").read_text()
-    head, *parts = re.split(r"^<!-- (\w+) -->\n", text, flags=re.MULTILINE)
-    return {"head": head.rstrip() + "\n"} | {
-        name: body.rstrip() + "\n" for name, body in zip(parts[::2], parts[1::2], strict=True)
-    }
 
 
 def _paper(results: Results, directory: Path) -> dict[str, str] | None:

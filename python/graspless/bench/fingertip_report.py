@@ -4,21 +4,20 @@
 
 from __future__ import annotations
 
-import functools
 import json
-import re
 import string
 import types
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import summary
 from .fingertip_grid import GRIDS, PAPER_MINUTES, REFERENCE_COSTS
 from .fingertip_run import complaints
+from .pages import circumstances, template
 from .report import aligned, compact, markdown
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     from .fingertip_run import Run
     from .report import Column
@@ -69,10 +68,11 @@ def write(result: Row, run: Run, directory: Path) -> None:
         for grid in GRIDS
         if (path := directory / f"fingertip_{grid}.json").exists()
     }
-    text = _template()["head"]
+    text = template("fingertip")["head"]
     for grid, found in results.items():
-        text += "\n" + string.Template(_template()[grid]).substitute(_fields(found))
-    text += "\n" + string.Template(_template()["circumstances"]).substitute(_circumstances(results))
+        text += "\n" + string.Template(template("fingertip")[grid]).substitute(_fields(found))
+    end = string.Template(template("fingertip")["circumstances"])
+    text += "\n" + end.substitute(circumstances(results.values()))
     (directory / "fingertip.md").write_text(text)
 
 
@@ -147,30 +147,3 @@ def _grips(rows: Sequence[Row]) -> str:
         ]
         lines[row["case"]] = f"- {row['case']}: {', then '.join(steps)}"
     return "\n".join(lines.values())
-
-
-def _circumstances(results: dict[str, Row]) -> dict[str, str]:
-    some = next(iter(results.values()))
-    rows = [{"name": f"`{r['machine']['command']}`", **r} for r in results.values()]
-    shown: list[Column] = [
-        ("when", lambda r: r["machine"]["date"]),
-        ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
-        ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
-        ("does not hold", lambda r: str(len(r["complaints"]))),
-    ]
-    return {
-        "machine": f"{some['machine']['cpu']}, {some['machine']['cores']} cores",
-        "versions": ", ".join(f"{name} {version}" for name, version in some["versions"].items()),
-        "table": markdown(rows, shown, "command"),
-        "complaints": "\n".join(f"- {c}" for r in results.values() for c in r["complaints"]),
-    }
-
-
-@functools.cache
-def _template() -> dict[str, str]:
-    """Sections of the template by name."""
-    text = (Path(__file__).parent / "fingertip.md.template").read_text()
-    head, *parts = re.split(r"^<!-- (\w+) -->\n", text, flags=re.MULTILINE)
-    return {"head": head.rstrip() + "\n"} | {
-        name: body.rstrip() + "\n" for name, body in zip(parts[::2], parts[1::2], strict=True)
-    }

@@ -21,7 +21,7 @@ def loop_line(loops: Sequence[geometry.Loop], index: int) -> str:
     """One loop: which it is, how long, and how thick what it runs along."""
     loop = loops[index]
     which = "the loop" if len(loops) == 1 else f"loop {index + 1} of {len(loops)}"
-    return f"{which}, {loop.length:.3f} m around, {100 * loop.thickness:.1f} cm thick"
+    return f"{which}, {loop.length:.3g} m around, {100 * loop.thickness:.2g} cm thick"
 
 
 def betti_line(loops: geometry.Loops) -> list[str]:
@@ -85,8 +85,8 @@ def as_text(loops: geometry.Loops) -> str:
     lines = [head]
     for k, loop in enumerate(loops.loops):
         sure = f", there up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
-        thick = f"{100 * loop.thickness:.1f} cm thick"
-        lines.append(f"  {k + 1}: {loop.length:.3f} m around, {thick}{sure}")
+        thick = f"{100 * loop.thickness:.2g} cm thick"
+        lines.append(f"  {k + 1}: {loop.length:.3g} m around, {thick}{sure}")
     if loops.meridians:
         around = count(len(loops.meridians), "loops")
         lines.append(f"  left out: {around} around a thick handle, not along it")

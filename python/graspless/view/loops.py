@@ -8,6 +8,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.ticker import FuncFormatter, NullLocator
 
 from .bodies import LOOP, TRAIL
 from .figures import INK, as_png, new_figure
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from .bodies import Color
 
 PANEL = (800, 640)  # pixels
-ELEVATION = 0.38  # [rad]
+ELEVATIONS = (0.38, 0.8, 1.2)  # [rad]; the first that shows as much
 
 
 def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
@@ -31,18 +32,18 @@ def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
     cloud = np.asarray(points, dtype=float)
     figure = new_figure(13, 6.2)
     grid = figure.add_gridspec(
-        1, 2, width_ratios=[1.25, 1], left=0.01, right=0.985, bottom=0.09, top=0.93, wspace=0.08
+        1, 3, width_ratios=[1.2, 0.34, 1], left=0.01, right=0.985, bottom=0.09, top=0.93, wspace=0
     )
     rings = [np.asarray(loop.points) for loop in loops.loops]
     axes = figure.add_subplot(grid[0])
     draw_cloud(axes, cloud, rings, None, _camera(cloud, rings), PANEL)
     for k, loop in enumerate(loops.loops):
         color = _hue(k, len(rings))
-        label = f"{k + 1}: {loop.length:.3f} m, {100 * loop.thickness:.1f} cm thick"
+        label = f"{k + 1}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm thick"
         axes.plot([], [], lw=3, color=color, label=label)
     if rings:
-        axes.legend(fontsize=9, frameon=False, loc="lower left")
-    _draw_betti(figure.add_subplot(grid[1]), loops)
+        axes.legend(fontsize=9, frameon=False, loc="center left", bbox_to_anchor=(0.84, 0.5))
+    _draw_betti(figure.add_subplot(grid[2]), loops)
     return as_png(figure)
 
 
@@ -102,9 +103,17 @@ def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
     axes.set_xscale("log")
     if len(edges) and edges.min() > 0:
         middle = float(np.median(edges))
-        axes.set_xlim(max(edges.min(), middle / 10), max(edges.max(), 1.2 * chosen))
+        low, high = max(edges.min(), middle / 10), max(edges.max(), 1.2 * chosen)
+        axes.set_xlim(low, high)
+        decades = 10.0 ** np.arange(np.floor(np.log10(low)), np.log10(high) + 1)
+        axes.set_xticks([t for t in np.outer(decades, [1, 2, 5]).ravel() if low <= t <= high])
     axes.set_yscale("symlog", linthresh=10)
-    axes.set_ylim(bottom=0)
+    most = int(numbers.max(initial=1))
+    axes.set_yticks([n for n in (0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000) if n <= most])
+    axes.set_ylim(0, 1.15 * max(most, 2))
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_minor_locator(NullLocator())
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.set_title("loops by the longest edge of the complex", fontsize=11, color=INK, loc="left")
     axes.set_xlabel("longest edge [m]", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
@@ -116,12 +125,14 @@ def _camera(cloud: Matrix, rings: Sequence[Matrix]) -> Camera:
     """From where most of the loops are open to the eye."""
     axes = [np.linalg.svd(ring - ring.mean(axis=0))[2][2] for ring in rings]
     best: tuple[float, Matrix] | None = None
-    for azimuth in np.radians(np.arange(0, 360, 10) - 60):
-        level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-        toward = np.cos(ELEVATION) * level + np.sin(ELEVATION) * np.array([0.0, 0.0, 1.0])
-        score = sum(min(abs(float(toward @ axis)), 0.8) for axis in axes)
-        if best is None or score > best[0] + 1e-9:
-            best = score, toward
+    for elevation in ELEVATIONS:
+        for azimuth in np.radians(np.arange(0, 360, 10) - 60):
+            level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+            toward = np.cos(elevation) * level + np.sin(elevation) * np.array([0.0, 0.0, 1.0])
+            score = sum(min(abs(float(toward @ axis)), 0.8) for axis in axes)
+            needed = 1.0 if elevation == ELEVATIONS[0] else 1.15
+            if best is None or score > needed * best[0] + 1e-9:
+                best = score, toward
     assert best is not None
     middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
     eye = middle + 4 * float(np.ptp(cloud, axis=0).max()) * best[1]

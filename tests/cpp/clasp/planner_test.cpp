@@ -19,8 +19,16 @@ planning::Budget cycles(std::int64_t iterations, std::uint64_t seed = 1) {
   return {std::numeric_limits<double>::infinity(), iterations, seed, {}};
 }
 
+/// A short stability test.
+Options quick() {
+  Options options;
+  options.stability.sequences = 2;
+  options.stability.moves = 50;
+  return options;
+}
+
 const Plan& ring_plan() {
-  static const Plan plan = clasp::plan(ring_problem(), {}, cycles(200));
+  static const Plan plan = clasp::plan(ring_problem(), quick(), cycles(200));
   return plan;
 }
 
@@ -96,16 +104,16 @@ TEST(ClaspPlan, TheTreeLeadsFromTheStartToTheClasp) {
 }
 
 TEST(ClaspPlan, SameSeedSamePlan) {
-  const Plan again = clasp::plan(ring_problem(), {}, cycles(200));
+  const Plan again = clasp::plan(ring_problem(), quick(), cycles(200));
   EXPECT_EQ(all_rows(again), all_rows(ring_plan()));
-  const Plan other = clasp::plan(ring_problem(), {}, cycles(200, 2));
+  const Plan other = clasp::plan(ring_problem(), quick(), cycles(200, 2));
   EXPECT_NE(all_rows(other), all_rows(ring_plan()));
 }
 
 TEST(ClaspPlan, AMarkIsClasped) {
   Problem problem = ring_problem();
   problem.marks = {{0, 0, 0.13}};
-  const Plan top = clasp::plan(problem, {}, cycles(400));
+  const Plan top = clasp::plan(problem, quick(), cycles(400));
   ASSERT_TRUE(top) << top.reason;
   EXPECT_LT((top.target.point - problem.marks[0]).norm(), 0.03);
 }
@@ -113,11 +121,11 @@ TEST(ClaspPlan, AMarkIsClasped) {
 TEST(ClaspPlan, APullPicksThePlace) {
   Problem problem = ring_problem();
   problem.pull_W = Vector3d(0, 0, 1);
-  const Plan up = clasp::plan(problem, {}, cycles(400));
+  const Plan up = clasp::plan(problem, quick(), cycles(400));
   ASSERT_TRUE(up) << up.reason;
   EXPECT_GT(up.target.point.z(), 0.04);
   problem.pull_W = Vector3d(1, 0, 0);  // along the axis of the hole: no place serves
-  const Plan none = clasp::plan(problem, {}, cycles(400));
+  const Plan none = clasp::plan(problem, quick(), cycles(400));
   EXPECT_EQ(none.status, Status::not_found);
   EXPECT_NE(none.reason.find("pull"), std::string::npos) << none.reason;
 }
@@ -167,9 +175,8 @@ TEST(ClaspPlan, EndsWithItsBudget) {
 }
 
 TEST(ClaspPlan, AClaspThatIsNotSecureIsRefused) {
-  Options options;
+  Options options = quick();
   options.stability.escape_distance = 0.001;  // everything has escaped
-  options.stability.sequences = 1;
   const Plan refused = clasp::plan(ring_problem(), options, cycles(3));
   EXPECT_EQ(refused.status, Status::not_secure) << refused.reason;
   EXPECT_EQ(refused.statistics.refusals.at("clasp: not secure"),

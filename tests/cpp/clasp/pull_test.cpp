@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/pull.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace graspless::clasp {

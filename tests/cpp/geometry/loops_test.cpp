@@ -50,6 +50,23 @@ void expect_consistent(const Loops& found, const Eigen::Matrix3Xd& cloud) {
   EXPECT_TRUE(std::is_sorted(found.loops.begin(), found.loops.end(), shorter));
 }
 
+/// The wall of a cup without a handle, 80 mm wide and 90 mm high, its floor, or none: a pipe.
+Eigen::Matrix3Xd cup(bool has_floor) {
+  const double spacing = 0.007, radius = 0.04;
+  std::vector<Eigen::Vector3d> points;
+  const auto add_circle = [&](double r, double z) {
+    const int n = std::max(1, static_cast<int>(2 * M_PI * r / spacing));
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * M_PI * (i + 60 * z) / n;
+      points.emplace_back(r * std::cos(a), r * std::sin(a), z);
+    }
+  };
+  for (double z = 0; z < 0.09; z += spacing) add_circle(radius, z);
+  for (double r = radius - spacing; has_floor && r > 0; r -= spacing) add_circle(r, 0);
+  const auto n = static_cast<Eigen::Index>(points.size());
+  return noisy(Eigen::Map<Eigen::Matrix3Xd>(points[0].data(), 3, n), 0.0004, 1);
+}
+
 bool has_warning(const Loops& found, const std::string& words) {
   return std::any_of(found.warnings.begin(), found.warnings.end(), [&](const std::string& warning) {
     return warning.find(words) != std::string::npos;
@@ -78,6 +95,12 @@ TEST(ShortestLoops, AreAsManyAsTheHoles) {
   EXPECT_EQ(shortest_loops(side_by_side({ring(), other})).loops.size(), 2u);
   EXPECT_EQ(shortest_loops(noisy(ring(), 0.003, 4)).loops.size(), 1u);
   EXPECT_EQ(shortest_loops(sphere_cloud(0.1, 600)).status, LoopStatus::no_reliable_hole);
+}
+
+TEST(ShortestLoops, OfACupNeedAHandle) {
+  EXPECT_EQ(shortest_loops(cup(true)).status, LoopStatus::no_reliable_hole);
+  const Loops pipe = shortest_loops(cup(false));
+  EXPECT_EQ(pipe.loops.size() + pipe.meridians.size(), 1u) << pipe.reason;
 }
 
 TEST(ShortestLoops, DoNotDependOnOrder) {
@@ -188,6 +211,7 @@ TEST(ShortestLoops, RefuseBadClouds) {
   expect_refused(call(Eigen::Matrix3Xd(3, 0)), "distinct points, not 0");
   expect_refused(call(random_cloud(19, 1)), "at least 20 distinct points, not 19");
   expect_refused(call(Eigen::Matrix3Xd::Ones(3, 100)), "distinct points, not 1");
+  expect_refused(call(Eigen::Matrix3Xd::Ones(3, 9000)), "distinct points, not 1");  // thinned
   expect_refused(call(nan), "column 5");
   expect_refused(call(flat), "lie in a plane");
   const Eigen::Matrix3Xd many(3, 10000001);  // never touched

@@ -36,8 +36,9 @@ struct Hand {
   Eigen::Vector3d sideways_H = Eigen::Vector3d::UnitY();  ///< v_swd: along what is clasped
   std::vector<Finger> fingers;
   Finger thumb;
-  std::string open = "open";      ///< state of the hand's joints with which the search begins
-  std::string closed = "closed";  ///< state towards which every joint closes
+  std::string open = "open";  ///< state of the hand's joints with which the search begins
+  /// State towards which every joint closes; one that is the same in both states does not.
+  std::string closed = "closed";
 };
 
 /// Reads a hand from YAML (the grammar: docs/task-files.md; the files beside our URDFs are

@@ -135,6 +135,9 @@ class Options(Fields):
     position_damping: Positive | None = Field(default=None, description="[m]")
     alignment_damping: Positive | None = None
     linking_damping: Positive | None = None
+    patience: NotNegative | None = Field(
+        default=None, description="how much a misaligned hand waits; 0: not at all"
+    )
     linking_weight: Positive | None = Field(default=None, description="[m]")
     exploring_step: Positive | None = Field(default=None, description="of any joint [rad]")
     max_connect_steps: Count | None = None

@@ -1,0 +1,859 @@
+"""
+Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic).
+"""
+from __future__ import annotations
+import collections.abc
+import enum
+import graspless._core.collision
+import graspless._core.geometry
+import graspless._core.planning
+import graspless._core.robot
+import numpy
+import numpy.typing
+import typing
+__all__: list[str] = ['CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_stability', 'validate']
+class CurveNode:
+    """
+    A corner of a finger curve, fixed in a link.
+    """
+    def __init__(self, *, link: str = '', p_L: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def link(self) -> str:
+        """
+        Of the robot.
+        """
+    @link.setter
+    def link(self, arg0: str) -> None:
+        ...
+    @property
+    def p_L(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) in the link's frame [m].
+        """
+    @p_L.setter
+    def p_L(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+class Finger:
+    """
+    A finger: the corners of its half of the curve, from the palm to the tip.
+    """
+    def __init__(self, *, name: str = '', nodes: collections.abc.Sequence[CurveNode] = []) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        What errors and pictures call it.
+        """
+    @name.setter
+    def name(self, arg0: str) -> None:
+        ...
+    @property
+    def nodes(self) -> tuple[CurveNode, ...]:
+        """
+        CurveNodes from the palm to the tip.
+        """
+    @nodes.setter
+    def nodes(self, arg1: collections.abc.Sequence[CurveNode]) -> None:
+        ...
+class Hand:
+    """
+    What the planner must know of a hand. Links, groups and states are the robot's.
+    
+    Every finger opposes the thumb: finger curve i runs from the tip of finger i down to the palm and up
+    the thumb to its tip.
+    """
+    def __init__(self, *, arm: str = 'arm', hand: str = 'hand', frame: str = 'palm', forward_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., sideways_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[Finger] = [], thumb: Finger = ..., open: str = 'open', closed: str = 'closed') -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def arm(self) -> str:
+        """
+        Group of joints that carry the hand, base to wrist.
+        """
+    @arm.setter
+    def arm(self, arg0: str) -> None:
+        ...
+    @property
+    def closed(self) -> str:
+        """
+        State towards which every joint closes.
+        """
+    @closed.setter
+    def closed(self, arg0: str) -> None:
+        ...
+    @property
+    def fingers(self) -> tuple[Finger, ...]:
+        """
+        Those that oppose the thumb.
+        """
+    @fingers.setter
+    def fingers(self, arg1: collections.abc.Sequence[Finger]) -> None:
+        ...
+    @property
+    def forward_H(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) unit, towards what is clasped, in H.
+        """
+    @forward_H.setter
+    def forward_H(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    @property
+    def frame(self) -> str:
+        """
+        Link H of the palm.
+        """
+    @frame.setter
+    def frame(self, arg0: str) -> None:
+        ...
+    @property
+    def hand(self) -> str:
+        """
+        Group of the hand's joints that close.
+        """
+    @hand.setter
+    def hand(self, arg0: str) -> None:
+        ...
+    @property
+    def open(self) -> str:
+        """
+        State of the hand's joints with which the search begins.
+        """
+    @open.setter
+    def open(self, arg0: str) -> None:
+        ...
+    @property
+    def sideways_H(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) unit, along what is clasped, in H.
+        """
+    @sideways_H.setter
+    def sideways_H(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        ...
+    @property
+    def thumb(self) -> Finger:
+        """
+        The finger that the others oppose.
+        """
+    @thumb.setter
+    def thumb(self, arg0: Finger) -> None:
+        ...
+class Object:
+    """
+    An object known by a cloud of points: its loops, and K_d as what must not be touched.
+    """
+    @staticmethod
+    def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: graspless._core.geometry.LoopOptions = ...) -> Object:
+        """
+        Points on the surface, (N, 3) in O [m]. An object without a reliable hole is still an object: plan() says so.
+        
+        Raises ValueError as geometry.shortest_loops does.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def loop_options(self) -> graspless._core.geometry.LoopOptions:
+        """
+        How loops were looked for; a copy.
+        """
+    @property
+    def loops(self) -> graspless._core.geometry.Loops:
+        """
+        geometry.Loops, in O: what was found and from what; a copy.
+        """
+    @property
+    def name(self) -> str:
+        """
+        What errors and pictures call it.
+        """
+    @property
+    def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3) the cloud, as given, in O [m].
+        """
+    @property
+    def spacing(self) -> float:
+        """
+        Between the points of K_d [m].
+        """
+    @property
+    def surface(self) -> graspless._core.geometry.Mesh:
+        """
+        Mesh of what must not be touched, in O: the triangles of K_d, and thin ones along edges that bound none.
+        """
+class Problem:
+    """
+    What is given: put the hand through a hole of the object and close it.
+    """
+    def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], loops: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = [], marks: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, pull_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
+        """
+        X_WO: (4, 4) pose of the object in the world. q_start: (dof,) where the robot stands.
+        loops: which of object.loops.loops may be clasped; empty: any. marks: (N, 3) points in O [m] near which
+        to clasp; none: anywhere. pull_W: (3,) where the object shall be pulled afterwards, in the world.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WO(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose of the object in the world.
+        """
+    @property
+    def hand(self) -> Hand:
+        """
+        A copy of the hand.
+        """
+    @property
+    def loops(self) -> list[int]:
+        """
+        Which loops may be clasped; empty: any.
+        """
+    @property
+    def marks(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3) near which to clasp, in O [m]; none: anywhere.
+        """
+    @property
+    def object(self) -> Object:
+        """
+        What is clasped.
+        """
+    @property
+    def obstacles(self) -> list[graspless._core.collision.Obstacle]:
+        """
+        What else stands around.
+        """
+    @property
+    def pull_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"] | None:
+        """
+        (3,) where the object shall be pulled, in the world, or None.
+        """
+    @property
+    def q_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (dof,) [rad or m].
+        """
+    @property
+    def robot(self) -> graspless._core.robot.Robot:
+        """
+        The robot.
+        """
+class StabilityOptions:
+    """
+    The stability test: the hand stands still, the object moves at random, each move until it hits the hand.
+    """
+    def __init__(self, *, sequences: typing.SupportsInt | typing.SupportsIndex = 10, moves: typing.SupportsInt | typing.SupportsIndex = 500, step: typing.SupportsFloat | typing.SupportsIndex = 0.002, turn: typing.SupportsFloat | typing.SupportsIndex = 0.01, penetration: typing.SupportsFloat | typing.SupportsIndex = 0.003, escape_distance: typing.SupportsFloat | typing.SupportsIndex = 0.0, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def escape_distance(self) -> float:
+        """
+        Every point of the loop farther from the hand's centre has escaped [m]; 0: from the hand's size.
+        """
+    @escape_distance.setter
+    def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def moves(self) -> int:
+        """
+        A sequence: translations and rotations in turn.
+        """
+    @moves.setter
+    def moves(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def penetration(self) -> float:
+        """
+        That does not count as a hit [m].
+        """
+    @penetration.setter
+    def penetration(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def seed(self) -> int:
+        """
+        Of the moves.
+        """
+    @seed.setter
+    def seed(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def sequences(self) -> int:
+        """
+        Of moves, each from the clasp.
+        """
+    @sequences.setter
+    def sequences(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def step(self) -> float:
+        """
+        Of a translation between tests [m].
+        """
+    @step.setter
+    def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def turn(self) -> float:
+        """
+        Of a rotation about the hand's centre between tests [rad].
+        """
+    @turn.setter
+    def turn(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class Stability:
+    """
+    Whether a clasp holds, and how well.
+    """
+    def __init__(self, *, secure: bool = False, escapes: typing.SupportsInt | typing.SupportsIndex = 0, margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, checks: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def checks(self) -> int:
+        """
+        Poses looked at.
+        """
+    @checks.setter
+    def checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def escapes(self) -> int:
+        """
+        Sequences in which the loop came free.
+        """
+    @escapes.setter
+    def escapes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def margin(self) -> float:
+        """
+        1 where the object cannot move, 0 or less where it escaped.
+        """
+    @margin.setter
+    def margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def secure(self) -> bool:
+        """
+        No sequence of moves brought the loop out.
+        """
+    @secure.setter
+    def secure(self, arg0: bool) -> None:
+        ...
+class Options:
+    """
+    How to search. Zero means: derived from object and hand.
+    """
+    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, pre_expansions: typing.SupportsInt | typing.SupportsIndex = 0, random_probability: typing.SupportsFloat | typing.SupportsIndex = 0.1, restart_cycles: typing.SupportsInt | typing.SupportsIndex = 20, dt: typing.SupportsFloat | typing.SupportsIndex = 0.5, max_step: typing.SupportsFloat | typing.SupportsIndex = 0.12, blend_distance: typing.SupportsFloat | typing.SupportsIndex = 0.02, blend_slope: typing.SupportsFloat | typing.SupportsIndex = 120.0, position_damping: typing.SupportsFloat | typing.SupportsIndex = 0.2, alignment_damping: typing.SupportsFloat | typing.SupportsIndex = 0.1, linking_damping: typing.SupportsFloat | typing.SupportsIndex = 0.02, patience: typing.SupportsFloat | typing.SupportsIndex = 20.0, linking_weight: typing.SupportsFloat | typing.SupportsIndex = 0.3, exploring_step: typing.SupportsFloat | typing.SupportsIndex = 0.35, max_connect_steps: typing.SupportsInt | typing.SupportsIndex = 150, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, shortcut_rounds: typing.SupportsInt | typing.SupportsIndex = 60, stability: StabilityOptions = ..., must_be_secure: bool = True) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def alignment_damping(self) -> float:
+        """
+        Of the pseudo-inverse.
+        """
+    @alignment_damping.setter
+    def alignment_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def attract(self) -> bool:
+        """
+        Attract an open hand by the open curves' Gauss integral while it is not linked.
+        """
+    @attract.setter
+    def attract(self, arg0: bool) -> None:
+        ...
+    @property
+    def blend_distance(self) -> float:
+        """
+        Where GAIN is a half [m].
+        """
+    @blend_distance.setter
+    def blend_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def blend_slope(self) -> float:
+        """
+        Of GAIN there [1/m].
+        """
+    @blend_slope.setter
+    def blend_slope(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def dt(self) -> float:
+        """
+        Delta_t of Algorithm 4.
+        """
+    @dt.setter
+    def dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def exploring_step(self) -> float:
+        """
+        Longest step of TS-EXTEND, of any joint [rad].
+        """
+    @exploring_step.setter
+    def exploring_step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def linking_damping(self) -> float:
+        """
+        Of the pseudo-inverse.
+        """
+    @linking_damping.setter
+    def linking_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def linking_weight(self) -> float:
+        """
+        Of the linking in the nearest-neighbour distance [m].
+        """
+    @linking_weight.setter
+    def linking_weight(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_connect_steps(self) -> int:
+        """
+        Control steps of one connection.
+        """
+    @max_connect_steps.setter
+    def max_connect_steps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_step(self) -> float:
+        """
+        LIMIT-STEP-SIZE: of any joint [rad].
+        """
+    @max_step.setter
+    def max_step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def min_linking(self) -> float:
+        """
+        Virtual linking that every finger curve must reach before the hand closes, in (0, 1); 0: derived.
+        """
+    @min_linking.setter
+    def min_linking(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def must_be_secure(self) -> bool:
+        """
+        Take a clasp only if it passes the stability test; else the search goes on.
+        """
+    @must_be_secure.setter
+    def must_be_secure(self, arg0: bool) -> None:
+        ...
+    @property
+    def patience(self) -> float:
+        """
+        How much the hand waits on its way while it is misaligned; 0: not at all, as the paper has it.
+        """
+    @patience.setter
+    def patience(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def position_damping(self) -> float:
+        """
+        Of the pseudo-inverse [m].
+        """
+    @position_damping.setter
+    def position_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pre_expansions(self) -> int:
+        """
+        n: random extensions before a tree is connected to targets; 0: derived.
+        """
+    @pre_expansions.setter
+    def pre_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def random_probability(self) -> float:
+        """
+        P of Algorithm 1.
+        """
+    @random_probability.setter
+    def random_probability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def resolution(self) -> float:
+        """
+        Largest joint step between checked configurations [rad].
+        """
+    @resolution.setter
+    def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def restart_cycles(self) -> int:
+        """
+        Cycles before a tree is given up; 0: never.
+        """
+    @restart_cycles.setter
+    def restart_cycles(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def shortcut_rounds(self) -> int:
+        """
+        Of randomised path pruning.
+        """
+    @shortcut_rounds.setter
+    def shortcut_rounds(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def stability(self) -> StabilityOptions:
+        """
+        Of the stability test; a copy.
+        """
+    @stability.setter
+    def stability(self, arg0: StabilityOptions) -> None:
+        ...
+    @property
+    def targets(self) -> int:
+        """
+        Clasp targets a loop; 0: derived.
+        """
+    @targets.setter
+    def targets(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+class Segment:
+    """
+    A stretch of motion: rows follow each other by at most 0.05 rad in any joint.
+    """
+    def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], virtual_linking: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        positions: (N, dof) [rad or m]. virtual_linking: (N, curves).
+        """
+    def __len__(self) -> int:
+        """
+        Number of rows.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        reach or close.
+        """
+    @property
+    def positions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (N, dof) all joints [rad or m].
+        """
+    @property
+    def virtual_linking(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (N, curves) |VLk| of every finger curve with the loop clasped, at each row.
+        """
+class Tree:
+    """
+    The tree that led to the clasp, for pictures.
+    """
+    def __init__(self, p_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, parents: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = [], path: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = []) -> None:
+        """
+        p_W: (N, 3) [m]. parents: (N,) indices. path: indices from the root to the clasp.
+        """
+    def __len__(self) -> int:
+        """
+        Number of nodes.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def p_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
+        """
+        (N, 3) centre of the hand's curves in the world, a node a row [m].
+        """
+    @property
+    def parents(self) -> list[int]:
+        """
+        Index of a node's parent; its own for the root.
+        """
+    @property
+    def path(self) -> list[int]:
+        """
+        Nodes from the root to the clasp.
+        """
+class Statistics:
+    """
+    What the search did.
+    """
+    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, stability_seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, cycles: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, restarts: typing.SupportsInt | typing.SupportsIndex = 0, control_steps: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, fcl_checks: typing.SupportsInt | typing.SupportsIndex = 0, stability_tests: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
+        """
+        Any field by keyword; the others are zero.
+        """
+    def __repr__(self) -> str:
+        ...
+    def as_dict(self) -> dict[str, typing.Any]:
+        """
+        All fields by name.
+        """
+    @property
+    def collision_checks(self) -> int:
+        """
+        Configurations looked at.
+        """
+    @collision_checks.setter
+    def collision_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def control_steps(self) -> int:
+        """
+        Of Algorithm 4.
+        """
+    @control_steps.setter
+    def control_steps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def cycles(self) -> int:
+        """
+        Of Algorithm 1 after the pre-expansions, over all trees.
+        """
+    @cycles.setter
+    def cycles(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def fcl_checks(self) -> int:
+        """
+        Link against object by FCL: what the clearance left open.
+        """
+    @fcl_checks.setter
+    def fcl_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def nodes(self) -> int:
+        """
+        Over all trees.
+        """
+    @nodes.setter
+    def nodes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def refusals(self) -> dict[str, int]:
+        """
+        Why targets, connections and clasps failed, and how often; a copy.
+        """
+    @refusals.setter
+    def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:
+        ...
+    @property
+    def restarts(self) -> int:
+        """
+        Trees given up.
+        """
+    @restarts.setter
+    def restarts(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def seconds(self) -> float:
+        """
+        Wall clock [s].
+        """
+    @seconds.setter
+    def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def stability_seconds(self) -> float:
+        """
+        Of these, in stability tests [s].
+        """
+    @stability_seconds.setter
+    def stability_seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def stability_tests(self) -> int:
+        """
+        Clasps tried to be pulled apart.
+        """
+    @stability_tests.setter
+    def stability_tests(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+class Status(enum.Enum):
+    """
+    How a query ended.
+    """
+    interrupted = ...
+    no_reliable_hole = ...
+    no_target_in_reach = ...
+    not_found = ...
+    not_secure = ...
+    solved = ...
+    start_in_collision = ...
+class Plan:
+    """
+    What was found, or why not. False unless solved.
+    """
+    def __bool__(self) -> bool:
+        """
+        Whether it is solved.
+        """
+    def __init__(self) -> None:
+        """
+        A plan without segments, to be filled from a file.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """
+        The robot's joints, in the order of positions.
+        """
+    @joint_names.setter
+    def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def loop(self) -> int:
+        """
+        Clasped: index of object.loops.loops; -1 without a plan.
+        """
+    @loop.setter
+    def loop(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def min_linking(self) -> float:
+        """
+        The threshold in force.
+        """
+    @min_linking.setter
+    def min_linking(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def reason(self) -> str:
+        """
+        One sentence, for people.
+        """
+    @reason.setter
+    def reason(self, arg0: str) -> None:
+        ...
+    @property
+    def segments(self) -> tuple[Segment, ...]:
+        """
+        Stretches of motion, in order.
+        """
+    @segments.setter
+    def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
+        ...
+    @property
+    def stability(self) -> Stability:
+        """
+        Of the last row; a copy.
+        """
+    @stability.setter
+    def stability(self, arg0: Stability) -> None:
+        ...
+    @property
+    def statistics(self) -> Statistics:
+        """
+        What the search did.
+        """
+    @statistics.setter
+    def statistics(self, arg0: Statistics) -> None:
+        ...
+    @property
+    def status(self) -> Status:
+        """
+        How the query ended.
+        """
+    @status.setter
+    def status(self, arg0: Status) -> None:
+        ...
+    @property
+    def target(self) -> graspless._core.geometry.ClaspTarget:
+        """
+        Clasped: a geometry.ClaspTarget in O; a copy.
+        """
+    @target.setter
+    def target(self, arg0: graspless._core.geometry.ClaspTarget) -> None:
+        ...
+    @property
+    def tree(self) -> Tree:
+        """
+        That led to the clasp; a copy.
+        """
+    @tree.setter
+    def tree(self, arg0: Tree) -> None:
+        ...
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """
+        What to be careful of.
+        """
+    @warnings.setter
+    def warnings(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
+    """
+    Replays a plan against its problem with none of the search's code: limits, collisions, linking by the
+    double integral, closing until contact, and the stability test.
+    
+    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    """
+def hand_from_yaml(text: str, what: str = 'hand') -> Hand:
+    """
+    Reads a hand from YAML (the grammar: docs/task-files.md). what: its name in errors.
+    
+    Raises ValueError that names the line, the field, the value and the choices.
+    """
+def hand_from_yaml_file(path: str) -> Hand:
+    """
+    As hand_from_yaml, from a file; those beside the URDFs of graspless are examples.
+    """
+def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
+    """
+    Plans a motion of arm and hand that ends in a clasp: reach, then close until contact.
+    Not finding a plan is a status.
+    
+    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Raises ValueError on a bad problem or bad options.
+    """
+def sample_object(name: str, scale: typing.SupportsFloat | typing.SupportsIndex = 1.0) -> list[graspless._core.geometry.PlacedShape]:
+    """
+    The PlacedShapes of one of sample_object_names(), at real size, on the floor z = 0 of O.
+    
+    Raises ValueError that lists the names.
+    """
+def sample_object_names() -> list[str]:
+    """
+    Objects with holes that come with graspless: purse, bag, travel_bag, lawn_mower, chair.
+    """
+def test_stability(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loop: typing.SupportsInt | typing.SupportsIndex, options: StabilityOptions = ...) -> Stability:
+    """
+    Whether the object's loop stays in the hand at q, (dof,): random moves that try to part them
+    (Stork, Pokorny, Kragic 2013, Section V-A).
+    
+    Raises ValueError on a bad problem, loop or configuration.
+    """
+@typing.overload
+def validate(hand: Hand, robot: graspless._core.robot.Robot) -> None:
+    """
+    Raises ValueError that names the field, the value and the choices.
+    """
+@typing.overload
+def validate(problem: Problem) -> None:
+    """
+    Raises ValueError that names the field at fault, its value and the choices.
+    """
+@typing.overload
+def validate(options: Options) -> None:
+    """
+    Raises ValueError that names the option at fault, its value and what it may be.
+    """
