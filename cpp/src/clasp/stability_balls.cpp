@@ -11,13 +11,16 @@ namespace {
 
 // Balls of one size whose centres are sqrt(r times this) apart leave dents of an eighth of it [m].
 constexpr double kDents = 0.008;
-// Balls smaller than this part of a link's largest only fill its edges.
+// Balls smaller than this part of one that they touch only fill its edges.
 constexpr double kSmallest = 1.0 / 3;
 
 bool adds(const LinkSphere& ball, const SphereTree& larger) {
   return std::none_of(larger.begin(), larger.end(), [&](const LinkSphere& other) {
     const double apart = (ball.p_L - other.p_L).norm();
-    return apart + ball.inner <= other.inner + kDents / 8 || apart * apart < kDents * other.inner;
+    const bool fills_edge =
+        ball.inner < kSmallest * other.inner && apart < other.inner + ball.inner;
+    return fills_edge || apart + ball.inner <= other.inner + kDents / 8 ||
+           apart * apart < kDents * other.inner;
   });
 }
 
@@ -27,8 +30,7 @@ SphereTree needed(SphereTree tree) {
                    [](const LinkSphere& a, const LinkSphere& b) { return a.inner > b.inner; });
   SphereTree kept;
   for (const LinkSphere& ball : tree) {
-    const double least = kept.empty() ? 0 : kSmallest * kept.front().inner;
-    if (ball.inner > least && adds(ball, kept)) kept.push_back(ball);
+    if (ball.inner > kDents / 8 && adds(ball, kept)) kept.push_back(ball);
   }
   return kept;
 }

@@ -62,7 +62,9 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
   const int most_steps = static_cast<int>(std::ceil(2 * escape / options.step));
   const int most_turns = static_cast<int>(std::ceil(2 * M_PI / options.turn));
 
-  const Eigen::VectorXd radii = balls_.radii().array() - options.penetration;
+  // Of a thin finger half is left: the object must not pass through it.
+  const Eigen::ArrayXd whole = balls_.radii();
+  const Eigen::VectorXd radii = (whole - options.penetration).max(whole / 2);
   ObjectWalk walk(balls_.centers_W(kinematics_.poses()).colwise() - p_WC, radii, X_OW_.linear(),
                   X_OW_ * p_WC, options, clearance_);
   Stability result;
