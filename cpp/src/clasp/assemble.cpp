@@ -14,13 +14,6 @@ using planning::Path;
 
 namespace {
 
-bool is_path_free(Query& query, const Path& path) {
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    if (!query.is_motion_free(path[i - 1], path[i])) return false;
-  }
-  return true;
-}
-
 /// The randomised path pruning of Section IV-D. Both ends stay where they are.
 Path pruned(Query& query, Path path) {
   std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>> refused;  // are drawn again and again
@@ -83,10 +76,6 @@ std::string reason(const Plan& plan) {
 std::optional<Found> close_clasp(Query& query, LoopSearch& search) {
   Found found;
   found.reach = search.path();
-  if (!is_path_free(query, found.reach)) {
-    query.refuse("path: touches between its nodes");
-    return std::nullopt;
-  }
   const Problem& problem = query.problem;
   found.close = close_hand(query.free, problem.robot, problem.hand, found.reach.back());
   if (search.linking(found.close.back()).minCoeff() < search.of().options.min_linking) {

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "clasp/examination.hpp"
 #include "scene/rows.hpp"
 
 namespace graspless::clasp {
 namespace {
-
-constexpr double kSame = 1e-6;  // [m, rad]
 
 /// The hand's joints, and for each the direction in which it closes: 1 or -1, 0 for one that stays.
 std::vector<std::pair<int, double>> closing_joints(const Problem& problem) {
@@ -21,22 +18,6 @@ std::vector<std::pair<int, double>> closing_joints(const Problem& problem) {
     joints.emplace_back(joint, way[joint] > 0 ? 1.0 : way[joint] < 0 ? -1.0 : 0.0);
   }
   return joints;
-}
-
-/// The place of a closed polyline that is nearest to a point.
-Eigen::Vector3d nearest_place(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
-  double least = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d nearest = p;
-  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
-    const Eigen::Vector3d a = loop.col(i), ab = loop.col((i + 1) % loop.cols()) - a;
-    const double t =
-        ab.squaredNorm() > 0 ? std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) : 0;
-    const Eigen::Vector3d place = a + t * ab;
-    if ((place - p).norm() >= least) continue;
-    least = (place - p).norm();
-    nearest = place;
-  }
-  return nearest;
 }
 
 }  // namespace
@@ -122,24 +103,6 @@ void Examination::check_collisions(const Segment& segment) {
   });
 }
 
-/// The target lies on a loop that may be clasped, and where the user marked.
-void Examination::check_target() {
-  const auto& allowed = problem_.loops;
-  if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), plan_.loop) == allowed.end())
-    fault("plan", "loop ", plan_.loop, " is not one of those that may be clasped");
-  const Eigen::Vector3d& point = plan_.target.point;
-  if (!point.allFinite() || (nearest_place(loop_points(), point) - point).norm() > kSame)
-    fault("plan", "the target does not lie on its loop");
-  if (!(std::abs(plan_.target.tangent.norm() - 1) <= kSame))
-    fault("plan", "the target's tangent is not a unit vector");
-  const bool is_marked =
-      problem_.marks.empty() ||
-      std::any_of(problem_.marks.begin(), problem_.marks.end(), [&](const Eigen::Vector3d& mark) {
-        return (nearest_place(loop_points(), mark) - point).norm() <= kSame;
-      });
-  if (!is_marked) fault("plan", "the target is none of the marked places");
-}
-
 /// While it closes, only the hand moves, and only towards its closed state.
 void Examination::check_hand_closes() {
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem_.robot.dof());
@@ -166,6 +129,7 @@ void Examination::check_closed_until_contact() {
   }
 }
 
+/// The stability test itself is the library's; beside it stands an attempt by FCL alone.
 void Examination::check_stability() {
   const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
   if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||

@@ -9,8 +9,8 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr int kSequences = 2, kMoves = 60, kSteps = 25;  // steps of a move, at most
-constexpr double kStep = 0.004, kTurn = 0.02;            // [m], [rad]
+constexpr int kSequences = 3, kMoves = 100, kSteps = 25;  // steps of a move, at most
+constexpr double kStep = 0.004, kTurn = 0.02;             // [m], [rad]
 
 /// The robot at q as bodies that stand still, and the object as one that moves; nothing else.
 class Tug {
@@ -77,10 +77,10 @@ bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q) {
   const Eigen::Matrix3Xd& p_OL =
       problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
   const Grip hand = grip(problem, q);
-  // Linked curves share a ball of the hand's reach: a loop outside it is out of the hand.
+  // The hand's curves lie in a ball of its reach: a loop outside it is out of the hand.
   const auto is_out = [&](const Eigen::Isometry3d& X_WO) {
     const Eigen::Vector3d center_O = X_WO.inverse() * hand.center_W;
-    return (p_OL.colwise() - center_O).colwise().norm().minCoeff() > 2 * hand.reach;
+    return (p_OL.colwise() - center_O).colwise().norm().minCoeff() > 1.2 * hand.reach;
   };
   Tug tug(problem, q);
   std::mt19937_64 rng(20130901);

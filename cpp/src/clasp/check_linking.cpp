@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "clasp/examination.hpp"
+#include "clasp/parameters.hpp"
 
 namespace graspless::clasp {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kSame = 1e-6;
 
 /// Angle between a plane's normal and another's, as an arc sine; 0 where one has no normal.
 double arc(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
@@ -67,31 +67,30 @@ Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen:
 }
 
 void Examination::check_linking(const Segment& segment) {
-  const Eigen::Matrix3Xd loop_W =
-      (problem_.X_WO.linear() * loop_points()).colwise() + problem_.X_WO.translation();
+  const Eigen::Matrix3Xd loop = loop_W();
   for (std::size_t row = 0; row < segment.positions.size(); ++row) {
     for (int i = 0; i < segment.virtual_linking.rows(); ++i) {
       const double said = segment.virtual_linking(i, static_cast<Eigen::Index>(row));
-      const double found = linking_of(loop_W, curve_in_world(problem_, i, segment.positions[row]));
+      const double found = linking_of(loop, curve_in_world(problem_, i, segment.positions[row]));
       if (std::abs(said - found) <= kSame) continue;
       fault(at(segment, row), "virtual linking of curve ", i, " is ", found, ", not ", said);
     }
   }
 }
 
-/// The hand was closed as far as the search asks before it closed until contact, and has kept hold.
+/// The closed hand holds as the search asks. Where the user gives the figure, the hand has it
+/// before it closes until contact; else it is that of hand and handle, and every curve was linked
+/// before.
 void Examination::check_threshold() {
-  if (!(plan_.min_linking > 0 && plan_.min_linking < 1) ||
-      (options_.min_linking > 0 && plan_.min_linking != options_.min_linking)) {
-    fault("plan", "min_linking ", plan_.min_linking, " is not what was asked for");
-  }
+  const double asked = derived(options_, problem_, plan_.loop).min_linking;
+  if (!(std::abs(plan_.min_linking - asked) <= kSame))
+    fault("plan", "min_linking is ", plan_.min_linking, ", not ", asked);
   const double reached = reach().virtual_linking.rightCols(1).minCoeff();
-  if (reached < plan_.min_linking - kSame) {
-    fault("reach", "ends with a virtual linking of ", reached, ", below min_linking ",
-          plan_.min_linking);
-  }
+  if (!(options_.min_linking > 0 ? reached >= asked - kSame : reached > 0))
+    fault("reach", "ends with a virtual linking of ", reached, ", below min_linking ", asked);
   const double kept = close().virtual_linking.rightCols(1).minCoeff();
-  if (!(kept > 0)) fault("close", "a finger curve does not hold the loop at the end");
+  if (!(kept >= asked - kSame))
+    fault("close", "ends with a virtual linking of ", kept, ", below min_linking ", asked);
 }
 
 }  // namespace graspless::clasp

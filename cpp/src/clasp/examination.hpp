@@ -14,6 +14,8 @@
 /// paper, so that a mistake in the search's cannot hide here.
 namespace graspless::clasp {
 
+constexpr double kSame = 1e-6;  // [m, rad]
+
 using Faults = std::vector<std::string>;
 
 /// The Gauss linking integral (1) of two closed polylines, segment by segment, by the angles that a
@@ -55,6 +57,11 @@ class Examination {
   void check_rows();
   void check_collisions(const Segment& segment);
   void check_target();
+  bool is_marked() const;
+  void check_tangent();
+  void check_pull();
+  void check_hand_at_target();
+  Eigen::Matrix3Xd loop_W() const;
   void check_linking(const Segment& segment);
   void check_threshold();
   void check_hand_closes();

@@ -58,7 +58,8 @@ LinksAgainstObject::Look LinksAgainstObject::look(int link, const Eigen::Isometr
     const LinkSphere& node = tree[static_cast<std::size_t>(i)];
     const bool is_leaf = node.next == i + 1;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
-    const auto distance = clearance_.bounds(p_O, node.outer + (is_leaf ? kMargin : least));
+    const auto distance = is_leaf ? clearance_.bounds(p_O, node.outer + kMargin)
+                                  : clearance_.rough_bounds(p_O, node.outer + least);
     if (distance.upper < node.inner - kMargin) return {true, 0};
     const double clear = distance.lower - node.outer;
     if (clear >= least) {

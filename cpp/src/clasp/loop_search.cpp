@@ -16,10 +16,8 @@ using planning::vector;
 
 namespace {
 
-constexpr double kCoarse = 0.04;   // joint step while trees grow [rad]; a path found is looked at
-                                   // finer
-constexpr double kTighter = 1e-3;  // least gain of linking of a further step
-constexpr double kMargin = 0.3;    // of the box of random tasks around hand and object [m]
+constexpr int kStall = 12;        // control steps without progress that end the tightening
+constexpr double kMargin = 0.3;   // of the box of random tasks around hand and object [m]
 
 /// COLLISION-FREE of Algorithms 2 and 3.
 class FreeMotion : public ob::MotionValidator {
@@ -27,7 +25,7 @@ class FreeMotion : public ob::MotionValidator {
   FreeMotion(const ob::SpaceInformationPtr& si, Query& query)
       : MotionValidator(si), query_(query), dof_(query.problem.robot.dof()) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    if (query_.free.is_free(vector(a, dof_), vector(b, dof_), kCoarse)) return true;
+    if (query_.is_motion_free(vector(a, dof_), vector(b, dof_))) return true;
     query_.refuse("motion: collision");
     return false;
   }
@@ -109,7 +107,8 @@ void LoopSearch::make_planner() {
   planner_->set_random_task(
       [this](std::mt19937_64& rng, Eigen::VectorXd& x) { draw_task(rng, x); });
   planner_->set_tolerance([this](const Eigen::VectorXd&, const Eigen::VectorXd& x) {
-    return x[4] >= of_.options.min_linking;
+    // Where the threshold is derived it is the closed hand that must reach it.
+    return query_.options.min_linking > 0 ? x[4] >= of_.options.min_linking : x[4] > 0;
   });
 }
 
@@ -147,12 +146,16 @@ void LoopSearch::tighten(planning::Path& path) {
   TaskPoint goal;
   goal << reached_W().point, 1;
   Eigen::VectorXd q_new(dof_);
-  double linking = project(path.back())[4];
-  for (int i = 0; i < of_.options.max_connect_steps; ++i) {
+  double least = 1e9;
+  int since = 0;
+  for (int i = 0; i < of_.options.max_connect_steps && since < kStall; ++i) {
     if (!controller_.step(path.back(), goal, of_.options.max_step, q_new)) return;
-    const double now = project(q_new)[4];
-    if (now <= linking + kTighter || !query_.is_motion_free(path.back(), q_new)) return;
-    linking = now;
+    const Eigen::VectorXd x = project(q_new);
+    if (x[4] == 0 || !query_.is_motion_free(path.back(), q_new)) return;
+    Eigen::Vector4d left = x.head<4>() - goal;
+    left[3] *= of_.options.linking_weight;
+    since = left.norm() < least - 1e-4 ? 0 : since + 1;
+    least = std::min(least, left.norm());
     path.push_back(q_new);
   }
 }

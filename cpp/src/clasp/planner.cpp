@@ -70,9 +70,10 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   }
   for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
     LoopSearch& search = *searches[turn % searches.size()];
-    if (!search.cycle()) continue;                                // IV-D: Algorithm 1
-    std::optional<Found> found = close_clasp(query, search);      // IV-D: until contact occurs; V-A
-    if (found) assemble(query, search, std::move(*found), plan);  // IV-D: path pruning
+    while (!plan && search.cycle()) {                               // IV-D: Algorithm 1
+      std::optional<Found> found = close_clasp(query, search);      // IV-D: until contact occurs
+      if (found) assemble(query, search, std::move(*found), plan);  // IV-D: path pruning
+    }
   }
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);

@@ -7,9 +7,6 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr double kMostAlong = 0.6;     // cosine between pull and segment
-constexpr double kLeastOutward = 0.4;  // cosine between pull and the way out of the loop
-
 double cosine(const Eigen::Vector3d& v, const Eigen::Vector3d& unit) {
   const double length = v.norm();
   return length > 0 ? v.dot(unit) / length : 0;

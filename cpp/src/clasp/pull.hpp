@@ -15,6 +15,10 @@ struct Pulled {
   Eigen::Vector3d loop_middle, object_middle;
 };
 
+constexpr double kMostAlong = 0.6;  ///< cosine between pull and segment, at most
+constexpr double kLeastOutward =
+    0.4;  ///< cosine between pull and the way out of the loop, at least
+
 /// How well a place of a loop serves a pull along the unit vector `pull`, in one frame; more is
 /// better, nothing where the hand would slip or the object would turn round.
 ///

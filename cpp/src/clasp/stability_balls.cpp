@@ -10,7 +10,7 @@ namespace graspless::clasp {
 namespace {
 
 // Balls of one size whose centres are sqrt(r times this) apart leave dents of an eighth of it [m].
-constexpr double kDents = 0.004;
+constexpr double kDents = 0.008;
 // Balls smaller than this part of a link's largest only fill its edges. A thin plate beside a thick
 // block in one link counts: through a palm without its plate every clasp comes free.
 constexpr double kSmallest = 1.0 / 8;

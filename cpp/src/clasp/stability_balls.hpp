@@ -10,7 +10,7 @@
 
 namespace graspless::clasp {
 
-/// Balls within the links that fill them but for edges and dents of half a millimetre.
+/// Balls within the links that fill them but for edges and dents of a millimetre.
 class LinkBalls {
  public:
   explicit LinkBalls(const robot::Robot& robot);

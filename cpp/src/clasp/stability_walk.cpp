@@ -24,7 +24,8 @@ ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& ra
       turn_(options.turn),
       clearance_(clearance),
       looked_(3, radii.size()),
-      distance_(radii.size()) {
+      distance_(radii.size()),
+      next_due_(static_cast<std::size_t>(radii.size())) {
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {
     if (look(i, R_OW_ * p_CB_W_.col(i) + p_OC_)) hits_at_start_ = true;
   }
@@ -52,36 +53,35 @@ bool ObjectWalk::look(Eigen::Index ball, const Eigen::Vector3d& p_O) {
 /// Puts a ball down for the first step at which it may hit, when it is `bound` [m] away at `from`.
 void ObjectWalk::schedule(int ball, double bound, double travel, int from, int most) {
   const double safe = bound / (travel + 1e-12);
-  if (safe < most - from) due_.push_back({from + static_cast<int>(std::max(0.0, safe)) + 1, ball});
+  if (safe >= most - from) return;
+  int& first =
+      first_due_[static_cast<std::size_t>(from + static_cast<int>(std::max(0.0, safe)) + 1)];
+  next_due_[static_cast<std::size_t>(ball)] = first;
+  first = ball;
 }
 
 /// Goes on until a ball hits; returns the steps gone. `travel` of each ball in a step [m];
 /// place_at(ball, step) is where it is then, in O.
 template <typename PlaceAt>
 int ObjectWalk::advance(const Eigen::VectorXd& travel, int most, PlaceAt place_at) {
-  const auto later = [](const Due& a, const Due& b) {
-    return a.step != b.step ? a.step > b.step : a.ball > b.ball;
-  };
-  due_.clear();
+  first_due_.assign(static_cast<std::size_t>(most) + 1, -1);
   for (int i = 0; i < static_cast<int>(radii_.size()); ++i) {
     schedule(i, distance_[i] - (place_at(i, 0) - looked_.col(i)).norm(), travel[i], 0, most);
   }
-  std::make_heap(due_.begin(), due_.end(), later);
-  int gone = most;
-  while (!due_.empty()) {
-    std::pop_heap(due_.begin(), due_.end(), later);
-    const Due next = due_.back();
-    due_.pop_back();
-    if (look(next.ball, place_at(next.ball, next.step))) {
-      gone = next.step - 1;
-      break;
+  for (int step = 1; step <= most; ++step) {
+    int next = first_due_[static_cast<std::size_t>(step)];
+    while (next >= 0) {
+      const int ball = next;
+      next = next_due_[static_cast<std::size_t>(ball)];
+      if (look(ball, place_at(ball, step))) {
+        steps_ += step;
+        return step - 1;
+      }
+      schedule(ball, distance_[ball], travel[ball], step, most);
     }
-    const std::size_t before = due_.size();
-    schedule(next.ball, distance_[next.ball], travel[next.ball], next.step, most);
-    if (due_.size() > before) std::push_heap(due_.begin(), due_.end(), later);
   }
-  steps_ += gone + 1;
-  return gone;
+  steps_ += most + 1;
+  return most;
 }
 
 void ObjectWalk::translate(const Eigen::Vector3d& direction_W, int most) {

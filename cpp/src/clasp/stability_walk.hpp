@@ -37,11 +37,6 @@ class ObjectWalk {
   std::int64_t steps() const { return steps_; }          ///< poses gone through so far
 
  private:
-  struct Due {
-    int step;
-    int ball;
-  };
-
   template <typename PlaceAt>
   int advance(const Eigen::VectorXd& travel, int most, PlaceAt place_at);
   void schedule(int ball, double bound, double travel, int from, int most);
@@ -56,7 +51,9 @@ class ObjectWalk {
   bool hits_at_start_ = false;
   Eigen::Matrix3Xd looked_, looked_at_start_;     // where, in O
   Eigen::VectorXd distance_, distance_at_start_;  // of each ball from the object there, at least
-  std::vector<Due> due_;                          // a heap, the next on top
+  // For each step of the present move the first ball that is due, and for each ball the one after
+  // it; -1 at the end.
+  std::vector<int> first_due_, next_due_;
   std::int64_t steps_ = 0;
 };
 

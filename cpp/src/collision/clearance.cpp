@@ -58,16 +58,21 @@ double Clearance::distance(const Eigen::Vector3d& point) const {
   return surface_->tree.distance(point);
 }
 
-Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point) {
-  if (grid_->cells.covers(point)) return grid_->cells.bounds(point);
+Clearance::Bounds Clearance::exactly(const Eigen::Vector3d& point) const {
   const double exact = distance(point);
   return {exact, exact};
 }
 
+Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point) {
+  return grid_->cells.covers(point) ? grid_->cells.bounds(point) : exactly(point);
+}
+
 Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point, double threshold) {
-  if (grid_->cells.covers(point)) return grid_->cells.bounds(point, threshold);
-  const double exact = distance(point);
-  return {exact, exact};
+  return grid_->cells.covers(point) ? grid_->cells.bounds(point, threshold) : exactly(point);
+}
+
+Clearance::Bounds Clearance::rough_bounds(const Eigen::Vector3d& point, double threshold) {
+  return grid_->cells.covers(point) ? grid_->cells.rough_bounds(point, threshold) : exactly(point);
 }
 
 }  // namespace graspless::collision

@@ -41,14 +41,21 @@ class ClearanceCells {
   /// and if it is more, about how much; the distance itself where none does.
   Clearance::Bounds bounds(const Eigen::Vector3d& point, double threshold) {
     return descend(point, kFinestLevel + 1, [threshold](const auto& bounds, double offset) {
-      return bounds.lower - offset > threshold || bounds.upper < threshold;
+      return bounds.lower - kEnough * offset > threshold || bounds.upper < threshold;
+    });
+  }
+  /// The same, from a cell of side `cell` where no larger one settles it.
+  Clearance::Bounds rough_bounds(const Eigen::Vector3d& point, double threshold) {
+    return descend(point, kCellLevel, [threshold](const auto& bounds, double) {
+      return bounds.lower > threshold || bounds.upper < threshold;
     });
   }
 
  private:
-  static constexpr int kParts = 4;        // of a cell's side
-  static constexpr int kCellLevel = 3;    // cell = root / 4^3
-  static constexpr int kFinestLevel = 4;  // and a quarter of it
+  static constexpr int kParts = 4;      // of a cell's side
+  static constexpr int kCellLevel = 3;  // cell = root / 4^3
+  static constexpr int kFinestLevel = 4;
+  static constexpr double kEnough = 0.3;  // of a cell's uncertainty, beyond a threshold it settles
   static constexpr double kMostRoots = 1 << 20;
   static constexpr double kRounding = 1e-7;  // of a distance in single precision
   // Of a cube of side 1: half its diagonal, and how far its middle is at most from that of the cube

@@ -3,6 +3,7 @@
 #include "graspless/planning/task_space_rrt.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -29,16 +30,21 @@ ob::PlannerStatus TaskSpaceRRT::solve(const Termination& ptc) {
   if (!tree_) plant(ptc);  // 1, 2
   if (starts_at_goal()) return ob::PlannerStatus::EXACT_SOLUTION;
   for (std::int64_t k = 0; k < max_iterations_ && !ptc; ++k) {  // 3
-    if (is_given_up()) plant(ptc);
-    ++num_cycles_;
-    ++tree_->cycles;
-    if (uniform(rng_) < random_probability_) {  // 4
-      random_task_(rng_, x_rand_);              // 5
-      ts_extend(x_rand_);                       // 6
-      continue;
+    if (next_target_ == 0) {
+      if (is_given_up()) plant(ptc);
+      ++num_cycles_;
+      ++tree_->cycles;
+      if (uniform(rng_) < random_probability_) {  // 4
+        random_task_(rng_, x_rand_);              // 5
+        ts_extend(x_rand_);                       // 6
+        continue;
+      }
     }
-    for (std::size_t g = 0; g < targets_.size() && !ptc; ++g) {               // 8, 9
-      if (ts_connect_goal(g, ptc)) return ob::PlannerStatus::EXACT_SOLUTION;  // 10
+    for (std::size_t g = std::exchange(next_target_, 0); g < targets_.size() && !ptc;
+         ++g) {                                // 8, 9
+      if (!ts_connect_goal(g, ptc)) continue;  // 10
+      next_target_ = g + 1;
+      return ob::PlannerStatus::EXACT_SOLUTION;
     }
   }
   return ob::PlannerStatus::TIMEOUT;
@@ -47,6 +53,7 @@ ob::PlannerStatus TaskSpaceRRT::solve(const Termination& ptc) {
 // A new tree, and its random extensions before anything is connected.
 void TaskSpaceRRT::plant(const Termination& ptc) {
   if (tree_) ++num_restarts_;
+  next_target_ = 0;
   reached_node_ = -1;
   const Eigen::Index dim = targets_[0].size();
   tree_ = std::make_unique<Tree>(si_, weights_.size() > 0 ? weights_ : Eigen::VectorXd::Ones(dim),

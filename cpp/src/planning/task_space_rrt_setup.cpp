@@ -46,6 +46,7 @@ TaskSpaceRRT::~TaskSpaceRRT() {
 void TaskSpaceRRT::set_targets(std::vector<Eigen::VectorXd> x) {
   targets_ = std::move(x);
   tree_.reset();
+  next_target_ = 0;
 }
 
 void TaskSpaceRRT::set_random_probability(double probability) {
@@ -130,6 +131,7 @@ void TaskSpaceRRT::clear() {
   starts_.clear();
   num_grown_ = num_cycles_ = num_restarts_ = num_steps_ = 0;
   reached_target_ = reached_node_ = -1;
+  next_target_ = 0;
 }
 
 std::size_t TaskSpaceRRT::num_nodes() const {

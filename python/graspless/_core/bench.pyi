@@ -14,7 +14,7 @@ class GraspRrtOptions:
     """
     How the Grasp-RRT searches.
     """
-    def __init__(self, *, max_step: typing.SupportsFloat | typing.SupportsIndex = 0.2, approach_probability: typing.SupportsFloat | typing.SupportsIndex = 0.1, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, min_quality: typing.SupportsFloat | typing.SupportsIndex = 0.02) -> None:
+    def __init__(self, *, max_step: typing.SupportsFloat | typing.SupportsIndex = 0.2, approach_probability: typing.SupportsFloat | typing.SupportsIndex = 0.1, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, min_quality: typing.SupportsFloat | typing.SupportsIndex = 0.003) -> None:
         """
         Any field by keyword.
         """

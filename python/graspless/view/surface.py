@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 
 FLAT = 0.05  # spread across a plane, to that along it
+SLIVER = 0.01  # six volumes, to the cube of the longest edge
 
 
 def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
@@ -34,10 +35,10 @@ def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
     """
     p = np.asarray(points, dtype=float)
     faces = np.sort(np.asarray(triangles, dtype=np.int64).reshape(-1, 3), axis=1)
-    across = _opposite_corners(faces)
-    counts = np.array([len(corners) for corners in across], dtype=int)
-    outer = faces[counts == 1]  # of one tetrahedron: outside is where it is not
-    fourth = np.array([corners[0] for corners in across if len(corners) == 1], dtype=np.int64)
+    of, fourth = _opposite_corners(p, faces)
+    counts = np.bincount(of, minlength=len(faces))
+    # Of one tetrahedron: outside is where it is not.
+    outer, fourth = faces[of[counts[of] == 1]], fourth[counts[of] == 1]
     a, b, c = p[outer].swapaxes(0, 1)
     inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), p[fourth] - a) > 0
     outer = np.where(inward[:, None], outer[:, [0, 2, 1]], outer)
@@ -67,14 +68,27 @@ def _normals(p: Matrix, faces: NDArray[np.int64]) -> Matrix:
     return np.where(is_flat[:, None], axes[:, :, 0], 0.0)
 
 
-def _opposite_corners(faces: NDArray[np.int64]) -> list[list[int]]:
-    """Of each triangle: the fourth corners of tetrahedra whose four sides are all in K_d."""
-    known = {tuple(face) for face in faces.tolist()}
+def _opposite_corners(
+    p: Matrix, faces: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Fourth corners of tetrahedra whose four sides are all in K_d, and of which triangle each is.
+    Flat tetrahedra, of four points of a flat side, have no inside and are left out.
+    """
+    rows = [tuple(face) for face in faces.tolist()]
     beside: defaultdict[Any, set[int]] = defaultdict(set)
-    for a, b, c in known:
+    for a, b, c in rows:
         beside[a, b].add(c)
         beside[b, c].add(a)
         beside[a, c].add(b)
-    return [
-        sorted(beside[a, b] & beside[b, c] & beside[a, c]) for a, b, c in map(tuple, faces.tolist())
+    found = [
+        (i, corner)
+        for i, (a, b, c) in enumerate(rows)
+        for corner in beside[a, b] & beside[b, c] & beside[a, c]
     ]
+    of, fourth = np.array(sorted(found), dtype=np.int64).reshape(-1, 2).T
+    a, b, c = p[faces[of]].swapaxes(0, 1)
+    six_volumes = np.abs(np.einsum("ij,ij->i", np.cross(b - a, c - a), p[fourth] - a))
+    edges = [b - a, c - a, c - b, p[fourth] - a, p[fourth] - b, p[fourth] - c]
+    longest = np.max([np.linalg.norm(edge, axis=1) for edge in edges], axis=0)
+    thick = six_volumes > SLIVER * longest**3
+    return of[thick], fourth[thick]

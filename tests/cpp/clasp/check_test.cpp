@@ -101,6 +101,26 @@ TEST_F(ClaspCheck, ATargetThatWasNotMarked) {
   expect_fault("none of the marked places");
 }
 
+TEST_F(ClaspCheck, ATangentAcrossTheLoop) {
+  plan_.target.tangent = plan_.target.tangent.unitOrthogonal();
+  expect_fault("tangent");
+}
+
+TEST_F(ClaspCheck, AHandThatIsNotAtItsTarget) {
+  const Eigen::Matrix3Xd& loop = problem_.object.loops().loops[0].points;
+  Eigen::Index farthest = 0;
+  (loop.colwise() - plan_.target.point).colwise().norm().maxCoeff(&farthest);
+  plan_.target = geometry::clasp_targets(loop, static_cast<int>(loop.cols()))[0];
+  plan_.target.point = loop.col(farthest);
+  expect_fault("away from its target");
+}
+
+TEST_F(ClaspCheck, APullThatThePlaceIsNotGoodFor) {
+  const Eigen::Vector3d middle = problem_.object.loops().loops[0].points.rowwise().mean();
+  problem_.pull_W = problem_.X_WO.linear() * (middle - plan_.target.point);
+  expect_fault("not good for the pull");
+}
+
 TEST_F(ClaspCheck, AnObstacleInTheWay) {
   const auto& way = reach().positions;
   const auto last = problem_.robot.frame(problem_.hand.frame);
@@ -121,14 +141,14 @@ TEST_F(ClaspCheck, LinkingThatIsMadeUp) {
 }
 
 TEST_F(ClaspCheck, AThresholdThatWasNotAskedFor) {
-  Options options;
-  options.min_linking = 0.95;
-  expect_fault("min_linking", options);
+  plan_.min_linking = 0.001;
+  expect_fault("min_linking is 0.001, not");
 }
 
 TEST_F(ClaspCheck, AReachThatEndsTooEarly) {
-  plan_.min_linking = 0.999;
-  expect_fault("below min_linking");
+  Options options;
+  options.min_linking = 0.999;
+  expect_fault("below min_linking 0.999", options);
 }
 
 TEST_F(ClaspCheck, AHandThatIsNotClosed) {
@@ -155,6 +175,43 @@ TEST_F(ClaspCheck, AnOpenHandDoesNotHold) {
     q[joint] = problem.robot.state(problem.hand.open)[joint];
   EXPECT_TRUE(comes_free(problem, 0, q));
   EXPECT_FALSE(comes_free(problem, 0, close().positions.back()));
+}
+
+/// Plans of every hand hold, whatever else is asked for.
+TEST(ClaspCheckPlans, HoldForEveryHand) {
+  for (const std::string& name : {"kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar"}) {
+    SCOPED_TRACE(name);
+    const RobotWithHand r = robot_with_hand(name);
+    Problem problem = ring_problem();
+    problem.robot = r.robot;
+    problem.hand = r.hand;
+    problem.q_start = at_home(r, "open");
+    const Plan found =
+        clasp::plan(problem, {}, {std::numeric_limits<double>::infinity(), 300, 1, {}});
+    ASSERT_TRUE(found) << found.reason;
+    EXPECT_EQ(check(problem, found), std::vector<std::string>{});
+  }
+}
+
+TEST(ClaspCheckPlans, HoldWithMarksPullAndObstacles) {
+  Problem problem = ring_problem();
+  const Eigen::Matrix3Xd& loop = problem.object.loops().loops[0].points;
+  const planning::Budget budget{std::numeric_limits<double>::infinity(), 300, 1, {}};
+  problem.pull_W = -Eigen::Vector3d::UnitY();
+  Plan found = clasp::plan(problem, {}, budget);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(check(problem, found), std::vector<std::string>{});
+
+  problem.pull_W.reset();
+  Eigen::Index top = 0;
+  loop.row(2).maxCoeff(&top);
+  problem.marks = {loop.col(top) + Eigen::Vector3d(0, 0.003, 0.02)};
+  Obstacle pole{"pole", {{geometry::Box{{0.03, 0.03, 0.6}}}}};
+  pole.X_WB.translation() = Eigen::Vector3d(0.35, 0.3, 0.3);
+  problem.obstacles = {pole};
+  found = clasp::plan(problem, {}, budget);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(check(problem, found), std::vector<std::string>{});
 }
 
 TEST(ClaspCheckLinking, TheDoubleIntegralAgreesWithTheLibrary) {

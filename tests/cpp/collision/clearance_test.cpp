@@ -129,7 +129,7 @@ TEST(Clearance, ThresholdIsAlwaysToldFromTheDistance) {
     const bool open = bounds.lower <= threshold && threshold <= bounds.upper;
     ASSERT_FALSE(open);
     if (bounds.lower > threshold) {
-      ASSERT_LE(distance - threshold, 3 * (bounds.lower - threshold) + 1e-12);
+      ASSERT_LE(distance - threshold, 8 * (bounds.lower - threshold) + 1e-12);
     }
     finer += rough.lower <= threshold && threshold <= rough.upper;
   }

@@ -113,8 +113,10 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 
 /// Replays a plan against its problem at steps of 0.01 rad with none of the search's code: limits,
-/// collisions by FCL, the linking of the last row by the double integral (1), that the fingers
-/// closed until contact, and the stability test. An empty list means the plan holds.
+/// collisions by FCL, linking by the double integral (1), that the target is one that was asked
+/// for, that the fingers closed until contact. Shared with the search are the threshold derived
+/// from the hand and the stability test, which is run anew; beside it the object is tugged at by
+/// FCL alone. An empty list means the plan holds.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

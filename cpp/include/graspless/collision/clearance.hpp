@@ -38,10 +38,15 @@ class GRASPLESS_API Clearance {
   };
   Bounds bounds(const Eigen::Vector3d& point);
   /// Bounds just near enough to tell on which side of `threshold` [m] the distance lies, and how
-  /// much larger it is to a factor of three; the distance itself where no cell can tell.
+  /// much larger it is to a factor of eight; the distance itself where no cell can tell.
   Bounds bounds(const Eigen::Vector3d& point, double threshold);
+  /// Bounds that tell on which side of `threshold` the distance lies or are a cell's diagonal
+  /// apart.
+  Bounds rough_bounds(const Eigen::Vector3d& point, double threshold);
 
  private:
+  Bounds exactly(const Eigen::Vector3d& point) const;
+
   struct Surface;
   struct Grid;
   std::shared_ptr<const Surface> surface_;

@@ -22,8 +22,8 @@ namespace graspless::planning {
 /// towards a task-space target. Motions are judged by the space information's motion validator. The
 /// search ends when TS-CONNECT-GOAL reaches a target within the tolerance; without a tolerance,
 /// when the problem's goal is satisfied. A tree that has led nowhere for restart_cycles() cycles is
-/// thrown away and grown anew. Calling solve() again goes on with the tree as it stands, and does
-/// not come back to the node where it ended.
+/// thrown away and grown anew. Calling solve() again goes on where it ended, with the next target
+/// and the tree as it stands, and does not come back to the node that was found.
 ///
 /// Control must be a function of its arguments: a node from which it was led towards a target once
 /// is not led there again, and neither are the nodes on that way.
@@ -119,6 +119,7 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   std::unique_ptr<Tree> tree_;
   State* q_new_;
   Eigen::VectorXd x_new_, x_rand_;
+  std::size_t next_target_ = 0;  // of the cycle that the last solution interrupted
   std::int64_t num_grown_ = 0, num_cycles_ = 0, num_restarts_ = 0, num_steps_ = 0;
   int reached_target_ = -1, reached_node_ = -1;
 };
