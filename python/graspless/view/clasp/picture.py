@@ -152,7 +152,7 @@ def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
     axes.set_title("virtual linking", fontsize=11, color=INK, loc="left", pad=3)
     axes.set_xlabel("row of the plan", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
-    axes.legend(fontsize=8.5, frameon=False, loc="center left")
+    axes.legend(fontsize=8.5, frameon=False, loc="lower right")
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
 
