@@ -78,17 +78,19 @@ void Examination::check_linking(const Segment& segment) {
   }
 }
 
-/// The hand was closed as far as the search asks before it closed until contact, and has kept hold.
-/// Where the user asks for no figure, it is that of the hand and the loop's handle.
+/// The closed hand holds as the search asks. Where the user gives the figure, the hand has it
+/// before it closes until contact; else it is that of hand and handle, and every curve was linked
+/// before.
 void Examination::check_threshold() {
   const double asked = derived(options_, problem_, plan_.loop).min_linking;
   if (!(std::abs(plan_.min_linking - asked) <= kSame))
     fault("plan", "min_linking is ", plan_.min_linking, ", not ", asked);
-  for (const Segment& segment : plan_.segments) {
-    const double reached = segment.virtual_linking.rightCols(1).minCoeff();
-    if (reached >= asked - kSame) continue;
-    fault(segment.name, "ends with a virtual linking of ", reached, ", below min_linking ", asked);
-  }
+  const double reached = reach().virtual_linking.rightCols(1).minCoeff();
+  if (!(options_.min_linking > 0 ? reached >= asked - kSame : reached > 0))
+    fault("reach", "ends with a virtual linking of ", reached, ", below min_linking ", asked);
+  const double kept = close().virtual_linking.rightCols(1).minCoeff();
+  if (!(kept >= asked - kSame))
+    fault("close", "ends with a virtual linking of ", kept, ", below min_linking ", asked);
 }
 
 }  // namespace graspless::clasp
