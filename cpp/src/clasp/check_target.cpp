@@ -122,7 +122,8 @@ void Examination::check_pull() {
   }
 }
 
-/// The middle of the hand's curves is nearer to the target than a finger curve could span.
+/// The middle of the hand's curves is no farther from the target than half of what a finger
+/// reaches.
 void Examination::check_hand_at_target() {
   double longest = 0;
   Eigen::Vector3d lower, upper;
@@ -138,7 +139,7 @@ void Examination::check_hand_at_target() {
     upper = upper.cwiseMax(curve.rowwise().maxCoeff());
   }
   const double away = (problem_.X_WO * plan_.target.point - (lower + upper) / 2).norm();
-  if (away > longest / 2) fault("plan", "the hand ends ", away, " m away from its target");
+  if (away > longest / 4) fault("plan", "the hand ends ", away, " m away from its target");
 }
 
 }  // namespace graspless::clasp
