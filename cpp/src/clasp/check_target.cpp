@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kChord = 0.025;      // of the loop's length, to either side of the target
 constexpr double kLeastCosine = 0.5;  // between tangent and chord: loops of clouds zigzag
+constexpr double kNear = 0.4;         // of the longest finger curve: from the hand to its target
 
 /// The place of a closed polyline that is nearest to a point.
 Eigen::Vector3d nearest_place(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
@@ -139,7 +140,7 @@ void Examination::check_hand_at_target() {
     upper = upper.cwiseMax(curve.rowwise().maxCoeff());
   }
   const double away = (problem_.X_WO * plan_.target.point - (lower + upper) / 2).norm();
-  if (away > longest / 4) fault("plan", "the hand ends ", away, " m away from its target");
+  if (away > kNear * longest) fault("plan", "the hand ends ", away, " m away from its target");
 }
 
 }  // namespace graspless::clasp
