@@ -67,6 +67,7 @@ class Sides {
   std::vector<std::vector<Vertex>> polygons() const {
     std::vector<std::vector<Vertex>> polygons(static_cast<std::size_t>(num_sides_));
     for (const Edge edge : surface_.halfedges()) {
+      if (side(edge) == kBeyond) continue;
       std::vector<Vertex>& polygon = polygons[static_cast<std::size_t>(side(edge))];
       if (!is_rim(edge) || !polygon.empty()) continue;
       Edge at = edge;
@@ -79,7 +80,10 @@ class Sides {
   }
 
  private:
-  int side(Edge edge) const { return side_[surface_.face(edge)]; }
+  static constexpr int kBeyond = -1;  // the border of a flat hull, which has one side
+  int side(Edge edge) const {
+    return surface_.is_border(edge) ? kBeyond : side_[surface_.face(edge)];
+  }
   bool is_rim(Edge edge) const { return side(edge) != side(surface_.opposite(edge)); }
 
   Edge next_on_rim(Edge edge) const {
@@ -94,7 +98,7 @@ class Sides {
     for (const Edge edge : surface_.halfedges_around_target(surface_.halfedge(vertex))) {
       sides.insert(side(edge));
     }
-    return sides.size() > 2;
+    return sides.size() > 2 || sides.count(kBeyond) > 0;
   }
 
   bool is_flat(Edge edge) const {
@@ -110,6 +114,7 @@ class Sides {
       const Face face = open.back();
       open.pop_back();
       for (const Edge edge : surface_.halfedges_around_face(surface_.halfedge(face))) {
+        if (surface_.is_border(surface_.opposite(edge))) continue;
         const Face beyond = surface_.face(surface_.opposite(edge));
         if (side_[beyond] >= 0 || !is_flat(edge)) continue;
         side_[beyond] = side;

@@ -79,6 +79,17 @@ TEST(ConvexHull, OfAGridHasEightCornersAndTwelveTriangles) {
   }
 }
 
+TEST(ConvexHull, OfFlatPointsIsOneSide) {
+  Eigen::Matrix3Xd points(3, 5);
+  points << 0, 1, 1, 0, 0.5,  //
+      0, 0, 1, 1, 0.5,        //
+      0, 0, 0, 0, 0;
+  const Mesh hull = convex_hull(points);
+  EXPECT_EQ(hull.vertices.cols(), 4);
+  EXPECT_EQ(hull.triangles.cols(), 2);
+  EXPECT_EQ(convex_hull(points.leftCols(3)).triangles.cols(), 1);
+}
+
 TEST(SampleSurface, SameSeedSamePointsOnAnyHeap) {
   const std::vector<PlacedShape> shapes{{Convex{barrel()}}};
   const Eigen::Matrix3Xd points = sample_surface(shapes, 300, 7);
