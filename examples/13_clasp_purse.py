@@ -25,4 +25,4 @@ for segment in plan.segments:
     print(f"{linking[0].min():.2f} to {linking[-1].min():.2f}")
 print(f"secure: {plan.stability.secure}, margin {plan.stability.margin:.2f}")
 for finger, value in zip(hand.fingers, plan.segments[-1].virtual_linking[-1], strict=True):
-    print(f"{finger.name}: {value:.2f} after the hand closed from {plan.min_linking:.2f}")
+    print(f"{finger.name}: {value:.2f} linked, {plan.min_linking:.2f} asked")

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kChord = 0.025;      // of the loop's length, to either side of the target
 constexpr double kLeastCosine = 0.5;  // between tangent and chord: loops of clouds zigzag
+constexpr double kNear = 0.4;         // of the longest finger curve: from the hand to its target
 
 /// The place of a closed polyline that is nearest to a point.
 Eigen::Vector3d nearest_place(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
@@ -122,7 +123,8 @@ void Examination::check_pull() {
   }
 }
 
-/// The middle of the hand's curves is nearer to the target than a finger curve could span.
+/// The middle of the hand's curves is no farther from the target than half of what a finger
+/// reaches.
 void Examination::check_hand_at_target() {
   double longest = 0;
   Eigen::Vector3d lower, upper;
@@ -138,7 +140,7 @@ void Examination::check_hand_at_target() {
     upper = upper.cwiseMax(curve.rowwise().maxCoeff());
   }
   const double away = (problem_.X_WO * plan_.target.point - (lower + upper) / 2).norm();
-  if (away > longest / 2) fault("plan", "the hand ends ", away, " m away from its target");
+  if (away > kNear * longest) fault("plan", "the hand ends ", away, " m away from its target");
 }
 
 }  // namespace graspless::clasp

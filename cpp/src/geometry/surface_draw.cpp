@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/convex_hull.hpp"
+#include "geometry/ordered_hull.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -44,7 +45,7 @@ void SurfaceDraw::set(const Box& box) {
 }
 
 void SurfaceDraw::set(const Convex& convex) {
-  set(convex_hull(convex.vertices));
+  set(ordered(convex_hull(convex.vertices)));
   has_outside_ = true;
 }
 

@@ -34,7 +34,7 @@ POSES: dict[str, tuple[tuple[float, float, float, float], ...]] = {
     "bag": ((0.60, 0.00, FLOOR, 90), (0.55, 0.30, FLOOR, 30), (0.55, -0.30, FLOOR, -60)),
     "travel_bag": ((0.60, 0.00, TABLE, 90), (0.55, 0.30, TABLE, 30), (0.55, -0.30, TABLE, -45)),
     "lawn_mower": ((1.10, 0.00, FLOOR, 0), (0.95, 0.45, FLOOR, 25), (0.60, -0.75, FLOOR, -60)),
-    "chair": ((0.75, 0.00, FLOOR, 180), (0.70, 0.30, FLOOR, 90), (0.75, -0.20, FLOOR, -30)),
+    "chair": ((0.80, 0.00, FLOOR, 0), (0.70, 0.30, FLOOR, 90), (0.80, -0.25, FLOOR, 20)),
 }
 # The arm's joints at the start: the hand points down, the flange is 0.69 m above the mounting face.
 START = np.radians([0.0, -109.0, 109.0, 0.0, 80.0, 0.0])

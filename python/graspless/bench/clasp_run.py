@@ -112,7 +112,7 @@ def _opened_escapes(problem: clasp.Problem, plan: clasp.Plan, options: clasp.Opt
     q = np.array(plan.segments[-1].positions[-1])
     joints = robot.group(hand.hand)
     q[joints] = robot.state(hand.open)[joints]
-    return not clasp.test_stability(problem, q, plan.loop, options.stability).secure
+    return clasp.test_stability(problem, q, plan.loop, options.stability).escapes > 0
 
 
 def totals(rows: Sequence[Row]) -> Row:

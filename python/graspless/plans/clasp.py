@@ -70,7 +70,7 @@ class Plan(AnyPlan):
 
     @property
     def min_linking(self) -> float:
-        """Virtual linking at which the hand closes."""
+        """The threshold of virtual linking that was in force."""
         return self.fields.min_linking
 
     @property

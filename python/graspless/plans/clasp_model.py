@@ -81,7 +81,7 @@ class ClaspPlanFile(PlanFields):
         default=None, description="clasped: index of the object's loops, the shortest first"
     )
     target: Target | None = Field(default=None, description="clasped: where on the loop")
-    min_linking: NotNegative = Field(description="virtual linking at which the hand closes")
+    min_linking: NotNegative = Field(description="threshold of virtual linking in force")
     stability: Stability | None = Field(default=None, description="of the last row")
     segments: list[Segment]
     tree: Tree

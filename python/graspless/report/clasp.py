@@ -41,7 +41,7 @@ def lines(plan: Plan) -> list[str]:
     ends = _ends(plan)
     if ends:
         shown = ", ".join(f"{name} {value:.2f}" for name, value in ends.items())
-        found.append(f"virtual linking {shown}; the hand closed from {plan.min_linking:.2f}")
+        found.append(f"virtual linking {shown}; asked {plan.min_linking:.2f}")
     stability = plan.stability
     sequences = plan.task.options.stability.sequences
     held = "secure" if stability.secure else "not secure"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 
 from .. import raster
 from ..bodies import LOOP
@@ -147,10 +148,11 @@ def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
     )  # fmt: skip
     axes.set_xlim(0, max(len(found) - 1, 1))
     axes.set_ylim(0, 1.02)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_title("virtual linking", fontsize=11, color=INK, loc="left", pad=3)
     axes.set_xlabel("row of the plan", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
-    axes.legend(fontsize=8.5, frameon=False, loc="center left")
+    axes.legend(fontsize=8.5, frameon=False, loc="lower right")
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
 

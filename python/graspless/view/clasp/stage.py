@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from ..bodies import Body
     from ..film import Film
 
-ELEVATION = 0.38  # [rad]
+ELEVATIONS = (0.38, 0.1)  # [rad]; the first that shows as much
+CLOSE_ELEVATIONS = (0.38, 0.0, -0.3, 0.9)
 OPEN = 0.85  # cosine between view and the loop's axis: into the hole, and a little from aside
 
 
@@ -96,22 +97,35 @@ def direction(plan: Plan, shown: Film, row: int | None = None) -> Matrix:
     """[3] unit, to the viewer; in a close-up of a row, along what the hand clasps."""
     base = shown.link_poses[0, 0, :3, 3]
     X_WO = shown.object_poses[0]
-    cloud = np.asarray(plan.task.problem.object.points)
-    ahead = X_WO[:3, :3] @ cloud.mean(axis=0) + X_WO[:3, 3] - base
+    cloud = np.asarray(plan.task.problem.object.points) @ X_WO[:3, :3].T + X_WO[:3, 3]
+    ahead = cloud.mean(axis=0) - base
     ahead[2] = 0.0
     ahead /= max(float(np.linalg.norm(ahead)), 1e-6)
     axis = _loop_axis(plan, X_WO) if row is None else _sideways(plan, shown, row)
+    hand = np.concatenate(bodies.finger_curves(plan.task, shown.link_poses[-1]))
+    middle = (hand.min(axis=0) + hand.max(axis=0)) / 2
+    reach = 0.3 * float(np.ptp(hand, axis=0).max())
     best: tuple[float, Matrix] | None = None
-    for azimuth in np.radians(np.arange(0, 360, 10)):
-        level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
-        toward = np.cos(ELEVATION) * level + np.sin(ELEVATION) * np.array([0.0, 0.0, 1.0])
-        facing = float(level @ ahead)  # -1: from behind the robot, 1: into its face
-        score = -abs(abs(float(toward @ axis)) - OPEN)
-        score -= 0.5 * max(0.0, -facing - 0.2) + 0.3 * max(0.0, facing - 0.5)
-        if best is None or score > best[0] + 1e-9:
-            best = score, toward
+    for elevation in ELEVATIONS if row is None else CLOSE_ELEVATIONS:
+        for azimuth in np.radians(np.arange(0, 360, 10)):
+            level = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+            toward = np.cos(elevation) * level + np.sin(elevation) * np.array([0.0, 0.0, 1.0])
+            facing = float(level @ ahead)  # -1: from behind the robot, 1: into its face
+            score = -abs(abs(float(toward @ axis)) - OPEN)
+            score -= 0.5 * max(0.0, -facing - 0.2) + 0.3 * max(0.0, facing - 0.5)
+            score -= 0.6 * _hidden(cloud - middle, toward, reach)
+            if best is None or score > best[0] + 0.05 * (elevation != ELEVATIONS[0]) + 1e-9:
+                best = score, toward
     assert best is not None
     return best[1]
+
+
+def _hidden(points: Matrix, toward: Matrix, radius: float) -> float:
+    """How much of a disc about the origin the points hide from a viewer: 0 to 1."""
+    along = points @ toward
+    across = points - np.outer(along, toward)
+    before = (along > radius) & (np.linalg.norm(across, axis=1) < radius)
+    return min(1.0, np.count_nonzero(before) / 25)
 
 
 def _loop_axis(plan: Plan, X_WO: Matrix) -> Matrix:
@@ -132,11 +146,11 @@ def _sideways(plan: Plan, shown: Film, row: int) -> Matrix:
 
 
 def _is_near(body: Body, X_WB: Matrix, view: Camera) -> bool:
-    """Whether a body has a point within what a camera was fitted to."""
+    """Whether a body has a corner near to what a camera was fitted to."""
     if not body.parts:
         return False
     points = _points([(body, X_WB)])
-    reach = np.linalg.norm(view.target - view.eye) * np.tan(view.angle / 2)
+    reach = 1.7 * np.linalg.norm(view.target - view.eye) * np.tan(view.angle / 2)
     return bool((np.linalg.norm(points - view.target, axis=1) < reach).any())
 
 
