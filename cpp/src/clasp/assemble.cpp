@@ -71,25 +71,47 @@ std::string reason(const Plan& plan) {
   return out.str();
 }
 
+/// The stability test; a clasp that does not outlive its first sequence is spared the others where
+/// it must be secure.
+Stability tested(Query& query, int loop, const Eigen::VectorXd& q) {
+  const double before = query.clock.seconds();
+  if (!query.tester) query.tester.emplace(query.problem);
+  const Eigen::Matrix3Xd& loop_O =
+      query.problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
+  StabilityOptions first = query.options.stability;
+  if (query.options.must_be_secure) first.sequences = 1;
+  Stability stability = query.tester->test(q, loop_O, first);
+  if (stability.secure && query.options.must_be_secure) {
+    stability = query.tester->test(q, loop_O, query.options.stability);
+  }
+  ++query.statistics.stability_tests;
+  query.statistics.stability_seconds += query.clock.seconds() - before;
+  return stability;
+}
+
 }  // namespace
 
 std::optional<Found> close_clasp(Query& query, LoopSearch& search) {
+  const Problem& problem = query.problem;
+  const auto refused = [&](const char* why) {
+    query.refuse(why);
+    return std::nullopt;
+  };
   Found found;
   found.reach = search.path();
-  const Problem& problem = query.problem;
   found.close = close_hand(query.free, problem.robot, problem.hand, found.reach.back());
-  if (search.linking(found.close.back()).minCoeff() < search.of().options.min_linking) {
-    query.refuse("clasp: a finger loses the loop while it closes");
-    return std::nullopt;
+  const Eigen::VectorXd& q = found.close.back();
+  if (search.linking(q).minCoeff() < search.of().options.min_linking) {
+    return refused("clasp: a finger loses the loop while it closes");
   }
-  const double before = query.clock.seconds();
-  found.stability =
-      test_stability(problem, found.close.back(), search.of().loop, query.options.stability);
-  ++query.statistics.stability_tests;
-  query.statistics.stability_seconds += query.clock.seconds() - before;
-  if (found.stability.secure || !query.options.must_be_secure) return found;
-  query.refuse("clasp: not secure");
-  return std::nullopt;
+  const geometry::ClaspTarget* held = search.held_W(q);
+  if (!held) return refused("clasp: away from every target");
+  found.target_W = *held;
+  found.stability = tested(query, search.of().loop, q);
+  if (query.options.must_be_secure && !found.stability.secure) {
+    return refused("clasp: not secure");
+  }
+  return found;
 }
 
 void assemble(Query& query, const LoopSearch& search, Found found, Plan& plan) {
@@ -104,7 +126,7 @@ void assemble(Query& query, const LoopSearch& search, Found found, Plan& plan) {
                    segment("close", found.close, tasks)};
   plan.loop = of.loop;
   const Eigen::Isometry3d X_OW = problem.X_WO.inverse();
-  plan.target = {X_OW * search.reached_W().point, X_OW.linear() * search.reached_W().tangent};
+  plan.target = {X_OW * found.target_W.point, X_OW.linear() * found.target_W.tangent};
   plan.min_linking = of.options.min_linking;
   plan.stability = found.stability;
   plan.tree = search.tree();

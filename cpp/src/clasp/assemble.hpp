@@ -10,6 +10,7 @@ namespace graspless::clasp {
 /// What the search found for one loop: the way to the open clasp, and the fingers' closing.
 struct Found {
   planning::Path reach, close;
+  geometry::ClaspTarget target_W;
   Stability stability;
 };
 

@@ -16,8 +16,8 @@ using planning::vector;
 
 namespace {
 
-constexpr int kStall = 12;        // control steps without progress that end the tightening
-constexpr double kMargin = 0.3;   // of the box of random tasks around hand and object [m]
+constexpr int kStall = 12;       // control steps without progress that end the tightening
+constexpr double kMargin = 0.3;  // of the box of random tasks around hand and object [m]
 
 /// COLLISION-FREE of Algorithms 2 and 3.
 class FreeMotion : public ob::MotionValidator {
@@ -163,6 +163,25 @@ void LoopSearch::tighten(planning::Path& path) {
 const Eigen::VectorXd& LoopSearch::linking(const Eigen::VectorXd& q) {
   tasks_.project(q);
   return tasks_.linking_of_curves();
+}
+
+const geometry::ClaspTarget* LoopSearch::held_W(const Eigen::VectorXd& q) {
+  const Eigen::Vector3d hand_W = project(q).head<3>();
+  double longest = 0;
+  for (int i = 0; i < tasks_.kinematics().num_curves(); ++i) {
+    const Eigen::Matrix3Xd p = tasks_.kinematics().curve_points(i);
+    const Eigen::Index n = p.cols() - 1;
+    longest = std::max(longest, (p.rightCols(n) - p.leftCols(n)).colwise().norm().sum());
+  }
+  const geometry::ClaspTarget* nearest = nullptr;
+  double least = longest / 2;
+  for (const geometry::ClaspTarget& target : of_.targets_W) {
+    const double distance = (target.point - hand_W).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &target;
+  }
+  return nearest;
 }
 
 const geometry::ClaspTarget& LoopSearch::reached_W() const {

@@ -33,13 +33,16 @@ class LoopSearch {
   const Eigen::VectorXd& linking(const Eigen::VectorXd& q);
 
   const LoopTargets& of() const { return of_; }
-  const geometry::ClaspTarget& reached_W() const;
+  /// The target that the hand at q holds: the nearest, if it is nearer than a finger curve could
+  /// span; null otherwise.
+  const geometry::ClaspTarget* held_W(const Eigen::VectorXd& q);
   const planning::TaskSpaceRRT& planner() const { return *planner_; }
 
  private:
   void make_space(const Eigen::VectorXd& q_start);
   void make_planner();
   Eigen::VectorXd project(const Eigen::VectorXd& q);
+  const geometry::ClaspTarget& reached_W() const;
   void tighten(planning::Path& path);
   void draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <random>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "graspless/planning/path.hpp"
 
 #include "clasp/free_space.hpp"
+#include "clasp/stability_tester.hpp"
 
 namespace graspless::clasp {
 
@@ -24,6 +26,7 @@ struct Query {
   planning::Clock clock;
   std::mt19937_64 rng;
   FreeSpace free;
+  std::optional<StabilityTester> tester;  ///< made when a clasp is there to be tested
   Statistics statistics;
 
   void refuse(const std::string& why) { ++statistics.refusals[why]; }

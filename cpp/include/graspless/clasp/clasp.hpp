@@ -16,15 +16,16 @@ namespace graspless::clasp {
 
 /// How to search. Zero means: derived from object and hand.
 struct Options {
-  /// Virtual linking that every finger curve must reach before the hand closes, in (0, 1); 0: what
-  /// this hand reaches when it closes around a bar as thick as the loop's handle, less a margin.
+  /// Virtual linking that every finger curve must reach before the hand closes, and keep, in (0,
+  /// 1). 0: the hand closes as soon as every curve is linked, and closed must come half way from
+  /// its open state to what it reaches around a bar as thick as the loop's handle.
   double min_linking = 0;
   /// Clasp targets a loop; 0: one every half width of the hand.
   int targets = 0;
   /// n: random extensions before a tree is connected to targets; 0: grows with the restarts.
   int pre_expansions = 0;
   double random_probability = 0.1;  ///< P
-  int restart_cycles = 20;          ///< cycles before a tree is given up; 0: never
+  int restart_cycles = 5;           ///< cycles before a tree is given up; 0: never
   // TS-CONTROL, Algorithm 4
   double dt = 0.5;                ///< Delta_t
   double max_step = 0.12;         ///< LIMIT-STEP-SIZE: of any joint [rad]
@@ -98,7 +99,7 @@ struct Plan {
   std::vector<Segment> segments;
   int loop = -1;                 ///< clasped: index of object.loops().loops
   geometry::ClaspTarget target;  ///< clasped, in O
-  double min_linking = 0;        ///< the threshold in force
+  double min_linking = 0;        ///< the threshold in force, kept by the last row
   Stability stability;           ///< of the last row
   Tree tree;
   std::vector<std::string> warnings;
