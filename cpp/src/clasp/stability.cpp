@@ -23,8 +23,8 @@ void validate(const StabilityOptions& options) {
   const auto in = [](double value, double low, double high) {
     return value > low && value <= high;
   };
-  require(in(options.sequences, 0, 1000), "sequences", options.sequences, "1 to 1000");
-  require(in(options.moves, 0, 100000), "moves", options.moves, "1 to 100000");
+  require(in(options.sequences, 0, 1000), "sequences", options.sequences, "positive, at most 1000");
+  require(in(options.moves, 0, 100000), "moves", options.moves, "positive, at most 100000");
   require(in(options.step, 1e-6, 0.1), "step", options.step, "in (0.000001, 0.1] m");
   require(in(options.turn, 1e-6, 1), "turn", options.turn, "in (0.000001, 1] rad");
   require(options.penetration >= 0 && options.penetration <= 0.05, "penetration",

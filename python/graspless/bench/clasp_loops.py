@@ -51,8 +51,9 @@ class Cloud:
 
 def noisy(points: Points, spacings: float = 0.5) -> Points:
     deviation = spacings * geometry.spacing(points)
-    moves: Points = np.random.default_rng(1).normal(0, deviation, points.shape)
-    return points + moves
+    moves = np.random.default_rng(1).normal(0, deviation, size=points.shape)
+    moved: Points = points + moves
+    return moved
 
 
 def patchy(points: Points) -> Points:
@@ -60,7 +61,8 @@ def patchy(points: Points) -> Points:
     middles = points[np.random.default_rng(1).choice(len(points), PATCHES, replace=False)]
     radius = PATCH_SPACINGS * geometry.spacing(points)
     distances = np.linalg.norm(points[:, None] - middles, axis=2)
-    return points[distances.min(axis=1) > radius]
+    kept: Points = points[distances.min(axis=1) > radius]
+    return kept
 
 
 def seen(points: Points, views: int) -> Points:

@@ -91,10 +91,10 @@ TEST(TestStability, RefusesNonsense) {
   expect_refused([&] { run(-1); }, "loop");
   expect_refused([&] { test_stability(problem, VectorXd::Zero(3), 0); }, "q");
   options.sequences = 0;
-  expect_refused([&] { run(0); }, "stability.sequences must be positive, not 0");
+  expect_refused([&] { run(0); }, "stability.sequences must be positive, at most 1000, not 0");
   options = {};
   options.turn = std::nan("");
-  expect_refused([&] { run(0); }, "stability.turn must be in (0, 1] rad");
+  expect_refused([&] { run(0); }, "stability.turn must be in (0.000001, 1] rad");
   options = {};
   options.penetration = -1;
   expect_refused([&] { run(0); }, "stability.penetration");
