@@ -36,6 +36,7 @@ void validate(const Options& o) {
   require_positive("position_damping", o.position_damping, 10);
   require_positive("alignment_damping", o.alignment_damping, 10);
   require_positive("linking_damping", o.linking_damping, 10);
+  require(o.patience >= 0 && o.patience <= 1e4, "patience", o.patience, "must lie in [0, 10000]");
   require(o.linking_weight >= 0 && o.linking_weight <= 100, "linking_weight", o.linking_weight,
           "must lie in [0, 100] m");
   require_positive("exploring_step", o.exploring_step, 2);
