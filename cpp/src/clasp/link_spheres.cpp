@@ -65,13 +65,18 @@ class TreeBuilder {
 
 }  // namespace
 
-std::vector<SphereTree> link_spheres(const robot::Robot& robot, MeshInside inside) {
+SphereTree sphere_tree(const std::vector<CoveredShape>& shapes) {
+  return TreeBuilder(shapes).build();
+}
+
+std::vector<SphereTree> link_spheres(const robot::Robot& robot) {
   std::vector<std::vector<CoveredShape>> shapes(robot.frame_names().size());
   for (const robot::LinkShape& shape : robot.shapes()) {
-    shapes[static_cast<std::size_t>(shape.link)].push_back(covered(shape.placed, inside));
+    shapes[static_cast<std::size_t>(shape.link)].push_back(
+        covered(shape.placed, MeshInside::hollow));
   }
   std::vector<SphereTree> trees;
-  for (const auto& of_link : shapes) trees.push_back(TreeBuilder(of_link).build());
+  for (const auto& of_link : shapes) trees.push_back(sphere_tree(of_link));
   return trees;
 }
 

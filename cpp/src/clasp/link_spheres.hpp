@@ -24,14 +24,7 @@ struct LinkSphere {
 /// The nodes of one link, a parent before its children; empty for a link without shapes.
 using SphereTree = std::vector<LinkSphere>;
 
-/// What a mesh counts as inside.
-enum class MeshInside {
-  hollow,  ///< nothing: collision tests see the surface, unless the mesh is closed and convex
-  hull,    ///< its convex hull
-};
-
 /// One tree a link, indexed as Robot::frame_names().
-std::vector<SphereTree> link_spheres(const robot::Robot& robot,
-                                     MeshInside inside = MeshInside::hollow);
+std::vector<SphereTree> link_spheres(const robot::Robot& robot);
 
 }  // namespace graspless::clasp

@@ -25,6 +25,15 @@ struct CoveredShape {
   std::function<double(const Eigen::Vector3d&)> depth;
 };
 
+/// What a mesh counts as inside.
+enum class MeshInside {
+  hollow,  ///< nothing: collision tests see the surface, unless the mesh is closed and convex
+  hull,    ///< its convex hull
+};
+
 CoveredShape covered(const geometry::PlacedShape& placed, MeshInside inside);
+
+/// The tree over the spheres of several shapes in one frame.
+SphereTree sphere_tree(const std::vector<CoveredShape>& shapes);
 
 }  // namespace graspless::clasp

@@ -11,7 +11,8 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr double kWidth = 0.001;  // of the triangle that stands for an edge [m]
+constexpr double kWidth = 0.001;  // of the triangle that stands for an edge or a point [m]
+constexpr double kFlat = 1e-6;    // sine of an angle below which a tetrahedron has no sides
 
 std::uint64_t edge_key(int low, int high) {
   return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint32_t>(high);
@@ -42,18 +43,15 @@ Eigen::Vector3d beside(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return (a + b) / 2 + std::min(kWidth, along.norm() / 10) * along.unitOrthogonal();
 }
 
-geometry::Mesh specks(const Eigen::Matrix3Xd& points) {
-  const Eigen::Index count = points.cols();
-  geometry::Mesh mesh;
-  mesh.vertices.resize(3, 3 * count);
-  mesh.vertices << points, points.colwise() + kWidth * Eigen::Vector3d::UnitX(),
-      points.colwise() + kWidth * Eigen::Vector3d::UnitY();
-  mesh.triangles.resize(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const int corner = static_cast<int>(i), step = static_cast<int>(count);
-    mesh.triangles.col(i) << corner, corner + step, corner + 2 * step;
+/// Points of the complex that end no edge.
+std::vector<int> lone_points(const geometry::Complex& complex) {
+  std::vector<bool> ends(static_cast<std::size_t>(complex.points.cols()), false);
+  for (const int point : complex.edges.reshaped()) ends[static_cast<std::size_t>(point)] = true;
+  std::vector<int> lone;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!ends[i]) lone.push_back(static_cast<int>(i));
   }
-  return mesh;
+  return lone;
 }
 
 /// The triangles of a complex by their corners, and the points that make a triangle with an edge.
@@ -77,9 +75,10 @@ class TriangleTable {
     bool above = false, below = false;
     for (const int d : apexes_.at(edge_key(a, b))) {
       if (d == c || !has(a, c, d) || !has(b, c, d)) continue;
-      const double side = normal.dot(Eigen::Vector3d(points_.col(d) - p));
-      above = above || side > 0;
-      below = below || side < 0;
+      const Eigen::Vector3d to_apex = points_.col(d) - p;
+      const double side = normal.dot(to_apex), flat = kFlat * normal.norm() * to_apex.norm();
+      above = above || side > flat;
+      below = below || side < -flat;
     }
     return above && below;
   }
@@ -97,10 +96,37 @@ class TriangleTable {
 
 }  // namespace
 
+geometry::Mesh surface_of(const geometry::Complex& complex) {
+  const std::vector<int> bare = bare_edges(complex), lone = lone_points(complex);
+  const auto edges = static_cast<Eigen::Index>(bare.size());
+  const auto points = static_cast<Eigen::Index>(lone.size());
+  geometry::Mesh mesh;
+  Eigen::Index corner = complex.points.cols(), triangle = complex.triangles.cols();
+  mesh.vertices.resize(3, corner + edges + 2 * points);
+  mesh.vertices.leftCols(corner) = complex.points;
+  mesh.triangles.resize(3, triangle + edges + points);
+  mesh.triangles.leftCols(triangle) = complex.triangles;
+  const auto add_corner = [&](const Eigen::Vector3d& p) {
+    mesh.vertices.col(corner) = p;
+    return static_cast<int>(corner++);
+  };
+  for (const int i : bare) {
+    const auto edge = complex.edges.col(i);
+    mesh.triangles.col(triangle++) << edge[0], edge[1],
+        add_corner(beside(complex.points.col(edge[0]), complex.points.col(edge[1])));
+  }
+  for (const int i : lone) {
+    const Eigen::Vector3d p = complex.points.col(i);
+    const int second = add_corner(p + kWidth * Eigen::Vector3d::UnitX());
+    const int third = add_corner(p + kWidth * Eigen::Vector3d::UnitY());
+    mesh.triangles.col(triangle++) << i, second, third;
+  }
+  return mesh;
+}
+
 geometry::Mesh shell_of(const geometry::Complex& complex) {
   const TriangleTable table(complex);
   geometry::Mesh mesh = surface_of(complex);
-  if (complex.edges.cols() == 0) return mesh;
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
     const Eigen::Vector3i corners = mesh.triangles.col(i);
@@ -109,24 +135,6 @@ geometry::Mesh shell_of(const geometry::Complex& complex) {
     mesh.triangles.col(kept++) = corners;
   }
   mesh.triangles.conservativeResize(3, kept);
-  return mesh;
-}
-
-geometry::Mesh surface_of(const geometry::Complex& complex) {
-  if (complex.edges.cols() == 0) return specks(complex.points);
-  const std::vector<int> bare = bare_edges(complex);
-  const auto extra = static_cast<Eigen::Index>(bare.size());
-  geometry::Mesh mesh;
-  mesh.vertices.resize(3, complex.points.cols() + extra);
-  mesh.vertices.leftCols(complex.points.cols()) = complex.points;
-  mesh.triangles.resize(3, complex.triangles.cols() + extra);
-  mesh.triangles.leftCols(complex.triangles.cols()) = complex.triangles;
-  for (Eigen::Index i = 0; i < extra; ++i) {
-    const auto edge = complex.edges.col(bare[static_cast<std::size_t>(i)]);
-    const Eigen::Index corner = complex.points.cols() + i;
-    mesh.vertices.col(corner) = beside(complex.points.col(edge[0]), complex.points.col(edge[1]));
-    mesh.triangles.col(complex.triangles.cols() + i) << edge[0], edge[1], static_cast<int>(corner);
-  }
   return mesh;
 }
 

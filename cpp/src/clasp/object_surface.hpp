@@ -7,8 +7,7 @@
 
 namespace graspless::clasp {
 
-/// What of a complex must not be touched (Object::surface). A complex without any edge gives a tiny
-/// triangle a point, so that there is always something.
+/// What of a complex must not be touched (Object::surface).
 geometry::Mesh surface_of(const geometry::Complex& complex);
 
 /// The same without the triangles that are walled in: those with a fourth point on either side that

@@ -13,7 +13,9 @@ namespace {
 std::vector<int> arm_links(const robot::Robot& robot, const Hand& hand, const Eigen::VectorXd& q) {
   const int first = robot.group(hand.arm).front();
   Eigen::VectorXd moved = q;
-  moved[first] = robot.lower()[first] + robot.upper()[first] - q[first] + 0.1;
+  // Half the way to the farther limit: not to where it stands, nor round a whole turn to there.
+  const double down = q[first] - robot.lower()[first], up = robot.upper()[first] - q[first];
+  moved[first] += up > down ? up / 2 : -down / 2;
   robot::Poses before, after;
   robot.forward(q, before);
   robot.forward(moved, after);
@@ -50,6 +52,18 @@ double length(const robot::Robot& robot, const Hand& hand, const std::vector<int
   return longest.sum();
 }
 
+/// How far the arm's first joint carries the origin of the link that it moves.
+double travel(const robot::Robot& robot, const Hand& hand, int base, Eigen::VectorXd q) {
+  const int first = robot.group(hand.arm).front();
+  const Eigen::Vector3d from = robot.pose(base, q).translation();
+  double most = 0;
+  for (const double end : {robot.lower()[first], robot.upper()[first]}) {
+    q[first] = end;
+    most = std::max(most, (robot.pose(base, q).translation() - from).norm());
+  }
+  return most;
+}
+
 /// The farthest corner of the hand's curves from the hand's frame, open or closed.
 double hand_size(const robot::Robot& robot, const Hand& hand) {
   HandKinematics kinematics(robot, hand);
@@ -70,7 +84,7 @@ Reach arm_reach(const robot::Robot& robot, const Hand& hand, const Eigen::Vector
   const std::vector<int> links = arm_links(robot, hand, q);
   const int base = links.empty() ? robot.frame(hand.frame) : links.front();
   return {robot.pose(base, q).translation(),
-          length(robot, hand, links, q) + hand_size(robot, hand)};
+          travel(robot, hand, base, q) + length(robot, hand, links, q) + hand_size(robot, hand)};
 }
 
 }  // namespace graspless::clasp

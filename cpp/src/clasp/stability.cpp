@@ -23,14 +23,14 @@ void validate(const StabilityOptions& options) {
   const auto in = [](double value, double low, double high) {
     return value > low && value <= high;
   };
-  require(options.sequences > 0, "sequences", options.sequences, "positive");
-  require(options.moves > 0, "moves", options.moves, "positive");
-  require(in(options.step, 0, 0.1), "step", options.step, "in (0, 0.1] m");
-  require(in(options.turn, 0, 1), "turn", options.turn, "in (0, 1] rad");
+  require(in(options.sequences, 0, 1000), "sequences", options.sequences, "1 to 1000");
+  require(in(options.moves, 0, 100000), "moves", options.moves, "1 to 100000");
+  require(in(options.step, 1e-6, 0.1), "step", options.step, "in (0.000001, 0.1] m");
+  require(in(options.turn, 1e-6, 1), "turn", options.turn, "in (0.000001, 1] rad");
   require(options.penetration >= 0 && options.penetration <= 0.05, "penetration",
           options.penetration, "in [0, 0.05] m");
-  require(options.escape_distance >= 0 && std::isfinite(options.escape_distance), "escape_distance",
-          options.escape_distance, "0 or a positive length [m]");
+  require(options.escape_distance >= 0 && options.escape_distance <= 100, "escape_distance",
+          options.escape_distance, "0 or a length of at most 100 m");
 }
 
 Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,

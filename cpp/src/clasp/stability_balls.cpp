@@ -3,46 +3,64 @@
 #include "clasp/stability_balls.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <variant>
 
-#include "clasp/link_spheres.hpp"
+#include "clasp/link_spheres_shapes.hpp"
 
 namespace graspless::clasp {
 namespace {
 
-// Balls of one size whose centres are sqrt(r times this) apart leave dents of an eighth of it [m].
-constexpr double kDents = 0.008;
-// Balls smaller than this part of one that they touch only fill its edges.
+// Between balls of radius r whose centres are sqrt(8 r times this) apart [m].
+constexpr double kDent = 0.0008;
+// Balls smaller than this part of a shape's largest only fill its edges.
 constexpr double kSmallest = 1.0 / 3;
 
 bool adds(const LinkSphere& ball, const SphereTree& larger) {
   return std::none_of(larger.begin(), larger.end(), [&](const LinkSphere& other) {
     const double apart = (ball.p_L - other.p_L).norm();
-    const bool fills_edge =
-        ball.inner < kSmallest * other.inner && apart < other.inner + ball.inner;
-    return fills_edge || apart + ball.inner <= other.inner + kDents / 8 ||
-           apart * apart < kDents * other.inner;
+    return apart + ball.inner <= other.inner + kDent || apart * apart < 8 * kDent * other.inner;
   });
 }
 
-/// The inner spheres of a link that count, largest first.
+/// The inner spheres of a shape that count, largest first.
 SphereTree needed(SphereTree tree) {
   std::stable_sort(tree.begin(), tree.end(),
                    [](const LinkSphere& a, const LinkSphere& b) { return a.inner > b.inner; });
   SphereTree kept;
   for (const LinkSphere& ball : tree) {
-    if (ball.inner > kDents / 8 && adds(ball, kept)) kept.push_back(ball);
+    const double least = kept.empty() ? 0 : kSmallest * kept.front().inner;
+    if (ball.inner > least && adds(ball, kept)) kept.push_back(ball);
   }
   return kept;
+}
+
+/// Evenly along the axis.
+SphereTree balls_of_capsule(const geometry::Capsule& capsule, const Eigen::Isometry3d& X_LG) {
+  const double most = std::sqrt(8 * kDent * capsule.radius);
+  const int gaps = static_cast<int>(std::ceil(capsule.length / most));
+  SphereTree balls;
+  for (int i = 0; i <= gaps; ++i) {
+    const double along = (static_cast<double>(i) / gaps - 0.5) * capsule.length;
+    balls.push_back({X_LG * Eigen::Vector3d(0, 0, along), capsule.radius, capsule.radius, 0});
+  }
+  return balls;
+}
+
+SphereTree balls_of(const geometry::PlacedShape& placed) {
+  if (const auto* capsule = std::get_if<geometry::Capsule>(&placed.shape)) {
+    return balls_of_capsule(*capsule, placed.X_BG);
+  }
+  return needed(sphere_tree({covered(placed, MeshInside::hull)}));
 }
 
 }  // namespace
 
 LinkBalls::LinkBalls(const robot::Robot& robot) {
   SphereTree all;
-  int link = 0;
-  for (SphereTree& tree : link_spheres(robot, MeshInside::hull)) {
-    const SphereTree balls = needed(std::move(tree));
-    links_.insert(links_.end(), balls.size(), link++);
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    const SphereTree balls = balls_of(shape.placed);
+    links_.insert(links_.end(), balls.size(), shape.link);
     all.insert(all.end(), balls.begin(), balls.end());
   }
   p_L_.resize(3, static_cast<Eigen::Index>(all.size()));

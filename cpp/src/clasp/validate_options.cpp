@@ -23,9 +23,10 @@ void require_positive(const std::string& field, double value, double most) {
 void validate(const Options& o) {
   require(o.min_linking >= 0 && o.min_linking < 1, "min_linking", o.min_linking,
           "must lie in (0, 1), or be 0 to be derived");
-  require(o.targets >= 0, "targets", o.targets, "must be positive, or 0 to be derived");
-  require(o.pre_expansions >= 0, "pre_expansions", o.pre_expansions,
-          "must be positive, or 0 to be derived");
+  require(o.targets >= 0 && o.targets <= 10000, "targets", o.targets,
+          "must be 1 to 10000, or 0 to be derived");
+  require(o.pre_expansions >= 0 && o.pre_expansions <= 1000000, "pre_expansions", o.pre_expansions,
+          "must be 1 to 1000000, or 0 to be derived");
   require(o.random_probability >= 0 && o.random_probability < 1, "random_probability",
           o.random_probability, "must lie in [0, 1)");
   require(o.restart_cycles >= 0, "restart_cycles", o.restart_cycles, "must not be negative");
@@ -41,8 +42,8 @@ void validate(const Options& o) {
           "must lie in [0, 100] m");
   require_positive("exploring_step", o.exploring_step, 2);
   require(o.max_connect_steps > 0, "max_connect_steps", o.max_connect_steps, "must be positive");
-  require(o.resolution > 0 && o.resolution <= 0.01, "resolution", o.resolution,
-          "must lie in (0, 0.01], the step of check()");
+  require(o.resolution >= 1e-5 && o.resolution <= 0.01, "resolution", o.resolution,
+          "must lie in [0.00001, 0.01], whose end is the step of check()");
   require(o.shortcut_rounds >= 0, "shortcut_rounds", o.shortcut_rounds, "must not be negative");
   validate(o.stability);
 }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/convex_hull.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,6 +21,9 @@ namespace {
 // constructed.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Surface::Vertex_index;
+using Edge = Surface::Halfedge_index;
+using Face = Surface::Face_index;
 
 // Relative, between two sums of the same size.
 constexpr double kVolumeTolerance = 1e-9;
@@ -47,6 +53,113 @@ bool is_closed(const Mesh& mesh) {
   return true;
 }
 
+/// CGAL's choice of faces and of their order goes by where they lie in memory. The hull itself is
+/// one: its sides, however they are cut into triangles.
+class Sides {
+ public:
+  explicit Sides(const Surface& surface) : surface_(surface), side_(surface.number_of_faces(), -1) {
+    for (const Face face : surface.faces()) {
+      if (side_[face] < 0) flood(face, num_sides_++);
+    }
+  }
+
+  /// The corners of every side in order, counterclockwise seen from outside.
+  std::vector<std::vector<Vertex>> polygons() const {
+    std::vector<std::vector<Vertex>> polygons(static_cast<std::size_t>(num_sides_));
+    for (const Edge edge : surface_.halfedges()) {
+      if (side(edge) == kBeyond) continue;
+      std::vector<Vertex>& polygon = polygons[static_cast<std::size_t>(side(edge))];
+      if (!is_rim(edge) || !polygon.empty()) continue;
+      Edge at = edge;
+      do {
+        if (is_corner(surface_.target(at))) polygon.push_back(surface_.target(at));
+        at = next_on_rim(at);
+      } while (at != edge);
+    }
+    return polygons;
+  }
+
+ private:
+  static constexpr int kBeyond = -1;  // the border of a flat hull, which has one side
+  int side(Edge edge) const {
+    return surface_.is_border(edge) ? kBeyond : side_[surface_.face(edge)];
+  }
+  bool is_rim(Edge edge) const { return side(edge) != side(surface_.opposite(edge)); }
+
+  Edge next_on_rim(Edge edge) const {
+    edge = surface_.next(edge);
+    while (!is_rim(edge)) edge = surface_.next(surface_.opposite(edge));
+    return edge;
+  }
+
+  /// Not within a side or an edge of the hull.
+  bool is_corner(Vertex vertex) const {
+    std::set<int> sides;
+    for (const Edge edge : surface_.halfedges_around_target(surface_.halfedge(vertex))) {
+      sides.insert(side(edge));
+    }
+    return sides.size() > 2 || sides.count(kBeyond) > 0;
+  }
+
+  bool is_flat(Edge edge) const {
+    const auto point = [&](Edge e) { return surface_.point(surface_.target(e)); };
+    const Edge back = surface_.opposite(edge);
+    return CGAL::coplanar(point(edge), point(back), point(surface_.next(edge)),
+                          point(surface_.next(back)));
+  }
+
+  void flood(Face first, int side) {
+    side_[first] = side;
+    for (std::vector<Face> open{first}; !open.empty();) {
+      const Face face = open.back();
+      open.pop_back();
+      for (const Edge edge : surface_.halfedges_around_face(surface_.halfedge(face))) {
+        if (surface_.is_border(surface_.opposite(edge))) continue;
+        const Face beyond = surface_.face(surface_.opposite(edge));
+        if (side_[beyond] >= 0 || !is_flat(edge)) continue;
+        side_[beyond] = side;
+        open.push_back(beyond);
+      }
+    }
+  }
+
+  const Surface& surface_;
+  std::vector<int> side_;  // of a face
+  int num_sides_ = 0;
+};
+
+/// The hull with corners and triangles sorted, each side cut from its first corner.
+Mesh in_one_form(const Surface& surface) {
+  const std::vector<std::vector<Vertex>> polygons = Sides(surface).polygons();
+  std::map<Kernel::Point_3, int> number;
+  for (const auto& polygon : polygons) {
+    for (const Vertex vertex : polygon) number[surface.point(vertex)] = 0;
+  }
+  Mesh hull;
+  hull.vertices.resize(3, static_cast<Eigen::Index>(number.size()));
+  int next = 0;
+  for (auto& [point, at] : number) {
+    hull.vertices.col(next) << point.x(), point.y(), point.z();
+    at = next++;
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (const auto& polygon : polygons) {
+    std::vector<int> corners;
+    for (const Vertex vertex : polygon) corners.push_back(number.at(surface.point(vertex)));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+  hull.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    hull.triangles.col(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::Vector3i>(triangles[i].data());
+  }
+  return hull;
+}
+
 }  // namespace
 
 Mesh convex_hull(const Eigen::Matrix3Xd& points) {
@@ -56,21 +169,7 @@ Mesh convex_hull(const Eigen::Matrix3Xd& points) {
   }
   Surface surface;
   CGAL::convex_hull_3(input.begin(), input.end(), surface);
-
-  Mesh hull;
-  hull.vertices.resize(3, static_cast<Eigen::Index>(surface.number_of_vertices()));
-  hull.triangles.resize(3, static_cast<Eigen::Index>(surface.number_of_faces()));
-  for (const auto vertex : surface.vertices()) {
-    const auto& p = surface.point(vertex);
-    hull.vertices.col(static_cast<Eigen::Index>(vertex)) << p.x(), p.y(), p.z();
-  }
-  for (const auto face : surface.faces()) {
-    int k = 0;
-    for (const auto vertex : surface.vertices_around_face(surface.halfedge(face))) {
-      hull.triangles(k++, static_cast<Eigen::Index>(face)) = static_cast<int>(vertex.idx());
-    }
-  }
-  return hull;
+  return in_one_form(surface);
 }
 
 bool is_convex(const Mesh& mesh, const Mesh& hull) {

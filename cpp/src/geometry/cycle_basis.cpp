@@ -51,14 +51,16 @@ void CycleBasis::offer(const Word* cls, double length, Cycle cycle) {
   const auto place =
       std::upper_bound(members_.begin(), members_.end(), length,
                        [](double value, const Member& member) { return value < member.length; });
+  const auto first = static_cast<std::size_t>(place - members_.begin());
   members_.insert(place, {length, {cls, cls + words_}, std::move(cycle)});
-  make_rows();
+  make_rows(first);
 }
 
-/// Gauss's elimination, shortest first: a member that depends on shorter ones goes.
-void CycleBasis::make_rows() {
-  rows_.clear();
-  for (std::size_t i = 0; i < members_.size();) {
+/// Gauss's elimination, shortest first: a member that depends on shorter ones goes. The rows of
+/// members before the first that is new stay.
+void CycleBasis::make_rows(std::size_t first) {
+  rows_.resize(first);
+  for (std::size_t i = first; i < members_.size();) {
     std::vector<Word> rest = members_[i].cls;
     if (depends(rest, rows_.size())) {
       members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(i));

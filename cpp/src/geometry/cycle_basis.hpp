@@ -45,7 +45,7 @@ class CycleBasis {
   };
   int lead(const std::vector<Word>& cls) const;
   bool depends(std::vector<Word>& cls, std::size_t count) const;
-  void make_rows();
+  void make_rows(std::size_t first);
 
   int num_classes_, words_;
   std::vector<Member> members_;  // shortest first

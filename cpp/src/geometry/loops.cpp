@@ -18,11 +18,15 @@ namespace graspless::geometry {
 namespace {
 
 constexpr Eigen::Index kMaxPoints = 10000000;
+constexpr Eigen::Index kMaxPolished = 1000000;  // the whole cloud's triangulation: about 2 KB each
 constexpr int kMinVertices = 20;
 
-void check_count(const Eigen::Matrix3Xd& points) {
-  if (points.cols() <= kMaxPoints) return;
-  throw std::invalid_argument("points must be at most " + std::to_string(kMaxPoints) + ", not " +
+void check_count(const Eigen::Matrix3Xd& points, const LoopOptions& options) {
+  const bool polishes = options.polish && points.cols() > options.max_points;
+  const Eigen::Index most = polishes ? kMaxPolished : kMaxPoints;
+  if (points.cols() <= most) return;
+  throw std::invalid_argument("points must be at most " + std::to_string(most) +
+                              (polishes ? " for polish" : "") + ", not " +
                               std::to_string(points.cols()));
 }
 
@@ -82,6 +86,7 @@ void polish(const Eigen::Matrix3Xd& points, Loops& result) {
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     if (cycles[i].empty()) continue;
     Loop loop = described(points, cycles[i], columns);
+    if (loop.length >= result.loops[i].length) continue;
     loop.birth = result.loops[i].birth;
     loop.death = result.loops[i].death;
     loop.thickness = result.loops[i].thickness;
@@ -95,7 +100,7 @@ void polish(const Eigen::Matrix3Xd& points, Loops& result) {
 
 Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options) {
   validate(options);
-  check_count(points);
+  check_count(points, options);
   require_points(points, "points");
   const bool thins = points.cols() > options.max_points;
   const std::vector<int> columns =

@@ -12,33 +12,42 @@ namespace graspless::geometry {
 namespace {
 
 constexpr int kRays = 160;
-constexpr double kBarred = 0.9;  // of the rays, where the middle is inside
+constexpr int kMostOpen = kRays / 10;  // where the middle is inside
 
-/// Directions spread evenly over the sphere (a Fibonacci spiral).
+/// Directions spread evenly over the sphere (a Fibonacci spiral), and so are the first few of them.
 Eigen::Matrix3Xd directions() {
   constexpr double kGolden = 2.39996322972865332;
+  constexpr int kStride = 63;  // has no factor in common with kRays
   Eigen::Matrix3Xd rays(3, kRays);
   for (int i = 0; i < kRays; ++i) {
     const double z = 1 - (2 * i + 1.0) / kRays, r = std::sqrt(1 - z * z);
-    rays.col(i) << r * std::cos(kGolden * i), r * std::sin(kGolden * i), z;
+    rays.col(i * kStride % kRays) << r * std::cos(kGolden * i), r * std::sin(kGolden * i), z;
   }
   return rays;
 }
 
-/// The share of rays that come by a point within `near`: no more can be barred, since every place
-/// of a triangle is that near to a corner.
-double share_near_points(const Complex& complex, const Eigen::Vector3d& middle, double near) {
-  const Eigen::Matrix3Xd rays = directions();
+/// Whether all but kMostOpen of the rays are barred. The first ones that are not settle most cases.
+template <class IsBarred>
+bool most_are(const IsBarred& is_barred) {
+  static const Eigen::Matrix3Xd rays = directions();
+  int num_open = 0;
+  for (int i = 0; i < kRays; ++i) {
+    if (!is_barred(rays.col(i)) && ++num_open > kMostOpen) return false;
+  }
+  return true;
+}
+
+/// Whether most rays come by a point within `near`: no more can be barred, since every place of a
+/// triangle is that near to a corner.
+bool most_come_near_points(const Complex& complex, const Eigen::Vector3d& middle, double near) {
   const Eigen::Matrix3Xd points = complex.points.colwise() - middle;
   const Eigen::RowVectorXd squares = points.colwise().squaredNorm();
-  int count = 0;
-  for (int i = 0; i < kRays; ++i) {
-    const Eigen::RowVectorXd along = rays.col(i).transpose() * points;
+  return most_are([&](const Eigen::Vector3d& ray) {
+    const Eigen::RowVectorXd along = ray.transpose() * points;
     const auto is_ahead = along.array() > 0;
     const auto is_near = squares.array() - along.array().square() <= near * near;
-    if ((is_ahead && is_near).any()) ++count;
-  }
-  return static_cast<double>(count) / kRays;
+    return (is_ahead && is_near).any();
+  });
 }
 
 /// Whether a ray meets a triangle (Moeller, Trumbore 1997).
@@ -55,19 +64,17 @@ bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& ray, const Eigen:
   return v >= 0 && u + v <= 1 && ac.dot(q) / det > 0;
 }
 
-double share_barred(const Complex& complex, const Eigen::Vector3d& middle) {
-  const Eigen::Matrix3Xd rays = directions();
-  int count = 0;
-  for (int i = 0; i < kRays; ++i) {
-    bool is_barred = false;
-    for (Eigen::Index t = 0; t < complex.triangles.cols() && !is_barred; ++t) {
+bool most_meet_triangles(const Complex& complex, const Eigen::Vector3d& middle) {
+  return most_are([&](const Eigen::Vector3d& ray) {
+    for (Eigen::Index t = 0; t < complex.triangles.cols(); ++t) {
       const auto corner = complex.triangles.col(t);
-      is_barred = meets(middle, rays.col(i), complex.points.col(corner[0]),
-                        complex.points.col(corner[1]), complex.points.col(corner[2]));
+      if (meets(middle, ray, complex.points.col(corner[0]), complex.points.col(corner[1]),
+                complex.points.col(corner[2]))) {
+        return true;
+      }
     }
-    if (is_barred) ++count;
-  }
-  return static_cast<double>(count) / kRays;
+    return false;
+  });
 }
 
 }  // namespace
@@ -77,8 +84,8 @@ std::vector<bool> find_meridians(const Complex& complex, const std::vector<Cycle
   for (const Cycle& cycle : basis) {
     const Eigen::Vector3d middle = complex.points(Eigen::all, cycle).rowwise().mean();
     is_meridian.push_back(
-        share_near_points(complex, middle, complex.max_edge_length / std::sqrt(3)) >= kBarred &&
-        share_barred(complex, middle) >= kBarred);
+        most_come_near_points(complex, middle, complex.max_edge_length / std::sqrt(3)) &&
+        most_meet_triangles(complex, middle));
   }
   return is_meridian;
 }

@@ -13,7 +13,7 @@ void require_points(const Eigen::Matrix3Xd& points, const std::string& what) {
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     if ((points.col(i).array().abs() <= kMaxLength).all()) continue;
     std::ostringstream fault;
-    fault << what << " must be within " << kMaxLength << " m of the origin, but column " << i
+    fault << what << " must be within " << kMaxLength << " m of the origin, but point " << i
           << " is (" << points.col(i).transpose() << ")";
     throw std::invalid_argument(fault.str());
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How far the points of a cloud are apart.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,7 +22,17 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// Equal points count once.
+/// Many equal points would fill one cell, whatever its size.
+Eigen::Matrix3Xd distinct(const Eigen::Matrix3Xd& points) {
+  std::vector<std::array<double, 3>> sorted;
+  for (const auto& p : points.colwise()) sorted.push_back({p.x(), p.y(), p.z()});
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  return Eigen::Map<const Eigen::Matrix3Xd>(sorted.data()->data(), 3,
+                                            static_cast<Eigen::Index>(sorted.size()));
+}
+
+/// A point is not its own neighbour, nor is one so near that the distance rounds to zero.
 void keep_nearer(double squared, double& nearest) {
   if (squared > 0 && squared < nearest) nearest = squared;
 }
@@ -59,9 +70,10 @@ void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
 
 }  // namespace
 
-double spacing(const Eigen::Matrix3Xd& points) {
-  require_points(points, "points");
-  if (points.cols() < 2) return 0;
+double spacing(const Eigen::Matrix3Xd& cloud) {
+  require_points(cloud, "points");
+  if (cloud.cols() < 2) return 0;
+  const Eigen::Matrix3Xd points = distinct(cloud);
   const double first_guess = guess(points);
   if (!(first_guess < kInfinity)) return 0;
   std::vector<double> nearest(static_cast<std::size_t>(points.cols()));

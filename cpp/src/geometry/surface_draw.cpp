@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "geometry/convex_hull.hpp"
-#include "geometry/ordered_hull.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -45,7 +44,7 @@ void SurfaceDraw::set(const Box& box) {
 }
 
 void SurfaceDraw::set(const Convex& convex) {
-  set(ordered(convex_hull(convex.vertices)));
+  set(convex_hull(convex.vertices));
   has_outside_ = true;
 }
 

@@ -124,7 +124,8 @@ bool TaskSpaceRRT::is_reached(int node, std::size_t target) {
 }
 
 bool TaskSpaceRRT::starts_at_goal() {
-  if (num_cycles_ > 0 || pdef_->hasSolution()) return false;
+  if (has_tried_starts_ || pdef_->hasSolution()) return false;
+  has_tried_starts_ = true;
   for (int root = 0; root < static_cast<int>(starts_.size()); ++root) {
     for (std::size_t g = 0; g < targets_.size(); ++g) {
       if (!is_reached(root, g)) continue;

@@ -47,6 +47,8 @@ void TaskSpaceRRT::set_targets(std::vector<Eigen::VectorXd> x) {
   targets_ = std::move(x);
   tree_.reset();
   next_target_ = 0;
+  reached_target_ = reached_node_ = -1;
+  has_tried_starts_ = false;
 }
 
 void TaskSpaceRRT::set_random_probability(double probability) {
@@ -131,6 +133,7 @@ void TaskSpaceRRT::clear() {
   starts_.clear();
   num_grown_ = num_cycles_ = num_restarts_ = num_steps_ = 0;
   reached_target_ = reached_node_ = -1;
+  has_tried_starts_ = false;
   next_target_ = 0;
 }
 

@@ -186,8 +186,8 @@ Problem purse_problem(const std::string& robot) {
   const RobotWithHand r = robot_with_hand(robot);
   Problem problem{r.robot, r.hand, purse, Eigen::Isometry3d::Identity(), {}, at_home(r, "open"),
                   {},      {},     {}};
-  problem.X_WO = Eigen::Translation3d(0.6, 0, -0.1) *
-                 Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
+  problem.X_WO =
+      Eigen::Translation3d(0.6, 0, -0.1) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
   return problem;
 }
 
@@ -246,6 +246,7 @@ TEST(ClaspValidate, NamesFieldAndChoices) {
     };
   };
   expect_refused(with([](Problem& p) { p.loops = {3}; }), "loops[0] is 3; object 'ring' has 1");
+  expect_refused(with([](Problem& p) { p.loops = {0, 0}; }), "loops names loop 0 twice");
   expect_refused(with([](Problem& p) { p.marks = {{0, 0, 1e9}}; }), "marks[0] must be finite");
   expect_refused(with([](Problem& p) { p.pull_W = Eigen::Vector3d::Zero(); }), "pull_W");
   expect_refused(with([](Problem& p) { p.q_start[1] = 9; }), "q_start: joint");

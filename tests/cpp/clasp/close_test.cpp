@@ -32,8 +32,7 @@ TEST_P(CloseHandOf, EndsWhereNoJointCanGoOn) {
         << problem.robot.joint_names()[static_cast<std::size_t>(joint)];
     ++stopped;
   }
-  // The ring is in the way of all but the two long fingers of the T42, which pass around it.
-  EXPECT_EQ(stopped > 0, GetParam() != "wam_t42");
+  EXPECT_GT(stopped, 0);  // the ring is in the way
 }
 
 TEST_P(CloseHandOf, RowsAreNearAndEveryMotionBetweenThemIsFree) {

@@ -35,6 +35,20 @@ TEST_P(ArmReach, NoConfigurationLeavesIt) {
   EXPECT_GT(farthest, -0.4) << "the ball is much too large";
 }
 
+TEST_P(ArmReach, IsTheSameWhereverTheArmStands) {
+  const RobotWithHand r = robot_with_hand(GetParam());
+  const int first = r.robot.group(r.hand.arm).front();
+  const Reach reach = arm_reach(r.robot, r.hand, r.robot.state("home"));
+  const double middle = (r.robot.lower()[first] + r.robot.upper()[first]) / 2;
+  for (const double q : {middle - 0.05, middle, middle + 0.05, r.robot.lower()[first]}) {
+    Eigen::VectorXd start = r.robot.state("home");
+    start[first] = q;
+    const Reach found = arm_reach(r.robot, r.hand, start);
+    EXPECT_NEAR(found.radius, reach.radius, 1e-9);
+    EXPECT_TRUE(found.base_W.isApprox(reach.base_W, 1e-9));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Hands, ArmReach, ::testing::ValuesIn(robots_with_hands()),
                          [](const auto& info) { return info.param; });
 

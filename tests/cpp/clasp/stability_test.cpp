@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/clasp/stability.hpp"
 
+#include <cmath>
+#include <variant>
+
 #include <gtest/gtest.h>
 
 #include "clasp/close.hpp"
@@ -24,8 +27,8 @@ VectorXd closed_around(const Problem& problem) {
 }
 
 TEST(TestStability, ClosedHandHoldsARingAndAnOpenOneDoesNot) {
-  for (const std::string hand : {"kr5_sdh", "kr5_dlr", "wam_t42"}) {
-    const Problem problem = ring_within(hand);
+  for (const std::string& hand : robots_with_hands()) {
+    const Problem problem = ring_within(hand, 0.016, 0.02);
     const Stability closed = test_stability(problem, closed_around(problem), 0);
     EXPECT_TRUE(closed.secure) << hand;
     EXPECT_EQ(closed.escapes, 0) << hand;
@@ -121,6 +124,31 @@ TEST(LinkBalls, LieWithinTheLinks) {
       world.set_pose(point, Eigen::Isometry3d(Eigen::Translation3d(
                                 centers.col(i) + (balls.radii()[i] - 1e-5) * out)));
       EXPECT_TRUE(world.collides()) << name << " ball " << i;
+    }
+  }
+}
+
+/// The object cannot pass between them: every point 2 mm deep in a capsule is in a ball.
+TEST(LinkBalls, FillCapsules) {
+  for (const std::string& name : robots_with_hands()) {
+    const robot::Robot robot = robot_with_hand(name).robot;
+    robot::Poses X_WL;
+    robot.forward(robot.state("home"), X_WL);
+    const LinkBalls balls(robot);
+    const Eigen::Matrix3Xd centers = balls.centers_W(X_WL);
+    std::mt19937_64 rng(1);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const robot::LinkShape& shape : robot.shapes()) {
+      const auto* capsule = std::get_if<geometry::Capsule>(&shape.placed.shape);
+      if (capsule == nullptr) continue;
+      for (int i = 0; i < 20; ++i) {
+        const double along = (unit(rng) - 0.5) * capsule->length, angle = 2 * M_PI * unit(rng);
+        const double out = capsule->radius - 0.002;
+        const Vector3d p = X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG *
+                           Vector3d(out * std::cos(angle), out * std::sin(angle), along);
+        const VectorXd gaps = (centers.colwise() - p).colwise().norm().transpose() - balls.radii();
+        EXPECT_LE(gaps.minCoeff(), 0) << name;
+      }
     }
   }
 }

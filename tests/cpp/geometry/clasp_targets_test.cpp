@@ -70,7 +70,7 @@ TEST(ClaspTargets, RefuseWhatHasNoLength) {
   expect_refused([] { clasp_targets(circle(5), 0); }, "count must be positive, not 0");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd(3, 0), 4); }, "not 0 corners");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd::Ones(3, 4), 4); }, "0.000000 m");
-  expect_refused([&] { clasp_targets(nan, 4); }, "column 3");
+  expect_refused([&] { clasp_targets(nan, 4); }, "point 3");
 }
 
 }  // namespace

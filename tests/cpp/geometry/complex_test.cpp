@@ -249,8 +249,8 @@ TEST(Filtration, RefusesWhatSpansNoVolume) {
   expect_refused(make(Eigen::Matrix3Xd::Ones(3, 20)), "not 1");
   expect_refused(make(flat), "cloud must span a volume; all 30 lie in a plane");
   expect_refused(make(turn * flat), "cloud must span a volume");
-  expect_refused(make(nan), "column 7");
-  expect_refused(make(far), "cloud must be within 10000 m of the origin, but column 0");
+  expect_refused(make(nan), "point 7");
+  expect_refused(make(far), "cloud must be within 10000 m of the origin, but point 0");
 }
 
 }  // namespace

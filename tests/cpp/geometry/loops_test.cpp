@@ -136,6 +136,29 @@ TEST(ShortestLoops, OfAThinnedCloudAreNearlyThose) {
   EXPECT_EQ(std::abs(linking_number(polished.loops[0].points, through_ring())), 1);
 }
 
+TEST(ShortestLoops, PolishNeverMakesALoopLonger) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Eigen::Matrix3Xd cloud = noisy(torus(0.15, 0.012, 0.006), 0.002, seed);
+    LoopOptions options;
+    options.max_points = 500;
+    const Loops before = shortest_loops(cloud, options);
+    options.polish = true;
+    const Loops after = shortest_loops(cloud, options);
+    ASSERT_EQ(after.loops.size(), before.loops.size());
+    for (std::size_t i = 0; i < after.loops.size(); ++i) {
+      EXPECT_LE(after.loops[i].length, before.loops[i].length);
+    }
+  }
+}
+
+TEST(ShortestLoops, RefuseToPolishAHugeCloud) {
+  const Eigen::Matrix3Xd huge = Eigen::Matrix3Xd::Zero(3, 1000001);
+  LoopOptions options;
+  options.polish = true;
+  expect_refused([&] { shortest_loops(huge, options); },
+                 "points must be at most 1000000 for polish, not 1000001");
+}
+
 TEST(ShortestLoops, TakeTheEdgeLengthGiven) {
   LoopOptions options;
   options.max_edge_length = 0.05;
@@ -212,7 +235,7 @@ TEST(ShortestLoops, RefuseBadClouds) {
   expect_refused(call(random_cloud(19, 1)), "at least 20 distinct points, not 19");
   expect_refused(call(Eigen::Matrix3Xd::Ones(3, 100)), "distinct points, not 1");
   expect_refused(call(Eigen::Matrix3Xd::Ones(3, 9000)), "distinct points, not 1");  // thinned
-  expect_refused(call(nan), "column 5");
+  expect_refused(call(nan), "point 5");
   expect_refused(call(flat), "lie in a plane");
   const Eigen::Matrix3Xd many(3, 10000001);  // never touched
   expect_refused([&] { shortest_loops(many); }, "at most 10000000, not 10000001");

@@ -185,7 +185,14 @@ TEST(Spacing, EqualPointsCountOnce) {
   EXPECT_EQ(spacing(points.leftCols(3)), 0);
   EXPECT_EQ(spacing(Eigen::Matrix3Xd(3, 0)), 0);
   points(1, 4) = kNan;
-  expect_refused([&] { spacing(points); }, "column 4");
+  expect_refused([&] { spacing(points); }, "point 4");
+}
+
+TEST(Spacing, ManyEqualPointsChangeNothing) {
+  const Eigen::Matrix3Xd cloud = sample_surface({{Sphere{0.5}}}, 2000);
+  Eigen::Matrix3Xd more(3, 60000);  // half of them one point, which quadratic time would show
+  more << cloud.replicate(1, 15), cloud.col(7).replicate(1, 30000);
+  EXPECT_EQ(spacing(more), spacing(cloud));
 }
 
 TEST(Thin, KeepsOnePointOfEveryCell) {
@@ -251,7 +258,7 @@ TEST(VisiblePoints, FewPointsAreAllSeen) {
   EXPECT_TRUE(visible_points(Eigen::Matrix3Xd(3, 0), origin).empty());
   expect_refused([&] { visible_points(points, points.col(1)); }, "viewpoint must not be one");
   points(0, 2) = kNan;
-  expect_refused([&] { visible_points(points, origin); }, "column 2");
+  expect_refused([&] { visible_points(points, origin); }, "point 2");
 }
 
 }  // namespace

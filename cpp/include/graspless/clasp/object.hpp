@@ -29,10 +29,9 @@ class GRASPLESS_API Object {
   const Eigen::Matrix3Xd& points() const;  ///< the cloud, as given, in O [m]
   const geometry::Loops& loops() const;    ///< in O
   const geometry::LoopOptions& loop_options() const;
-  /// What must not be touched, in O: the triangles of K_d, and along edges of K_d that bound none
-  /// triangles 1 mm wide (a tenth of the edge where that is less). Points without a neighbour
-  /// within d are taken for outliers and left out. A surface has no inside: what is wholly in the
-  /// object does not touch it.
+  /// What must not be touched, in O: the triangles of K_d, triangles 1 mm wide (a tenth of the edge
+  /// where that is less) along edges of K_d that bound none, and triangles 1 mm wide at points
+  /// without an edge. A surface has no inside: what is wholly in the object does not touch it.
   const geometry::Mesh& surface() const;
   const collision::Solid& solid() const;  ///< the surface, for FCL; made when first asked
   /// Of the surface; made when first asked. A copy has a grid of its own.

@@ -36,7 +36,7 @@ struct LoopOptions {
   double min_ratio = 1.2;
   /// Clouds with more points are thinned to about max_points / 2 before loops are looked for.
   int max_points = 5000;
-  /// After thinning: shorten the loops on the whole cloud.
+  /// After thinning: shorten the loops on the whole cloud, of at most 10^6 points.
   bool polish = false;
   /// Leave out loops that run around a thick handle instead of along it.
   bool drop_meridians = true;
@@ -65,7 +65,7 @@ struct Loops {
 /// The shortest basis of H_1(K_d; Z_2): loops through the holes of what the cloud was taken from
 /// (Dey, Sun, Wang 2010), exact up to `max_points`. Points are the columns [m]. Throws
 /// std::invalid_argument on fewer than 20 distinct points, values that are not finite, points in a
-/// plane, more than 10^7 points, or bad options.
+/// plane, more than 10^7 points (10^6 to polish), or bad options.
 GRASPLESS_API Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options = {});
 
 /// A place on a loop where a hand may clasp: p and p' of the paper.

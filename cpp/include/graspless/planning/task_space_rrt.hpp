@@ -122,6 +122,7 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   std::size_t next_target_ = 0;  // of the cycle that the last solution interrupted
   std::int64_t num_grown_ = 0, num_cycles_ = 0, num_restarts_ = 0, num_steps_ = 0;
   int reached_target_ = -1, reached_node_ = -1;
+  bool has_tried_starts_ = false;  // as goals: a start that is one is offered once
 };
 
 }  // namespace graspless::planning
