@@ -40,7 +40,7 @@ struct Judge {
 
 /// Of the points on a circle around the place, how many leave no room for a finger.
 int num_obstructed(Judge& judge, const ClaspTarget& place_W, double thickness) {
-  constexpr int kPoints = 12;
+  constexpr int kPoints = 8;
   const double radius = thickness / 2 + 2 * judge.finger;
   const Eigen::Isometry3d X_OW = judge.problem.X_WO.inverse();
   const Vector3d u = place_W.tangent.unitOrthogonal(), v = place_W.tangent.cross(u);
@@ -48,7 +48,7 @@ int num_obstructed(Judge& judge, const ClaspTarget& place_W, double thickness) {
   for (int i = 0; i < kPoints; ++i) {
     const double angle = 2 * M_PI * i / kPoints;
     const Vector3d p_W = place_W.point + radius * (std::cos(angle) * u + std::sin(angle) * v);
-    obstructed += judge.clearance.bounds(X_OW * p_W).upper < judge.finger;
+    obstructed += judge.clearance.bounds(X_OW * p_W, judge.finger).upper < judge.finger;
   }
   return obstructed;
 }

@@ -205,6 +205,7 @@ TEST(ClaspPlan, RefusesBadOptionsByName) {
   refuses([](Options& o) { o.position_damping = 0; }, "options.position_damping");
   refuses([](Options& o) { o.alignment_damping = 0; }, "options.alignment_damping");
   refuses([](Options& o) { o.linking_damping = 0; }, "options.linking_damping");
+  refuses([](Options& o) { o.patience = -1; }, "options.patience");
   refuses([](Options& o) { o.linking_weight = -1; }, "options.linking_weight");
   refuses([](Options& o) { o.exploring_step = 0; }, "options.exploring_step");
   refuses([](Options& o) { o.max_connect_steps = 0; }, "options.max_connect_steps");
