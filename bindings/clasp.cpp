@@ -196,12 +196,17 @@ void bind_options(py::module_& m) {
                               "How to search. Zero means: derived from object and hand.");
   bind_fields(
       options, "Any field by keyword; the others keep their defaults.",
-      Field{"min_linking", &Options::min_linking,
-            "Virtual linking that every finger curve must reach before the hand closes, in (0, 1); "
-            "0: derived."},
-      Field{"targets", &Options::targets, "Clasp targets a loop; 0: derived."},
+      Field{
+          "min_linking", &Options::min_linking,
+          "Virtual linking that every finger curve must reach before the hand closes, and keep, in "
+          "(0, 1). 0: the hand closes as soon as every curve is linked, and closed must come half "
+          "way from its open state to what it reaches around a bar as thick as the loop's "
+          "handle; Plan.min_linking has it."},
+      Field{"targets", &Options::targets,
+            "Clasp targets a loop; 0: one every half width of the hand, from 4 to 64."},
       Field{"pre_expansions", &Options::pre_expansions,
-            "n: random extensions before a tree is connected to targets; 0: derived."},
+            "n: random extensions before a tree is connected to targets; 0: 20 for the first tree, "
+            "50, 100, then 200."},
       Field{"random_probability", &Options::random_probability, "P of Algorithm 1."},
       Field{"restart_cycles", &Options::restart_cycles,
             "Cycles before a tree is given up; 0: never."},

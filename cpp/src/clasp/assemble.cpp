@@ -3,9 +3,11 @@
 #include "clasp/assemble.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "clasp/close.hpp"
+#include "clasp/parameters.hpp"
 #include "clasp/tasks.hpp"
 
 namespace graspless::clasp {
@@ -89,6 +91,20 @@ Stability tested(Query& query, int loop, const Eigen::VectorXd& q) {
   return stability;
 }
 
+/// Handles that the hand cannot close around, which may be why there is no plan.
+void warn_of_thick_handles(const Problem& problem,
+                           const std::vector<std::unique_ptr<LoopSearch>>& searches, Plan& plan) {
+  for (const auto& search : searches) {
+    const int loop = search->of().loop;
+    const double thickness = problem.object.loops().loops[static_cast<std::size_t>(loop)].thickness;
+    if (!is_too_thick(problem.robot, problem.hand, thickness)) continue;
+    std::ostringstream out;
+    out << "loop " << loop << ": its handle of " << std::lround(100 * thickness)
+        << " cm is too thick for this hand to close around";
+    plan.warnings.push_back(out.str());
+  }
+}
+
 }  // namespace
 
 std::optional<Found> close_clasp(Query& query, LoopSearch& search) {
@@ -145,6 +161,7 @@ void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>
     s.restarts += search->planner().num_restarts();
     s.control_steps += search->planner().num_steps();
   }
+  if (!plan) warn_of_thick_handles(query.problem, searches, plan);
   if (plan.reason.empty()) plan.reason = reason(plan);
 }
 

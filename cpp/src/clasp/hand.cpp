@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kShortest = 1e-4;  // of a stretch of a curve [m]
+constexpr double kPalm = 0.25;      // no hand is wider [m]
 
 std::string text(const Vector3d& v) {
   return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " + std::to_string(v.z()) +
@@ -150,13 +151,20 @@ void check_tip(const Hand& hand, const robot::Robot& robot, const std::string& f
                               "', is moved by no joint of the group '" + hand.hand + "'");
 }
 
-/// Finger and thumb must meet in the palm, where no joint of the hand parts them.
+/// Finger and thumb must meet in the palm, near each other, where no joint of the hand parts them.
 void check_meeting(const Hand& hand, const robot::Robot& robot, const std::string& field,
                    const Finger& finger) {
   const CurveNode &first = finger.nodes.front(), &thumbs = hand.thumb.nodes.front();
   const auto distance = [&](const Eigen::VectorXd& q) {
     return Eigen::Matrix<double, 1, 1>((place(robot, first, q) - place(robot, thumbs, q)).norm());
   };
+  const double apart = distance(robot.state(hand.open))[0];
+  if (apart > kPalm) {
+    throw std::invalid_argument(field + " does not meet the thumb: their first nodes, on links '" +
+                                first.link + "' and '" + thumbs.link + "', are " +
+                                std::to_string(apart) + " m apart; a palm is at most " +
+                                std::to_string(kPalm) + " m wide");
+  }
   if (!hand_changes(hand, robot, distance)) return;
   throw std::invalid_argument(field + " does not meet the thumb: joints of the group '" +
                               hand.hand + "' move its first node, on link '" + first.link +

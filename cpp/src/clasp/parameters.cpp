@@ -138,6 +138,10 @@ double reachable_linking(const robot::Robot& robot, const Hand& hand, double thi
   return closure(kinematics);
 }
 
+bool is_too_thick(const robot::Robot& robot, const Hand& hand, double thickness) {
+  return reachable_linking(robot, hand, thickness) <= open_linking(robot, hand);
+}
+
 Options derived(const Options& options, const Problem& problem, int loop) {
   Options o = options;
   const geometry::Loop& of = problem.object.loops().loops[static_cast<std::size_t>(loop)];

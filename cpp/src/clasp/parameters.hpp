@@ -16,6 +16,9 @@ double reachable_linking(const robot::Robot& robot, const Hand& hand, double thi
 /// The same at the open state: how far the hand is closed when the loop has just slipped in.
 double open_linking(const robot::Robot& robot, const Hand& hand);
 
+/// Whether it closes no farther around such a bar than it is closed while open.
+bool is_too_thick(const robot::Robot& robot, const Hand& hand, double thickness);
+
 /// Half of what the fingers take up along sideways, at the open state [m].
 double half_width(const robot::Robot& robot, const Hand& hand);
 

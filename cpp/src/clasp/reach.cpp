@@ -9,38 +9,34 @@
 namespace graspless::clasp {
 namespace {
 
-/// Links from the one that the arm's first joint moves to the hand's frame.
+/// Links from the first one that the arm moves to the hand's frame.
 std::vector<int> arm_links(const robot::Robot& robot, const Hand& hand, const Eigen::VectorXd& q) {
-  const int first = robot.group(hand.arm).front();
-  Eigen::VectorXd moved = q;
-  // Half the way to the farther limit: not to where it stands, nor round a whole turn to there.
-  const double down = q[first] - robot.lower()[first], up = robot.upper()[first] - q[first];
-  moved[first] += up > down ? up / 2 : -down / 2;
-  robot::Poses before, after;
-  robot.forward(q, before);
-  robot.forward(moved, after);
+  const std::vector<int>& arm = robot.group(hand.arm);
   std::vector<int> links;
   for (int link = robot.frame(hand.frame); link >= 0; link = robot.parent(link)) {
-    const auto i = static_cast<std::size_t>(link);
-    if (before[i].isApprox(after[i], 1e-12)) break;
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, q);
+    const auto stands_still = [&](int joint) { return J.col(joint).isZero(); };
+    if (std::all_of(arm.begin(), arm.end(), stands_still)) break;
     links.push_back(link);
   }
   std::reverse(links.begin(), links.end());
   return links;
 }
 
-/// The lengths between consecutive origins, longest over the ends of every sliding joint.
+/// The lengths between consecutive origins, the first one's from the base, longest over the ends of
+/// every sliding joint.
 double length(const robot::Robot& robot, const Hand& hand, const std::vector<int>& links,
-              Eigen::VectorXd q) {
+              const Eigen::Vector3d& base_W, Eigen::VectorXd q) {
   Eigen::VectorXd longest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(links.size()));
   robot::Poses X_WL;
   const auto look = [&] {
     robot.forward(q, X_WL);
-    for (std::size_t i = 1; i < links.size(); ++i) {
-      const Eigen::Vector3d step = X_WL[static_cast<std::size_t>(links[i])].translation() -
-                                   X_WL[static_cast<std::size_t>(links[i - 1])].translation();
+    Eigen::Vector3d last_W = base_W;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const Eigen::Vector3d p_W = X_WL[static_cast<std::size_t>(links[i])].translation();
       double& most = longest[static_cast<Eigen::Index>(i)];
-      most = std::max(most, step.norm());
+      most = std::max(most, (p_W - last_W).norm());
+      last_W = p_W;
     }
   };
   for (const int joint : robot.group(hand.arm)) {
@@ -50,18 +46,6 @@ double length(const robot::Robot& robot, const Hand& hand, const std::vector<int
     }
   }
   return longest.sum();
-}
-
-/// How far the arm's first joint carries the origin of the link that it moves.
-double travel(const robot::Robot& robot, const Hand& hand, int base, Eigen::VectorXd q) {
-  const int first = robot.group(hand.arm).front();
-  const Eigen::Vector3d from = robot.pose(base, q).translation();
-  double most = 0;
-  for (const double end : {robot.lower()[first], robot.upper()[first]}) {
-    q[first] = end;
-    most = std::max(most, (robot.pose(base, q).translation() - from).norm());
-  }
-  return most;
 }
 
 /// The farthest corner of the hand's curves from the hand's frame, open or closed.
@@ -80,11 +64,13 @@ double hand_size(const robot::Robot& robot, const Hand& hand) {
 
 }  // namespace
 
-Reach arm_reach(const robot::Robot& robot, const Hand& hand, const Eigen::VectorXd& q) {
+Reach arm_reach(const robot::Robot& robot, const Hand& hand, Eigen::VectorXd q) {
+  for (const int joint : robot.group(hand.arm)) {
+    q[joint] = (robot.lower()[joint] + robot.upper()[joint]) / 2;
+  }
   const std::vector<int> links = arm_links(robot, hand, q);
-  const int base = links.empty() ? robot.frame(hand.frame) : links.front();
-  return {robot.pose(base, q).translation(),
-          travel(robot, hand, base, q) + length(robot, hand, links, q) + hand_size(robot, hand)};
+  const Eigen::Vector3d base_W = robot.pose(links.front(), q).translation();
+  return {base_W, length(robot, hand, links, base_W, q) + hand_size(robot, hand)};
 }
 
 }  // namespace graspless::clasp

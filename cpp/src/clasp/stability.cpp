@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/clasp/stability.hpp"
 
-#include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -13,24 +13,25 @@ namespace {
 
 void require(bool good, const std::string& field, double value, const std::string& choices) {
   if (good) return;
-  throw std::invalid_argument("stability." + field + " must be " + choices + ", not " +
-                              std::to_string(value));
+  std::ostringstream text;
+  text.precision(10);
+  text << "stability." << field << " must be " << choices << ", not " << value;
+  throw std::invalid_argument(text.str());
 }
 
 }  // namespace
 
 void validate(const StabilityOptions& options) {
   const auto in = [](double value, double low, double high) {
-    return value > low && value <= high;
+    return value >= low && value <= high;
   };
-  require(in(options.sequences, 0, 1000), "sequences", options.sequences, "positive, at most 1000");
-  require(in(options.moves, 0, 100000), "moves", options.moves, "positive, at most 100000");
-  require(in(options.step, 1e-6, 0.1), "step", options.step, "in (0.000001, 0.1] m");
-  require(in(options.turn, 1e-6, 1), "turn", options.turn, "in (0.000001, 1] rad");
-  require(options.penetration >= 0 && options.penetration <= 0.05, "penetration",
-          options.penetration, "in [0, 0.05] m");
-  require(options.escape_distance >= 0 && options.escape_distance <= 100, "escape_distance",
-          options.escape_distance, "0 or a length of at most 100 m");
+  require(in(options.sequences, 1, 1000), "sequences", options.sequences, "in [1, 1000]");
+  require(in(options.moves, 1, 10000), "moves", options.moves, "in [1, 10000]");
+  require(in(options.step, 1e-4, 0.1), "step", options.step, "in [0.0001, 0.1] m");
+  require(in(options.turn, 1e-3, 1), "turn", options.turn, "in [0.001, 1] rad");
+  require(in(options.penetration, 0, 0.05), "penetration", options.penetration, "in [0, 0.05] m");
+  require(in(options.escape_distance, 0, 10), "escape_distance", options.escape_distance,
+          "0 or at most 10 m");
 }
 
 Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,

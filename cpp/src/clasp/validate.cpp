@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -13,12 +12,14 @@ namespace {
 
 void check_loops(const Problem& problem) {
   const auto count = static_cast<int>(problem.object.loops().loops.size());
+  std::set<int> given;
   for (std::size_t i = 0; i < problem.loops.size(); ++i) {
-    if (std::count(problem.loops.begin(), problem.loops.end(), problem.loops[i]) > 1) {
-      throw std::invalid_argument("loops names loop " + std::to_string(problem.loops[i]) +
-                                  " twice");
+    if (problem.loops[i] >= 0 && problem.loops[i] < count) {
+      if (given.insert(problem.loops[i]).second) continue;
+      throw std::invalid_argument("loops[" + std::to_string(i) + "] is " +
+                                  std::to_string(problem.loops[i]) +
+                                  " again; name a loop once at most");
     }
-    if (problem.loops[i] >= 0 && problem.loops[i] < count) continue;
     throw std::invalid_argument(
         "loops[" + std::to_string(i) + "] is " + std::to_string(problem.loops[i]) + "; object '" +
         problem.object.name() + "' has " + std::to_string(count) + " loops, counted from 0");

@@ -175,6 +175,11 @@ TEST_F(HandValidate, NeedsFingersThatMeetTheThumbInThePalm) {
   expect_invalid("on link 'thumb_distal'; nodes run from the palm to the tip");
 }
 
+TEST_F(HandValidate, NeedsFingersThatMeetTheThumbNearby) {
+  hand_.thumb.nodes.front().p_L.x() -= 0.5;
+  expect_invalid("hand.fingers.finger_1 does not meet the thumb: their first nodes, on links");
+}
+
 TEST_F(HandValidate, RefusesCornersThatCoincide) {
   hand_.fingers[0].nodes[2] = hand_.fingers[0].nodes[1];
   expect_invalid("hand.fingers.finger_1: corners 1 and 2 of the curve");

@@ -28,6 +28,11 @@ TEST_P(OfAHand, ClosesFartherAroundThinnerBars) {
   EXPECT_EQ(reachable_linking(r.robot, r.hand, 1), open_linking(r.robot, r.hand));
 }
 
+TEST_P(OfAHand, IsTooSmallOnlyForThickBars) {
+  EXPECT_FALSE(is_too_thick(r.robot, r.hand, 0.03));
+  EXPECT_TRUE(is_too_thick(r.robot, r.hand, 0.3));
+}
+
 TEST_P(OfAHand, WidthAndThicknessAreThoseOfAHand) {
   EXPECT_GE(half_width(r.robot, r.hand), finger_radius(r.robot, r.hand));
   EXPECT_LT(half_width(r.robot, r.hand), 0.1);

@@ -187,6 +187,24 @@ TEST(ClaspPlan, AClaspThatIsNotSecureIsRefused) {
   EXPECT_FALSE(taken.stability.secure);
 }
 
+TEST(ClaspPlan, SaysThatAHandleIsTooThick) {
+  Problem problem = ring_problem();
+  EXPECT_TRUE(clasp::plan(problem, {}, cycles(0)).warnings.empty());
+  problem.object = Object::from_cloud("tyre", ring_cloud(0.25, 0.2, 64, 32));
+  problem.X_WO.translation().x() = 0.9;
+  const Plan plan = clasp::plan(problem, {}, cycles(0));
+  EXPECT_EQ(plan.status, Status::not_found) << plan.reason;
+  ASSERT_EQ(plan.warnings.size(), 1u);
+  EXPECT_NE(plan.warnings[0].find("cm is too thick for this hand"), std::string::npos)
+      << plan.warnings[0];
+}
+
+TEST(ClaspPlan, RefusesALoopThatIsNamedTwice) {
+  Problem problem = ring_problem();
+  problem.loops = {0, 0};
+  expect_refused([&] { validate(problem); }, "loops[1] is 0 again; name a loop once at most");
+}
+
 TEST(ClaspPlan, RefusesBadOptionsByName) {
   const auto refuses = [](auto spoil, const std::string& words) {
     Options options;
@@ -211,6 +229,12 @@ TEST(ClaspPlan, RefusesBadOptionsByName) {
   refuses([](Options& o) { o.max_connect_steps = 0; }, "options.max_connect_steps");
   refuses([](Options& o) { o.resolution = 0.02; }, "options.resolution");
   refuses([](Options& o) { o.shortcut_rounds = -1; }, "options.shortcut_rounds");
+  refuses([](Options& o) { o.targets = 1 << 30; }, "options.targets must lie in [0, 10000]");
+  refuses([](Options& o) { o.resolution = 1e-12; }, "at most the step of check(), not 1e-12");
+  refuses([](Options& o) { o.patience = -1; }, "options.patience must lie in [0, 1e6], not -1");
+  refuses([](Options& o) { o.patience = std::nan(""); }, "options.patience");
+  refuses([](Options& o) { o.linking_damping = 1e-200; },
+          "linking_damping must lie in [1e-06, 10]");
 }
 
 }  // namespace

@@ -20,9 +20,10 @@ struct Options {
   /// 1). 0: the hand closes as soon as every curve is linked, and closed must come half way from
   /// its open state to what it reaches around a bar as thick as the loop's handle.
   double min_linking = 0;
-  /// Clasp targets a loop; 0: one every half width of the hand.
+  /// Clasp targets a loop; 0: one every half width of the hand, from 4 to 64.
   int targets = 0;
-  /// n: random extensions before a tree is connected to targets; 0: grows with the restarts.
+  /// n: random extensions before a tree is connected to targets; 0: 20 for the first tree, 50, 100,
+  /// then 200.
   int pre_expansions = 0;
   double random_probability = 0.1;  ///< P
   int restart_cycles = 5;           ///< cycles before a tree is given up; 0: never
