@@ -450,7 +450,7 @@ class Options:
     @property
     def min_linking(self) -> float:
         """
-        Virtual linking that every finger curve must reach before the hand closes, in (0, 1); 0: derived.
+        Virtual linking that every finger curve must reach before the hand closes, and keep, in (0, 1). 0: the hand closes as soon as every curve is linked, and closed must come half way from its open state to what it reaches around a bar as thick as the loop's handle; Plan.min_linking has it.
         """
     @min_linking.setter
     def min_linking(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -482,7 +482,7 @@ class Options:
     @property
     def pre_expansions(self) -> int:
         """
-        n: random extensions before a tree is connected to targets; 0: derived.
+        n: random extensions before a tree is connected to targets; 0: 20 for the first tree, 50, 100, then 200.
         """
     @pre_expansions.setter
     def pre_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -530,7 +530,7 @@ class Options:
     @property
     def targets(self) -> int:
         """
-        Clasp targets a loop; 0: derived.
+        Clasp targets a loop; 0: one every half width of the hand, from 4 to 64.
         """
     @targets.setter
     def targets(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:

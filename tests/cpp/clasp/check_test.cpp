@@ -246,7 +246,7 @@ TEST(ClaspValidate, NamesFieldAndChoices) {
     };
   };
   expect_refused(with([](Problem& p) { p.loops = {3}; }), "loops[0] is 3; object 'ring' has 1");
-  expect_refused(with([](Problem& p) { p.loops = {0, 0}; }), "loops names loop 0 twice");
+  expect_refused(with([](Problem& p) { p.loops = {0, 0}; }), "loops[1] is 0 again");
   expect_refused(with([](Problem& p) { p.marks = {{0, 0, 1e9}}; }), "marks[0] must be finite");
   expect_refused(with([](Problem& p) { p.pull_W = Eigen::Vector3d::Zero(); }), "pull_W");
   expect_refused(with([](Problem& p) { p.q_start[1] = 9; }), "q_start: joint");
