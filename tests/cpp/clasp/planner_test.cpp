@@ -199,12 +199,6 @@ TEST(ClaspPlan, SaysThatAHandleIsTooThick) {
       << plan.warnings[0];
 }
 
-TEST(ClaspPlan, RefusesALoopThatIsNamedTwice) {
-  Problem problem = ring_problem();
-  problem.loops = {0, 0};
-  expect_refused([&] { validate(problem); }, "loops[1] is 0 again; name a loop once at most");
-}
-
 TEST(ClaspPlan, RefusesBadOptionsByName) {
   const auto refuses = [](auto spoil, const std::string& words) {
     Options options;
@@ -223,7 +217,6 @@ TEST(ClaspPlan, RefusesBadOptionsByName) {
   refuses([](Options& o) { o.position_damping = 0; }, "options.position_damping");
   refuses([](Options& o) { o.alignment_damping = 0; }, "options.alignment_damping");
   refuses([](Options& o) { o.linking_damping = 0; }, "options.linking_damping");
-  refuses([](Options& o) { o.patience = -1; }, "options.patience");
   refuses([](Options& o) { o.linking_weight = -1; }, "options.linking_weight");
   refuses([](Options& o) { o.exploring_step = 0; }, "options.exploring_step");
   refuses([](Options& o) { o.max_connect_steps = 0; }, "options.max_connect_steps");
