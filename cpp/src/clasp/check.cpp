@@ -114,7 +114,8 @@ void Examination::check_hand_closes() {
   }
 }
 
-/// At the end no joint of the hand can close by 0.01 rad more: it touches, or is closed.
+/// At the end no joint of the hand can close by 0.01 rad more: it touches, or is closed. FCL alone
+/// passes over grazing touches of two capsules, which the world's exact distances see.
 void Examination::check_closed_until_contact() {
   const Eigen::VectorXd& closed = problem_.robot.state(problem_.hand.closed);
   for (const auto& [joint, sign] : closing_joints(problem_)) {
@@ -122,7 +123,7 @@ void Examination::check_closed_until_contact() {
     if (left < scene::kReplayStep) continue;
     Eigen::VectorXd q = q_end();
     q[joint] += sign * scene::kReplayStep;
-    if (replay_.touching(q).empty()) {
+    if (replay_.touching(q).empty() && !replay_.world().collides()) {
       fault("close", "joint ", problem_.robot.joint_names()[static_cast<std::size_t>(joint)],
             " could close further before anything touches");
     }
