@@ -74,7 +74,7 @@ def test_loops_of_a_cloud(cloud, capsys):
     assert (code, err) == (0, "")
     lines = out.splitlines()
     assert lines[0].startswith("1 loop at edges below ")
-    assert lines[1].startswith(f"  1: {purse().loops.loops[0].length:.3g} m around, ")
+    assert lines[1].startswith(f"  0: {purse().loops.loops[0].length:.3g} m around, ")
 
 
 def test_loops_as_json(cloud, capsys):

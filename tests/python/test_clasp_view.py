@@ -92,7 +92,7 @@ def test_replay_has_loops_cloud_tree_and_tells_the_linking(plan, tmp_path):
     assert "<title>graspless: purse, solved</title>" in text
     messages = recording(text)["messages"]
     named = {message["name"] for _, message in messages if "name" in message}
-    assert {"/object", "/cloud", "/loops/loop 1", "/loops/target", "/curves", "/tree"} <= named
+    assert {"/object", "/cloud", "/loops/loop 0", "/loops/target", "/curves", "/tree"} <= named
     ends = " ".join(f"{value:.2f}" for value in linking(plan)[-1])
     assert any(name.startswith("/captions/close") and ends.split()[0] in name for name in named)
     shown = film(plan)

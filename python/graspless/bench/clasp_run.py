@@ -58,6 +58,7 @@ def measure(trial: Trial, seconds: float | None) -> Found:
         "restarts": done.restarts,
         "seconds": elapsed,
         "stability_seconds": done.stability_seconds,
+        "insecure_clasps": done.refusals.get("clasp: not secure", 0),
         **_of_clasp(problem, plan, options),
         "faults": list(clasp.check(problem, plan, options)) if plan else [],
         "load": round(load, 2),
@@ -130,6 +131,7 @@ def totals(rows: Sequence[Row]) -> Row:
         "median_seconds": statistics.median(seconds) if rows else None,
         "max_seconds": max(seconds, default=None),
         "secure": sum(row["secure"] for row in found),
+        "insecure_clasps_refused": sum(row["insecure_clasps"] for row in rows),
         "open_hand_escapes": sum(bool(row["open_hand_escapes"]) for row in found),
         "faults": sum(bool(row["faults"]) for row in found),
     }

@@ -45,10 +45,10 @@ def fields(result: Row) -> dict[str, str]:
     if result["grid"] == "tolerance":
         return {"totals": markdown(_by_tolerance(result["rows"]), BY_TOLERANCE, "asked for")}
     named = [{"name": _words(key), "value": value, "key": key} for key, value in totals.items()]
-    page = {"totals": markdown(named, TOTALS, ""), "table": markdown(*of(result))}
-    if result["grid"] == "chair":
-        page |= {key: str(value) for key, value in PAPER_CHAIR.items()}
-    return page
+    if result["grid"] == "chair":  # one query in the paper: nothing to sum up
+        said = {key: str(value) for key, value in PAPER_CHAIR.items()}
+        return {**said, "totals": markdown(named, TOTALS[:1], ""), "table": markdown(*of(result))}
+    return {"totals": markdown(named, TOTALS, ""), "table": markdown(*of(result))}
 
 
 def sums(result: Row) -> list[str]:

@@ -20,7 +20,7 @@ MOST = 4  # stretches of the Betti curve that are told
 def loop_line(loops: Sequence[geometry.Loop], index: int) -> str:
     """One loop: which it is, how long, and how thick what it runs along."""
     loop = loops[index]
-    which = "the loop" if len(loops) == 1 else f"loop {index + 1} of {len(loops)}"
+    which = "the loop" if len(loops) == 1 else f"loop {index} of {len(loops)}, counted from 0"
     return f"{which}, {loop.length:.3g} m around, {100 * loop.thickness:.2g} cm thick"
 
 
@@ -86,7 +86,7 @@ def as_text(loops: geometry.Loops) -> str:
     for k, loop in enumerate(loops.loops):
         sure = f", there up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
         thick = f"{100 * loop.thickness:.2g} cm thick"
-        lines.append(f"  {k + 1}: {loop.length:.3g} m around, {thick}{sure}")
+        lines.append(f"  {k}: {loop.length:.3g} m around, {thick}{sure}")
     if loops.meridians:
         around = count(len(loops.meridians), "loops")
         lines.append(f"  left out: {around} around a thick handle, not along it")

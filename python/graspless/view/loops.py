@@ -39,7 +39,7 @@ def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
     draw_cloud(axes, cloud, rings, None, _camera(cloud, rings), PANEL)
     for k, loop in enumerate(loops.loops):
         color = _hue(k, len(rings))
-        label = f"{k + 1}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm thick"
+        label = f"{k}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm thick"
         axes.plot([], [], lw=3, color=color, label=label)
     if rings:
         axes.legend(fontsize=9, frameon=False, loc="center left", bbox_to_anchor=(0.84, 0.5))

@@ -42,7 +42,7 @@ def loop_bodies(plan: Plan) -> list[Body]:
     radius = 0.0045 * size(plan.task)
     return [
         Body(
-            f"loop {k + 1}",
+            f"loop {k}",
             [
                 tube(
                     smooth(loop.points, closed=True),

@@ -70,7 +70,7 @@ def headline(plan: Plan) -> str:
         return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
     assert plan.stability is not None
     loops = len(problem.object.loops.loops)
-    which = "" if loops == 1 else f" by loop {(plan.loop or 0) + 1} of {loops}"
+    which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (counted from 0)"
     held = "secure" if plan.stability.secure else "not secure"
     margin = f"{held}, margin {plan.stability.margin:.2f}"
     return f"{problem.robot.name} clasps the {name}{which}: {margin}"
