@@ -5,32 +5,13 @@
 // and the links against the object by the same law: a link that is c1 and c2 clear of the object at
 // the ends of a stretch, and moves by at most M < c1 + c2 on the way, stays clear of it.
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 #include "clasp/free_space.hpp"
+#include "scene/motion.hpp"
 
 namespace graspless::clasp {
-namespace {
-
-// What must be left of a clearance for a stretch to count as free [m].
-constexpr double kMargin = 1e-7;
-constexpr double kMaxSteps = 1e8;
-
-int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
-  if (!(resolution > 0)) {
-    throw std::invalid_argument("resolution must be positive, not " + std::to_string(resolution));
-  }
-  const double span = q1.size() == 0 ? 0 : (q2 - q1).cwiseAbs().maxCoeff();
-  const double steps = std::ceil(span / resolution);
-  if (steps > kMaxSteps) {
-    throw std::invalid_argument("resolution " + std::to_string(resolution) +
-                                " is too small for a motion of " + std::to_string(span));
-  }
-  return std::max(1, static_cast<int>(steps));
-}
-
-}  // namespace
+using scene::kMargin;
+using scene::num_steps;
 
 bool FreeSpace::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
   if (base_touches_object_ || !robot_.is_within(q1) || !robot_.is_within(q2)) return false;

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "robot/model.hpp"
@@ -52,6 +54,20 @@ Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, cons
   add_reach(robot, a, common, bound);
   add_reach(robot, b, common, bound);
   return bound;
+}
+
+int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
+  if (!(resolution > 0)) {
+    throw std::invalid_argument("resolution must be positive, not " + std::to_string(resolution));
+  }
+  const double span = q1.size() == 0 ? 0 : (q2 - q1).cwiseAbs().maxCoeff();
+  constexpr double kMaxSteps = 1e8;
+  const double steps = std::ceil(span / resolution);
+  if (steps > kMaxSteps) {
+    throw std::invalid_argument("resolution " + std::to_string(resolution) +
+                                " is too small for a motion of " + std::to_string(span));
+  }
+  return std::max(1, static_cast<int>(steps));
 }
 
 }  // namespace graspless::scene

@@ -20,4 +20,13 @@ struct Carrier {
 Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, const Carrier& b,
                                bool in_world);
 
+/// What must be left of a distance for a stretch to count as free: more than rounding and FCL's
+/// errors [m].
+constexpr double kMargin = 1e-7;
+
+/// In how many even steps of at most `resolution` in any joint a straight motion is looked at.
+/// Throws std::invalid_argument on a resolution that is not positive or asks for more than any
+/// motion needs.
+int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution);
+
 }  // namespace graspless::scene

@@ -10,37 +10,12 @@
 // alone, and each half looked at in turn until no grid point is left.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "graspless/scene/scene.hpp"
 
 #include "scene/motion.hpp"
 
 namespace graspless::scene {
-namespace {
-
-// What must be left of a distance for a stretch to count as free: more than rounding and FCL's
-// errors [m].
-constexpr double kMargin = 1e-7;
-
-// More grid points than any motion needs; a resolution that asks for more is a mistake.
-constexpr double kMaxSteps = 1e8;
-
-int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
-  if (!(resolution > 0)) {
-    throw std::invalid_argument("resolution must be positive, not " + std::to_string(resolution));
-  }
-  const double span = q1.size() == 0 ? 0 : (q2 - q1).cwiseAbs().maxCoeff();
-  const double steps = std::ceil(span / resolution);
-  if (steps > kMaxSteps) {
-    throw std::invalid_argument("resolution " + std::to_string(resolution) +
-                                " is too small for a motion of " + std::to_string(span));
-  }
-  return std::max(1, static_cast<int>(steps));
-}
-
-}  // namespace
-
 bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
   if (!robot_.is_within(q1) || !robot_.is_within(q2)) return false;
   const int steps = num_steps(q1, q2, resolution);
