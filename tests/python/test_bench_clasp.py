@@ -22,8 +22,7 @@ KEYS = {
 def one():
     """The first task of the paper's, as a whole run."""
     trial = next(grids.paper(1))
-    found = clasp_run.measure(trial, 10)
-    return clasp_bench.Run("paper", [found.row], [found], is_complete=True)
+    return clasp_bench.Run("paper", [clasp_run.measure(trial, 10)], is_complete=True)
 
 
 def test_a_row_says_all_that_is_asked(one):
@@ -106,7 +105,7 @@ def test_clouds_of_all_kinds(monkeypatch):
 
 def test_the_page(one, tmp_path):
     result = clasp_report.as_result(one, (0.0, 0.0, 0.0))
-    clasp_report.write(result, one, tmp_path)
+    clasp_report.write(result, tmp_path)
     assert json.loads((tmp_path / "clasp_paper.json").read_text())["totals"]["found"] == 1
     assert (tmp_path / "clasp_linking.png").stat().st_size > 10_000
     page = (tmp_path / "clasp.md").read_text()

@@ -13,7 +13,6 @@ from .clasp_grid import GRIDS
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from .clasp_run import Found
     from .summary import Row
 
 
@@ -23,7 +22,6 @@ class Run:
 
     grid: str
     rows: list[Row] = dataclasses.field(default_factory=list)
-    found: list[Found] = dataclasses.field(default_factory=list)  # for pictures
     is_complete: bool = False
 
     @property
@@ -71,10 +69,8 @@ def run(
     """
     result = Run(grid)
     try:
-        for row, found in _measured(grid, seeds, seed, seconds, tell):
+        for row in _measured(grid, seeds, seed, seconds, tell):
             result.rows.append(row)
-            if found is not None:
-                result.found.append(found)
         result.is_complete = True
     except KeyboardInterrupt:
         pass
@@ -83,13 +79,12 @@ def run(
 
 def _measured(
     grid: str, seeds: int, seed: int, seconds: float | None, tell: Callable[[int, str], None]
-) -> Iterator[tuple[Row, Found | None]]:
+) -> Iterator[Row]:
     if grid == "loops":
-        yield from ((row, None) for row in clasp_loops.rows(tell))
+        yield from clasp_loops.rows(tell)
     elif grid == "grasp_rrt":
-        yield from ((row, None) for row in clasp_peers.rows(seeds, seed, seconds, tell))
+        yield from clasp_peers.rows(seeds, seed, seconds, tell)
     else:
         for done, trial in enumerate(GRIDS[grid](seeds, seed)):
             tell(done, trial.name)
-            found = clasp_run.measure(trial, seconds)
-            yield found.row, found
+            yield clasp_run.measure(trial, seconds)

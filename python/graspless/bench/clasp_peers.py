@@ -35,7 +35,7 @@ def rows(
     for done, trial in enumerate(trials(seeds, start)):
         tell(done, trial.name)
         yield grasp(trial, seconds)
-        ours = clasp_run.measure(trial, seconds).row
+        ours = clasp_run.measure(trial, seconds)
         yield {
             "planner": "ours",
             "envelops": ours["found"] and ours["virtual_linking_min"] > 0,

@@ -15,15 +15,13 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from .clasp_run import Found
     from .summary import Row
 
 MARKERS = "osD^v"
 
 
-def draw(result: Row, found: Sequence[Found], directory: Path) -> None:
+def draw(result: Row, directory: Path) -> None:
     """The pictures of a grid, beside its file."""
-    del found
     if result["grid"] == "paper":
         _draw_linking(result["rows"], directory / "clasp_linking.png")
 

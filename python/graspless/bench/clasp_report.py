@@ -52,12 +52,12 @@ def as_text(result: Row) -> str:
     return "\n".join(line for line in lines if line)
 
 
-def write(result: Row, run: Run, directory: Path) -> None:
+def write(result: Row, directory: Path) -> None:
     """Writes clasp_GRID.json and pictures, and clasp.md anew from all such files there."""
     directory.mkdir(parents=True, exist_ok=True)
     text = compact(json.dumps(result, indent=1))
     (directory / f"clasp_{result['grid']}.json").write_text(text + "\n")
-    clasp_pictures.draw(result, run.found, directory)
+    clasp_pictures.draw(result, directory)
     results = {
         grid: json.loads(path.read_text())
         for grid in GRID_NAMES

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 import os
 import statistics
@@ -25,17 +24,7 @@ if TYPE_CHECKING:
 CYCLES_OF_ALL, FEW_CYCLES = 52, 10
 
 
-@dataclasses.dataclass
-class Found:
-    """A row, and what is behind it."""
-
-    row: Row
-    trial: Trial
-    problem: clasp.Problem
-    plan: clasp.Plan
-
-
-def measure(trial: Trial, seconds: float | None) -> Found:
+def measure(trial: Trial, seconds: float | None) -> Row:
     """Plans once, and tests what was found."""
     problem, options = trial.make_problem(), trial.make_options()
     load = os.getloadavg()[0]
@@ -64,7 +53,7 @@ def measure(trial: Trial, seconds: float | None) -> Found:
         "load": round(load, 2),
         "reason": plan.reason,
     }
-    return Found(row, trial, problem, plan)
+    return row
 
 
 def _of_clasp(problem: clasp.Problem, plan: clasp.Plan, options: clasp.Options) -> Row:

@@ -197,7 +197,7 @@ def _clasp(options: argparse.Namespace) -> int:
     bar.close()
     table = clasp_report.as_result(run, load)
     if options.out is not None and run.is_complete:
-        clasp_report.write(table, run, options.out)
+        clasp_report.write(table, options.out)
     print(json.dumps(table) if options.json else clasp_report.as_text(table))
     if not run.is_complete:
         print("interrupted: the results are partial, and not written", file=sys.stderr)

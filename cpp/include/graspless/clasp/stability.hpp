@@ -12,7 +12,8 @@
 namespace graspless::clasp {
 
 /// The test of Section V-A: the hand stands still, the object moves at random, each move until it
-/// hits the hand. Deeper penetration than the paper's none, so that the test errs towards escape.
+/// hits the hand. Deeper penetration than the paper's none, so that the test errs towards escape;
+/// but a link that is a concave mesh is filled to its hull, which errs the other way.
 struct StabilityOptions {
   int sequences = 10;
   int moves = 500;             ///< a sequence: translations and rotations in turn
