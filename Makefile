@@ -6,12 +6,12 @@ demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.h
 	@.venv/bin/graspless example slide --output demo/
 
 test:  ## C++ and Python tests
-	@tools/install test,view GRASPLESS_TESTS=ON
+	@tools/install test,all GRASPLESS_TESTS=ON
 	ctest --test-dir build/make --output-on-failure --no-tests=error
 	.venv/bin/pytest
 
 lint:  ## what a commit must pass: ruff, mypy, clang-format, codespell
-	@tools/install lint,view
+	@tools/install lint,all
 	@tools/lint
 
 format:

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     )
     from .errors import TaskError
     from .plans import Plan, check, load_plan, plan
+    from .simulation import simulate
     from .tasks import Task, load_task
 
 __version__ = "0.1.0"
@@ -53,6 +54,7 @@ __all__ = [
     "planning",
     "robot",
     "scene",
+    "simulate",
     "slide",
     "view",
 ]
@@ -62,6 +64,7 @@ _HOMES = {
     "check": "plans",
     "load_plan": "plans",
     "plan": "plans",
+    "simulate": "simulation",
     "Task": "tasks",
     "load_task": "tasks",
     "TaskError": "errors",

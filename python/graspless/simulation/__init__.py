@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plans in an independent physics engine: MuJoCo executes them and the object is the judge.
+
+The engine reads the task anew: the robot by its own URDF reader, the object from its shape and
+mass. Nothing of the planners or of check() is used; `settings` has every parameter.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from ..errors import TaskError
+from ..kinds import part
+from .results import Recording, Simulation, Trial
+from .variation import Variation, variations
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..plans import Plan
+
+
+class SimulationKind(Protocol):
+    """What `simulation` needs of a kind."""
+
+    FAILURES: dict[str, str]
+    """What can go wrong: name, and what it means."""
+
+    MEASURES: dict[str, str]
+    """What is measured: name, and what it means with its unit."""
+
+    def run(self, plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
+        """Executes a plan that is solved."""
+
+
+def simulate(
+    plan: Plan,
+    trials: int = 1,
+    seed: int = 0,
+    *,
+    record: bool = False,
+    progress: Callable[[int], None] | None = None,
+) -> Simulation:
+    """Executes a plan in MuJoCo, and says what became of the object.
+
+    Parameters
+    ----------
+    plan : Plan
+        One that is solved.
+    trials : int
+        The first is nominal; the others vary friction, mass, the object's place and the time step.
+    seed : int
+        Of these variations.
+    record : bool
+        Whether the first trial keeps what moved.
+    progress : callable, optional
+        Called with the number of trials that are done.
+
+    Raises
+    ------
+    TaskError
+        The plan is not solved, trials is below 1, or MuJoCo is not installed.
+    """
+    if not plan:
+        raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to simulate")
+    if trials < 1:
+        raise TaskError(f"trials: {trials}: should be at least 1")
+    if seed < 0:
+        raise TaskError(f"seed: {seed}: should not be negative")
+    kind = simulation_kind(plan.kind)
+    done: list[Trial] = []
+    for variation in variations(trials, seed):
+        done.append(kind.run(plan, variation, record=record and not done))
+        if progress is not None:
+            progress(len(done))
+    return Simulation(plan, seed, done)
+
+
+def simulation_kind(name: str) -> SimulationKind:
+    """What is a kind's own; raises TaskError without MuJoCo."""
+    try:
+        kind: SimulationKind = part("simulation", name)
+    except ImportError as error:
+        raise TaskError(f"needs {error.name}: pip install 'graspless[sim]'") from None
+    return kind
+
+
+__all__ = ["Recording", "Simulation", "Trial", "Variation", "simulate"]

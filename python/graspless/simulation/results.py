@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What became of the object."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..plans import Plan
+    from .variation import Variation
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What moved, at even times.
+
+    Attributes
+    ----------
+    times : array [N]
+        [s].
+    positions : array [N, dof]
+        As they were, not as commanded [rad or m]; no columns without an arm.
+    object_poses : array [N, 4, 4]
+        X_WO.
+    fingers : array [N, n, 3]
+        Centres of the fingertips in the world [m], of fingertip plans; else n is 0.
+    names : list of str
+        What went on.
+    """
+
+    times: Matrix
+    positions: Matrix
+    object_poses: Matrix
+    fingers: Matrix
+    names: list[str]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One execution of a plan.
+
+    Attributes
+    ----------
+    variation : Variation
+        What differed from the plan's model.
+    failures : tuple of str
+        Names out of the kind's FAILURES, in the order in which they were seen; none: it held.
+    measures : dict
+        Figures by name out of the kind's MEASURES; one that was not reached is missing.
+    seconds : float
+        Of computation.
+    recording : Recording or None
+        Where one was asked for.
+    """
+
+    variation: Variation
+    failures: tuple[str, ...]
+    measures: dict[str, float]
+    seconds: float
+    recording: Recording | None = None
+
+    def __bool__(self) -> bool:
+        return not self.failures
+
+    def as_dict(self) -> dict[str, Any]:
+        """In plain types, without the recording."""
+        return {
+            "held": bool(self),
+            "failures": list(self.failures),
+            "measures": self.measures,
+            "variation": self.variation.as_dict(),
+            "seconds": self.seconds,
+        }
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """The trials of a plan: the first is nominal, the others are varied. True if all held."""
+
+    plan: Plan
+    seed: int
+    trials: list[Trial]
+
+    def __bool__(self) -> bool:
+        return all(self.trials)
+
+    @property
+    def held(self) -> int:
+        """How many trials held."""
+        return sum(map(bool, self.trials))
+
+    @property
+    def failures(self) -> dict[str, int]:
+        """How many trials failed in what way, the most frequent first."""
+        return dict(Counter(f for trial in self.trials for f in trial.failures).most_common())
+
+    def as_dict(self) -> dict[str, Any]:
+        """In plain types."""
+        return {
+            "kind": self.plan.kind,
+            "seed": self.seed,
+            "trials": len(self.trials),
+            "held": self.held,
+            "failures": self.failures,
+            "rows": [trial.as_dict() for trial in self.trials],
+        }

@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every parameter of the physics engine, with where it comes from. Nothing else has one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Solver:
+    """What MuJoCo's defaults get wrong for slow contact with friction."""
+
+    timestep: float = 0.002  # MuJoCo's own [s]
+    cone: str = "elliptic"  # Coulomb's cone; a pyramid slips sooner along its diagonals
+    impratio: float = 100.0  # 1 creeps by 4 mm/s under a steady push, 100 by 0.001
+    integrator: str = "implicitfast"  # stiff servos
+    tolerance: float = 1e-10
+    iterations: int = 100
+
+
+@dataclass(frozen=True)
+class Servo:
+    """Position control of an arm's and a hand's joints."""
+
+    sag: float = 0.01  # deflection at the joint's greatest effort [rad or m]: an industrial arm's
+    bandwidth: float = 100.0  # sqrt(stiffness / inertia) [rad/s]: sets the rotor's inertia
+    damping_ratio: float = 1.0
+    effort: float = 50.0  # of a joint whose URDF has none [Nm or N]
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Half widths of what trials vary."""
+
+    friction: float = 0.3  # of its value
+    mass: float = 0.2  # of its value
+    position: float = 0.003  # of the object [m]
+    angle: float = 0.0349  # of the object, 2 degrees [rad]
+    timestep: float = 0.25  # of its value

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What differs from the plan's model in a trial."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .settings import Spread
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
+
+
+@dataclass(frozen=True)
+class Variation:
+    """Factors and offsets; as it stands, nothing differs.
+
+    Attributes
+    ----------
+    friction : float
+        Factor of every coefficient.
+    mass : float
+        Factor of the object's mass and inertia.
+    x, y : float
+        How far the object stands from where the task says [m].
+    yaw : float
+        How far it is turned [rad].
+    timestep : float
+        Factor of the physics engine's time step.
+    """
+
+    friction: float = 1.0
+    mass: float = 1.0
+    x: float = 0.0
+    y: float = 0.0
+    yaw: float = 0.0
+    timestep: float = 1.0
+
+    @property
+    def is_nominal(self) -> bool:
+        """Whether nothing differs."""
+        return self == Variation()
+
+    def as_dict(self) -> dict[str, float]:
+        """By name."""
+        return {field.name: float(getattr(self, field.name)) for field in fields(self)}
+
+
+def draw(random: Generator, spread: Spread | None = None) -> Variation:
+    """A variation, uniform within the spread; the place within a disc."""
+    spread = spread or Spread()
+    friction, mass, timestep, turn = random.uniform(-1, 1, 4)
+    far, way = np.sqrt(random.uniform()) * spread.position, random.uniform(-np.pi, np.pi)
+    return Variation(
+        friction=1 + spread.friction * friction,
+        mass=1 + spread.mass * mass,
+        x=float(far * np.cos(way)),
+        y=float(far * np.sin(way)),
+        yaw=spread.angle * turn,
+        timestep=1 + spread.timestep * timestep,
+    )
+
+
+def variations(trials: int, seed: int, spread: Spread | None = None) -> list[Variation]:
+    """One a trial: the first is nominal, and trial k is the same however many there are."""
+    drawn = [
+        draw(np.random.default_rng([seed, trial]), spread) for trial in range(1, max(trials, 1))
+    ]
+    return [Variation(), *drawn]

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plan in time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import frames
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..frames import Matrix
+    from ..plans import Plan
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """Where everything is at each moment of a plan: N moments.
+
+    Attributes
+    ----------
+    plan : Plan
+        What it was made of.
+    times : array [N]
+        [s], from 0, increasing.
+    segment_index : array [N]
+        Which of `segments`.
+    rows : array [N]
+        Where in that segment, in rows of the plan: 2.25 is a quarter of the way from row 2 to 3.
+    joint_names : list of str
+        The columns of positions; none where fingertips have no arm.
+    positions, velocities, accelerations : array [N, dof]
+        [rad, rad/s, rad/s^2], or metres.
+    object_poses : array [N, 4, 4]
+        X_WO.
+    """
+
+    plan: Plan
+    segments: list[Any]
+    times: Matrix
+    segment_index: NDArray[np.int64]
+    rows: Matrix
+    joint_names: list[str]
+    positions: Matrix
+    velocities: Matrix
+    accelerations: Matrix
+    object_poses: Matrix
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    @property
+    def duration(self) -> float:
+        """[s]."""
+        return float(self.times[-1])
+
+    @property
+    def names(self) -> list[str]:
+        """The segment's name of each moment."""
+        return [str(self.segments[i].name) for i in self.segment_index]
+
+    def at(self, times: ArrayLike) -> Trajectory:
+        """The moments at `times` [s], linear between those that it has; ends are held."""
+        asked = np.atleast_1d(np.asarray(times, dtype=float))
+        last = len(self.times) - 1
+        after = np.clip(np.searchsorted(self.times, asked, side="left"), min(1, last), last)
+        before = np.maximum(after - 1, 0)
+        gap = self.times[after] - self.times[before]
+        t = np.clip((asked - self.times[before]) / np.where(gap > 0, gap, 1.0), 0.0, 1.0)
+        # Between two segments there is no row: the later one has begun.
+        same = self.segment_index[before] == self.segment_index[after]
+        rows = np.where(same, _mix(self.rows, before, after, t), self.rows[after])
+        poses = [
+            frames.between(self.object_poses[i], self.object_poses[j], s)
+            for i, j, s in zip(before, after, t, strict=True)
+        ]
+        return Trajectory(
+            self.plan,
+            self.segments,
+            asked,
+            self.segment_index[after],
+            rows,
+            self.joint_names,
+            _mix(self.positions, before, after, t),
+            _mix(self.velocities, before, after, t),
+            _mix(self.accelerations, before, after, t),
+            np.array(poses).reshape(-1, 4, 4),
+        )
+
+    def sampled(self, rate: float) -> Trajectory:
+        """The moments at even times, `rate` a second, the last one at the end."""
+        count = max(1, int(np.ceil(self.duration * rate - 1e-9)))
+        return self.at(np.linspace(0.0, self.duration, count + 1))
+
+
+def _mix(values: Matrix, before: Matrix, after: Matrix, t: Matrix) -> Matrix:
+    weight = t.reshape(-1, *([1] * (values.ndim - 1)))
+    mixed: Matrix = (1 - weight) * values[before] + weight * values[after]
+    return mixed

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What all simulations share: variations, and the robot as MuJoCo reads it."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+
+import graspless
+from graspless import _data
+from graspless.simulation.robots import joint_addresses, robot_spec
+from graspless.simulation.settings import Spread
+from graspless.simulation.variation import Variation, variations
+
+WITH_ROBOT = ["01_slide_card", "02_kr5", "12_t42_tumble", "13_clasp_purse", "17_wam_clasp"]
+
+
+def test_first_trial_is_nominal_and_the_others_do_not_depend_on_how_many_there_are():
+    few, many = variations(3, 7), variations(9, 7)
+    assert few[0].is_nominal
+    assert few == many[:3]
+    assert variations(3, 8)[1] != few[1]
+
+
+def test_variations_stay_within_the_spread_and_use_it():
+    spread = Spread()
+    drawn = variations(400, 1)[1:]
+    assert all(abs(v.friction - 1) <= spread.friction for v in drawn)
+    assert max(abs(v.friction - 1) for v in drawn) > 0.9 * spread.friction
+    assert all(np.hypot(v.x, v.y) <= spread.position for v in drawn)
+    assert max(np.hypot(v.x, v.y) for v in drawn) > 0.9 * spread.position
+    assert all(abs(v.yaw) <= spread.angle and abs(v.mass - 1) <= spread.mass for v in drawn)
+    assert Variation().is_nominal
+    assert not any(v.is_nominal for v in drawn)
+
+
+def _robot(task):
+    return task.arm.robot if task.arm is not None else task.problem.robot
+
+
+@pytest.mark.parametrize("name", WITH_ROBOT)
+def test_mujoco_and_our_own_reader_agree_on_where_every_link_is(name):
+    task = graspless.load_task(_data.directory("examples") / f"{name}.yaml")
+    robot = _robot(task)
+    model = robot_spec(robot, task.fields.robot).compile()
+    data = mujoco.MjData(model)
+    random = np.random.default_rng(3)
+    for _ in range(5):
+        q = random.uniform(np.maximum(robot.lower, -3), np.minimum(robot.upper, 3))
+        data.qpos[joint_addresses(model, robot)] = q
+        for equality in range(model.neq):  # a mimic joint follows: offset and factor
+            follower, leader = model.eq_obj1id[equality], model.eq_obj2id[equality]
+            offset, factor = model.eq_data[equality][:2]
+            followed = data.qpos[model.jnt_qposadr[leader]]
+            data.qpos[model.jnt_qposadr[follower]] = offset + factor * followed
+        mujoco.mj_kinematics(model, data)
+        for X_WL, link in zip(robot.forward(q), robot.frame_names, strict=True):
+            body = data.body(link)
+            np.testing.assert_allclose(body.xpos, X_WL[:3, 3], atol=1e-9)
+            np.testing.assert_allclose(body.xmat.reshape(3, 3), X_WL[:3, :3], atol=1e-9)
+
+
+@pytest.mark.parametrize("name", WITH_ROBOT)
+def test_a_robot_that_is_told_to_stand_stands(name):
+    task = graspless.load_task(_data.directory("examples") / f"{name}.yaml")
+    robot = _robot(task)
+    model = robot_spec(robot, task.fields.robot).compile()
+    data = mujoco.MjData(model)
+    addresses = joint_addresses(model, robot)
+    data.qpos[addresses] = data.ctrl[:] = np.clip(0, robot.lower, robot.upper)
+    start = data.qpos.copy()
+    for _ in range(200):
+        mujoco.mj_step(model, data)
+    assert np.abs(data.qpos - start)[addresses].max() < 1e-6
+
+
+def test_what_cannot_be_simulated_is_refused():
+    task = graspless.load_task(_data.directory("examples") / "01_slide_card.yaml")
+    none = graspless.plan(task, iterations=0)
+    with pytest.raises(graspless.TaskError, match="not solved: nothing to simulate"):
+        graspless.simulate(none)
+    plan = graspless.plan(task)
+    with pytest.raises(graspless.TaskError, match="trials: 0: should be at least 1"):
+        graspless.simulate(plan, trials=0)
+    with pytest.raises(graspless.TaskError, match="seed: -1: should not be negative"):
+        graspless.simulate(plan, seed=-1)
