@@ -70,7 +70,7 @@ class Trajectory:
         """The moments at `times` [s], linear between those that it has; ends are held."""
         asked = np.atleast_1d(np.asarray(times, dtype=float))
         last = len(self.times) - 1
-        after = np.clip(np.searchsorted(self.times, asked, side="left"), min(1, last), last)
+        after = np.searchsorted(self.times, asked).clip(min(1, last), last)
         before = np.maximum(after - 1, 0)
         gap = self.times[after] - self.times[before]
         t = np.clip((asked - self.times[before]) / np.where(gap > 0, gap, 1.0), 0.0, 1.0)
@@ -100,7 +100,7 @@ class Trajectory:
         return self.at(np.linspace(0.0, self.duration, count + 1))
 
 
-def _mix(values: Matrix, before: Matrix, after: Matrix, t: Matrix) -> Matrix:
+def _mix(values: Matrix, before: NDArray[np.int64], after: NDArray[np.int64], t: Matrix) -> Matrix:
     weight = t.reshape(-1, *([1] * (values.ndim - 1)))
     mixed: Matrix = (1 - weight) * values[before] + weight * values[after]
     return mixed
