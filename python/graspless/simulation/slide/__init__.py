@@ -13,7 +13,7 @@ import numpy as np
 from ..results import Recording, Trial
 from ..robots import joint_addresses
 from ..settings import Slide
-from . import pace
+from ... import timing
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
@@ -67,7 +67,7 @@ class Execution:
         model = self.scene.model
         self.data = mujoco.MjData(model)
         self.timestep = float(model.opt.timestep)
-        self.program: Program = make_program(plan, pace.time(plan), self.timestep, settings)
+        self.program: Program = make_program(plan, timing.time(plan), self.timestep, settings)
         self.every = max(1, round(_LOOK / self.timestep))
         self.judge = Judge(
             self.scene,
