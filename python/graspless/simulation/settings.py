@@ -44,11 +44,13 @@ class Spread:
 class Slide:
     """A thin object between a table, a pressing finger and a closing hand."""
 
+    impratio: float = 1000.0  # at 100 a finger that carries an object sideways creeps round by
+    # up to 7 degrees in 8 s, at 1000 by less than one, as at 10000: Coulomb's law has no creep
     table_friction: float = 0.3  # plastic on wood or laminate: handbooks have 0.2 to 0.4
     tip_friction: float = 1.16  # the T42's urethane pads (notes of the house)
-    table_solref: float = 0.02  # time constant of the whole support on 9 feet [s]; a table that
-    # is stiffer than the tip chatters, which looks like slip
-    tip_solref: float = 0.01  # of the line contact on 2 points [s]; softer tunnels through a plate
+    table_solref: float = 0.02  # time constant of a foot's contact [s]; a table that is stiffer
+    # than the tip chatters, which looks like slip
+    tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
     feet: int = 60  # points on which the object stands, evenly spread: torsion of a uniform pressure
     foot_radius: float = 0.001  # [m]
     rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
@@ -59,7 +61,8 @@ class Slide:
     pad_points: int = 5  # of the line contact: the torsion of a line evenly pressed
     pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what
     # moment a soft pad withstands is the force times this
-    grip: float = 0.7  # share of the hand's effort with which it squeezes: 6 N a finger of the T42
+    squeeze: float = 0.2  # how far the hand is told to close beyond contact [rad or m]: its
+    # flexures push with 6 N then
     squeeze_seconds: float = 0.8  # from the first touch to the lift [s]
     pause: float = 0.3  # after pressing and after sliding, until servos and object rest [s]
     lift_height: float = 0.1  # what the issue asks for [m]

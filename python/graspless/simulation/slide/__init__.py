@@ -12,8 +12,9 @@ import numpy as np
 
 from ..results import Recording, Trial
 from ..robots import joint_addresses
-from ..settings import Slide
+from ..settings import Servo, Slide
 from ... import timing
+from .fingers import SLIDING
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
@@ -99,8 +100,8 @@ class Execution:
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
-        data.ctrl[:] = program.positions[0]
-        for step, command in enumerate(program.positions):
+        ahead = Servo().damping_ratio * 2 / Servo().bandwidth
+        for step, command in enumerate(program.positions + ahead * program.velocities):
             data.ctrl[:] = command
             mujoco.mj_step(model, data)
             name = program.names[program.phase[step]]
@@ -122,7 +123,6 @@ class Execution:
         elif phase == "close":
             X_WO = self.judge.pose(self.data)
             self.measures["shift_by_lift"] = float(np.linalg.norm((X_WO - self._slid)[:3, 3]))
-            self._limit_grip()
         elif phase == SQUEEZE:
             self._held = self._in_hand()
             self._low = float(self.data.xpos[self.scene.model.body("object").id][2])
@@ -151,17 +151,12 @@ class Execution:
 
     def _let_finger_grasp(self) -> None:
         """From here on the sliding finger touches with its inner side too."""
-        model, geoms = self.scene.model, self.scene.groups["sliding finger"]
+        model, geoms = self.scene.model, self.scene.groups[SLIDING]
         model.geom_contype[geoms] = FINGER_GRASPS.contype
         model.geom_conaffinity[geoms] = FINGER_GRASPS.conaffinity
-
-    def _limit_grip(self) -> None:
-        """The hand's joints push with no more than the grip."""
-        robot, hand = self.plan.task.problem.robot, self.plan.task.problem.hand
-        arm = set(robot.group(hand.arm))
-        for i, name in enumerate(robot.joint_names):
-            if i not in arm:
-                self.scene.model.actuator(name).forcerange *= self.settings.grip
+        body = model.body(SLIDING).id
+        model.body_contype[body] |= FINGER_GRASPS.contype
+        model.body_conaffinity[body] |= FINGER_GRASPS.conaffinity
 
     def _in_hand(self) -> Matrix:
         body = self.data.body(self.plan.task.problem.hand.grasp_frame)

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 
 SQUEEZE, RAISE, HOLD = "squeeze", "raise", "hold"
 _WAYPOINTS = 21  # of the straight lift
-_SQUEEZE_TRAVEL = 0.6  # how far beyond contact the hand is told to go [rad or m]: until it pushes
-# with all that it may
 
 
 @dataclass(frozen=True)
@@ -36,6 +34,8 @@ class Program:
     ----------
     positions : array [N, dof]
         [rad or m].
+    velocities : array [N, dof]
+        [rad/s or m/s].
     phase : array [N]
         Which of `names`.
     names : list of str
@@ -45,6 +45,7 @@ class Program:
     """
 
     positions: Matrix
+    velocities: Matrix
     phase: NDArray[np.int64]
     names: list[str]
     raised: float
@@ -75,14 +76,17 @@ def make_program(
             append(np.repeat(values[-1:], still, axis=0), name)
     q = trajectory.positions[-1]
     count = max(1, round(settings.squeeze_seconds / timestep))
-    squeezed = q + np.minimum(2 * np.linspace(0, 1, count), 1)[:, None] * _squeeze(plan)
+    squeeze = _squeeze(plan, settings.squeeze)
+    squeezed = q + np.minimum(1.5 * np.linspace(0, 1, count), 1)[:, None] * squeeze
     append(squeezed, SQUEEZE)
     path, raised = straight_lift(plan, q, settings.lift_height)
-    path = path + _squeeze(plan)
+    path = path + squeeze
     t = np.linspace(0, 1, max(2, round(settings.lift_seconds / timestep)))
     append(_along(path, (1 - np.cos(np.pi * t)) / 2), RAISE)
     append(np.repeat(path[-1:], max(1, round(settings.hold_seconds / timestep)), axis=0), HOLD)
-    return Program(np.concatenate(rows), np.concatenate(phases), names, raised)
+    positions = np.concatenate(rows)
+    velocities = np.gradient(positions, timestep, axis=0)
+    return Program(positions, velocities, np.concatenate(phases), names, raised)
 
 
 def _stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:
@@ -100,15 +104,15 @@ def _along(path: Matrix, t: Matrix) -> Matrix:
     return np.stack([np.interp(t, s, column) for column in path.T], axis=1)
 
 
-def _squeeze(plan: Plan) -> Matrix:
-    """[dof] how the hand goes on closing beyond contact."""
+def _squeeze(plan: Plan, travel: float) -> Matrix:
+    """[dof] how the hand goes on closing beyond contact, its joint that moves most by `travel`."""
     problem = plan.task.problem
     hand, arm = problem.hand, problem.robot
     way = np.array(arm.state(hand.closed)) - np.array(arm.state(hand.open))
     way[arm.group(hand.arm)] = 0.0
     largest = np.abs(way).max()
-    travel: Matrix = way / largest * _SQUEEZE_TRAVEL if largest > 0 else way
-    return travel
+    beyond: Matrix = way / largest * travel if largest > 0 else way
+    return beyond
 
 
 def straight_lift(plan: Plan, q: Matrix, height: float) -> tuple[Matrix, float]:

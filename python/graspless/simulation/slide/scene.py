@@ -9,6 +9,7 @@ The table's edge has a row of spheres of its own, on which the object tips.
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -53,8 +54,9 @@ def build_scene(plan: Plan, variation: Variation, settings: Slide | None = None)
     settings = settings or Slide()
     problem = plan.task.problem
     spec = robot_spec(problem.robot, plan.task.fields.robot)
-    apply(spec, Solver())
-    spec.option.timestep *= variation.timestep
+    solver = dataclasses.replace(Solver(), impratio=settings.impratio)
+    apply(spec, solver)
+    spec.option.timestep = solver.timestep * variation.timestep
     add_flexing_fingers(spec, problem, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
     X_WO = varied_start(problem, variation)
     _add_table(spec, plan, settings)
@@ -145,10 +147,8 @@ def _add_pairs(spec: Any, settings: Slide, factor: float) -> None:
     names = [geom.name for geom in spec.geoms]
     of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
     parts = [n for n in names if n.startswith(OBJECT)]
-    feet = sum("rim" not in name for name in of[FOOT])
-    # As stiff as 9 feet, and as a line contact of 2 points, however many there are.
-    table = settings.table_solref * np.sqrt(feet / 9), settings.table_friction * factor
-    tip = settings.tip_solref * np.sqrt(settings.pad_points / 2), settings.tip_friction * factor
+    table = settings.table_solref, settings.table_friction * factor
+    tip = settings.tip_solref, settings.tip_friction * factor
     for one, other, (solref, friction) in (
         (of[FOOT], of[TABLE], table),
         (of[EDGE], parts, table),
