@@ -48,8 +48,12 @@ class Slide:
     # up to 7 degrees in 8 s, at 1000 by less than one, as at 10000: Coulomb's law has no creep
     table_friction: float = 0.3  # plastic on wood or laminate: handbooks have 0.2 to 0.4
     tip_friction: float = 1.16  # the T42's urethane pads (notes of the house)
-    table_solref: float = 0.02  # time constant of a foot's contact [s]; a table that is stiffer
-    # than the tip chatters, which looks like slip
+    table_solref: float = 0.02  # time constant of a foot's contact [s]
+    table_solimp: tuple[float, float, float] = (0.95, 0.99, 0.001)  # a hard table: 10 N on one
+    # foot push it in by less than half a millimetre
+    table_slip: float = 0.2  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
+    # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
+    # come down with kicks of 0.1 m/s
     tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
     feet: int = 60  # points on which the object stands, evenly spread: torsion of a uniform pressure
     foot_radius: float = 0.001  # [m]

@@ -147,9 +147,17 @@ def _add_pairs(spec: Any, settings: Slide, factor: float) -> None:
     names = [geom.name for geom in spec.geoms]
     of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
     parts = [n for n in names if n.startswith(OBJECT)]
-    table = settings.table_solref, settings.table_friction * factor
-    tip = settings.tip_solref, settings.tip_friction * factor
-    for one, other, (solref, friction) in (
+    table = {
+        "friction": _coulomb(settings.table_friction * factor),
+        "solref": [settings.table_solref, 1.0],
+        "solreffriction": [settings.table_slip, 1.0],
+        "solimp": [*settings.table_solimp, 0.5, 2.0],
+    }
+    tip = {
+        "friction": _coulomb(settings.tip_friction * factor),
+        "solref": [settings.tip_solref, 1.0],
+    }
+    for one, other, given in (
         (of[FOOT], of[TABLE], table),
         (of[EDGE], parts, table),
         (of[PAD], parts, tip),
@@ -157,13 +165,11 @@ def _add_pairs(spec: Any, settings: Slide, factor: float) -> None:
     ):
         for a in one:
             for b in other:
-                spec.add_pair(
-                    geomname1=a,
-                    geomname2=b,
-                    condim=3,
-                    friction=[friction, friction, 0.0, 0.0, 0.0],
-                    solref=[solref, 1.0],
-                )
+                spec.add_pair(geomname1=a, geomname2=b, condim=3, **given)
+
+
+def _coulomb(friction: float) -> list[float]:
+    return [friction, friction, 0.0, 0.0, 0.0]
 
 
 def _groups(model: Any) -> dict[str, Any]:
