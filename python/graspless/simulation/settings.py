@@ -51,7 +51,7 @@ class Slide:
     table_solref: float = 0.02  # time constant of a foot's contact [s]
     table_solimp: tuple[float, float, float] = (0.95, 0.99, 0.001)  # a hard table: 10 N on one
     # foot push it in by less than half a millimetre
-    table_slip: float = 0.2  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
+    table_slip: float = 0.1  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
     # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
     # come down with kicks of 0.1 m/s
     tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
