@@ -99,7 +99,7 @@ def require_positive(name: str, value: float) -> float:
 
 def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix | float) -> Matrix:
     """[dof] what a caller says, and a default where it does not."""
-    values = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
+    values: Matrix = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
     if isinstance(given, Mapping):
         names = list(robot.joint_names)
         for joint, value in given.items():
