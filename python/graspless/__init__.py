@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         view,
     )
     from .errors import TaskError
+    from .exports import export
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
     from .tasks import Task, load_task
@@ -47,6 +48,7 @@ __all__ = [
     "check",
     "clasp",
     "collision",
+    "export",
     "fingertip",
     "geometry",
     "load_plan",
@@ -65,6 +67,7 @@ __all__ = [
 _HOMES = {
     "Plan": "plans",
     "check": "plans",
+    "export": "exports",
     "load_plan": "plans",
     "plan": "plans",
     "simulate": "simulation",
