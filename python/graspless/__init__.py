@@ -31,9 +31,11 @@ if TYPE_CHECKING:
         view,
     )
     from .errors import TaskError
+    from .exports import export
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
     from .tasks import Task, load_task
+    from .timing import Trajectory, time
 
 __version__ = "0.1.0"
 
@@ -41,10 +43,12 @@ __all__ = [
     "Plan",
     "Task",
     "TaskError",
+    "Trajectory",
     "__version__",
     "check",
     "clasp",
     "collision",
+    "export",
     "fingertip",
     "geometry",
     "load_plan",
@@ -56,15 +60,19 @@ __all__ = [
     "scene",
     "simulate",
     "slide",
+    "time",
     "view",
 ]
 
 _HOMES = {
     "Plan": "plans",
     "check": "plans",
+    "export": "exports",
     "load_plan": "plans",
     "plan": "plans",
     "simulate": "simulation",
+    "Trajectory": "timing",
+    "time": "timing",
     "Task": "tasks",
     "load_task": "tasks",
     "TaskError": "errors",
