@@ -62,3 +62,20 @@ class Fingertip:
     rest_seconds: float = 0.2  # at the end [s]
     tolerance: float = 0.001  # of a corner's place, nominal [m]
     varied_tolerance: float = 0.0015  # and where the trial varies [m]
+
+
+@dataclass(frozen=True)
+class Break:
+    """The test of a row of a fingertip plan: a wrench comes while the object moves past."""
+
+    distance: float = 0.001  # of a corner, from where it is without the wrench: broken [m]
+    speed: float = 0.004  # of the fastest corner; faster, sliding contacts lose strength [m/s]
+    load_seconds: float = 0.15  # the object is held fast while the fingers come to their forces [s]
+    still: float = 0.25  # when it begins to move [s]
+    begin: float = 0.4  # when the wrench begins to come [s]
+    rise_seconds: float = 0.05  # until it is whole [s]
+    until: float = 0.75  # when the test ends [s]
+    every: int = 5  # steps between looks
+    sampling: float = 0.01  # of poses [s]
+    largest: float = 3.0  # of z: no greater wrench is tried
+    precision: float = 0.02  # of the smallest wrench
