@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         slide,
         view,
     )
+    from .batches import batch
     from .errors import TaskError
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
@@ -42,6 +43,7 @@ __all__ = [
     "Task",
     "TaskError",
     "__version__",
+    "batch",
     "check",
     "clasp",
     "collision",
@@ -60,6 +62,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "batch": "batches",
     "Plan": "plans",
     "check": "plans",
     "load_plan": "plans",

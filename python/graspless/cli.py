@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import __version__
 from ._loops import add_parser as _add_loops
+from .batches.cli import add_parser as _add_batch
 from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
 
@@ -93,6 +94,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_plan(commands)
     _add_check(commands)
     _add_view(commands)
+    _add_batch(commands)
     _add_loops(commands)
     _add_example(commands)
     _add_bench(commands)
