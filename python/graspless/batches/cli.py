@@ -10,17 +10,13 @@ import shlex
 import sys
 from typing import TYPE_CHECKING, Any
 
+from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND
+
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Iterator
 
-FOUND, NOT_FOUND, INTERRUPTED = 0, 1, 130
-
-EPILOG = """exit codes:
-  0    all found, and they hold
-  1    some not
-  2    bad input, or output that cannot be written
-  130  interrupted: what is done is kept, and the same command goes on
+EXAMPLE = """after Ctrl-C the same command goes on
 
 example: graspless batch tasks/ -o plans --jobs 2"""
 
@@ -35,7 +31,7 @@ def add_parser(commands: Any) -> None:
         description="Plans many tasks, checks every plan, and writes both as they come: "
         "DIR/NAME.plan.json, a row of each task in DIR/batch.jsonl, and DIR/summary.json. A task "
         "whose plan is there, and that says the same as then, is not planned again.",
-        epilog=EPILOG,
+        epilog=f"{EXIT_CODES}\n\n{EXAMPLE}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument(
