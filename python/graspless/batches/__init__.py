@@ -83,7 +83,8 @@ def batch(
         raise TaskError("jobs: not beside dask, whose workers do it")
     if not patience > 0:
         raise TaskError(f"patience: {patience}: should be above 0")
-    _check(changes)
+    if any(value is not None for value in changes.values()):
+        _check(changes)
     run = _Run(names.find(tasks), Path(output), changes, patience, progress)
     with pools.opened(jobs, dask) as pool:
         return run.carry_out(pool, work.carry_out)
