@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
     from .tasks import Task, load_task
+    from .timing import Trajectory, time
 
 __version__ = "0.1.0"
 
@@ -41,6 +42,7 @@ __all__ = [
     "Plan",
     "Task",
     "TaskError",
+    "Trajectory",
     "__version__",
     "check",
     "clasp",
@@ -56,6 +58,7 @@ __all__ = [
     "scene",
     "simulate",
     "slide",
+    "time",
     "view",
 ]
 
@@ -65,6 +68,8 @@ _HOMES = {
     "load_plan": "plans",
     "plan": "plans",
     "simulate": "simulation",
+    "Trajectory": "timing",
+    "time": "timing",
     "Task": "tasks",
     "load_task": "tasks",
     "TaskError": "errors",
