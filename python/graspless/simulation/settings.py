@@ -79,3 +79,29 @@ class Break:
     sampling: float = 0.01  # of poses [s]
     largest: float = 3.0  # of z: no greater wrench is tried
     precision: float = 0.02  # of the smallest wrench
+
+
+@dataclass(frozen=True)
+class Clasp:
+    """An object that hangs in a hand: how it is made, closed around and pulled at."""
+
+    mass: float = 1.0  # of an object whose task says none, a bag's [kg]
+    friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
+    stand_friction: float = 0.5  # object on floor
+    skin: float = 0.001  # half thickness of the surface [m]: as far as chords cut a handle's curve
+    stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
+    foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
+    lead: float = 0.3  # the object comes to rest before the arm moves [s]
+    hit: float = 0.005  # what moves an object farther before the hand closes knocked it [m]
+    grip_effort: float = 0.5  # of a joint's greatest: where it stops closing
+    grip_rate: float = 0.5  # [rad/s]: a sixth of the SDH's greatest
+    grip_seconds: float = 3.0  # at most
+    force: float = 15.0  # of a random wrench [N]; notes of the feasibility study, as the next four
+    torque: float = 1.0  # about the centre of mass [Nm]
+    hold: float = 0.1  # until the wrench is drawn anew [s]
+    seconds: float = 3.0  # a sequence
+    sequences: int = 10  # as the paper's own test
+    pull_rate: float = 40.0  # growth of a straight pull [N/s]: quasi-static against 100 rad/s
+    pull_needed: float = 15.0  # as a random one's [N]
+    pull_most: float = 60.0  # where a straight pull ends [N]: three fingers of 2 Nm at 0.1 m
+    open_seconds: float = 1.0  # of the negative control's hand, to open
