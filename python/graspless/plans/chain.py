@@ -102,7 +102,8 @@ def _add(
     try:
         given = _start(found, stage, task)
     except TaskError as error:
-        return fail("not_joined", f"cannot start where '{task.problem.stages[k - 1].name}' ended: {error}")
+        before = task.problem.stages[k - 1].name
+        return fail("not_joined", f"cannot start where '{before}' ended: {error}")
     seed = (budget.seed + k) % 2**64
     given = given.with_changes(seconds=left, iterations=budget.iterations, seed=seed)
     plan = from_core(
@@ -144,6 +145,3 @@ def document(found: _Found, task: Task) -> dict[str, Any]:
         "joins": [join(before) for before in stages[:-1]],
         "segments": segments,
     }
-
-
-

@@ -1,8 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the stages of a chain are those that its task asks for, each starting where the one before
-it ended.
-"""
+"""Whether the stages of a chain are those of its task, each starting where the last one ended."""
 
 from __future__ import annotations
 

@@ -33,28 +33,29 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
     for field in ("robot", "frame", "object", "pose"):
         if getattr(task, field) is None:
             raise source.error((field,), "missing")
-    assert task.robot is not None and task.object is not None  # for mypy
-    assert task.pose is not None and task.frame is not None
-    robot = build_robot(task.robot, source)
-    require_srdf(task.robot, source)
+    given: Any = task  # all of it is there now
+    robot = build_robot(given.robot, source)
+    require_srdf(given.robot, source)
     with at(source, "arm"):
         robot.group(task.arm)
     with at(source, "frame"):
-        robot.frame(task.frame)
-    X_WO = pose_matrix(task.pose)
-    obstacles = [carry.Obstacle(*placed) for placed in placed_obstacles(task.obstacles or [], source)]
+        robot.frame(given.frame)
+    X_WO = pose_matrix(given.pose)
+    obstacles = [
+        carry.Obstacle(*placed) for placed in placed_obstacles(task.obstacles or [], source)
+    ]
     rests = dict.fromkeys(task.rests_on, UP)
     if task.support is not None:
         obstacles.append(_support(task.support, source))
         rests[SUPPORT] = support_pose(task.support)[:3, 2]
-    shapes = object_shapes(task.object, source)
+    shapes = object_shapes(given.object, source)
     problem = carry.Problem(
         robot=robot,
         arm=task.arm,
-        frame=task.frame,
-        object=carry.Obstacle(task.object.name, shapes, X_WO),
+        frame=given.frame,
+        object=carry.Obstacle(given.object.name, shapes, X_WO),
         X_WO_goal=goal(task, X_WO),
-        q_start=build_home(task.robot, robot, source),
+        q_start=build_home(given.robot, robot, source),
         obstacles=obstacles,
         rests_on=rests,
     )

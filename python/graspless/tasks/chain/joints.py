@@ -18,7 +18,7 @@ HOLDING = ("slide", "clasp", "carry")  # after these the hand holds the object
 def require_joined(stages: Sequence[Stage]) -> None:
     """Raises TaskError that names the stage and the field which cannot follow the one before it."""
     if stages[0].kind == "carry":
-        raise stages[0].source.error(("kind",), "nothing is held yet: a slide or a clasp comes first")
+        raise stages[0].source.error(("kind",), "nothing is held: a slide or a clasp comes first")
     for before, stage in pairwise(stages):
         _require_hand(before, stage)
         if stage.kind != "carry":

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a task file of kind chain may hold: docs/task-files.md says the same in prose.
 
-In a plan file every stage is a whole task of its kind, with what the chain gave all of them and with
-every file put inline.
+In a plan file every stage is a whole task of its kind, with what the chain gave all of them and
+with every file put inline.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stages of a chain as tasks of their kinds: what each says itself comes first, then what stands
-in the file that it names, then what the chain gives all stages.
+"""The stages of a chain as tasks of their kinds: what each says itself comes first, then what
+stands in the file that it names, then what the chain gives all stages.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ def _merged(source: Source, index: int, directory: Path) -> StageSource:
         given.pop("budget", None)  # the chain's stands for all
     stage = StageSource(source.file, {**given, **own}, {}, parts)
     if "budget" in own:
-        raise source.error((*place, "budget"), "must not be given: the chain has one for all stages")
+        raise source.error((*place, "budget"), "must not be given: all stages share the chain's")
     kind = part("tasks", _kind(stage))
     known = ("obstacles",) if stage.data["kind"] == "carry" else kind.Fields.model_fields
     shared = {

@@ -128,7 +128,7 @@ def _fingertip(fields: Any, state: State) -> dict[str, Any]:
 def _carry(fields: Any, state: State) -> Any:
     """All that a carry leaves out is as in the stage before it."""
     held = state.held
-    assert held is not None and state.q is not None  # the chain was looked at when it was read
+    assert held is not None  # the chain was looked at when it was read
     before = held.fields
     if before.kind == "carry":
         thing, support = before.object, before.support
