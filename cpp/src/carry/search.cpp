@@ -111,7 +111,7 @@ std::vector<Search::Place> Search::neighbours(const Place& place) const {
 std::optional<VectorXd> Search::step(const Node& from, const Place& to) {
   const std::optional<VectorXd> q = solve(to, from.q);
   if (!q) {
-    refuse("reach");
+    refuse("out of the arm's reach or limits");
     return std::nullopt;
   }
   if ((*q - from.q).lpNorm<Eigen::Infinity>() > kJump) {

@@ -65,52 +65,78 @@ class _Found:
     status: _Named = _Named("solved")
     reason: str = ""
     seconds: float = 0.0
+    attempts: int = 1
 
     @property
     def statistics(self) -> _Found:
         return self
 
     def as_dict(self) -> dict[str, Any]:
-        return {"seconds": self.seconds, "stages_planned": len(self.stages)}
+        return {
+            "seconds": self.seconds,
+            "stages_planned": len(self.stages),
+            "attempts": self.attempts,
+        }
+
+    def fail(self, status: str, reason: str) -> bool:
+        """Ends the chain; False."""
+        self.status, self.reason = _Named(status), reason
+        return False
+
+    def may_do_better(self) -> bool:
+        """Whether another start may help: a stage could not go on from what others found."""
+        ended = ("solved", "interrupted", "out_of_time")
+        first_failed = len(self.stages) == 1 and not self.stages[0]
+        return self.status.name not in ended and not first_failed
 
 
 def search(task: Task, budget: planning.Budget) -> _Found:
-    """Plans stage after stage; `budget` instead of the task's. Stage k, from 0, has the budget's
-    seed + k, what is left of its seconds, and all of its iterations.
+    """Plans stage after stage; `budget` instead of the task's. All have what is left of its
+    seconds, and each has all of its iterations. Of n stages, stage k of attempt j, both from 0, has
+    the budget's seed + j n + k.
     """
     began = time.monotonic()
-    found = _Found()
-    for k, stage in enumerate(task.problem.stages):
-        left = budget.seconds - (time.monotonic() - began)
-        if not _add(found, stage, task, budget, left, k):
+    best: _Found | None = None
+    for attempt in range(task.options.attempts):
+        found = _attempt(task, budget, began, attempt)
+        if best is None or found.status.name == "solved" or len(found.stages) > len(best.stages):
+            best = found
+        best.attempts = attempt + 1
+        if not found.may_do_better() or time.monotonic() - began >= budget.seconds:
             break
-    found.seconds = time.monotonic() - began
+    assert best is not None
+    best.seconds = time.monotonic() - began
+    return best
+
+
+def _attempt(task: Task, budget: planning.Budget, began: float, attempt: int) -> _Found:
+    """The stages from the first to the last, or to the first that is not found."""
+    found = _Found()
+    stages = task.problem.stages
+    for k, stage in enumerate(stages):
+        left = budget.seconds - (time.monotonic() - began)
+        if left <= 0:
+            found.fail("out_of_time", f"{stage.name}: no time was left for it")
+            break
+        seed = (budget.seed + attempt * len(stages) + k) % 2**64
+        if not _add(found, stage, task, budget.part(seconds=left, seed=seed)):
+            break
     return found
 
 
-def _add(
-    found: _Found, stage: Stage, task: Task, budget: planning.Budget, left: float, k: int
-) -> bool:
+def _add(found: _Found, stage: Stage, task: Task, budget: planning.Budget) -> bool:
     """Plans a stage from where the last one ended; False where the chain ends with it."""
-
-    def fail(status: str, reason: str) -> bool:
-        found.status, found.reason = _Named(status), f"{stage.name}: {reason}"
-        return False
-
-    if left <= 0:
-        return fail("out_of_time", "no time was left for it")
     try:
         given = _start(found, stage, task)
     except TaskError as error:
-        before = task.problem.stages[k - 1].name
-        return fail("not_joined", f"cannot start where '{before}' ended: {error}")
-    seed = (budget.seed + k) % 2**64
-    given = given.with_changes(seconds=left, iterations=budget.iterations, seed=seed)
-    plan = from_core(
-        plan_kind(stage.kind).search(given, budget.part(seconds=left, seed=seed)), given
+        what = f"cannot start where '{task.problem.stages[len(found.stages) - 1].name}' ended"
+        return found.fail("not_joined", f"{stage.name}: {what}: {error}")
+    given = given.with_changes(
+        seconds=budget.seconds, iterations=budget.iterations, seed=budget.seed
     )
+    plan = from_core(plan_kind(stage.kind).search(given, budget), given)
     found.stages.append(plan)
-    return True if plan else fail(plan.status, plan.reason)
+    return True if plan else found.fail(plan.status, f"{stage.name}: {plan.reason}")
 
 
 def _start(found: _Found, stage: Stage, task: Task) -> Task:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .joints import require_joined
-from .model import ChainTask
+from .model import ChainTask, Options
 from .stages import Stage, read_stages, stages_of_plan
 from .start import Held, State, start_at
 
@@ -40,7 +40,9 @@ def resolve(named: ChainTask, source: Source, directory: Path) -> tuple[ChainTas
     stages = read_stages(named, source, directory)
     files = {name: value for stage in stages for name, value in stage.fields.files.items()}
     documents = [stage.document() for stage in stages]
-    fields = ChainTask(kind="chain", stages=documents, budget=named.budget, files=files)
+    fields = ChainTask(
+        kind="chain", stages=documents, options=named.options, budget=named.budget, files=files
+    )
     return fields, stages
 
 
@@ -56,13 +58,14 @@ def build(fields: ChainTask, source: Source, other: Any) -> tuple[Problem, None]
     return Problem(tuple(stages), stages[0].task(stages[0].fields)), None
 
 
-def options(fields: ChainTask, problem: Problem, source: Source) -> None:
-    """A chain has none of its own: its stages do."""
+def options(fields: ChainTask, problem: Problem, source: Source) -> Options:
+    """How to search; the stages have options of their own."""
+    return fields.options
 
 
-def in_force(fields: ChainTask, problem: Problem, options: None) -> dict[str, Any]:
-    """Every stage's plan says what was in force."""
-    return {}
+def in_force(fields: ChainTask, problem: Problem, options: Options) -> dict[str, Any]:
+    """Fields with every value that was in force; every stage's plan says those of the stage."""
+    return {"options": options}
 
 
 __all__ = [

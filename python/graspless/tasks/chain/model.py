@@ -21,6 +21,16 @@ SHARED = (
 )  # fmt: skip
 
 
+class Options(Fields):
+    """How to search."""
+
+    attempts: Annotated[int, Field(ge=1, le=1000)] = Field(
+        default=5,
+        description="how often the chain is begun anew where a stage cannot go on from what the "
+        "ones before it found",
+    )
+
+
 class ChainTask(Fields):
     """Tasks one after the other, each from the state that the one before it left."""
 
@@ -40,6 +50,7 @@ class ChainTask(Fields):
     stages: Annotated[list[dict[str, Any]], Field(min_length=1)] = Field(
         description="each {name, kind, fields of a task of that kind} or {name, file, fields}"
     )
+    options: Options = Options()
     budget: Budget = Budget()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that a stage reads"
