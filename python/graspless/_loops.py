@@ -8,6 +8,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ._commands import FOUND, NOT_FOUND
 from .errors import TaskError
 
 if TYPE_CHECKING:
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from .frames import Matrix
 
 MESHES = (".stl", ".obj", ".off")
-FOUND, NOT_FOUND = 0, 1
 
 
 def add_parser(commands: Any) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: graspless plan, check, view, loops, example, bench."""
+"""The command line: one parser of all commands, and what plan, check, view and example do."""
 
 from __future__ import annotations
 
@@ -14,23 +14,27 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
+from ._commands import (
+    BAD_INPUT,
+    CLOSED_PIPE,
+    EXIT_CODES,
+    FOUND,
+    INTERRUPTED,
+    NOT_FOUND,
+    given_plan,
+    read_stdin,
+)
 from ._loops import add_parser as _add_loops
+from .batches.cli import add_parser as _add_batch
 from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
+from .exports.cli import add_parser as _add_export
+from .simulation.cli import add_parser as _add_simulate
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from .plans import Plan
-
-FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
-
-EXIT_CODES = """exit codes:
-  0    found, and it holds
-  1    not found, or it does not hold
-  2    bad input, or output that cannot be written
-  130  interrupted
-  141  the reader of our output has gone"""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -93,6 +97,9 @@ def make_parser() -> argparse.ArgumentParser:
     _add_plan(commands)
     _add_check(commands)
     _add_view(commands)
+    _add_simulate(commands)
+    _add_export(commands)
+    _add_batch(commands)
     _add_loops(commands)
     _add_example(commands)
     _add_bench(commands)
@@ -169,7 +176,7 @@ def _plan(options: argparse.Namespace) -> int:
     if not to_stdout:
         files.check_writable(options.output)
     _check_pictures(options)
-    given = load_task(options.task) if options.task != "-" else read_task(_stdin(), "stdin")
+    given = load_task(options.task) if options.task != "-" else read_task(read_stdin(), "stdin")
     task = _change(given, options)
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
         plan = plans.plan(task)
@@ -213,7 +220,7 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
 def _check(options: argparse.Namespace) -> int:
     from . import plans, report
 
-    plan = _load_plan(options.plan)
+    plan = given_plan(options.plan)
     faults = plans.check(plan)
     if options.json:
         print(json.dumps({"holds": not faults, "faults": faults}))
@@ -224,7 +231,7 @@ def _check(options: argparse.Namespace) -> int:
 
 def _view(options: argparse.Namespace) -> int:
     _check_pictures(options)
-    plan = _load_plan(options.plan)
+    plan = given_plan(options.plan)
     if options.png is None and options.html is None:
         from .view import serve
 
@@ -232,21 +239,6 @@ def _view(options: argparse.Namespace) -> int:
     for path in _draw(plan, options):
         print(f"written: {path}")
     return FOUND
-
-
-def _load_plan(path: str) -> Plan:
-    from . import plans
-
-    return plans.load_plan(path) if path != "-" else plans.read_plan(_stdin(), "stdin")
-
-
-def _stdin() -> str:
-    try:
-        return sys.stdin.buffer.read().decode("utf-8")
-    except (OSError, AttributeError):  # closed
-        raise TaskError("stdin: cannot be read") from None
-    except UnicodeDecodeError:
-        raise TaskError("stdin: not a text file in UTF-8") from None
 
 
 def _check_pictures(options: argparse.Namespace) -> None:

@@ -10,6 +10,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._commands import FOUND, INTERRUPTED, NOT_FOUND
+
 if TYPE_CHECKING:
     import argparse
 
@@ -25,7 +27,6 @@ DEFAULTS = {
 }
 FINGERTIP_GRIDS = ("paper", "weak", "scaling", "fingers", "se2", "faces")
 CLASP_GRIDS = ("paper", "chair", "tolerance", "grasp_rrt", "loops")
-FOUND, NOT_FOUND, INTERRUPTED = 0, 1, 130
 
 
 def add_parser(commands: Any) -> None:

@@ -41,6 +41,73 @@ class Spread:
 
 
 @dataclass(frozen=True)
+class Fingertip:
+    """Bare fingertips: spheres with servos of their own, and contact with them and with planes.
+
+    Contact is soft where the object slides: a stiff one chatters, so that the floor's force
+    vanishes a quarter of the time, which no pose shows. It is stiff where the object turns.
+    """
+
+    timestep: float = 0.001  # [s]
+    slide_solref: tuple[float, float] = (0.005, 1.0)
+    slide_solimp: tuple[float, ...] = (0.5, 0.95, 0.0005, 0.5, 2.0)
+    turn_solref: tuple[float, float] = (0.002, 1.0)
+    turn_solimp: tuple[float, ...] = (0.99, 0.999, 0.001, 0.5, 2.0)
+    mass: float = 0.1  # of a fingertip, and of what moves with it [kg]
+    stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
+    damping_ratio: float = 1.0
+    turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
+    approach: float = 0.002  # from where a finger comes to the surface [m]
+    load_seconds: float = 0.3  # to touch, and from one set of forces to the next [s]
+    rest_seconds: float = 0.2  # at the end [s]
+    tolerance: float = 0.001  # of a corner's place, nominal [m]
+    varied_tolerance: float = 0.0015  # and where the trial varies [m]
+
+
+@dataclass(frozen=True)
+class Break:
+    """The test of a row of a fingertip plan: a wrench comes while the object moves past."""
+
+    distance: float = 0.001  # of a corner, from where it is without the wrench: broken [m]
+    speed: float = 0.004  # of the fastest corner; faster, sliding contacts lose strength [m/s]
+    load_seconds: float = 0.15  # the object is held fast while the fingers come to their forces [s]
+    still: float = 0.25  # when it begins to move [s]
+    begin: float = 0.4  # when the wrench begins to come [s]
+    rise_seconds: float = 0.05  # until it is whole [s]
+    until: float = 0.75  # when the test ends [s]
+    every: int = 5  # steps between looks
+    sampling: float = 0.01  # of poses [s]
+    largest: float = 3.0  # of z: no greater wrench is tried
+    precision: float = 0.02  # of the smallest wrench
+
+
+@dataclass(frozen=True)
+class Clasp:
+    """An object that hangs in a hand: how it is made, closed around and pulled at."""
+
+    mass: float = 1.0  # of an object whose task says none, a bag's [kg]
+    friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
+    stand_friction: float = 0.5  # object on floor
+    skin: float = 0.001  # half thickness of the surface [m]: as far as chords cut a handle's curve
+    stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
+    foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
+    lead: float = 0.3  # the object comes to rest before the arm moves [s]
+    hit: float = 0.005  # what moves an object farther before the hand closes knocked it [m]
+    grip_effort: float = 0.5  # of a joint's greatest: where it stops closing
+    grip_rate: float = 0.5  # [rad/s]: a sixth of the SDH's greatest
+    grip_seconds: float = 3.0  # at most
+    force: float = 15.0  # of a random wrench [N]; notes of the feasibility study, as the next four
+    torque: float = 1.0  # about the centre of mass [Nm]
+    hold: float = 0.1  # until the wrench is drawn anew [s]
+    seconds: float = 3.0  # a sequence
+    sequences: int = 10  # as the paper's own test
+    pull_rate: float = 40.0  # growth of a straight pull [N/s]: quasi-static against 100 rad/s
+    pull_needed: float = 15.0  # as a random one's [N]
+    pull_most: float = 60.0  # where a straight pull ends [N]: three fingers of 2 Nm at 0.1 m
+    open_seconds: float = 1.0  # of the negative control's hand, to open
+
+
+@dataclass(frozen=True)
 class Slide:
     """A thin object between a table, a pressing finger and a closing hand."""
 

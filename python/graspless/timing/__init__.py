@@ -22,10 +22,10 @@ class TimingKind(Protocol):
     CONTACT_SPEED: float
     """Of what touches, where the caller does not say [m/s]."""
 
-    def robot(self, plan: Any) -> Robot | None:
-        """That the plan was made for."""
+    def robot(self, plan: Any, fingers: bool) -> Robot | None:
+        """That the plan was made for; `fingers`: none is to be moved."""
 
-    def trajectory(self, plan: Any, settings: Settings, rate: float, pause: float) -> Trajectory:
+    def trajectory(self, plan: Any, settings: Settings) -> Trajectory:
         """A plan that is solved, in time."""
 
 
@@ -38,11 +38,18 @@ def time(
     contact_speed: float | None = None,
     rate: float | None = None,
     pause: float | None = None,
+    fingers: bool = False,
 ) -> Trajectory:
     """A plan in time: as fast as its limits allow, segment by segment from rest to rest.
 
     Between rows the joints move along straight lines, and round corners by at most 1e-3 (rad or
-    m), 2e-4 where something is touched. Limits hold at every moment.
+    m), 2e-4 where something is touched. Limits hold at every moment. Where something is touched,
+    joint accelerations are a tenth of their limits, and an object in fingertips is moved so slowly
+    that its inertia takes a tenth of the least `stability` of the segment.
+
+    A fingertip plan without an arm has no joints; rows go from -0.5 to N - 0.5, from the first of
+    `X_WO` to the last. In a regrasp they go from 0 to 1: until 1/3 the finger leaves along the
+    contact's normal, until 2/3 it moves above its new place, until 1 it touches.
 
     Parameters
     ----------
@@ -57,12 +64,14 @@ def time(
         Of all joints or by joint [rad/s^2, m/s^2]; URDFs have none. Default: 5 rad/s^2, 1 m/s^2.
     contact_speed : float, optional
         Of what touches or is about to [m/s]: the sliding fingertip while it presses, slides and
-        lifts, the hand on the last way to a grasp, every point of fingers that close. Default
-        0.05.
+        lifts, the hand on the last way to a grasp, every point of fingers that close; of
+        fingertip plans the object. Default 0.05, of fingertip plans 0.02.
     rate : float, optional
         Moments a second that the trajectory has; between them it is linear. Default 100.
     pause : float, optional
         Between segments, where contacts change [s]. Default 0.05.
+    fingers : bool
+        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same.
 
     Raises
     ------
@@ -76,13 +85,13 @@ def time(
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
     pause = defaults.require_positive("pause", defaults.PAUSE if pause is None else pause)
     kind = _kind(plan.kind)
-    own = kind.robot(plan)
+    own = kind.robot(plan, fingers)
     robot = own if robot is None else _require_same_joints(robot, own)
     speed = kind.CONTACT_SPEED if contact_speed is None else contact_speed
     speed = defaults.require_positive("contact_speed", speed)
     velocity, acceleration = defaults.joint_limits(robot, max_velocity, max_acceleration)
-    asked = defaults.Settings(robot, velocity, acceleration, speed)
-    return kind.trajectory(plan, asked, rate, pause)
+    asked = defaults.Settings(robot, velocity, acceleration, speed, rate, pause)
+    return kind.trajectory(plan, asked)
 
 
 def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:

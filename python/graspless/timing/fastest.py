@@ -129,7 +129,8 @@ def _excess(motion: Motion, limits: Limits) -> float:
     velocity = (np.abs(velocities) / limits.velocity).max()
     acceleration = (np.abs(accelerations) / limits.acceleration).max()
     pace = (ds * limits.pace(motion.path, s)).max()
-    return float(max(1.0, velocity, np.sqrt(acceleration), pace)) * (1 + 1e-9)
+    excess = max(0.0, velocity - 1, np.sqrt(acceleration) - 1, pace - 1)
+    return 1 + 1.05 * float(excess) + 1e-9  # what is between these moments is smooth
 
 
 class _Given(AbstractGeometricPath):  # type: ignore[misc]

@@ -29,8 +29,6 @@ def trajectory(
     segments: Sequence[Any],
     slow: Mapping[str, Sequence[Pace]],
     settings: Settings,
-    rate: float,
-    pause: float,
 ) -> Trajectory:
     """Segments of `positions` [N, dof] and `object_poses` [N, 4, 4], slow by their names."""
     assert settings.robot is not None
@@ -40,7 +38,9 @@ def trajectory(
         tolerance = defaults.CONTACT_TOLERANCE if touching else defaults.TOLERANCE
         acceleration = settings.acceleration * (defaults.CONTACT_SHARE if touching else 1.0)
         limits = Limits(settings.velocity, acceleration, slow.get(segment.name, ()))
-        timed = clip(segment.positions, np.full(len(settings.velocity), tolerance), limits, rate)
+        tolerances = np.full(len(settings.velocity), tolerance)
+        timed = clip(segment.positions, tolerances, limits, settings.rate)
         clips.append(timed)
         poses.append(frames.along(segment.object_poses, timed.rows))
-    return assembled(plan, list(segments), list(settings.robot.joint_names), clips, poses, pause)
+    names = list(settings.robot.joint_names)
+    return assembled(plan, list(segments), names, clips, poses, settings.pause)

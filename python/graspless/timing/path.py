@@ -61,7 +61,8 @@ class Path:
         inner = [np.linspace(a, b, 7)[:-1] for a, b in zip(breaks, breaks[1:], strict=False)]
         # A slow stretch has reached its speed long before the first bend.
         ends = self.length * 0.5 * np.geomspace(1e-5, 1.0, 24)
-        points = np.concatenate([*inner, ends, self.length - ends, [self.length]])
+        even = np.linspace(0.0, self.length, 60)
+        points = np.concatenate([*inner, even, ends, self.length - ends])
         points = np.unique(points.clip(0.0, self.length))
         keep = np.diff(points, prepend=-np.inf) > 1e-7 * self.length
         return np.append(points[keep][:-1], self.length)

@@ -14,6 +14,8 @@ import numpy as np
 from ..errors import TaskError
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from ..frames import Matrix
     from ..robot import Robot
 
@@ -51,12 +53,18 @@ class Settings:
         Limits of its joints.
     contact_speed : float
         [m/s].
+    rate : float
+        Moments a second.
+    pause : float
+        Between segments [s].
     """
 
     robot: Robot | None
     velocity: Matrix
     acceleration: Matrix
     contact_speed: float
+    rate: float
+    pause: float
 
 
 def joint_limits(
@@ -91,7 +99,7 @@ def require_positive(name: str, value: float) -> float:
 
 def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix | float) -> Matrix:
     """[dof] what a caller says, and a default where it does not."""
-    values = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
+    values: Matrix = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
     if isinstance(given, Mapping):
         names = list(robot.joint_names)
         for joint, value in given.items():
@@ -103,9 +111,9 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
     return values
 
 
-def _slides(robot: Robot) -> Matrix:
+def _slides(robot: Robot) -> NDArray[np.bool_]:
     """[dof] whether a joint turns nothing."""
     q = np.zeros(robot.dof)
     turns = [np.abs(robot.jacobian(frame, q)[3:]).max(axis=0) for frame in robot.frame_names]
-    slides: Matrix = np.max(turns, axis=0) < 1e-9
+    slides: NDArray[np.bool_] = np.max(turns, axis=0) < 1e-9
     return slides

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What became of the object in a physics engine, for people."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..simulation import simulation_kind
+from . import count
+
+if TYPE_CHECKING:
+    from ..simulation import Simulation, Trial
+
+
+def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
+    """How many trials held, what failed and how often, and the figures that were measured."""
+    kind = simulation_kind(found.plan.kind)
+    trials = count(len(found.trials), "trials")
+    lines = [f"{found.held} of {trials} held, seed {found.seed}"]
+    for name, times in found.failures.items():
+        lines.append(f"  {name}: {times} times: {kind.FAILURES[name]}")
+    lines += [f"  {line}" for line in _table(found.trials, kind.MEASURES)]
+    if disturbed is not None:
+        lines.append(f"  {_disturbance(disturbed)}")
+    seconds = sum(trial.seconds for trial in found.trials)
+    lines.append(f"  computed in {seconds:.1f} s")
+    return "\n".join(lines)
+
+
+def _table(trials: list[Trial], measures: dict[str, str]) -> list[str]:
+    """A line a measure: as planned, and the median and the extremes of what was varied."""
+    rows = [("", "nominal", *(("median", "least", "greatest") if len(trials) > 1 else ()), "")]
+    for name, meaning in measures.items():
+        varied = [trial.measures[name] for trial in trials[1:] if name in trial.measures]
+        if name not in trials[0].measures and not varied:
+            continue
+        figures = [_figure(trials[0].measures.get(name))]
+        if len(trials) > 1:
+            spread = (np.median(varied), min(varied), max(varied)) if varied else (None,) * 3
+            figures += map(_figure, spread)
+        rows.append((name, *figures, meaning))
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    return [
+        "  ".join(
+            cell.ljust(width) if k in (0, len(row) - 1) else cell.rjust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
+
+
+def _figure(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4g}"
+
+
+def _disturbance(found: dict[str, Any]) -> str:
+    where = f"segment {found['segment']}, row {found['row']}"
+    return (
+        f"breaks at {found['smallest']:.3g} N at the weakest place ({where}): {found['ratio']:.2f} "
+        f"of z = {found['z']:.3g} N; compliant index {found['compliant']:.3g} N"
+    )

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless simulate`. Imports what runs only when it runs."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from .._commands import FOUND, NOT_FOUND, given_plan
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def add_parser(commands: Any) -> None:
+    """Adds `simulate` to the commands of the command line."""
+    parser = commands.add_parser(
+        "simulate",
+        help="execute a plan in a physics engine",
+        description="Executes a plan in MuJoCo and judges the object. The first trial is as "
+        "planned; the others vary friction, mass, the object's place and the time step. Exit 1 "
+        "when a trial failed.",
+    )
+    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
+    parser.add_argument("--trials", type=int, default=1, metavar="N", help="(%(default)s)")
+    parser.add_argument(
+        "--seed", type=int, default=0, metavar="S", help="of the variations (%(default)s)"
+    )
+    parser.add_argument(
+        "--disturb",
+        action="store_true",
+        help="of a fingertip plan: also the least disturbance that breaks its weakest row (slow)",
+    )
+    parser.add_argument("--json", action="store_true", help="print the trials as JSON")
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from .. import progress
+    from ..errors import TaskError
+    from ..report import simulation as report
+    from . import simulate
+
+    plan = given_plan(options.plan)
+    if options.disturb and plan.kind != "fingertip":
+        raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
+    with progress.waiting(f"simulating, {options.trials} trials"):
+        found = simulate(plan, options.trials, options.seed)
+    disturbed = _disturb(plan) if options.disturb else None
+    if options.json:
+        print(json.dumps(found.as_dict() | ({"disturbed": disturbed} if disturbed else {})))
+    else:
+        print(report.as_text(found, disturbed))
+    return FOUND if found else NOT_FOUND
+
+
+def _disturb(plan: Any) -> dict[str, Any]:
+    from .. import progress
+    from ..kinds import part
+
+    with progress.waiting("looking for the least disturbance that breaks it"):
+        found: dict[str, Any] = part("simulation", "fingertip").disturb(plan)
+    return found
