@@ -116,8 +116,7 @@ class Slide:
     table_friction: float = 0.3  # plastic on wood or laminate: handbooks have 0.2 to 0.4
     tip_friction: float = 1.16  # the T42's urethane pads (notes of the house)
     table_solref: float = 0.02  # time constant of a foot's contact [s]
-    table_solimp: tuple[float, float, float] = (0.95, 0.99, 0.001)  # a hard table: 10 N on one
-    # foot push it in by less than half a millimetre
+    table_solimp: tuple[float, float, float] = (0.9, 0.95, 0.001)  # MuJoCo's own
     table_slip: float = 0.1  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
     # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
     # come down with kicks of 0.1 m/s
