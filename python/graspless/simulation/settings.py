@@ -119,7 +119,7 @@ class Slide:
     # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
     # come down with kicks of 0.1 m/s
     tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
-    feet: int = 60  # points on which the object stands, evenly spread: torsion of a uniform pressure
+    feet: int = 60  # on which the object stands, evenly spread: the torsion of an even pressure
     foot_radius: float = 0.001  # [m]
     rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
     rim_spacing: float = 0.01  # of points along outline and edge [m]

@@ -83,9 +83,7 @@ def varied_start(problem: Any, variation: Variation) -> Matrix:
 def _add_table(spec: Any, plan: Plan, settings: Slide) -> None:
     support = plan.task.problem.support
     X_WS = np.array(support.X_WS)
-    body = spec.worldbody.add_body(
-        name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS)
-    )
+    body = spec.worldbody.add_body(name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS))
     for i, part in enumerate(support.polygon.convex_parts()):
         _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
     for i, p in enumerate(_edge_points(plan, settings)):

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 _SQUARE = 1e-9  # how far a rectangle's corners may be from square [m^2]
 
 
-def add_prism(spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any) -> Any:
+def add_prism(
+    spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any
+) -> Any:
     """A geom over a convex polygon: a box where that is a rectangle, else a mesh.
 
     Parameters
@@ -39,9 +41,7 @@ def add_prism(spec: Any, body: Any, polygon: Any, heights: tuple[float, float], 
         size = [np.hypot(*a) / 2, np.hypot(*b) / 2, (heights[1] - heights[0]) / 2]
         pos = [*corners.mean(axis=0), middle]
         quat = frames.to_quaternion(frames.planar(0, 0, yaw))
-        return body.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given
-        )
+        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given)
     points = np.concatenate([np.column_stack([corners, np.full(len(corners), z)]) for z in heights])
     return _add_hull(spec, body, points, given)
 
@@ -54,11 +54,11 @@ def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any)
         size = np.array(shape.size) / 2
         return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, **pose, **given)
     if isinstance(shape, geometry.Sphere):
-        size = [shape.radius, 0, 0]
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=size, **pose, **given)
+        ball = [shape.radius, 0, 0]
+        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=ball, **pose, **given)
     if isinstance(shape, geometry.Capsule):
-        size = [shape.radius, shape.length / 2, 0]
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=size, **pose, **given)
+        rod = [shape.radius, shape.length / 2, 0]
+        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=rod, **pose, **given)
     points = np.array(shape.vertices) @ X_BG[:3, :3].T + X_BG[:3, 3]
     return _add_hull(spec, body, points, given)
 
@@ -75,7 +75,9 @@ def even_points(polygon: Any, count: int) -> Matrix:
     corners = np.array(polygon.vertices)
     low, high = corners.min(axis=0), corners.max(axis=0)
     cells = np.maximum(np.round((high - low) / spacing).astype(int), 1)
-    axes = [a + (np.arange(n) + 0.5) * (b - a) / n for a, b, n in zip(low, high, cells, strict=True)]
+    axes = [
+        a + (np.arange(n) + 0.5) * (b - a) / n for a, b, n in zip(low, high, cells, strict=True)
+    ]
     points = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
     inside = np.array([point for point in points if polygon.contains(point)])
     return inside if len(inside) >= 3 else corners
@@ -84,7 +86,7 @@ def even_points(polygon: Any, count: int) -> Matrix:
 def points_along(polygon: Any, spacing: float) -> Matrix:
     """[N, 2] the corners of a polygon and points between them, at most `spacing` apart [m]."""
     corners = np.array(polygon.vertices)
-    points = []
+    points: list[Matrix] = []
     for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         pieces = max(1, int(np.ceil(np.hypot(*(b - a)) / spacing)))
         points.extend(a + (b - a) * i / pieces for i in range(pieces))
