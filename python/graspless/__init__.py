@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         slide,
         view,
     )
+    from .batches import batch
     from .errors import TaskError
     from .exports import export
     from .plans import Plan, check, load_plan, plan
@@ -45,6 +46,7 @@ __all__ = [
     "TaskError",
     "Trajectory",
     "__version__",
+    "batch",
     "check",
     "clasp",
     "collision",
@@ -65,6 +67,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "batch": "batches",
     "Plan": "plans",
     "check": "plans",
     "export": "exports",

@@ -25,6 +25,7 @@ from ._commands import (
     read_stdin,
 )
 from ._loops import add_parser as _add_loops
+from .batches.cli import add_parser as _add_batch
 from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
 from .exports.cli import add_parser as _add_export
@@ -98,6 +99,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_view(commands)
     _add_simulate(commands)
     _add_export(commands)
+    _add_batch(commands)
     _add_loops(commands)
     _add_example(commands)
     _add_bench(commands)
