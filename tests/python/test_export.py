@@ -136,7 +136,7 @@ def test_mcap_of_bare_fingertips(tmp_path):
         np.testing.assert_array_equal(read, points[on, i])
 
 
-@pytest.mark.parametrize("name", ["slide", "regrasp", "carried"])
+@pytest.mark.parametrize("name", ["slide", "regrasp", "carried", "lifted"])
 def test_json_is_what_its_schema_says(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.json", "json")
     document = json.loads((tmp_path / "plan.json").read_text())
@@ -185,7 +185,7 @@ def test_a_plan_without_solution_is_refused(tmp_path, to):
 
 
 def test_files_are_written_whole_or_not_at_all(tmp_path, monkeypatch):
-    for to in ("csv", "json", "ros", "mcap"):
+    for to in FORMATS:
         with pytest.raises(TaskError, match="there is no folder"):
             exported("slide", tmp_path / "missing" / "plan.mcap", to)
     (tmp_path / "bag").mkdir()
@@ -211,11 +211,12 @@ def test_from_the_command_line(tmp_path, capsys):
     assert "rate: -1" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["slide", "clasp", "carried"])
+@pytest.mark.parametrize("name", ["slide", "clasp", "carried", "lifted"])
 def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.xml", "mujoco")
     model, data = loaded(tmp_path / "plan.xml")
-    task = planned(name).task
+    plan = planned(name)
+    task = (plan.stages[0] if plan.kind == "chain" else plan).task
     robot = task.problem.robot if task.arm is None else task.arm.robot
     names = [f"{i}_{segment.name}" for i, segment in enumerate(trajectory.segments)]
     assert [model.key(k).name for k in range(model.nkey)] == ["start", *names]
@@ -232,11 +233,12 @@ def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
         np.testing.assert_allclose(body_pose(data, "object"), X_WO, atol=1e-5)
 
 
-@pytest.mark.parametrize("name", ["push", "tumble", "regrasp"])
+@pytest.mark.parametrize("name", ["push", "tumble", "regrasp", "twice"])
 def test_mujoco_of_bare_fingertips(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.xml", "mujoco")
     model, data = loaded(tmp_path / "plan.xml")
-    problem = planned(name).task.problem
+    plan = planned(name)
+    problem = (plan.stages[0] if plan.kind == "chain" else plan).task.problem
     np.testing.assert_allclose(model.body("object").mass, problem.object.mass)
     for k in range(model.nkey):
         mujoco.mj_resetDataKeyframe(model, data, k)

@@ -16,7 +16,7 @@ import numpy as np
 
 from .. import files, frames
 from ..simulation.robots import joint_addresses
-from .mujoco_scene import FINGER, OBJECT, build
+from .mujoco_scene import FINGER, OBJECT, build, first_stage
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -66,8 +66,8 @@ def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
 def _centers(trajectory: Trajectory, k: int) -> Matrix:
     """[n, 3] of bare fingertips in the world [m]: one that is off waits at its next place."""
     X_WO, now = trajectory.object_poses[k], int(trajectory.segment_index[k])
-    radius = trajectory.plan.task.problem.fingers.radius
-    count = trajectory.plan.task.problem.fingers.count
+    fingers = first_stage(trajectory.plan).task.problem.fingers
+    radius, count = fingers.radius, fingers.count
     centers = np.tile([0.0, 0.0, 1.0], (count, 1))
     row = 0 if k == 0 else -1
     for i in range(count):

@@ -11,24 +11,25 @@ import numpy as np
 import trimesh
 
 from .. import frames, geometry
+from ..simulation.clasp.surface import inertia, skin
 from ..simulation.robots import apply, robot_spec
+from ..simulation.settings import Clasp
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..frames import Matrix
+    from ..plans import Plan
     from ..robot import Robot
     from ..tasks import Task
     from ..timing import Trajectory
 
 OBJECT, FINGER, HELD = "object", "finger", "object_held"
-CLASPED_MASS = 0.3  # of a clasp task without one [kg]
-SKIN = 0.0005  # half thickness of a surface [m]
 
 
 def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
     """The MjSpec of a trajectory's task, and the robot where one moves."""
-    task = trajectory.plan.task
+    task = first_stage(trajectory.plan).task
     robot: Robot | None = None
     if trajectory.joint_names:
         robot = task.problem.robot if task.arm is None else task.arm.robot
@@ -45,6 +46,12 @@ def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
     for obstacle in task.problem.obstacles:
         _add_fixed(spec, obstacle.name, obstacle.shapes, obstacle.X_WB)
     return spec, robot
+
+
+def first_stage(plan: Plan) -> Plan:
+    """Of a chain: its task has the object and all that stands around; else the plan itself."""
+    stage: Plan = getattr(plan, "stages", [plan])[0]
+    return stage
 
 
 def _slide(spec: Any, body: Any, task: Task) -> None:
@@ -77,34 +84,40 @@ def _clasp(spec: Any, body: Any, task: Task) -> None:
     """The cloud's surface as it is, so that its holes stay open; held where it is at first."""
     surface = task.problem.object.loops.complex
     points = np.asarray(surface.points)
-    mass = getattr(task.fields.object, "mass", None) or CLASPED_MASS
-    spread = np.cov(points.T, bias=True)
-    _give_inertia(body, mass, points.mean(axis=0), mass * (np.trace(spread) * np.eye(3) - spread))
+    settings = Clasp()
+    mass = task.fields.object.mass or settings.mass
+    _give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
     spec.add_flex(
         name=OBJECT,
         dim=2,
-        radius=SKIN,
+        radius=settings.skin,
         vertbody=[OBJECT],
         vert=points.ravel().tolist(),
-        elem=np.asarray(surface.triangles).ravel().tolist(),
+        elem=skin(surface).ravel().tolist(),
         selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
     )
-    held = spec.add_equality(name=HELD, type=mujoco.mjtEq.mjEQ_WELD)
-    held.name1, held.name2, held.objtype = OBJECT, "world", mujoco.mjtObj.mjOBJ_BODY
     X_WO = np.asarray(task.problem.X_WO)
     body.pos, body.quat = X_WO[:3, 3], frames.to_quaternion(X_WO)
+    held = spec.add_equality(name=HELD, type=mujoco.mjtEq.mjEQ_WELD)
+    held.name1, held.name2, held.objtype = OBJECT, "world", mujoco.mjtObj.mjOBJ_BODY
+
+
+def _carry(spec: Any, body: Any, task: Task) -> None:
+    for i, placed in enumerate(task.problem.object.shapes):
+        _add_shape(spec, body, f"{OBJECT}_{i}", placed)
 
 
 _SURROUNDINGS: dict[str, Callable[[Any, Any, Task], None]] = {
     "slide": _slide,
     "fingertip": _fingertip,
     "clasp": _clasp,
+    "carry": _carry,
 }
 
 
-def _give_inertia(body: Any, mass: float, com: Matrix, inertia: Matrix) -> None:
+def _give_inertia(body: Any, mass: float, com: Matrix, moments: Matrix) -> None:
     body.explicitinertial, body.mass, body.ipos = True, mass, com
-    J = np.asarray(inertia)
+    J = np.asarray(moments)
     body.fullinertia = [*np.diag(J), J[0, 1], J[0, 2], J[1, 2]]
 
 
