@@ -30,7 +30,9 @@ if TYPE_CHECKING:
         slide,
         view,
     )
+    from .batches import batch
     from .errors import TaskError
+    from .exports import export
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
     from .tasks import Task, load_task
@@ -44,9 +46,11 @@ __all__ = [
     "TaskError",
     "Trajectory",
     "__version__",
+    "batch",
     "check",
     "clasp",
     "collision",
+    "export",
     "fingertip",
     "geometry",
     "load_plan",
@@ -63,8 +67,10 @@ __all__ = [
 ]
 
 _HOMES = {
+    "batch": "batches",
     "Plan": "plans",
     "check": "plans",
+    "export": "exports",
     "load_plan": "plans",
     "plan": "plans",
     "simulate": "simulation",
