@@ -69,7 +69,7 @@ class World:
     def let_go(self) -> None:
         """Takes floor and gravity away: what holds the object is the hand alone."""
         self.model.opt.gravity[:] = 0.0
-        self.model.geom(STAND).pos[2] -= 100.0
+        self.data.mocap_pos[self.model.body(STAND).mocapid[0], 2] -= 100.0
         self.data.eq_active[self.model.equality(OBJECT).id] = 0
 
 
@@ -140,14 +140,10 @@ def _add_stand(
     """A level plane under small feet. Nothing else touches it: the planner knows of no floor."""
     radius = 0.002  # of a foot [m]: a point's contact
     height = 0.0 if standing is None else standing[:, 2].min()
-    spec.worldbody.add_geom(
-        name=STAND,
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=[1, 1, 1],
-        pos=[0, 0, height],
-        contype=0,
-        conaffinity=0,
-    )
+    # A body that can be moved: MuJoCo works out the places of what is fixed to the world once.
+    stand = spec.worldbody.add_body(name=STAND, mocap=True, pos=[0, 0, height])
+    plane = {"type": mujoco.mjtGeom.mjGEOM_PLANE, "size": [1, 1, 1]}
+    stand.add_geom(name=STAND, contype=0, conaffinity=0, **plane)
     for i, p_W in enumerate(() if standing is None else standing):
         p_O = X_WO[:3, :3].T @ (np.array([*p_W[:2], height + radius]) - X_WO[:3, 3])
         name = f"{OBJECT}_{i}"
