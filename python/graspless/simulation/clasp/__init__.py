@@ -23,6 +23,9 @@ from .judge import Judge
 from .model import make_world
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ... import geometry
     from ...frames import Matrix
     from ...plans.clasp import Plan
     from ...timing import Trajectory
@@ -53,15 +56,23 @@ MEASURES = {
 
 
 def run(
-    plan: Plan, variation: Variation, *, record: bool = False, settings: Clasp | None = None
+    plan: Plan,
+    variation: Variation,
+    *,
+    record: bool = False,
+    settings: Clasp | None = None,
+    solids: Sequence[geometry.PlacedShape] | None = None,
 ) -> Trial:
-    """Executes a plan that is solved; `settings` instead of the defaults."""
+    """Executes a plan that is solved.
+
+    `settings` instead of the defaults; `solids`, in O, instead of the cloud's skin.
+    """
     started = perf_counter()
     settings = settings or Clasp()
     task, loop = plan.task, plan.loop
     assert loop is not None
     problem = task.problem
-    world = make_world(task, variation, settings)
+    world = make_world(task, variation, settings, solids)
     judge = Judge(problem.hand, world, problem.object.loops.loops[loop].points)
     recorder = Recorder() if record else None
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
