@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
+from ... import timing
 from ..results import Recording, Trial
 from ..robots import joint_addresses
 from ..settings import Servo, Slide
-from ... import timing
 from .fingers import SLIDING
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
