@@ -201,7 +201,7 @@ def test_where_a_stage_cannot_start(write):
         ("distance: 0.1}", "distance: 0}", 11, r"stages\[1\].line.distance: 0: should be greater"),
         ("[0, 0, 2]", "[0, 0, 0]", 11, r"stages\[1\].line: direction must not be zero"),
         ("kind: slide}", "kind: slide, budget: {}}", 10, r"stages\[0\].budget: must not be given"),
-        ("kind: slide}", "kind: slide, robott: {}}", 10, r"stages\[0\].objet: unknown field"),
+        ("kind: slide}", "kind: slide, robott: {}}", 10, r"stages\[0\].robott: unknown field"),
         (
             "kind: slide}",
             "kind: slide, object: {name: tile}}",
