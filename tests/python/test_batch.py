@@ -10,7 +10,6 @@ import signal
 import subprocess
 import sys
 import time
-from concurrent.futures import Future
 
 import pytest
 
@@ -39,26 +38,12 @@ def tasks(tmp_path):
     return make
 
 
-class Here:
-    """A pool without processes: what it is given is done at once."""
-
-    workers = capacity = 1
-    is_elsewhere = one_thread_each = False
-    crashes = ()
-
-    def submit(self, work, given):
-        future = Future()
-        future.set_result(work(given))
-        return future
-
-    def close(self, at_once=False):
-        pass
-
-
 @pytest.fixture
 def here(monkeypatch):
     """Batches without processes, for what has nothing to do with them."""
-    monkeypatch.setattr(pools, "opened", lambda jobs, dask: contextlib.nullcontext(Here()))
+    monkeypatch.setattr(
+        pools, "opened", lambda jobs, dask: contextlib.nullcontext(batch_common.Here())
+    )
 
 
 def rows_of(output):
