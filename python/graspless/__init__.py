@@ -32,9 +32,11 @@ if TYPE_CHECKING:
     )
     from .batches import batch
     from .errors import TaskError
+    from .exports import export
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
     from .tasks import Task, load_task
+    from .timing import Trajectory, time
 
 __version__ = "0.1.0"
 
@@ -42,11 +44,13 @@ __all__ = [
     "Plan",
     "Task",
     "TaskError",
+    "Trajectory",
     "__version__",
     "batch",
     "check",
     "clasp",
     "collision",
+    "export",
     "fingertip",
     "geometry",
     "load_plan",
@@ -58,6 +62,7 @@ __all__ = [
     "scene",
     "simulate",
     "slide",
+    "time",
     "view",
 ]
 
@@ -65,9 +70,12 @@ _HOMES = {
     "batch": "batches",
     "Plan": "plans",
     "check": "plans",
+    "export": "exports",
     "load_plan": "plans",
     "plan": "plans",
     "simulate": "simulation",
+    "Trajectory": "timing",
+    "time": "timing",
     "Task": "tasks",
     "load_task": "tasks",
     "TaskError": "errors",

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..plans import Plan
+    from .settings import Spread
 
 
 class SimulationKind(Protocol):
@@ -29,6 +30,8 @@ class SimulationKind(Protocol):
 
     MEASURES: dict[str, str]
     """What is measured: name, and what it means with its unit."""
+
+    # SPREAD, a settings.Spread, where trials vary otherwise than Spread() says.
 
     def run(self, plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         """Executes a plan that is solved."""
@@ -70,7 +73,8 @@ def simulate(
         raise TaskError(f"seed: {seed}: should not be negative")
     kind = simulation_kind(plan.kind)
     done: list[Trial] = []
-    for variation in variations(trials, seed):
+    spread: Spread | None = getattr(kind, "SPREAD", None)
+    for variation in variations(trials, seed, spread):
         done.append(kind.run(plan, variation, record=record and not done))
         if progress is not None:
             progress(len(done))

@@ -38,3 +38,106 @@ class Spread:
     position: float = 0.003  # of the object [m]
     angle: float = 0.0349  # of the object, 2 degrees [rad]
     timestep: float = 0.25  # of its value
+
+
+@dataclass(frozen=True)
+class Fingertip:
+    """Bare fingertips: spheres with servos of their own, and contact with them and with planes.
+
+    Contact is soft where the object slides: a stiff one chatters, so that the floor's force
+    vanishes a quarter of the time, which no pose shows. It is stiff where the object turns.
+    """
+
+    timestep: float = 0.001  # [s]
+    slide_solref: tuple[float, float] = (0.005, 1.0)
+    slide_solimp: tuple[float, ...] = (0.5, 0.95, 0.0005, 0.5, 2.0)
+    turn_solref: tuple[float, float] = (0.002, 1.0)
+    turn_solimp: tuple[float, ...] = (0.99, 0.999, 0.001, 0.5, 2.0)
+    mass: float = 0.1  # of a fingertip, and of what moves with it [kg]
+    stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
+    damping_ratio: float = 1.0
+    turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
+    approach: float = 0.002  # from where a finger comes to the surface [m]
+    load_seconds: float = 0.3  # to touch, and from one set of forces to the next [s]
+    rest_seconds: float = 0.2  # at the end [s]
+    tolerance: float = 0.001  # of a corner's place, nominal [m]
+    varied_tolerance: float = 0.0015  # and where the trial varies [m]
+
+
+@dataclass(frozen=True)
+class Break:
+    """The test of a row of a fingertip plan: a wrench comes while the object moves past."""
+
+    distance: float = 0.001  # of a corner, from where it is without the wrench: broken [m]
+    speed: float = 0.004  # of the fastest corner; faster, sliding contacts lose strength [m/s]
+    load_seconds: float = 0.15  # the object is held fast while the fingers come to their forces [s]
+    still: float = 0.25  # when it begins to move [s]
+    begin: float = 0.4  # when the wrench begins to come [s]
+    rise_seconds: float = 0.05  # until it is whole [s]
+    until: float = 0.75  # when the test ends [s]
+    every: int = 5  # steps between looks
+    sampling: float = 0.01  # of poses [s]
+    largest: float = 3.0  # of z: no greater wrench is tried
+    precision: float = 0.02  # of the smallest wrench
+
+
+@dataclass(frozen=True)
+class Clasp:
+    """An object that hangs in a hand: how it is made, closed around and pulled at."""
+
+    mass: float = 1.0  # of an object whose task says none, a bag's [kg]
+    friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
+    stand_friction: float = 0.5  # object on floor
+    skin: float = 0.001  # half thickness of the surface [m]: as far as chords cut a handle's curve
+    stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
+    foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
+    lead: float = 0.3  # the object comes to rest before the arm moves [s]
+    hit: float = 0.005  # what moves an object farther before the hand closes knocked it [m]
+    grip_effort: float = 0.5  # of a joint's greatest: where it stops closing
+    grip_rate: float = 0.5  # [rad/s]: a sixth of the SDH's greatest
+    grip_seconds: float = 3.0  # at most
+    force: float = 15.0  # of a random wrench [N]; notes of the feasibility study, as the next four
+    torque: float = 1.0  # about the centre of mass [Nm]
+    hold: float = 0.1  # until the wrench is drawn anew [s]
+    seconds: float = 3.0  # a sequence
+    sequences: int = 10  # as the paper's own test
+    pull_rate: float = 40.0  # growth of a straight pull [N/s]: quasi-static against 100 rad/s
+    pull_needed: float = 15.0  # as a random one's [N]
+    pull_most: float = 60.0  # where a straight pull ends [N]: three fingers of 2 Nm at 0.1 m
+    open_seconds: float = 1.0  # of the negative control's hand, to open
+
+
+@dataclass(frozen=True)
+class Slide:
+    """A thin object between a table, a pressing finger and a closing hand."""
+
+    impratio: float = 1000.0  # at 100 a finger that carries an object sideways creeps round by
+    # up to 7 degrees in 8 s, at 1000 by less than one, as at 10000: Coulomb's law has no creep
+    table_friction: float = 0.3  # plastic on wood or laminate: handbooks have 0.2 to 0.4
+    tip_friction: float = 1.16  # the T42's urethane pads (notes of the house)
+    table_solref: float = 0.02  # time constant of a foot's contact [s]; a table that is stiffer
+    # than the tip chatters, which looks like slip
+    tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
+    feet: int = 60  # points on which the object stands, evenly spread: torsion of a uniform pressure
+    foot_radius: float = 0.001  # [m]
+    rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
+    rim_spacing: float = 0.01  # of points along outline and edge [m]
+    flexure_stiffness: float = 4.6  # of a finger's flexure [Nm/rad]: 9 N at 15 mm depth
+    flexure_damping_ratio: float = 0.7  # of the finger on its flexure
+    pad_width: float = 0.032  # of the line contact [m]: the T42's pad
+    pad_points: int = 5  # of the line contact: the torsion of a line evenly pressed
+    pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what
+    # moment a soft pad withstands is the force times this
+    squeeze: float = 0.2  # how far the hand is told to close beyond contact [rad or m]: its
+    # flexures push with 6 N then
+    squeeze_seconds: float = 0.8  # from the first touch to the lift [s]
+    pause: float = 0.3  # after pressing and after sliding, until servos and object rest [s]
+    lift_height: float = 0.1  # what the issue asks for [m]
+    lift_seconds: float = 2.0
+    hold_seconds: float = 1.0  # what the issue asks for
+    off_target: tuple[float, float] = (0.005, 0.0873)  # nominal: 5 mm, 5 degrees [m, rad]
+    off_target_varied: tuple[float, float] = (0.010, 0.1745)  # varied: 10 mm, 10 degrees
+    tipped: float = 0.175  # an object that tilts by 10 degrees is about to fall [rad]
+    fell: float = 0.02  # below where it lay [m]
+    lost_seconds: float = 0.1  # without contact while it slides
+    kept: float = 0.02  # how far an object that is held may creep in the hand [m]

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from ...frames import Matrix
     from ...plans.fingertip import JointSegment, Plan, Segment
+    from ...simulation import Recording
 
 SLIDE = 8.0  # [cm/s]
 TURN = 25.0  # [degrees/s]
@@ -38,12 +39,49 @@ def film(plan: Plan, rate: float) -> list[Moment]:
     keys = list(_joint_keys(plan) if plan.joint_segments else _keys(plan))
     if not keys:
         return [start_of(plan)]
+    scale = min(1.0, LONGEST / max(keys[-1].time, 1e-9))
+    return _sampled(keys, scale * rate)
+
+
+def recorded(plan: Plan, recording: Recording, rate: float) -> tuple[list[Moment], float]:
+    """What happened in a simulation at even times, and how much faster than it did; fingertips
+    that it has not are where the arm has them.
+    """
+    from ..film import pace_of, planned_poses
+
+    times = np.asarray(recording.times, dtype=float)
+    pace = pace_of(float(times[-1]))
+    planned = planned_poses(plan, recording)
+    keys = []
+    for row, time in enumerate(times):
+        X_WO = np.asarray(recording.object_poses[row])
+        q = recording.positions[row] if recording.positions.shape[1] else None
+        tips_W = recording.fingers[row] if q is None else _tips(plan, q)
+        centers = (tips_W - X_WO[:3, 3]) @ X_WO[:3, :3]
+        count = len(centers)
+        name, modes = recording.names[row], ["free"] * count
+        forces = np.zeros((count, 3))
+        keys.append(Key(time, Moment(X_WO, centers, forces, modes, name, q=q, X_WP=planned[row])))
+    return _sampled(keys, rate / pace), pace
+
+
+def _sampled(keys: list[Key], rate: float) -> list[Moment]:
+    """Moments at even times, `rate` a second."""
     last = keys[-1].time
-    scale = min(1.0, LONGEST / max(last, 1e-9))
     times = np.array([key.time for key in keys])
-    wanted = np.linspace(0, last, max(2, int(np.ceil(scale * last * rate)) + 1))
+    wanted = np.linspace(0, last, max(2, int(np.ceil(last * rate)) + 1))
     after = np.clip(np.searchsorted(times, wanted), min(1, len(keys) - 1), len(keys) - 1)
     return [_between(keys[max(j - 1, 0)], keys[j], t) for j, t in zip(after, wanted, strict=True)]
+
+
+def _tips(plan: Plan, q: Matrix) -> Matrix:
+    """[n, 3] centres of the fingertips in the world, in the order of the plan's fingers."""
+    arm, found = plan.task.arm, plan.fields.realization
+    assert found is not None
+    links = np.asarray(arm.robot.forward(q))
+    names = list(arm.robot.frame_names)
+    tips_W = np.array([links[names.index(name)][:3, 3] for name in arm.carrier.fingertips])
+    return np.asarray(tips_W[np.argsort(found.finger_of_fingertip)])
 
 
 def _keys(plan: Plan) -> Iterator[Key]:
@@ -125,15 +163,9 @@ def _joint_keys(plan: Plan) -> Iterator[Key]:
 
 def _carried(plan: Plan, segment: JointSegment, row: int) -> Moment:
     """The moment of a row of joint motion, its fingertips by forward kinematics."""
-    arm, found = plan.task.arm, plan.fields.realization
-    assert found is not None
     X_WO, q = segment.object_poses[row], segment.positions[row]
-    links = np.asarray(arm.robot.forward(q))
-    names = list(arm.robot.frame_names)
-    tips_W = np.array([links[names.index(name)][:3, 3] for name in arm.carrier.fingertips])
-    order = np.argsort(found.finger_of_fingertip)
-    centers = (tips_W[order] - X_WO[:3, 3]) @ X_WO[:3, :3]
-    count = len(order)
+    centers = (_tips(plan, q) - X_WO[:3, 3]) @ X_WO[:3, :3]
+    count = len(centers)
     carried = Moment(X_WO, centers, np.zeros((count, 3)), ["free"] * count, segment.name, q=q)
     if segment.plan_segment < 0:
         return carried
@@ -153,8 +185,9 @@ def _between(before: Key, after: Key, time: float) -> Moment:
     X_WO = frames.between(a.X_WO, b.X_WO, t)
     q = None if a.q is None or b.q is None else (1 - t) * a.q + t * b.q
     centers = (1 - t) * a.centers + t * b.centers
+    X_WP = None if a.X_WP is None or b.X_WP is None else frames.between(a.X_WP, b.X_WP, t)
     # A finger touches or not; forces change with the rows.
-    return replace(b, X_WO=X_WO, centers=centers, q=q)
+    return replace(b, X_WO=X_WO, centers=centers, q=q, X_WP=X_WP)
 
 
 def _seconds(X_A: Matrix, X_B: Matrix) -> float:

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fingertip plans in MuJoCo: spheres under position or force control, as the plan says.
+
+Trials vary friction by 10 % and the fingers' places by 0.1 mm: `x` and `y` of a variation say
+where the first finger is beside its place; the others are beside theirs as far, in directions
+evenly round.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import frames
+from ..results import Recording, Trial
+from ..settings import Fingertip, Spread
+from .execute import Log, execute
+from .pace import paced
+from .program import program
+from .servo import Servo
+from .world import build_world
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.fingertip import Plan
+    from ..variation import Variation
+    from .script import Script
+    from .world import World
+
+SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0, timestep=0.25)
+
+FAILURES = {
+    "off": "a corner of the object was farther from its place than is allowed: 1 mm, 1.5 mm varied",
+    "lost": "a corner of the object was more than 1 cm from its place",
+    "slipped": "a fingertip slipped by more than 1 mm on the object",
+    "chatter": "while the object moved, the floor's force was zero for more than 5 % of the time",
+}
+
+MEASURES = {
+    "vertex_error": "how far the object's worst corner was from its place, at worst [m]",
+    "vertex_error_end": "the same at the end [m]",
+    "slip": "how far a fingertip was from its place on the object, at worst [m]",
+    "floor_lost": "share of the motion's time without any force of floor and walls",
+    "duration": "of the motion [s]",
+}
+
+LOST = 0.01  # [m]
+
+
+def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
+    """Executes a plan that is solved, by bare fingertips."""
+    start = time.perf_counter()
+    settings = Fingertip()
+    world = build_world(plan.task.problem, variation, settings)
+    script = program(plan, paced(plan), settings)
+    script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
+    world.place(plan.segments[0].X_WO[0], script.centers[0])
+    limit = plan.task.problem.fingers.max_normal_force
+    servo = Servo(world, script, limit, finger_offsets(variation, world.fingers))
+    log = execute(world, script, servo)
+    measures = measure(world, script, log)
+    return Trial(
+        variation,
+        judge(measures, settings.tolerance if variation.is_nominal else settings.varied_tolerance),
+        measures,
+        time.perf_counter() - start,
+        recording(script, log) if record else None,
+    )
+
+
+def finger_offsets(variation: Variation, fingers: int) -> Matrix:
+    """[n, 3] by how much each finger is beside its place, level [m]."""
+    turns = 2 * np.pi * np.arange(fingers) / fingers
+    x, y = variation.x, variation.y
+    along, across = np.cos(turns) * x - np.sin(turns) * y, np.sin(turns) * x + np.cos(turns) * y
+    return np.column_stack([along, across, np.zeros(fingers)])
+
+
+def measure(world: World, script: Script, log: Log) -> dict[str, float]:
+    """What became of the object."""
+    stage = script.stage[log.moments]
+    moves = np.isin([script.names[k] for k in stage], ["slide", "turn", "tumble"])
+    touches = np.array(log.pressed) > 0
+    slips = finger_slips(world, script, log)
+    floor_lost = np.array(log.floor)[moves] <= 0
+    return {
+        "vertex_error": float(np.max(log.errors)),
+        "vertex_error_end": float(log.errors[-1]),
+        "slip": float(np.max(slips[moves & touches.any(axis=1)], initial=0.0)),
+        "floor_lost": float(floor_lost.mean()) if floor_lost.size else 0.0,
+        "duration": script.duration,
+    }
+
+
+def finger_slips(world: World, script: Script, log: Log) -> Matrix:
+    """[K] how far the worst fingertip is from its place on the object, along the surface [m]."""
+    slips = []
+    for i, place, centers in zip(log.moments, log.places, log.centers, strict=True):
+        X_OW = np.linalg.inv(frames.from_row(place.tolist()))
+        X_OW_planned = np.linalg.inv(frames.from_row(script.places[i].tolist()))
+        is_at = centers @ X_OW[:3, :3].T + X_OW[:3, 3]
+        should = script.centers[i] @ X_OW_planned[:3, :3].T + X_OW_planned[:3, 3]
+        normals = script.normals[i] @ X_OW_planned[:3, :3].T
+        off = is_at - should
+        off -= (off * normals).sum(axis=1, keepdims=True) * normals
+        slips.append(float(np.linalg.norm(off, axis=1).max()))
+    return np.array(slips)
+
+
+def judge(measures: dict[str, float], tolerance: float) -> tuple[str, ...]:
+    """Names out of FAILURES."""
+    found = {
+        "lost": measures["vertex_error"] > LOST,
+        "off": measures["vertex_error"] > tolerance,
+        "slipped": measures["slip"] > 1e-3,
+        "chatter": measures["floor_lost"] > 0.05,
+    }
+    return tuple(name for name, is_so in found.items() if is_so)
+
+
+def recording(script: Script, log: Log) -> Recording:
+    """What moved."""
+    return Recording(
+        times=script.times[log.moments],
+        positions=np.zeros((len(log.moments), 0)),
+        object_poses=np.array([frames.from_row(place.tolist()) for place in log.places]),
+        fingers=np.array(log.centers),
+        names=[script.names[k] for k in script.stage[log.moments]],
+    )

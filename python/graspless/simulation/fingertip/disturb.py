@@ -1,0 +1,221 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How large a disturbance breaks the motion, against what the planner promised: z."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from ...errors import TaskError
+from ...mechanics import wrench_scale
+from ..settings import Break, Fingertip
+from ..variation import Variation
+from .execute import corner_error
+from .script import Script, blended, joined, moving, still
+from .servo import Servo
+from .world import OBJECT, World, build_world
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.fingertip import Plan, Segment
+
+
+@dataclass(frozen=True)
+class Breaking:
+    """Of one row of a plan.
+
+    Attributes
+    ----------
+    segment, row : int
+        Which.
+    smallest : float
+        Factor of `direction` that breaks the motion [N], to a fiftieth; inf: none that was tried.
+    direction : int
+        Of the task's disturbance directions: that of the smallest.
+    stability, compliant_stability : float
+        What the plan says of the row [N].
+    """
+
+    segment: int
+    row: int
+    smallest: float
+    direction: int
+    stability: float
+    compliant_stability: float
+
+    def as_dict(self) -> dict[str, Any]:
+        """By name, with ratios."""
+        return {
+            "segment": self.segment,
+            "row": self.row,
+            "smallest": self.smallest,
+            "direction": self.direction,
+            "z": self.stability,
+            "compliant": self.compliant_stability,
+            "ratio": self.smallest / self.stability,
+            "compliant_ratio": self.smallest / max(self.compliant_stability, 1e-12),
+        }
+
+
+def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
+    """As `break_test`, in plain types: smallest, direction, z, compliant, ratio, compliant_ratio."""
+    return break_test(plan, row).as_dict()
+
+
+def break_test(
+    plan: Plan, row: tuple[int, int] | None = None, settings: Break | None = None
+) -> Breaking:
+    """Wrenches along the task's directions grow until one moves a corner 1 mm off.
+
+    The object begins at rest a little before the row, held by the fingers' nominal forces, and
+    moves slowly past it, while the wrench comes and stays.
+
+    Parameters
+    ----------
+    plan : Plan
+        One that is solved.
+    row : (int, int), optional
+        Segment and row; the plan's weakest unless given.
+
+    Raises
+    ------
+    TaskError
+        No such row.
+    """
+    s, i = row or plan.weakest or (-1, -1)
+    if not (0 <= s < len(plan.segments) and 0 <= i < len(plan.segments[s])):
+        raise TaskError(f"row: ({s}, {i}): the plan has no such segment and row")
+    segment = plan.segments[s]
+    z = float(segment.stability[i])
+    trial = Disturbed(plan, segment, i, settings or Break())
+    smallest, direction = trial.smallest(z)
+    return Breaking(s, i, smallest, direction, z, float(segment.compliant_stability[i]))
+
+
+class Disturbed:
+    """A row of a plan that moves on, and what comes of wrenches there."""
+
+    def __init__(self, plan: Plan, segment: Segment, row: int, settings: Break) -> None:
+        problem, self._settings = plan.task.problem, settings
+        self._world = build_world(problem, Variation(), Fingertip())
+        self._world.soften(slides=segment.name in ("slide", "turn"))
+        self._script = passing(plan, segment, row, settings).at(
+            np.arange(0, settings.until, self._world.model.opt.timestep)
+        )
+        limit = problem.fingers.max_normal_force
+        self._servo = Servo(self._world, self._script, limit)
+        scale = wrench_scale(problem.object.mass, problem.object.inertia)
+        directions = np.asarray(plan.task.options.disturbance_directions)
+        self._wrenches_O = np.linalg.solve(scale, directions.T).T
+        self._body = self._world.model.body(OBJECT).id
+        self._start = round(settings.begin / self._world.model.opt.timestep)
+        self._state = self._settled()
+        self._undisturbed = self._run(np.zeros(6), None)
+
+    def breaks(self, wrench_O: Matrix) -> bool:
+        """Whether a wrench about the centre of mass, in O [N, N m], moves a corner too far."""
+        return len(self._run(wrench_O, self._undisturbed)) < len(self._undisturbed)
+
+    def smallest(self, z: float) -> tuple[float, int]:
+        """Factor [N] and number of the direction of the smallest wrench that breaks the motion."""
+        best, direction = self._settings.largest * z, -1
+        for k, wrench_O in enumerate(self._wrenches_O):
+            if not self.breaks(best * wrench_O):
+                continue
+            holds = 0.0
+            direction = k
+            while best - holds > self._settings.precision * best:
+                middle = (holds + best) / 2
+                if self.breaks(middle * wrench_O):
+                    best = middle
+                else:
+                    holds = middle
+        return (best if direction >= 0 else float("inf")), direction
+
+    def _settled(self) -> Matrix:
+        """The world's state just before the wrench comes."""
+        world, script = self._world, self._script
+        held = script.places[0]
+        world.place(frames.from_row(held.tolist()), script.centers[0])
+        for i in range(self._start):
+            if script.times[i] < self._settings.load_seconds:
+                world.object_qpos[:], world.data.qvel[:6] = held, 0
+            self._servo.command(i)
+            mujoco.mj_step(world.model, world.data)
+        state = np.zeros(mujoco.mj_stateSize(world.model, _WHOLE))
+        mujoco.mj_getState(world.model, world.data, state, _WHOLE)
+        return state
+
+    def _run(self, wrench_O: Matrix, undisturbed: list[Matrix] | None) -> list[Matrix]:
+        """Places of the object every few steps; fewer than undisturbed where it went too far."""
+        world, settings = self._world, self._settings
+        mujoco.mj_setState(world.model, world.data, self._state, _WHOLE)
+        places: list[Matrix] = []
+        for i in range(self._start, len(self._script)):
+            since = self._script.times[i] - settings.begin
+            R_WO = world.data.xmat[self._body].reshape(3, 3)
+            share = min(1.0, since / settings.rise_seconds)
+            world.data.xfrc_applied[self._body] = share * np.concatenate(
+                [R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]]
+            )
+            self._servo.command(i)
+            mujoco.mj_step(world.model, world.data)
+            if i % settings.every != 0:
+                continue
+            place = world.object_qpos.copy()
+            if undisturbed is not None:
+                off = corner_error(world.hull, place, undisturbed[len(places)])
+                if not off < settings.distance:
+                    break
+            places.append(place)
+        return places
+
+
+_WHOLE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
+
+
+def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
+    """The fingers are loaded before the row, and the object then moves slowly past it."""
+    times = np.arange(0, settings.until - settings.still, settings.sampling)
+    poses = slow_poses(plan, segment, row, times, settings)
+    problem = plan.task.problem
+    rows = np.full(len(times), float(row))
+    move = moving(segment, times, rows, poses, problem.fingers.radius)
+    nothing = still(move, 0, 0.0, "none")
+    nothing.forces[:] = 0
+    load = blended(nothing, move, settings.load_seconds)
+    settle = still(move, 0, settings.still - settings.load_seconds, "settle")
+    return joined([load, settle, move])
+
+
+def slow_poses(
+    plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break
+) -> Matrix:
+    """[T, 4, 4] X_WO: at the row when the wrench is half over, no corner faster than allowed."""
+    arcs = len(segment.X_WO) - 1
+    if arcs == 0:
+        return np.repeat(segment.X_WO[:1], len(times), axis=0)
+    at = (row + 0.5) * arcs / len(segment)
+    k = min(int(at), arcs - 1)
+    step = segment.X_WO[k + 1] - segment.X_WO[k]
+    hull = np.asarray(plan.task.problem.object.hull)
+    length = np.linalg.norm(hull @ step[:3, :3].T + step[:3, 3], axis=1).max()
+    along = at + (times - times[-1] + (settings.until - settings.begin) / 2) * (
+        settings.speed / length
+    )
+    along += max(0.0, -along[0]) - max(0.0, along[-1] - arcs)
+    before = np.floor(along).astype(int).clip(0, arcs - 1)
+    return np.array(
+        [
+            frames.between(segment.X_WO[j], segment.X_WO[j + 1], u - j)
+            for j, u in zip(before, along, strict=True)
+        ]
+    )
+
+
+__all__ = ["Break", "Breaking", "World", "break_test", "disturb"]

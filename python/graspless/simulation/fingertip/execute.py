@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Carries a script out, and looks at the object on the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from .servo import Servo
+from .world import FINGER, PLANE
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from .script import Script
+    from .world import World
+
+
+@dataclass
+class Log:
+    """What was seen, every few steps: K looks, n fingers.
+
+    Attributes
+    ----------
+    moments : list of int
+        Of the script.
+    places : list of array [7]
+        Of the object.
+    centers : list of array [n, 3]
+        Of the fingertips [m].
+    errors : list of float
+        How far the object's worst corner is from where it is to be [m].
+    floor : list of float
+        Normal force of all planes on the object [N].
+    pressed : list of array [n]
+        Normal forces of the fingers [N].
+    """
+
+    moments: list[int] = field(default_factory=list)
+    places: list[Matrix] = field(default_factory=list)
+    centers: list[Matrix] = field(default_factory=list)
+    errors: list[float] = field(default_factory=list)
+    floor: list[float] = field(default_factory=list)
+    pressed: list[Matrix] = field(default_factory=list)
+
+
+def execute(world: World, script: Script, servo: Servo, *, every: int = 10) -> Log:
+    """Plays a script, a moment a step, from its first moment on; stops when all is lost.
+
+    Parameters
+    ----------
+    world : World
+        The object and the fingers are put to where the script begins.
+    script : Script
+        At even times, a time step of the world's apart.
+    servo : Servo
+        Of this world and script.
+    every : int
+        Steps between looks.
+    """
+    log = Log()
+    slides = None
+    size = float(np.ptp(world.hull, axis=0).max())
+    for i in range(len(script)):
+        if script.slides[i] != slides:
+            slides = script.slides[i]
+            world.soften(slides=bool(slides))
+        servo.command(i)
+        mujoco.mj_step(world.model, world.data)
+        if i % every == 0:
+            look(world, script, i, log)
+            if not log.errors[-1] < size:
+                break
+    return log
+
+
+def look(world: World, script: Script, i: int, log: Log) -> None:
+    """Adds what is now to the log, by moment i."""
+    log.moments.append(i)
+    log.places.append(world.object_qpos.copy())
+    log.centers.append(world.centers.copy())
+    log.errors.append(corner_error(world.hull, world.object_qpos, script.places[i]))
+    floor, pressed = contact_forces(world)
+    log.floor.append(floor)
+    log.pressed.append(pressed)
+
+
+def corner_error(hull: Matrix, place: Matrix, wanted: Matrix) -> float:
+    """How far the worst corner is from where it is to be [m]; both [7]."""
+    X_WO, X_WO_wanted = frames.from_row(place.tolist()), frames.from_row(wanted.tolist())
+    off = hull @ (X_WO - X_WO_wanted)[:3, :3].T + (X_WO - X_WO_wanted)[:3, 3]
+    return float(np.linalg.norm(off, axis=1).max())
+
+
+def contact_forces(world: World) -> tuple[float, Matrix]:
+    """Normal forces on the object: of all planes together, and of each finger [N]."""
+    planes, fingers, force = 0.0, np.zeros(world.fingers), np.zeros(6)
+    for k in range(world.data.ncon):
+        mujoco.mj_contactForce(world.model, world.data, k, force)
+        names = [world.model.geom(g).name for g in world.data.contact[k].geom]
+        other = next(name for name in names if name != "object")
+        if other.startswith(PLANE):
+            planes += force[0]
+        else:
+            fingers[int(other.removeprefix(FINGER))] += force[0]
+    return planes, fingers

@@ -1,0 +1,156 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A fingertip task in MuJoCo: planes, object, and spheres that servos move."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from ..robots import apply
+from ..settings import Fingertip, Solver
+
+if TYPE_CHECKING:
+    from ... import fingertip
+    from ...frames import Matrix
+    from ..variation import Variation
+
+PLANE, OBJECT, FINGER = "plane", "object", "finger"
+
+
+@dataclass(frozen=True)
+class World:
+    """A model and what is where in it.
+
+    Attributes
+    ----------
+    model, data : mujoco.MjModel, mujoco.MjData
+    settings : settings.Fingertip
+    hull : array [N, 3]
+        Corners of the object in O [m].
+    fingers : int
+    """
+
+    model: Any
+    data: Any
+    settings: Fingertip
+    hull: Matrix
+    fingers: int
+
+    @property
+    def object_qpos(self) -> Matrix:
+        """[7] place [m] and quaternion of the object; a view."""
+        qpos: Matrix = self.data.qpos[:7]
+        return qpos
+
+    @property
+    def X_WO(self) -> Matrix:
+        """Where the object is."""
+        return frames.from_row(self.object_qpos.tolist())
+
+    @property
+    def centers(self) -> Matrix:
+        """[n, 3] of the fingertips [m]."""
+        centers: Matrix = self.data.qpos[7:].reshape(-1, 7)[:, :3]
+        return centers
+
+    def place(self, X_WO: Matrix, centers: Matrix) -> None:
+        """Puts all where it is told, at rest; fingertips are turned as the object is."""
+        self.object_qpos[:] = frames.to_row(X_WO)
+        fingers = self.data.qpos[7:].reshape(-1, 7)
+        fingers[:, :3], fingers[:, 3:] = centers, frames.to_quaternion(X_WO)
+        self.data.qvel[:] = 0
+        mujoco.mj_forward(self.model, self.data)
+
+    def soften(self, *, slides: bool) -> None:
+        """Gives contacts the parameters for an object that slides, or that turns."""
+        s = self.settings
+        self.model.pair_solref[:] = s.slide_solref if slides else s.turn_solref
+        self.model.pair_solimp[:] = s.slide_solimp if slides else s.turn_solimp
+
+
+def build_world(
+    problem: fingertip.Problem, variation: Variation, settings: Fingertip | None = None
+) -> World:
+    """A world for a problem, friction and mass varied; nothing has its place yet.
+
+    Only what the planner lets touch can touch: the object with planes and fingertips. The object
+    is its convex hull.
+    """
+    settings = settings or Fingertip()
+    spec = mujoco.MjSpec()
+    apply(spec, Solver(timestep=settings.timestep * variation.timestep))
+    spec.option.gravity = problem.gravity_W
+    _add_object(spec, problem.object, variation.mass)
+    for i, plane in enumerate(problem.planes):
+        _add_plane(spec, plane, f"{PLANE}{i}")
+        _add_pair(spec, f"{PLANE}{i}", np.mean(problem.friction) * variation.friction)
+    for i in range(problem.fingers.count):
+        _add_finger(spec, f"{FINGER}{i}", problem.fingers.radius, settings)
+        friction = np.mean(problem.fingers.friction) * variation.friction
+        _add_pair(spec, f"{FINGER}{i}", friction)
+    model = spec.compile()
+    world = World(
+        model, mujoco.MjData(model), settings, np.array(problem.object.hull), problem.fingers.count
+    )
+    world.soften(slides=False)
+    return world
+
+
+def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> None:
+    body = spec.worldbody.add_body(name=OBJECT)
+    body.add_freejoint()
+    body.explicitinertial, body.mass, body.ipos = True, thing.mass * factor, thing.com
+    inertia = np.asarray(thing.inertia) * factor
+    body.fullinertia = [*np.diag(inertia), inertia[0, 1], inertia[0, 2], inertia[1, 2]]
+    spec.add_mesh(name="hull", uservert=np.asarray(thing.hull).ravel())
+    size = _box_size(np.asarray(thing.hull))
+    geom = body.add_geom(name=OBJECT, contype=0, conaffinity=0, mass=0)
+    if size is not None:
+        center = (thing.hull.max(axis=0) + thing.hull.min(axis=0)) / 2
+        geom.type, geom.size, geom.pos = mujoco.mjtGeom.mjGEOM_BOX, size / 2, center
+    else:
+        geom.type, geom.meshname = mujoco.mjtGeom.mjGEOM_MESH, "hull"
+
+
+def _box_size(hull: Matrix) -> Matrix | None:
+    """Side lengths where the corners are those of a box along O's axes."""
+    lower, upper = hull.min(axis=0), hull.max(axis=0)
+    at_corner = np.minimum(np.abs(hull - lower), np.abs(hull - upper)).max() < 1e-9
+    return upper - lower if len(hull) == 8 and at_corner else None
+
+
+def _add_plane(spec: Any, plane: fingertip.Plane, name: str) -> None:
+    normal = np.asarray(plane.n_W)
+    quaternion = np.zeros(4)
+    mujoco.mju_quatZ2Vec(quaternion, normal)
+    spec.worldbody.add_geom(
+        name=name, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[1, 1, 0.1],
+        pos=plane.offset * normal, quat=quaternion, contype=0, conaffinity=0,
+    )  # fmt: skip
+
+
+def _add_finger(spec: Any, name: str, radius: float, settings: Fingertip) -> None:
+    """A sphere on three slides along the world's axes and a ball joint; servos turn it."""
+    body = spec.worldbody.add_body(name=name, gravcomp=1)
+    damping = 2 * settings.damping_ratio * np.sqrt(settings.stiffness * settings.mass)
+    for axis in np.eye(3):
+        body.add_joint(type=mujoco.mjtJoint.mjJNT_SLIDE, axis=axis, damping=[damping, 0, 0])
+    # The same natural frequency for turning, with the stiffness that is asked for.
+    share = settings.turning * radius**2
+    body.add_joint(type=mujoco.mjtJoint.mjJNT_BALL, damping=[damping * share, 0, 0])
+    body.explicitinertial, body.mass = True, settings.mass
+    body.inertia = [settings.mass * share] * 3
+    body.add_geom(
+        name=name, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[radius, 0, 0],
+        contype=0, conaffinity=0, mass=0,
+    )  # fmt: skip
+
+
+def _add_pair(spec: Any, name: str, friction: float) -> None:
+    """Contact with the object; MuJoCo would else take the larger coefficient of two."""
+    spec.add_pair(geomname1=name, geomname2=OBJECT, condim=3, friction=[friction] * 5)
