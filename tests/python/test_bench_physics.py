@@ -108,7 +108,7 @@ def test_tables_count_what_they_say():
     failures = {r["name"]: (r["nominal"], r["varied"]) for r in physics_tables.failures(result)[0]}
     assert failures == {"fell": (0, 2), "not grasped": (0, 0), "hit": (1, 1)}
     error = physics_tables.measures(result)[0][0]
-    assert error["means"] == "of the object [mm]"
+    assert (error["name"], error["means"]) == ("position error [mm]", "of the object")
     assert error["nominal"] == pytest.approx({"median": 4, "95 %": 6, "max": 6})
     assert error["varied"] == pytest.approx({"median": 9, "95 %": 20, "max": 20})
 

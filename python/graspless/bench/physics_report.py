@@ -51,7 +51,7 @@ def as_text(result: Row) -> str:
     lines = [
         "" if result["complete"] else "INTERRUPTED: these are partial results",
         _counts(result["totals"]),
-        *(aligned(title, *table) for title, table in _tables(result).items()),
+        *(aligned(title, rows, _short(shown)) for title, (rows, shown) in _tables(result).items()),
         f"on {machine['cpu']}, load {machine['load_before'][0]} before, "
         f"{machine['load_after'][0]} after",
         *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
@@ -86,6 +86,10 @@ def _tables(result: Row) -> dict[str, tables.Table]:
     if result["totals"]["disturbed"]:
         return asked | {"disturbance": tables.disturbances(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
+
+
+def _short(shown: list[tables.Column]) -> list[tables.Column]:
+    return [column for column in shown if column[0] != tables.MEANING]
 
 
 def _fields(result: Row) -> dict[str, str]:

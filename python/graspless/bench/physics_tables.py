@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
@@ -12,12 +13,13 @@ import numpy as np
 from .physics_claims import CLAIMS, DISTURBED, NOMINAL, VARIED, cases
 
 if TYPE_CHECKING:
-    from .report import Column
+    from .report import Column as Column
     from .summary import Row
 
     Table = tuple[list[Row], list[Column]]  # named rows, and the columns to show
 
-UNITS = {"[m]": (1e3, "[mm]"), "[rad]": (180 / np.pi, "[deg]")}  # as people read them
+UNITS = {"m": (1e3, "mm"), "rad": (180 / np.pi, "deg")}  # as people read them
+MEANING = "what it is"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
@@ -80,8 +82,8 @@ def measures(result: Row) -> Table:
     """Quantiles of each measure, nominal and varied."""
     rows = []
     for name, means in result["measures"].items():
-        factor, shown = _in_units(means)
-        row: Row = {"name": name.replace("_", " "), "means": shown}
+        factor, unit, means = _in_units(means)
+        row: Row = {"name": name.replace("_", " ") + unit, "means": means}
         for of in (NOMINAL, VARIED):
             values = [c[name] for c in cases(result["rows"], of) if c.get(name) is not None]
             row[of] = {q: _quantile(values, f, factor) for q, f in SHOWN.items()}
@@ -106,11 +108,13 @@ def _quantile(values: list[Any], fraction: float, factor: float = 1.0) -> float 
     return factor * float(np.quantile(values, fraction, method="inverted_cdf"))
 
 
-def _in_units(means: str) -> tuple[float, str]:
-    for unit, (factor, shown) in UNITS.items():
-        if unit in means:
-            return factor, means.replace(unit, shown)
-    return 1.0, means
+def _in_units(means: str) -> tuple[float, str, str]:
+    """A factor, its unit, and the meaning without the unit that it ends in."""
+    found = re.fullmatch(r"(.*) \[(.*)\]", means)
+    if found is None:
+        return 1.0, "", means
+    factor, unit = UNITS.get(found[2], (1.0, found[2]))
+    return factor, f" [{unit}]", found[1]
 
 
 def _figure(value: float | None) -> str:
@@ -140,11 +144,11 @@ CLAIM_COLUMNS: list[Column] = [
 FAILURE_COLUMNS: list[Column] = [
     ("nominal", lambda r: str(r[NOMINAL])),
     ("varied", lambda r: str(r[VARIED])),
-    ("what it means", lambda r: r["means"]),
+    (MEANING, lambda r: r["means"]),
 ]
 MEASURE_COLUMNS: list[Column] = [
     *(_of(of, quantile) for of in (NOMINAL, VARIED) for quantile in SHOWN),
-    ("what it is", lambda r: r["means"]),
+    (MEANING, lambda r: r["means"]),
 ]
 
 
