@@ -88,7 +88,7 @@ class Clasp:
     mass: float = 1.0  # of an object whose task says none, a bag's [kg]
     friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
     stand_friction: float = 0.5  # object on floor
-    skin: float = 0.001  # half thickness of the surface [m]: as far as chords cut a handle's curve
+    skin: float = 0.0005  # half thickness of the surface [m]: little against a cloud's spacing
     stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
     foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
     lead: float = 0.3  # the object comes to rest before the arm moves [s]

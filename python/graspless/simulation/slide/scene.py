@@ -19,8 +19,9 @@ import numpy as np
 from ... import frames
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
+from ..shapes import add_placed
 from .fingers import OTHER, PAD, SLIDING, Bits, add_flexing_fingers
-from .shapes import add_placed, add_prism, even_points, plate_inertia, points_along
+from .shapes import add_prism, even_points, plate_inertia, points_along
 
 if TYPE_CHECKING:
     from ...frames import Matrix

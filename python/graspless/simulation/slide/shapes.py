@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import frames, geometry
+from ... import frames
+from ..shapes import add_hull
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -43,30 +44,7 @@ def add_prism(
         quat = frames.to_quaternion(frames.planar(0, 0, yaw))
         return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given)
     points = np.concatenate([np.column_stack([corners, np.full(len(corners), z)]) for z in heights])
-    return _add_hull(spec, body, points, given)
-
-
-def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any) -> Any:
-    """A geom of a shape in the body's frame; a mesh stands for its convex hull."""
-    shape, X_BG = placed.shape, np.array(placed.X_BG)
-    pose = {"pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
-    if isinstance(shape, geometry.Box):
-        size = np.array(shape.size) / 2
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, **pose, **given)
-    if isinstance(shape, geometry.Sphere):
-        ball = [shape.radius, 0, 0]
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=ball, **pose, **given)
-    if isinstance(shape, geometry.Capsule):
-        rod = [shape.radius, shape.length / 2, 0]
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=rod, **pose, **given)
-    points = np.array(shape.vertices) @ X_BG[:3, :3].T + X_BG[:3, 3]
-    return _add_hull(spec, body, points, given)
-
-
-def _add_hull(spec: Any, body: Any, points: Matrix, given: dict[str, Any]) -> Any:
-    name = f"hull{len(spec.meshes)}"
-    spec.add_mesh(name=name, uservert=points.ravel().tolist())
-    return body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)
+    return add_hull(spec, body, points, given)
 
 
 def even_points(polygon: Any, count: int) -> Matrix:
@@ -75,9 +53,8 @@ def even_points(polygon: Any, count: int) -> Matrix:
     corners = np.array(polygon.vertices)
     low, high = corners.min(axis=0), corners.max(axis=0)
     cells = np.maximum(np.round((high - low) / spacing).astype(int), 1)
-    axes = [
-        a + (np.arange(n) + 0.5) * (b - a) / n for a, b, n in zip(low, high, cells, strict=True)
-    ]
+    parts = zip(low, high, cells, strict=True)
+    axes = [a + (np.arange(n) + 0.5) * (b - a) / n for a, b, n in parts]
     points = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
     inside = np.array([point for point in points if polygon.contains(point)])
     return inside if len(inside) >= 3 else corners
