@@ -351,3 +351,12 @@ def test_a_plan_that_is_not_solved():
     unsolved = graspless.plan(planned("slide").task, iterations=0)
     with pytest.raises(TaskError, match=f"{unsolved.status}, not solved"):
         graspless.time(unsolved)
+
+
+def test_without_toppra(monkeypatch):
+    def part(room, kind):
+        raise ImportError("no", name="toppra")
+
+    monkeypatch.setattr("graspless.timing.part", part)
+    with pytest.raises(TaskError, match=r"needs toppra: pip install 'graspless\[timing\]'"):
+        timed_with("push")

@@ -73,7 +73,8 @@ def time(
     Raises
     ------
     TaskError
-        The plan is not solved, the robot is another one, or a limit is not positive.
+        The plan is not solved, the robot is another one, a limit is not positive, or toppra is
+        not installed.
     """
     from . import settings as defaults
 
@@ -100,7 +101,10 @@ def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:
 
 
 def _kind(name: str) -> TimingKind:
-    kind: TimingKind = part("timing", name)
+    try:
+        kind: TimingKind = part("timing", name)
+    except ImportError as error:
+        raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
     return kind
 
 

@@ -9,20 +9,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-
-from ..errors import TaskError
-
-try:
-    from toppra.algorithm import TOPPRA
-    from toppra.constraint import (
-        JointAccelerationConstraint,
-        JointVelocityConstraint,
-        LinearConstraint,
-    )
-    from toppra.interpolator import AbstractGeometricPath
-    from toppra.parametrizer import ParametrizeConstAccel
-except ImportError as error:
-    raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
+from toppra.algorithm import TOPPRA
+from toppra.constraint import (
+    JointAccelerationConstraint,
+    JointVelocityConstraint,
+    LinearConstraint,
+)
+from toppra.interpolator import AbstractGeometricPath
+from toppra.parametrizer import ParametrizeConstAccel
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
