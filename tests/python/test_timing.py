@@ -222,6 +222,15 @@ def test_bare_fingertips_of_a_plan_with_an_arm():
     np.testing.assert_allclose(bare.object_poses[-1], with_arm.object_poses[-1], atol=1e-6)
 
 
+def test_bare_fingertips_of_a_plan_that_its_arm_cannot_carry_out():
+    plan = planned("carried")
+    refused = type(plan)(plan.fields.model_copy(update={"status": "not_realized"}), plan.task)
+    with pytest.raises(TaskError, match="not_realized, not solved"):
+        graspless.time(refused)
+    bare = graspless.time(refused, fingers=True)
+    np.testing.assert_array_equal(bare.times, timed("carried", fingers=True).times)
+
+
 def test_a_regrasp_takes_its_time():
     plan, trajectory = planned("regrasp"), timed("regrasp")
     mine = next(m for segment, m in of_segments(trajectory) if segment.name == "regrasp")

@@ -68,7 +68,8 @@ def time(
     pause : float, optional
         Between segments, where contacts change [s]. Default 0.05.
     fingers : bool
-        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same.
+        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same, also
+        where its status is not_realized.
 
     Raises
     ------
@@ -78,7 +79,7 @@ def time(
     """
     from . import settings as defaults
 
-    if not plan:
+    if not plan and not (fingers and plan.status == "not_realized"):
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to time")
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
     pause = defaults.require_positive("pause", defaults.PAUSE if pause is None else pause)
