@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import graspless
-from graspless import TaskError, robot
+from graspless import TaskError, robot, slide
 from graspless.robot import Robot
 from graspless.timing import settings
 from timing_common import planned, timed
@@ -259,6 +259,19 @@ def test_sampling_keeps_the_limits_and_the_ends(name):
     held = trajectory.at([-1.0, trajectory.duration + 1])
     assert held.names == [trajectory.names[0], trajectory.names[-1]]
     np.testing.assert_allclose(held.positions, trajectory.positions[[0, -1]], atol=1e-12)
+
+
+def test_the_timed_motion_passes_the_plan_s_own_check():
+    """Collisions, bands, limits and the grasp hold along it as they do along the rows."""
+    plan, trajectory = planned("slide"), timed("slide")
+    core = plan.to_core()
+    core.segments = [
+        slide.Segment(segment.name, trajectory.positions[mine], trajectory.object_poses[mine])
+        for segment, mine in of_segments(trajectory)
+    ]
+    faults = slide.check(plan.task.problem, core, plan.task.options)
+    # Poses between rows are interpolated, and follow the contact less exactly than rows do.
+    assert [fault for fault in faults if "does not follow the contact" not in fault] == []
 
 
 def test_object_follows_its_rows():
