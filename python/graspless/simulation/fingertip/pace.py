@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.fingertip import Plan, Segment
 
-SPEED = 0.02  # of any corner that slides [m/s]
+SPEED = 0.005  # of any corner that slides; faster, MuJoCo lifts the object off [m/s]
 TURNING = np.pi / 6  # of a tumble: a quarter in three seconds [rad/s]
 RAMP = 0.3  # from rest, and to rest [s]
 REGRASP = 1.5  # [s]
