@@ -29,6 +29,20 @@ void bind_planning(py::module_ m) {
                     "Rounds of the main loop; None for no limit.")
       .def_readonly("seed", &StoppableBudget::seed, "Of all random numbers.")
       .def(
+          "part",
+          [](const StoppableBudget& self, double seconds, std::uint64_t seed) {
+            StoppableBudget part = self;  // stop() of either stops both
+            part.seconds = seconds;
+            part.seed = seed;
+            planning::Budget checked;
+            checked.seconds = seconds;
+            planning::Clock{checked};
+            return part;
+          },
+          py::kw_only(), py::arg("seconds"), py::arg("seed"),
+          "What a part of a longer query may spend: as this one, with seconds and seed of its "
+          "own.\n\nstop() of either ends both.")
+      .def(
           "stop", [](StoppableBudget& self) { *self.stopped = true; },
           "Ends the query that runs on this budget, from any thread; it returns within some 10 "
           "ms.\n\n"

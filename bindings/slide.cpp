@@ -4,6 +4,8 @@
 
 #include <pybind11/native_enum.h>
 
+#include "graspless/slide/torsion.hpp"
+
 #include "conversions.hpp"
 #include "planning.hpp"
 
@@ -91,15 +93,17 @@ void bind_support(py::module_& m) {
   py::class_<Support>(
       m, "Support",
       "A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.")
-      .def(
-          py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width) {
-            return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width);
-          }),
-          py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04, py::arg("band_width") = 0.06,
-          "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than "
-          "60 degrees.\n"
-          "slab: how thick the top is [m]. band_width: how far from the edges the goal region "
-          "reaches [m].")
+      .def(py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width,
+                       double friction) {
+             return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width,
+                            friction);
+           }),
+           py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04,
+           py::arg("band_width") = 0.06, py::arg("friction") = 0.3,
+           "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than "
+           "60 degrees.\n"
+           "slab: how thick the top is [m]. band_width: how far from the edges the goal region "
+           "reaches [m]. friction: of the object on it.")
       .def_property_readonly(
           "polygon", [](const Support& self) { return self.polygon(); }, "In S [m].")
       .def_property_readonly(
@@ -109,6 +113,7 @@ void bind_support(py::module_& m) {
           "X_WS", [](const Support& self) { return from_pose(self.X_WS()); },
           "(4, 4) pose in the world.")
       .def_property_readonly("slab", &Support::slab, "How thick the top is [m].")
+      .def_property_readonly("friction", &Support::friction, "Of the object on it.")
       .def_property_readonly("normal_W", &Support::normal_W,
                              "(3,) unit normal in the world, out of the surface.")
       .def_property_readonly("shapes", &Support::shapes, "PlacedShapes in S, below z = 0.")
@@ -142,7 +147,10 @@ void bind_hand(py::module_& m) {
       Field{"finger_model", &Hand::finger_model,
             "How the sliding finger gives way under the press."},
       Field{"flexure_length", &Hand::flexure_length, "From the flexure to the tip [m]."},
-      Field{"tip_radius", &Hand::tip_radius, "Of the pad that rolls on the object [m]."});
+      Field{"tip_radius", &Hand::tip_radius, "Of the pad that rolls on the object [m]."},
+      Field{"flexure_stiffness", &Hand::flexure_stiffness, "How hard the finger presses [Nm/rad]."},
+      Field{"pad_width", &Hand::pad_width, "Of the line contact [m]."},
+      Field{"pad_friction", &Hand::pad_friction, "Of the pad on the object."});
 }
 
 void bind_problem(py::module_& m) {
@@ -285,6 +293,17 @@ void bind_statistics(py::module_& m) {
       "All fields by name.");
 }
 
+void bind_turning(py::module_& m) {
+  py::class_<Turning> turning_class(m, "Turning", "How fast the slide of a plan turns.");
+  bind_fields(turning_class, "Any field by keyword; the others are zero.",
+              Field{"most", &Turning::most, "Greatest turn per length of way [rad/m]."},
+              Field{"allowed", &Turning::allowed, "What the pad can turn at least [rad/m]."},
+              Field{"lag", &Turning::lag, "By how much the object may stay behind [rad]."});
+  m.def("turning", &turning, py::arg("problem"), py::arg("plan"),
+        "How fast a plan's slide turns, and how fast the pad can turn the object with it: "
+        "ellipsoidal limit surfaces of pad and support.");
+}
+
 void bind_plan(py::module_& m) {
   py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
       .value("solved", Status::solved, "A plan was found.")
@@ -308,6 +327,7 @@ void bind_plan(py::module_& m) {
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
   field(Field{"segments", &Plan::segments, "Stretches of motion, in order."});
   field(Field{"overhang", &Plan::overhang, "How far the object sticks out at the goal [m]."});
+  field(Field{"warnings", &Plan::warnings, "What to be careful of."});
   field(Field{"statistics", &Plan::statistics, "What the search did."});
   plan.def_property(
           "X_WO_goal", [](const Plan& self) { return from_pose(self.X_WO_goal); },
@@ -333,6 +353,7 @@ void bind_slide(py::module_ m) {
   bind_segment(m);
   bind_statistics(m);
   bind_plan(m);
+  bind_turning(m);
   bind_front_door<Problem, Options, Plan>(
       m,
       "Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a status.",

@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes python/graspless/plan.schema.json from the models of plan files."""
+"""Writes the JSON schemas of plan files and of trajectory files from their models."""
 
 import json
 import pathlib
 
+from graspless.exports.json_model import schema as trajectory_schema
 from graspless.plans.model import schema
 
-TARGET = pathlib.Path(__file__).parents[1] / "python" / "graspless" / "plan.schema.json"
+PACKAGE = pathlib.Path(__file__).parents[1] / "python" / "graspless"
+TARGET = PACKAGE / "plan.schema.json"
+TRAJECTORY = PACKAGE / "trajectory.schema.json"
 
 
 def text() -> str:
@@ -15,5 +18,11 @@ def text() -> str:
     return json.dumps(schema(), indent=1) + "\n"
 
 
+def trajectory_text() -> str:
+    """The JSON schema of trajectory files."""
+    return json.dumps(trajectory_schema(), indent=1) + "\n"
+
+
 if __name__ == "__main__":
     TARGET.write_text(text())
+    TRAJECTORY.write_text(trajectory_text())

@@ -30,10 +30,13 @@ if TYPE_CHECKING:
         slide,
         view,
     )
+    from .batches import batch
     from .errors import TaskError
+    from .exports import export
     from .plans import Plan, check, load_plan, plan
     from .simulation import simulate
     from .tasks import Task, load_task
+    from .timing import Trajectory, time
 
 __version__ = "0.1.0"
 
@@ -41,10 +44,13 @@ __all__ = [
     "Plan",
     "Task",
     "TaskError",
+    "Trajectory",
     "__version__",
+    "batch",
     "check",
     "clasp",
     "collision",
+    "export",
     "fingertip",
     "geometry",
     "load_plan",
@@ -56,15 +62,20 @@ __all__ = [
     "scene",
     "simulate",
     "slide",
+    "time",
     "view",
 ]
 
 _HOMES = {
+    "batch": "batches",
     "Plan": "plans",
     "check": "plans",
+    "export": "exports",
     "load_plan": "plans",
     "plan": "plans",
     "simulate": "simulation",
+    "Trajectory": "timing",
+    "time": "timing",
     "Task": "tasks",
     "load_task": "tasks",
     "TaskError": "errors",

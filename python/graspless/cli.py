@@ -25,8 +25,10 @@ from ._commands import (
     read_stdin,
 )
 from ._loops import add_parser as _add_loops
+from .batches.cli import add_parser as _add_batch
 from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
+from .exports.cli import add_parser as _add_export
 from .simulation.cli import add_parser as _add_simulate
 
 if TYPE_CHECKING:
@@ -96,6 +98,8 @@ def make_parser() -> argparse.ArgumentParser:
     _add_check(commands)
     _add_view(commands)
     _add_simulate(commands)
+    _add_export(commands)
+    _add_batch(commands)
     _add_loops(commands)
     _add_example(commands)
     _add_bench(commands)

@@ -14,6 +14,17 @@ from .errors import TaskError
 def check_writable(path: str | Path) -> None:
     """Raises TaskError unless `path` can be written: asked before work that would be lost."""
     path = Path(path)
+    _check_place(path)
+    try:
+        if not path.exists() or path.is_file():
+            with tempfile.TemporaryFile(dir=path.parent):
+                pass
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _check_place(path: Path) -> None:
+    """Raises TaskError unless there is a folder, and what is there already can be written."""
     if path.is_dir():
         raise TaskError(f"{path}: cannot be written: is a folder")
     if not path.parent.is_dir():
@@ -21,9 +32,6 @@ def check_writable(path: str | Path) -> None:
     try:
         if path.exists():
             with path.open("ab"):
-                pass
-        if not path.exists() or path.is_file():
-            with tempfile.TemporaryFile(dir=path.parent):
                 pass
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
@@ -33,7 +41,7 @@ def write(path: str | Path, content: str | bytes) -> None:
     """Writes a file at once, through a temporary one beside it; raises TaskError."""
     path = Path(path)
     data = content.encode() if isinstance(content, str) else content
-    check_writable(path)
+    _check_place(path)
     try:
         if path.exists() and not path.is_file():  # a pipe or device must not be replaced
             path.write_bytes(data)

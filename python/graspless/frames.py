@@ -88,3 +88,40 @@ def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
     b = -b if a @ b < 0 else b
     p = (1 - t) * X_A[:3, 3] + t * X_B[:3, 3]
     return translation(p) @ from_quaternion((1 - t) * a + t * b)
+
+
+def along(poses: Matrix, rows: Matrix) -> Matrix:
+    """[M, 4, 4] at `rows` [M] of poses [N, 4, 4]: 2.25 is a quarter of the way from 2 to 3."""
+    before = np.floor(rows).astype(int).clip(0, len(poses) - 1)
+    after = np.minimum(before + 1, len(poses) - 1)
+    return mixed(places(poses), before, after, np.clip(rows - before, 0.0, 1.0))
+
+
+def places(poses: Matrix) -> tuple[Matrix, Matrix]:
+    """[N, 3] positions and [N, 4] unit quaternions of poses [N, 4, 4]."""
+    same = (poses[1:] == poses[:-1]).all(axis=(1, 2))  # an object mostly stands still
+    new = np.concatenate([[True], ~same]) if len(poses) else np.zeros(0, dtype=bool)
+    quaternions = np.array([to_quaternion(X) for X in poses[new]]).reshape(-1, 4)
+    return poses[:, :3, 3], quaternions[np.cumsum(new) - 1]
+
+
+def mixed(
+    given: tuple[Matrix, Matrix], before: NDArray[np.int64], after: NDArray[np.int64], t: Matrix
+) -> Matrix:
+    """[M, 4, 4] as `between`, a part t [M] of the way from places before [M] to after [M]."""
+    points, quaternions = given
+    a, b = quaternions[before], quaternions[after]
+    b = np.where(np.einsum("ij,ij->i", a, b)[:, None] < 0, -b, b)
+    w, x, y, z = _unit((1 - t)[:, None] * a + t[:, None] * b).T
+    X = np.zeros((len(t), 4, 4))
+    X[:, :3, 3] = (1 - t)[:, None] * points[before] + t[:, None] * points[after]
+    X[:, 3, 3] = 1.0
+    X[:, 0, :3] = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], 1)
+    X[:, 1, :3] = np.stack([2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)], 1)
+    X[:, 2, :3] = np.stack([2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)], 1)
+    return X
+
+
+def _unit(quaternions: Matrix) -> Matrix:
+    unit: Matrix = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
+    return unit

@@ -14,9 +14,11 @@ from ._core.slide import (
     Statistics,
     Status,
     Support,
+    Turning,
     center_of_mass,
     check,
     plan,
+    turning,
     validate,
 )
 from .collision import Obstacle
@@ -34,8 +36,10 @@ __all__ = [
     "Statistics",
     "Status",
     "Support",
+    "Turning",
     "center_of_mass",
     "check",
     "plan",
+    "turning",
     "validate",
 ]

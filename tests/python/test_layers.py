@@ -17,6 +17,7 @@ ALLOWED = {
     "scene": {"geometry", "robot", "collision"},
     "slide": {"geometry", "robot", "collision", "mechanics", "planning", "scene"},
     "clasp": {"geometry", "robot", "collision", "mechanics", "planning", "scene"},
+    "carry": {"geometry", "robot", "collision", "planning", "scene"},
     "fingertip": {"geometry", "collision", "mechanics", "planning"},
 }
 REALIZE = {"robot", "scene"}  # what only fingertip/realize* may know besides

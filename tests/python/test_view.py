@@ -89,7 +89,8 @@ def test_replay_moves_every_body(plan, html):
     assert recorded["durationSeconds"] == pytest.approx(shown.times[-1] + 1.5, abs=0.1)
     messages = recorded["messages"]
     named = {message["name"] for _, message in messages if "name" in message}
-    assert {"/table", "/object", "/fingertip", "/obstacles/mug", "/obstacles/a_b"} <= named
+    assert {"/table", "/object", "/trail", "/contact", "/goal"} <= named
+    assert {"/obstacles/mug", "/obstacles/a_b"} <= named
     last = last_positions(messages)
     X_WO = shown.object_poses[-1]
     np.testing.assert_allclose(last["/object"], X_WO[:3, 3], atol=2e-6)

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <tuple>
 
+#include "graspless/slide/torsion.hpp"
+
 #include "slide/rows.hpp"
 
 namespace graspless::slide {
@@ -57,6 +59,20 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals, b
   return out.str();
 }
 
+/// Eq. (2) has the object turn with the finger; physics allows that to a pad only so far.
+void warn_of_torsion(const Problem& problem, Plan& plan) {
+  constexpr double kDegree = 0.017453292519943295, kMost = 2;  // lag that is worth a word [deg]
+  const Turning slide = turning(problem, plan);
+  const double lag = slide.lag / kDegree;
+  if (lag < kMost) return;
+  std::ostringstream out;
+  out << std::setprecision(2) << "the slide turns by up to " << slide.most / kDegree / 100
+      << " deg/cm, and the pad turns the object with it only up to "
+      << slide.allowed / kDegree / 100 << ": it may stay behind by " << lag
+      << " deg; a wider pad (hand.pad_width) or a smoother support (support.friction) helps";
+  plan.warnings.push_back(out.str());
+}
+
 }  // namespace
 
 bool is_home_free(Query& query, Plan& plan) {
@@ -89,6 +105,7 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   plan.X_WO_goal = X_WO_goal;
   plan.X_WH_grasp = handling.X_WH;
   plan.overhang = handling.placement.overhang;
+  warn_of_torsion(query.problem, plan);
 }
 
 std::string reason(const Plan& plan) {

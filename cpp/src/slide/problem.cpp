@@ -156,10 +156,11 @@ Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::Vect
 }
 
 Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab,
-                 double band_width)
+                 double band_width, double friction)
     : goal_band_(polygon, band_width),
       X_WS_(X_WS),
       slab_(positive("support slab", slab)),
+      friction_(positive("support friction", friction)),
       shapes_(prisms(polygon, -slab, 0)),
       solid_(shapes_, "support") {
   const Eigen::Matrix3d R = X_WS.linear();

@@ -55,6 +55,12 @@ void check_hand(const Hand& hand, const robot::Robot& robot) {
           hand.flexure_length, "must lie in (0, 1] m");
   require(hand.tip_radius >= 0 && hand.tip_radius <= 0.1, "hand.tip_radius", hand.tip_radius,
           "must lie in [0, 0.1] m");
+  require(hand.flexure_stiffness > 0 && hand.flexure_stiffness <= 1000, "hand.flexure_stiffness",
+          hand.flexure_stiffness, "must lie in (0, 1000] Nm/rad");
+  require(hand.pad_width > 0 && hand.pad_width <= 0.2, "hand.pad_width", hand.pad_width,
+          "must lie in (0, 0.2] m");
+  require(hand.pad_friction > 0 && hand.pad_friction <= 10, "hand.pad_friction", hand.pad_friction,
+          "must lie in (0, 10]");
 }
 
 void check_obstacles(const Problem& problem) {

@@ -11,5 +11,6 @@ from . import planning
 from . import slide
 from . import fingertip
 from . import clasp
+from . import carry
 from . import bench
-__all__: list[str] = ['bench', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']
+__all__: list[str] = ['bench', 'carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']

@@ -16,6 +16,12 @@ class Budget:
         """
     def __repr__(self) -> str:
         ...
+    def part(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex, seed: typing.SupportsInt | typing.SupportsIndex) -> Budget:
+        """
+        What a part of a longer query may spend: as this one, with seconds and seed of its own.
+        
+        stop() of either ends both.
+        """
     def stop(self) -> None:
         """
         Ends the query that runs on this budget, from any thread; it returns within some 10 ms.

@@ -11,7 +11,7 @@ import graspless._core.robot
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'center_of_mass', 'check', 'plan', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'plan', 'turning', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -83,10 +83,10 @@ class Support:
     """
     A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.
     """
-    def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06) -> None:
+    def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06, friction: typing.SupportsFloat | typing.SupportsIndex = 0.3) -> None:
         """
         polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than 60 degrees.
-        slab: how thick the top is [m]. band_width: how far from the edges the goal region reaches [m].
+        slab: how thick the top is [m]. band_width: how far from the edges the goal region reaches [m]. friction: of the object on it.
         """
     def __repr__(self) -> str:
         ...
@@ -94,6 +94,11 @@ class Support:
     def X_WS(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """
         (4, 4) pose in the world.
+        """
+    @property
+    def friction(self) -> float:
+        """
+        Of the object on it.
         """
     @property
     def goal_band(self) -> graspless._core.geometry.Band:
@@ -130,7 +135,7 @@ class Hand:
     """
     What the planner must know of a hand. Links and groups are the robot's.
     """
-    def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005) -> None:
+    def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005, flexure_stiffness: typing.SupportsFloat | typing.SupportsIndex = 4.6, pad_width: typing.SupportsFloat | typing.SupportsIndex = 0.032, pad_friction: typing.SupportsFloat | typing.SupportsIndex = 1.16) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -185,6 +190,14 @@ class Hand:
     def flexure_length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def flexure_stiffness(self) -> float:
+        """
+        How hard the finger presses [Nm/rad].
+        """
+    @flexure_stiffness.setter
+    def flexure_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def grasp_frame(self) -> str:
         """
         Frame H: origin between the open tips, Z out of the hand, Y from finger to finger.
@@ -199,6 +212,22 @@ class Hand:
         """
     @open.setter
     def open(self, arg0: str) -> None:
+        ...
+    @property
+    def pad_friction(self) -> float:
+        """
+        Of the pad on the object.
+        """
+    @pad_friction.setter
+    def pad_friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pad_width(self) -> float:
+        """
+        Of the line contact [m].
+        """
+    @pad_width.setter
+    def pad_width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def sliding_finger(self) -> tuple[str, ...]:
@@ -617,6 +646,48 @@ class Plan:
     @status.setter
     def status(self, arg0: Status) -> None:
         ...
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """
+        What to be careful of.
+        """
+    @warnings.setter
+    def warnings(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+class Turning:
+    """
+    How fast the slide of a plan turns.
+    """
+    def __init__(self, *, most: typing.SupportsFloat | typing.SupportsIndex = 0.0, allowed: typing.SupportsFloat | typing.SupportsIndex = 0.0, lag: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Any field by keyword; the others are zero.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def allowed(self) -> float:
+        """
+        What the pad can turn at least [rad/m].
+        """
+    @allowed.setter
+    def allowed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def lag(self) -> float:
+        """
+        By how much the object may stay behind [rad].
+        """
+    @lag.setter
+    def lag(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def most(self) -> float:
+        """
+        Greatest turn per length of way [rad/m].
+        """
+    @most.setter
+    def most(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 def center_of_mass(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], masses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """
     (3,) mean of points, (N, 3) [m], weighted by their masses, (N,).
@@ -633,6 +704,10 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     
     Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
     Raises ValueError on a bad problem or bad options.
+    """
+def turning(problem: Problem, plan: Plan) -> Turning:
+    """
+    How fast a plan's slide turns, and how fast the pad can turn the object with it: ellipsoidal limit surfaces of pad and support.
     """
 @typing.overload
 def validate(problem: Problem) -> None:

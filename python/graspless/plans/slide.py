@@ -81,6 +81,11 @@ class Plan(AnyPlan):
             for segment in self.fields.segments
         ]
 
+    @property
+    def warnings(self) -> list[str]:
+        """What to be careful of."""
+        return self.fields.warnings
+
     def to_core(self) -> slide.Plan:
         """The planner's own type."""
         plan = slide.Plan()
@@ -94,6 +99,7 @@ class Plan(AnyPlan):
         plan.X_WO_goal = self.X_WO_goal
         plan.X_WH_grasp = self.X_WH_grasp
         plan.overhang = self.overhang
+        plan.warnings = self.warnings
         return plan
 
 
@@ -122,4 +128,5 @@ def document(found: slide.Plan, task: Task) -> dict[str, Any]:
             }
             for segment in found.segments
         ],
+        "warnings": list(found.warnings),
     }

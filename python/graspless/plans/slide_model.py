@@ -42,6 +42,7 @@ class SlidePlanFile(PlanFields):
     X_WO_goal: PoseRow = Field(description="pose of the object after the slide")
     X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the grasp")
     segments: list[Segment]
+    warnings: list[str] = Field(default=[], description="what to be careful of")
     task: SlideTask = Field(description="the task file, with all that it names")
 
     @model_validator(mode="after")

@@ -19,6 +19,7 @@ def details(plan: Plan) -> dict[str, Any]:
     """What `--json` prints of this kind alone."""
     return {
         "overhang": plan.overhang if plan else None,
+        "warnings": plan.warnings,
         "segments": [
             {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
             for s in plan.segments
@@ -27,8 +28,9 @@ def details(plan: Plan) -> dict[str, Any]:
 
 
 def lines(plan: Plan) -> list[str]:
-    """A line a segment, and how far it slides."""
-    return [*(segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
+    """A line a segment, how far it slides, and what to be careful of."""
+    found = [*(segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
+    return [*found, *(f"warning: {warning}" for warning in plan.warnings)]
 
 
 def lines_not_found(plan: Plan) -> list[str]:

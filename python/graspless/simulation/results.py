@@ -30,6 +30,8 @@ class Recording:
         Centres of the fingertips in the world [m], of fingertip plans; else n is 0.
     names : list of str
         What went on.
+    planned_poses : array [N, 4, 4], optional
+        X_WO as the plan has it at that moment, for a viewer to show beside what happened.
     """
 
     times: Matrix
@@ -37,6 +39,7 @@ class Recording:
     object_poses: Matrix
     fingers: Matrix
     names: list[str]
+    planned_poses: Matrix | None = None
 
 
 @dataclass(frozen=True)

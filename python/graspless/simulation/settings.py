@@ -80,3 +80,64 @@ class Break:
     sampling: float = 0.01  # of poses [s]
     largest: float = 3.0  # of z: no greater wrench is tried
     precision: float = 0.02  # of the smallest wrench
+
+
+@dataclass(frozen=True)
+class Clasp:
+    """An object that hangs in a hand: how it is made, closed around and pulled at."""
+
+    mass: float = 1.0  # of an object whose task says none, a bag's [kg]
+    friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
+    stand_friction: float = 0.5  # object on floor
+    skin: float = 0.0005  # half thickness of the surface [m]: little against a cloud's spacing
+    stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
+    foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
+    lead: float = 0.3  # the object comes to rest before the arm moves [s]
+    hit: float = 0.005  # what moves an object farther before the hand closes knocked it [m]
+    grip_effort: float = 0.5  # of a joint's greatest: where it stops closing
+    grip_rate: float = 0.5  # [rad/s]: a sixth of the SDH's greatest
+    grip_seconds: float = 3.0  # at most
+    force: float = 15.0  # of a random wrench [N]; notes of the feasibility study, as the next four
+    torque: float = 1.0  # about the centre of mass [Nm]
+    hold: float = 0.1  # until the wrench is drawn anew [s]
+    seconds: float = 3.0  # a sequence
+    sequences: int = 10  # as the paper's own test
+    pull_rate: float = 40.0  # growth of a straight pull [N/s]: quasi-static against 100 rad/s
+    pull_needed: float = 15.0  # as a random one's [N]
+    pull_most: float = 60.0  # where a straight pull ends [N]: three fingers of 2 Nm at 0.1 m
+    open_seconds: float = 1.0  # of the negative control's hand, to open
+
+
+@dataclass(frozen=True)
+class Slide:
+    """A thin object between a table, a pressing finger and a closing hand."""
+
+    impratio: float = 1000.0  # at 100 a finger that carries an object sideways creeps round by
+    # up to 7 degrees in 8 s, at 1000 by less than one, as at 10000: Coulomb's law has no creep
+    table_solref: float = 0.02  # time constant of a foot's contact [s]
+    table_solimp: tuple[float, float, float] = (0.9, 0.95, 0.001)  # MuJoCo's own
+    table_slip: float = 0.1  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
+    # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
+    # come down with kicks of 0.1 m/s
+    tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
+    feet: int = 60  # on which the object stands, evenly spread: the torsion of an even pressure
+    foot_radius: float = 0.001  # [m]
+    rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
+    rim_spacing: float = 0.01  # of points along outline and edge [m]
+    flexure_damping_ratio: float = 0.7  # of the finger on its flexure
+    pad_points: int = 5  # of the line contact: the torsion of a line evenly pressed
+    pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what
+    # moment a soft pad withstands is the force times this
+    squeeze: float = 0.2  # how far the hand is told to close beyond contact [rad or m]: its
+    # flexures push with 6 N then
+    squeeze_seconds: float = 0.8  # from the first touch to the lift [s]
+    pause: float = 0.3  # after pressing and after sliding, until servos and object rest [s]
+    lift_height: float = 0.1  # what the issue asks for [m]
+    lift_seconds: float = 2.0
+    hold_seconds: float = 1.0  # what the issue asks for
+    off_target: tuple[float, float] = (0.005, 0.0873)  # nominal: 5 mm, 5 degrees [m, rad]
+    off_target_varied: tuple[float, float] = (0.010, 0.1745)  # varied: 10 mm, 10 degrees
+    tipped: float = 0.175  # an object that tilts by 10 degrees is about to fall [rad]
+    fell: float = 0.02  # below where it lay [m]
+    lost_seconds: float = 0.1  # without contact while it slides
+    kept: float = 0.02  # how far an object that is held may creep in the hand [m]

@@ -143,7 +143,7 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
     kind = task_kind(source)
     named = source.validate(kind.Fields)
     fields, other = kind.resolve(named, source, Path(directory).resolve())
-    return _with_search(fields, kind.build(fields, source, other), source)
+    return build_task(fields, source, other)
 
 
 def task_from_dict(document: Any, file: str) -> Task:
@@ -161,7 +161,21 @@ def task_from_dict(document: Any, file: str) -> Task:
     fields = source.validate(kind.Fields)
     kind.require_resolved(fields, source)
     check_files(fields.files, source)
-    return _with_search(fields, kind.build(fields, source, source), source)
+    return build_task(fields, source, source)
+
+
+def build_task(fields: Any, source: Source, other: Source) -> Task:
+    """The task of resolved fields.
+
+    Parameters
+    ----------
+    fields : SlideTask, FingertipTask, ...
+        With every file that they name put inline.
+    source, other : Source
+        Where they stand, and where those of another file do; for errors.
+    """
+    kind: TaskKind = part("tasks", fields.kind)
+    return _with_search(fields, kind.build(fields, source, other), source)
 
 
 def task_kind(source: Source) -> TaskKind:

@@ -41,8 +41,17 @@ class Source:
         place = tuple(location)
         value, known = self._look_up(place)
         shown = f"{_shorten(value)}: " if known and not isinstance(value, (dict, list)) else ""
-        where = f"{self.file}:{self.line(place)}" if self.lines else self.file
-        return f"{where}: {_dotted(place)}{shown}{what}"
+        return f"{self.where(place)}{shown}{what}"
+
+    def where(self, place: Location) -> str:
+        """How a fault begins: file:line: field."""
+        file = f"{self.file}:{self.line(place)}" if self.lines else self.file
+        return f"{file}: {_dotted(place)}"
+
+    def depth(self, place: Location) -> int:
+        """How many steps of the way to a field are in the data."""
+        known = (n for n in range(len(place), 0, -1) if self._look_up(place[:n])[1])
+        return next(known, 0)
 
     def error(self, location: Iterable[str | int], what: str) -> TaskError:
         return TaskError(self.message(location, what))
@@ -88,8 +97,7 @@ class Source:
             fields = sorted(_fields_at(model, fault["loc"][:-1]))
             close = difflib.get_close_matches(str(place[-1]), fields, 1)
             hint = f"; did you mean '{close[0]}'?" if close else ""
-            where = f"{self.file}:{self.line(place)}" if self.lines else self.file
-            return f"{where}: {_dotted(place)}unknown field{hint} (one of: {', '.join(fields)})"
+            return f"{self.where(place)}unknown field{hint} (one of: {', '.join(fields)})"
         if kind == "missing":
             return self.message(place, "missing")
         if kind == "model_type" or kind == "dict_type":

@@ -4,7 +4,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from ..plans import Plan
+    from .clip import Clip
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,8 @@ class Trajectory:
     ----------
     plan : Plan
         What it was made of.
+    segments : list
+        The plan's, or of a fingertip plan with an arm its joint_segments: each has a name.
     times : array [N]
         [s], from 0, increasing.
     segment_index : array [N]
@@ -77,22 +81,22 @@ class Trajectory:
         # Between two segments there is no row: the later one has begun.
         same = self.segment_index[before] == self.segment_index[after]
         rows = np.where(same, _mix(self.rows, before, after, t), self.rows[after])
-        poses = [
-            frames.between(self.object_poses[i], self.object_poses[j], s)
-            for i, j, s in zip(before, after, t, strict=True)
-        ]
-        return Trajectory(
-            self.plan,
-            self.segments,
-            asked,
-            self.segment_index[after],
-            rows,
-            self.joint_names,
-            _mix(self.positions, before, after, t),
-            _mix(self.velocities, before, after, t),
-            _mix(self.accelerations, before, after, t),
-            np.array(poses).reshape(-1, 4, 4),
+        segment_index = np.where(t > 0, self.segment_index[after], self.segment_index[before])
+        rows = np.where(t > 0, rows, self.rows[before])
+        return replace(
+            self,
+            times=asked,
+            segment_index=segment_index,
+            rows=rows,
+            positions=_mix(self.positions, before, after, t),
+            velocities=_mix(self.velocities, before, after, t),
+            accelerations=_mix(self.accelerations, before, after, t),
+            object_poses=frames.mixed(self._places, before, after, t),
         )
+
+    @cached_property
+    def _places(self) -> tuple[Matrix, Matrix]:
+        return frames.places(self.object_poses)
 
     def sampled(self, rate: float) -> Trajectory:
         """The moments at even times, `rate` a second, the last one at the end."""
@@ -104,3 +108,47 @@ def _mix(values: Matrix, before: NDArray[np.int64], after: NDArray[np.int64], t:
     weight = t.reshape(-1, *([1] * (values.ndim - 1)))
     mixed: Matrix = (1 - weight) * values[before] + weight * values[after]
     return mixed
+
+
+def assembled(
+    plan: Plan,
+    segments: list[Any],
+    joint_names: list[str],
+    clips: list[Clip],
+    object_poses: list[Matrix],
+    pause: float,
+) -> Trajectory:
+    """One clip a segment, `pause` [s] between them."""
+    lengths = [clip.times[-1] + pause for clip in clips]
+    starts = np.cumsum([0.0, *lengths[:-1]])
+    dof = len(joint_names)
+    return Trajectory(
+        plan,
+        segments,
+        np.concatenate([clip.times + t for clip, t in zip(clips, starts, strict=True)]),
+        np.repeat(np.arange(len(clips)), [len(clip.times) for clip in clips]),
+        np.concatenate([clip.rows for clip in clips]),
+        joint_names,
+        np.concatenate([clip.coordinates[:, :dof] for clip in clips]),
+        np.concatenate([clip.velocities[:, :dof] for clip in clips]),
+        np.concatenate([clip.accelerations[:, :dof] for clip in clips]),
+        np.concatenate(object_poses),
+    )
+
+
+def concatenated(plan: Plan, parts: list[Trajectory], pause: float) -> Trajectory:
+    """Trajectories of the same joints one after the other, `pause` [s] between them."""
+    starts = np.cumsum([0.0, *(part.duration + pause for part in parts[:-1])])
+    counts = np.cumsum([0, *(len(part.segments) for part in parts[:-1])])
+    return Trajectory(
+        plan,
+        [segment for part in parts for segment in part.segments],
+        np.concatenate([part.times + t for part, t in zip(parts, starts, strict=True)]),
+        np.concatenate([part.segment_index + n for part, n in zip(parts, counts, strict=True)]),
+        np.concatenate([part.rows for part in parts]),
+        parts[0].joint_names,
+        np.concatenate([part.positions for part in parts]),
+        np.concatenate([part.velocities for part in parts]),
+        np.concatenate([part.accelerations for part in parts]),
+        np.concatenate([part.object_poses for part in parts]),
+    )

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from .. import geometry
     from ..plans import Plan
+    from ..simulation import Recording
 
 
 def write_png(plan: Plan, path: str | Path) -> None:
@@ -64,18 +65,27 @@ def check_png(path: str | Path) -> None:
         raise TaskError(f"{path}: unknown kind of picture (choices: .png)")
 
 
-def write_html(plan: Plan, path: str | Path) -> None:
-    """Writes a replay with a play button and a time slider, in one file that needs no network."""
+def write_html(plan: Plan, path: str | Path, recording: Recording | None = None) -> None:
+    """Writes a replay with a play button and a time slider, in one file that needs no network.
+
+    Parameters
+    ----------
+    plan : Plan
+    path : str or Path
+        .html file.
+    recording : Recording, optional
+        Of a simulation of the plan: shown instead of the plan, whose object is a ghost.
+    """
     files.check_writable(path)
     try:
         from .replay import as_html
     except ImportError as error:
         raise TaskError(_missing(error)) from None
-    files.write(path, as_html(plan))
+    files.write(path, as_html(plan, recording))
 
 
 def serve(plan: Plan, port: int = 8080) -> None:
-    """Serves a viewer with a time slider on this machine until Ctrl-C."""
+    """Serves a viewer on this machine until Ctrl-C: time slider, speed, a box for each layer."""
     try:
         from .replay import serve as run
     except ImportError as error:

@@ -32,6 +32,7 @@ TABLE: Color = (0.80, 0.72, 0.60)
 OBSTACLE: Color = (0.45, 0.55, 0.68)
 TRAIL: Color = (0.78, 0.10, 0.32)
 LOOP: Color = (0.10, 0.55, 0.60)
+GHOST: Color = (0.35, 0.55, 0.95)
 
 
 @dataclass

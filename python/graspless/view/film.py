@@ -4,23 +4,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import frames
+from .clock import LONGEST, clock_of, pace_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ..frames import Matrix
     from ..plans import Plan
+    from ..simulation import Recording
 
 SPEED = 0.9  # of segments without one of their own: for watching, not for driving a robot [rad/s]
 PAUSE = 0.4  # between segments [s]
-LONGEST = 30.0  # [s]
 
 
 @dataclass
@@ -36,6 +37,10 @@ class Film:
         X_WO.
     names : list of str
         The segment of each row.
+    planned_poses : array [N, 4, 4], optional
+        Where a plan wants the object, of a film of what happened.
+    pace : float, optional
+        How much faster it runs than what it shows; None where that has no times.
     """
 
     plan: Any
@@ -43,6 +48,8 @@ class Film:
     positions: Matrix
     object_poses: Matrix
     names: list[str]
+    planned_poses: Matrix | None = None
+    pace: float | None = None
 
     @cached_property
     def link_poses(self) -> Matrix:
@@ -73,15 +80,23 @@ class Film:
         positions = self.positions[before] + blend[:, None] * (
             self.positions[after] - self.positions[before]
         )
-        poses = [
-            frames.between(self.object_poses[i], self.object_poses[j], t)
-            for i, j, t in zip(before, after, blend, strict=True)
-        ]
-        return Film(self.plan, times, positions, np.array(poses), [self.names[i] for i in after])
+
+        def mixed(poses: Matrix) -> Matrix:
+            rows = zip(before, after, blend, strict=True)
+            return np.array([frames.between(poses[i], poses[j], t) for i, j, t in rows])
+
+        return replace(
+            self,
+            times=times,
+            positions=positions,
+            object_poses=mixed(self.object_poses),
+            names=[self.names[i] for i in after],
+            planned_poses=None if self.planned_poses is None else mixed(self.planned_poses),
+        )
 
 
 def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) -> Film:
-    """The plan's rows at a pace for watching.
+    """The plan's rows at a pace for watching; `timed` gives them the robot's.
 
     Parameters
     ----------
@@ -112,6 +127,41 @@ def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) ->
         np.concatenate([segment.object_poses for segment in segments]),
         names,
     )
+
+
+def timed(shown: Film) -> Film:
+    """The film of a plan at the pace of its robot, where that is known."""
+    clock = clock_of(shown.plan)
+    if clock is None:
+        return shown
+    parts = [(k, s) for k, s in enumerate(shown.plan.segments) if len(s)]
+    times = np.concatenate([clock.times(k, np.arange(len(s))) for k, s in parts])
+    return replace(shown, times=times, pace=clock.pace)
+
+
+def recorded(plan: Plan, recording: Recording) -> Film:
+    """What happened in a simulation, at its own pace if that is not too slow to watch."""
+    times = np.asarray(recording.times, dtype=float)
+    pace = pace_of(float(times[-1]))
+    return Film(
+        plan,
+        times / pace,
+        np.asarray(recording.positions, dtype=float),
+        np.asarray(recording.object_poses, dtype=float),
+        list(recording.names),
+        planned_poses(plan, recording),
+        pace,
+    )
+
+
+def planned_poses(plan: Plan, recording: Recording) -> Matrix:
+    """[N, 4, 4] where the plan wants the object at each moment; where the recording does not say,
+    at its last place.
+    """
+    if recording.planned_poses is not None:
+        return np.asarray(recording.planned_poses, dtype=float)
+    last = [segment for segment in plan.segments if len(segment)][-1].object_poses[-1]
+    return np.repeat(last[None], len(recording.times), axis=0)
 
 
 def spread(shown: Film, most: int = 60) -> list[int]:

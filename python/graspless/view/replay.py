@@ -5,27 +5,26 @@
 from __future__ import annotations
 
 import contextlib
+import html
 import io
 import socket
 import time
+from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
-import numpy as np
-
-from .. import frames, kinds
+from .. import kinds
 from ..errors import TaskError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-    from ..frames import Matrix
     from ..plans import Plan
-    from .bodies import Body, Color
-    from .raster import Camera
+    from ..simulation import Recording
+    from .scene import Layers
 
 RATE = 20.0  # rows a second
 HOLD = 1.5  # at the end, before the replay starts again [s]
-DIM = 0.82  # viser's lights are bright
+SPEEDS = ("0.25x", "0.5x", "1x", "2x", "4x")
 
 
 class Stage(Protocol):
@@ -34,14 +33,19 @@ class Stage(Protocol):
     rows: int
     """Moments, RATE a second."""
 
+    layers: Layers
+    """What can be hidden."""
+
     def show(self, row: int) -> None:
         """Moves what moves to a moment; what stays is not sent again."""
 
 
-def as_html(plan: Plan) -> str:
-    """The replay as the text of one HTML file, a time slider below."""
+def as_html(plan: Plan, recording: Recording | None = None) -> str:
+    """The replay as the text of one HTML file: a time slider below, and its scene tree hides and
+    shows layers.
+    """
     with _server(_free_port()) as server:
-        stage = _stage(server, plan)
+        stage = _stage(server, plan, recording)
         stage.show(0)
         serializer = server.get_scene_serializer()
         for row in range(1, stage.rows):
@@ -49,15 +53,16 @@ def as_html(plan: Plan) -> str:
             stage.show(row)
         serializer.insert_sleep(HOLD if stage.rows > 2 else 0.0)
         text: str = serializer.as_html()
-    title = f"<title>graspless: {plan.task.problem.object.name}, {plan.status}</title>"
+    what = plan.status if recording is None else "simulated"
+    title = f"<title>graspless: {html.escape(plan.task.problem.object.name)}, {what}</title>"
     return text.replace("<title>Viser</title>", title, 1)
 
 
 def serve(plan: Plan, port: int) -> None:
-    """Serves the replay with a slider until Ctrl-C."""
+    """Serves the replay with a slider and a box a layer until Ctrl-C."""
     _check_port(port)  # before the work of drawing
     with _server(port) as server:
-        stage = _stage(server, plan)
+        stage = _stage(server, plan, None)
         stage.show(0)
         playing = server.gui.add_checkbox("play", initial_value=True)
         last = (stage.rows - 1) / RATE
@@ -65,109 +70,35 @@ def serve(plan: Plan, port: int) -> None:
             "time [s]", min=0.0, max=max(last, 0.05), step=0.05, initial_value=0.0
         )
         now.on_update(lambda _: stage.show(round(now.value * RATE)))
+        speed = server.gui.add_dropdown("speed", SPEEDS, initial_value="1x")
+        _add_boxes(server, stage.layers)
         print(f"http://localhost:{server.get_port()}  (Ctrl-C ends it)", flush=True)
         while True:
             time.sleep(1 / RATE)
             if playing.value:
-                now.value = 0.0 if now.value >= last else min(now.value + 1 / RATE, last)
+                step = float(speed.value[:-1]) / RATE
+                now.value = 0.0 if now.value >= last else min(now.value + step, last)
 
 
-def _stage(server: Any, plan: Plan) -> Stage:
+def _add_boxes(server: Any, layers: Layers) -> None:
+    """A box for each layer, which hides and shows it."""
+    with server.gui.add_folder("layers"):
+        for name, handle in layers.handles.items():
+            box = server.gui.add_checkbox(name, initial_value=handle.visible)
+            box.on_update(partial(_follow, box, handle))
+
+
+def _follow(box: Any, handle: Any, _: Any) -> None:
+    handle.visible = box.value
+
+
+def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
     server.scene.set_up_direction("+z")
     server.scene.configure_default_lights(cast_shadow=True)
-    make: Callable[[Any, Plan], Stage] = kinds.part("view", plan.kind).set_stage
-    return make(server, plan)
-
-
-def look(server: Any, view: Camera) -> None:
-    """Where the viewer stands at first."""
-    server.initial_camera.position = tuple(view.eye)
-    server.initial_camera.look_at = tuple(view.target)
-    server.initial_camera.fov = 1.08 * view.angle
-
-
-class Captions:
-    """One line of text at a time, like a subtitle."""
-
-    def __init__(self, scene: Any, view: Camera, texts: list[str]) -> None:
-        reach = np.linalg.norm(view.target - view.eye)
-        at = tuple(view.target - 0.88 * reach * np.tan(view.angle / 2) * view.axes()[1])
-        self.labels = {
-            text: scene.add_label(
-                f"/captions/{plain(text)}", text, position=at, visible=False, font_screen_scale=1.6
-            )
-            for text in dict.fromkeys(texts)
-        }
-        self.shown: str | None = None
-
-    def show(self, text: str) -> None:
-        """Shows one of the texts and hides the others."""
-        if text != self.shown:
-            if self.shown is not None:
-                self.labels[self.shown].visible = False
-            self.labels[text].visible = True
-            self.shown = text
-
-
-def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None = None) -> Any:
-    """A frame with one mesh a colour under it."""
-    frame = scene.add_frame(name, show_axes=False, **_placed(X_WB))
-    colors = list(dict.fromkeys(part.color for part in body.parts))
-    for k, color in enumerate(colors):
-        vertices: list[Matrix] = []
-        triangles: list[Any] = []
-        count = 0
-        for part in body.parts:
-            if part.color == color:
-                vertices.append(part.vertices)
-                triangles.append(part.triangles + count)
-                count += len(part.vertices)
-        scene.add_mesh_simple(
-            f"{name}/{k}",
-            np.concatenate(vertices).astype(np.float32),
-            np.concatenate(triangles).astype(np.uint32),
-            color=shade(color),
-            flat_shading=body.is_flat,
-            opacity=opacity,
-        )
-    return frame
-
-
-def add_segments(scene: Any, name: str, ends: Matrix, color: Color, radius: float) -> Any:
-    """Bars between pairs of points [N, 2, 3]; its `points` move them."""
-    return scene.add_arrows(
-        name,
-        ends.astype(np.float32),
-        shade(color),
-        shaft_radius=radius,
-        head_radius=radius,  # arrows whose heads are not seen
-        head_length=1e-4,
-    )
-
-
-def shade(color: Color) -> tuple[int, int, int]:
-    """A colour as viser takes it, dimmed to its lights."""
-    red, green, blue = (round(255 * DIM * value) for value in color)
-    return red, green, blue
-
-
-def _placed(X_WB: Matrix) -> dict[str, Any]:
-    return {"wxyz": tuple(frames.to_quaternion(X_WB)), "position": tuple(X_WB[:3, 3])}
-
-
-def move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
-    """Moves a frame from where it was in row `before`, which is negative at first."""
-    if before >= 0 and np.array_equal(X, X_before):
-        return
-    if before < 0 or not np.array_equal(X[:3, :3], X_before[:3, :3]):
-        handle.wxyz = tuple(np.round(frames.to_quaternion(X), 6))
-    if before < 0 or not np.array_equal(X[:3, 3], X_before[:3, 3]):
-        handle.position = tuple(np.round(X[:3, 3], 6))
-
-
-def plain(name: str) -> str:
-    """A name that is one step of a scene's path."""
-    return name.replace("/", "_")
+    kind = kinds.part("view", plan.kind)
+    given = () if recording is None else (recording,)
+    stage: Stage = kind.set_stage(server, plan, *given)
+    return stage
 
 
 def _check_port(port: int) -> None:

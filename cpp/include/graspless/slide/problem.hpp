@@ -73,11 +73,11 @@ GRASPLESS_API Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points,
 /// surface).
 class GRASPLESS_API Support {
  public:
-  /// `slab` is how thick the top is [m]; `band_width` how far from the edges P_g reaches [m].
-  /// Throws std::invalid_argument unless both are positive and X_WS is a rigid pose tilted by less
-  /// than 60 degrees.
+  /// `slab` is how thick the top is [m]; `band_width` how far from the edges P_g reaches [m];
+  /// `friction` that of the object on it. Throws std::invalid_argument unless they are positive and
+  /// X_WS is a rigid pose tilted by less than 60 degrees.
   Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab = 0.04,
-          double band_width = 0.06);
+          double band_width = 0.06, double friction = 0.3);
 
   const geometry::Polygon& polygon() const {
     return goal_band_.polygon();
@@ -85,6 +85,7 @@ class GRASPLESS_API Support {
   const geometry::Band& goal_band() const { return goal_band_; }  ///< P_g of the paper, in S
   const Eigen::Isometry3d& X_WS() const { return X_WS_; }
   double slab() const { return slab_; }
+  double friction() const { return friction_; }
   Eigen::Vector3d normal_W() const { return X_WS_.linear().col(2); }
   /// Prisms over the convex parts of the polygon, below z = 0, in S.
   const std::vector<geometry::PlacedShape>& shapes() const { return shapes_; }
@@ -93,7 +94,7 @@ class GRASPLESS_API Support {
  private:
   geometry::Band goal_band_;
   Eigen::Isometry3d X_WS_;
-  double slab_;
+  double slab_, friction_;
   std::vector<geometry::PlacedShape> shapes_;
   collision::Solid solid_;
 };
@@ -119,8 +120,11 @@ struct Hand {
   std::string open = "open";          ///< state of the hand's joints while it slides and reaches
   std::string closed = "closed";      ///< state towards which it closes; it stops at contact
   FingerModel finger_model = FingerModel::flexure;
-  double flexure_length = 0.11;  ///< from the flexure to the tip [m]
-  double tip_radius = 0.005;     ///< of the pad that rolls on the object [m]
+  double flexure_length = 0.11;    ///< from the flexure to the tip [m]
+  double tip_radius = 0.005;       ///< of the pad that rolls on the object [m]
+  double flexure_stiffness = 4.6;  ///< [Nm/rad]: presses with 9 N at a depth of 15 mm
+  double pad_width = 0.032;        ///< of the line contact [m]
+  double pad_friction = 1.16;      ///< of the pad on the object
 };
 
 using collision::Obstacle;  // in the way of the arm and of the sliding object

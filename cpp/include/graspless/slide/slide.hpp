@@ -106,6 +106,7 @@ struct Plan {
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g
   double overhang = 0;                                           ///< u at the goal [m]
+  std::vector<std::string> warnings;                             ///< what to be careful of
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }
 };

@@ -71,6 +71,7 @@ class Object(Fields):
     noise: NotNegative = Field(default=0.0, description="added: a standard deviation [m]")
     seed: Seed = Field(default=1, description="of samples and noise")
     pose: Pose = Field(default=Pose(), description="of O in the world")
+    mass: Positive | None = Field(default=None, description="in simulations [kg]")
     loops: LoopOptions = LoopOptions()
 
     @model_validator(mode="after")

@@ -41,7 +41,9 @@ def options(fields: SlideTask, problem: slide.Problem, source: Source) -> slide.
 
 def in_force(fields: SlideTask, problem: slide.Problem, options: slide.Options) -> dict[str, Any]:
     """Fields with every value that was in force."""
+    support = {name: getattr(problem.support, name) for name in ("slab", "friction")}
     return {
+        "support": fields.support.model_copy(update=support),
         "hand": _in_force(fields.hand, problem.hand),
         "options": _in_force(fields.options, options),
     }

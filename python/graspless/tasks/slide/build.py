@@ -125,8 +125,7 @@ def build_object(thing: model.Object, source: Source) -> slide.Object:
 
 
 def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:
-    keys = {"slab": support.slab, "band_width": support.band_width}
-    given = {name: value for name, value in keys.items() if value is not None}
+    given = support.model_dump(include={"slab", "band_width", "friction"}, exclude_none=True)
     with at(source, "support", _outline_field(support, source, "support")):
         polygon = geometry.Polygon(_outline(support), "the support")
     with at(source, "support"):

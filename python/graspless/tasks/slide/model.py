@@ -47,6 +47,9 @@ class Hand(Fields):
     finger_model: Literal["none", "flexure"] | None = None
     flexure_length: Positive | None = Field(default=None, description="flexure to tip [m]")
     tip_radius: Positive | None = Field(default=None, description="of the rolling pad [m]")
+    flexure_stiffness: Positive | None = Field(default=None, description="[Nm/rad]")
+    pad_width: Positive | None = Field(default=None, description="of the line contact [m]")
+    pad_friction: Positive | None = Field(default=None, description="of the pad on the object")
 
 
 class PointMass(Fields):
@@ -108,6 +111,7 @@ class Support(Fields):
     pose: Pose | None = Field(default=None, description="of S in the world, z out of the top")
     slab: Positive | None = Field(default=None, description="how thick the top is [m]")
     band_width: Positive | None = Field(default=None, description="how far P_g reaches [m]")
+    friction: Positive | None = Field(default=None, description="of the object on it")
 
     @model_validator(mode="after")
     def _check(self) -> Support:

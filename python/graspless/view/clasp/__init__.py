@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ...plans.clasp import Plan
+    from ...simulation import Recording
     from ..replay import Stage
 
 
@@ -18,8 +19,8 @@ def draw(plan: Plan) -> bytes:
     return draw(plan)
 
 
-def set_stage(server: Any, plan: Plan) -> Stage:
-    """The scene of a replay on a viser server."""
+def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> Stage:
+    """The scene of a replay on a viser server, of the plan or of what became of it."""
     from .replay import Stage
 
-    return Stage(server, plan)
+    return Stage(server, plan, recording)

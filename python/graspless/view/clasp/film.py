@@ -13,12 +13,17 @@ from .. import film as films
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.clasp import Plan
+    from ...simulation import Recording
 
 SPEEDS = {"reach": 0.7, "close": 0.35}  # [rad/s]
 
 
-def film(plan: Plan) -> films.Film:
-    """The plan's rows at a pace for watching; a plan without motion shows the start."""
+def film(plan: Plan, recording: Recording | None = None) -> films.Film:
+    """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
+    start.
+    """
+    if recording is not None:
+        return films.recorded(plan, recording)
     problem = plan.task.problem
     return films.film(plan, problem.q_start, problem.X_WO, SPEEDS)
 

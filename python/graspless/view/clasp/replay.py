@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..film import spread
+from ..film import spread, timed
 from ..film_stage import FilmStage
-from ..replay import add, add_segments, plain
+from ..scene import add, add_segments, plain
 from . import bodies
 from .film import film, linking_at
 from .stage import Scene, camera
@@ -18,33 +18,32 @@ from .stage import Scene, camera
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.clasp import Plan
+    from ...simulation import Recording
+    from ..bodies import Color
 
 
 class Stage(FilmStage):
     """The scene of a clasp on a viser server; the caption tells the virtual linking."""
 
-    def __init__(self, server: Any, plan: Plan) -> None:
+    def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         self.plan = plan
-        self.film = shown = film(plan)
+        self.film = shown = timed(film(plan)) if recording is None else film(plan, recording)
         things = Scene(plan, shown)
         super().__init__(server, shown, things.object, camera(things, spread(shown, 8), (4, 3)))
-        X_WO = shown.object_poses[0]
-        for body in things.marks:
-            add(server.scene, f"/loops/{plain(body.name)}", body, X_WO)
-        self._add_cloud(server.scene, X_WO)
-        self._add_tree(server.scene)
+        self._add_marks(things, shown.object_poses[0])
+        self._add_tree()
         self.last = self._curve_ends(0)
-        styles = (("/curves", bodies.CURVE, 0.0035), ("/chords", bodies.CHORD, 0.0025))
+        styles = (("curves", bodies.CURVE, 0.0035), ("chords", bodies.CHORD, 0.0025))
         self.curves = [
-            add_segments(server.scene, name, ends, color, radius)
+            self._add_lines(name, ends, color, radius)
             for (name, color, radius), ends in zip(styles, self.last, strict=True)
         ]
 
     def tell(self) -> list[str]:
         """What happens, and how far every curve is closed around the loop."""
         linked = linking_at(self.plan, self.film, self.shown.times)
-        if not len(linked):
-            return self.shown.names
+        if self.shown.planned_poses is not None or not len(linked):
+            return super().tell()
         return [
             f"{name}: linking " + "  ".join(f"{value:.2f}" for value in row)
             for name, row in zip(self.shown.names, linked, strict=True)
@@ -59,23 +58,36 @@ class Stage(FilmStage):
                 handle.points = now
         self.last = ends
 
-    def _add_cloud(self, scene: Any, X_WO: Matrix) -> None:
-        points = np.asarray(self.plan.task.problem.object.points)
-        cloud = points @ X_WO[:3, :3].T + X_WO[:3, 3]
-        scene.add_point_cloud(
-            "/cloud", cloud.astype(np.float32), (60, 45, 20), point_size=0.0025, precision="float32"
+    def _add_marks(self, things: Scene, X_WO: Matrix) -> None:
+        """Loops, target and cloud, which are fixed to the object."""
+        target = [body for body in things.marks if body.name == "target"]
+        loops = [body for body in things.marks if body.name != "target"]
+        for name, some in (("loops", loops), ("target", target)):
+            if some:
+                self.carried.append(self.layers.add(name, X_WO))
+                for body in some:
+                    add(self.layers.scene, f"/{name}/{plain(body.name)}", body, np.eye(4))
+        self.carried.append(self.layers.add("cloud", X_WO))
+        cloud = np.asarray(self.plan.task.problem.object.points, dtype=np.float32)
+        self.layers.scene.add_point_cloud(
+            "/cloud/points", cloud, (60, 45, 20), point_size=0.0025, precision="float32"
         )
 
-    def _add_tree(self, scene: Any) -> None:
+    def _add_tree(self) -> None:
         points = np.array(self.plan.tree.points, dtype=float).reshape(-1, 3)
         if len(points) < 2:
             return
         parents, path = np.array(self.plan.tree.parents), self.plan.tree.path
         branches = np.stack([points, points[parents]], axis=1)[1:]
-        add_segments(scene, "/tree", branches, bodies.NODE, 0.0008)
+        self._add_lines("tree", branches, bodies.NODE, 0.0008)
         if len(path) > 1:
             way = np.stack([points[path[:-1]], points[path[1:]]], axis=1)
-            add_segments(scene, "/path", way, bodies.PATH, 0.0025)
+            self._add_lines("path", way, bodies.PATH, 0.0025)
+
+    def _add_lines(self, name: str, ends: Matrix, color: Color, radius: float) -> Any:
+        """A layer of bars; its handle's `points` move them."""
+        self.layers.add(name)
+        return add_segments(self.layers.scene, f"/{name}/lines", ends, color, radius)
 
     def _curve_ends(self, row: int) -> list[Matrix]:
         """[S, 2, 3] segments of all finger curves, and of all chords, in the world."""

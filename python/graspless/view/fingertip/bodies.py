@@ -23,7 +23,10 @@ FORCE: Color = (0.84, 0.18, 0.24)
 FREE: Color = (0.70, 0.71, 0.73)
 ARROW: Color = (0.16, 0.74, 0.45)
 MODES = {"position": POSITION, "force": FORCE, "free": FREE}
+CONTACT: Color = (0.10, 0.10, 0.12)
 LONGEST_ARROW = 0.7  # of the object's size
+SHARP = 0.3  # an edge between faces that turn more [rad]
+TOUCHING = 0.004  # of the size: corners that are no farther from a plane
 
 
 def object_body(task: Task) -> Body:
@@ -187,3 +190,23 @@ def _along(tail: Matrix, tip: Matrix) -> Matrix:
     X = frames.translation(tail)
     X[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
     return X
+
+
+def supported(task: Task, X_WO: Matrix) -> Matrix:
+    """[N, 3] corners of the object on the floor and the walls, in the world."""
+    problem = task.problem
+    hull = np.asarray(problem.object.hull) @ X_WO[:3, :3].T + X_WO[:3, 3]
+    near = TOUCHING * problem.object.size
+    heights = [hull @ np.asarray(plane.n_W) - plane.offset for plane in problem.planes]
+    touching = np.any(np.abs(heights) < near, axis=0)
+    return np.asarray(np.round(hull[touching], 5), dtype=np.float32)
+
+
+def edges(task: Task) -> Matrix:
+    """[N, 2, 3] the object's edges, in O."""
+    import trimesh
+
+    shape = task.problem.object.mesh
+    mesh: Any = trimesh.Trimesh(shape.vertices, shape.triangles)
+    sharp = mesh.face_adjacency_edges[mesh.face_adjacency_angles > SHARP]
+    return np.asarray(mesh.vertices[sharp])

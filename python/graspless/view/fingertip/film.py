@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
+from ..clock import LONGEST, Clock, clock_of, pace_of
+from ..film import planned_poses
 from .moments import Moment, at, start_of
 
 if TYPE_CHECKING:
@@ -17,12 +19,12 @@ if TYPE_CHECKING:
 
     from ...frames import Matrix
     from ...plans.fingertip import JointSegment, Plan, Segment
+    from ...simulation import Recording
 
 SLIDE = 8.0  # [cm/s]
 TURN = 25.0  # [degrees/s]
 LEAVE, TRAVEL = 0.4, 0.8  # a finger that regrasps: off and on the surface, and over it [s]
 JOINTS = 0.6  # of a robot that carries the fingers [rad/s]
-LONGEST = 30.0  # [s]
 
 
 @dataclass(frozen=True)
@@ -33,41 +35,91 @@ class Key:
     moment: Moment
 
 
-def film(plan: Plan, rate: float) -> list[Moment]:
-    """Moments at even times, `rate` a second."""
-    keys = list(_joint_keys(plan) if plan.joint_segments else _keys(plan))
+def film(plan: Plan, rate: float, clock: Clock | None = None) -> list[Moment]:
+    """Moments at even times, `rate` a second; by a clock, or else at a pace for watching."""
+    keys = list(_joint_keys(plan, clock) if plan.joint_segments else _keys(plan, clock))
     if not keys:
         return [start_of(plan)]
+    scale = min(1.0, LONGEST / max(keys[-1].time, 1e-9))
+    return _sampled(keys, scale * rate)
+
+
+def timed(plan: Plan, rate: float) -> tuple[list[Moment], float | None]:
+    """The film at the pace of its robot, where that is known, and how much faster it is."""
+    clock = clock_of(plan)
+    return film(plan, rate, clock), None if clock is None else clock.pace
+
+
+def recorded(plan: Plan, recording: Recording, rate: float) -> tuple[list[Moment], float]:
+    """What happened in a simulation at even times, and how much faster than it did; fingertips
+    that it has not are where the arm has them.
+    """
+    times = np.asarray(recording.times, dtype=float)
+    pace = pace_of(float(times[-1]))
+    planned = planned_poses(plan, recording)
+    keys = []
+    for row, time in enumerate(times):
+        X_WO = np.asarray(recording.object_poses[row])
+        q = recording.positions[row] if recording.positions.shape[1] else None
+        tips_W = recording.fingers[row] if q is None else _tips(plan, q)
+        centers = (tips_W - X_WO[:3, 3]) @ X_WO[:3, :3]
+        count = len(centers)
+        name, modes = recording.names[row], ["free"] * count
+        forces = np.zeros((count, 3))
+        keys.append(Key(time, Moment(X_WO, centers, forces, modes, name, q=q, X_WP=planned[row])))
+    return _sampled(keys, rate / pace), pace
+
+
+def _sampled(keys: list[Key], rate: float) -> list[Moment]:
+    """Moments at even times, `rate` a second."""
     last = keys[-1].time
-    scale = min(1.0, LONGEST / max(last, 1e-9))
     times = np.array([key.time for key in keys])
-    wanted = np.linspace(0, last, max(2, int(np.ceil(scale * last * rate)) + 1))
+    wanted = np.linspace(0, last, max(2, int(np.ceil(last * rate)) + 1))
     after = np.clip(np.searchsorted(times, wanted), min(1, len(keys) - 1), len(keys) - 1)
     return [_between(keys[max(j - 1, 0)], keys[j], t) for j, t in zip(after, wanted, strict=True)]
 
 
-def _keys(plan: Plan) -> Iterator[Key]:
+def _tips(plan: Plan, q: Matrix) -> Matrix:
+    """[n, 3] centres of the fingertips in the world, in the order of the plan's fingers."""
+    arm, found = plan.task.arm, plan.fields.realization
+    assert found is not None
+    links = np.asarray(arm.robot.forward(q))
+    names = list(arm.robot.frame_names)
+    tips_W = np.array([links[names.index(name)][:3, 3] for name in arm.carrier.fingertips])
+    return np.asarray(tips_W[np.argsort(found.finger_of_fingertip)])
+
+
+def _keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
     """The fingertips alone."""
     now = 0.0
     for k, segment in enumerate(plan.segments):
         if not len(segment):
             continue
-        if segment.name == "regrasp":
-            for step, moment in _regrasp(plan, k):
-                now += step
-                yield Key(now, moment)
-            continue
-        rows = range(len(segment))
-        first, last = segment.X_WO[0], segment.X_WO[-1]
-        held = [at(plan, segment, 0, first), *(at(plan, segment, row) for row in rows)]
-        held.append(at(plan, segment, len(segment) - 1, last))
-        for before, moment in zip([held[0], *held[:-1]], held, strict=True):
-            now += _seconds(before.X_WO, moment.X_WO)
-            yield Key(now, moment)
+        found = list(_regrasp(plan, k) if segment.name == "regrasp" else _held(plan, segment))
+        steps = np.array([step for step, _, _ in found])
+        times = now + np.cumsum(steps)
+        if clock is not None:
+            times = clock.times(k, [row for _, row, _ in found])
+        for time, (_, _, moment) in zip(times, found, strict=True):
+            yield Key(float(time), moment)
+        now = float(times[-1]) if len(times) else now
 
 
-def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, Moment]]:
-    """Steps of time and moments of a finger that goes to another place."""
+def _held(plan: Plan, segment: Segment) -> Iterator[tuple[float, float, Moment]]:
+    """Steps of time, rows and moments of a motion of the object."""
+    last = len(segment) - 1
+    before = at(plan, segment, 0, segment.X_WO[0])
+    yield 0.0, -0.5, before
+    for row in range(len(segment)):
+        moment = at(plan, segment, row)
+        yield _seconds(before.X_WO, moment.X_WO), float(row), moment
+        before = moment
+    end = at(plan, segment, last, segment.X_WO[-1])
+    yield _seconds(before.X_WO, end.X_WO), last + 0.5, end
+
+
+def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, float, Moment]]:
+    """Steps of time, rows from 0 to 1 and moments of a finger that goes to another place."""
     segment = plan.segments[k]
     resting = at(plan, segment, 0)
     before = _neighbour(plan, k, -1)
@@ -84,11 +136,12 @@ def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, Moment]]:
     arrive = goal - off * after.normals[0, finger]
     way = [start, leave, *_round(leave, arrive, np.asarray(plan.task.problem.object.com))]
     steps = [0.0, LEAVE, *[TRAVEL / (len(way) - 2)] * (len(way) - 2), LEAVE]
+    rows = [0.0, *np.linspace(1 / 3, 2 / 3, len(way) - 1).tolist(), 1.0]
     kept = at(plan, before, len(before) - 1).centers  # of fingers that wait for their own regrasp
-    for step, center in zip(steps, [*way, goal], strict=True):
+    for step, row, center in zip(steps, rows, [*way, goal], strict=True):
         centers = np.where(np.isfinite(resting.centers), resting.centers, kept)
         centers[finger] = center
-        yield step, replace(resting, centers=centers)
+        yield step, row, replace(resting, centers=centers)
 
 
 def _round(start: Matrix, goal: Matrix, middle: Matrix) -> list[Matrix]:
@@ -111,29 +164,24 @@ def _neighbour(plan: Plan, k: int, step: int) -> Segment | None:
     return None
 
 
-def _joint_keys(plan: Plan) -> Iterator[Key]:
+def _joint_keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
     """The fingertips where the robot has them."""
     now = 0.0
-    for segment in plan.joint_segments:
-        for row in range(len(segment)):
-            if row:
-                step = np.abs(segment.positions[row] - segment.positions[row - 1]).max()
-                now += max(float(step) / JOINTS, 1e-3)
-            yield Key(now, _carried(plan, segment, row))
-        now += 0.2
+    for k, segment in enumerate(plan.joint_segments):
+        step = np.abs(np.diff(segment.positions, axis=0)).max(axis=1, initial=0.0) / JOINTS
+        times = now + np.concatenate([[0.0], np.cumsum(np.maximum(step, 1e-3))])
+        if clock is not None:
+            times = clock.times(k, np.arange(len(segment)))
+        for row, time in enumerate(times):
+            yield Key(float(time), _carried(plan, segment, row))
+        now = float(times[-1]) + 0.2
 
 
 def _carried(plan: Plan, segment: JointSegment, row: int) -> Moment:
     """The moment of a row of joint motion, its fingertips by forward kinematics."""
-    arm, found = plan.task.arm, plan.fields.realization
-    assert found is not None
     X_WO, q = segment.object_poses[row], segment.positions[row]
-    links = np.asarray(arm.robot.forward(q))
-    names = list(arm.robot.frame_names)
-    tips_W = np.array([links[names.index(name)][:3, 3] for name in arm.carrier.fingertips])
-    order = np.argsort(found.finger_of_fingertip)
-    centers = (tips_W[order] - X_WO[:3, 3]) @ X_WO[:3, :3]
-    count = len(order)
+    centers = (_tips(plan, q) - X_WO[:3, 3]) @ X_WO[:3, :3]
+    count = len(centers)
     carried = Moment(X_WO, centers, np.zeros((count, 3)), ["free"] * count, segment.name, q=q)
     if segment.plan_segment < 0:
         return carried
@@ -153,8 +201,9 @@ def _between(before: Key, after: Key, time: float) -> Moment:
     X_WO = frames.between(a.X_WO, b.X_WO, t)
     q = None if a.q is None or b.q is None else (1 - t) * a.q + t * b.q
     centers = (1 - t) * a.centers + t * b.centers
+    X_WP = None if a.X_WP is None or b.X_WP is None else frames.between(a.X_WP, b.X_WP, t)
     # A finger touches or not; forces change with the rows.
-    return replace(b, X_WO=X_WO, centers=centers, q=q)
+    return replace(b, X_WO=X_WO, centers=centers, q=q, X_WP=X_WP)
 
 
 def _seconds(X_A: Matrix, X_B: Matrix) -> float:

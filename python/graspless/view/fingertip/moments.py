@@ -36,6 +36,8 @@ class Moment:
         What happens.
     q : array [dof], optional
         Of the robot that carries the fingers.
+    X_WP : array [4, 4], optional
+        Where the plan wants the object, of a moment that was simulated.
     """
 
     X_WO: Matrix
@@ -45,6 +47,7 @@ class Moment:
     name: str
     caption: str = ""
     q: Matrix | None = None
+    X_WP: Matrix | None = None
 
     @property
     def centers_W(self) -> Matrix:  # noqa: N802

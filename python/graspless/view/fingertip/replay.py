@@ -8,15 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import obstacles, robot_bodies
-from ..replay import RATE, Captions, add, look, move, plain, shade
+from ..bodies import GHOST, obstacles, robot_bodies
+from ..clock import tell_pace
+from ..film_stage import apart
+from ..replay import RATE
+from ..scene import Captions, Layers, add_segments, look, move, shade
 from . import bodies
-from .film import film
+from .film import recorded, timed
 from .stage import camera, swept
 
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.fingertip import Plan
+    from ...simulation import Recording
     from .moments import Moment
 
 WALL_OPACITY, OBJECT_OPACITY = 0.35, 0.8
@@ -26,26 +30,30 @@ MOMENTS = 40  # that the camera looks at
 class Stage:
     """The scene of a film on a viser server; `show` moves what moves."""
 
-    def __init__(self, server: Any, plan: Plan) -> None:
+    def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         self.plan, self.task = plan, plan.task
-        self.shown = film(plan, RATE)
+        filmed = timed(plan, RATE) if recording is None else recorded(plan, recording, RATE)
+        self.shown, self.pace = filmed
         self.rows = len(self.shown)
         self.row = -1
-        forces = [np.linalg.norm(m.forces, axis=1).max(initial=0.0) for m in self.shown]
-        self.largest = max([*forces, 1e-9])
-        scene = server.scene
-        some = self.shown[:: max(1, self.rows // MOMENTS)]
-        points = swept(self.task, some)
-        self._add_surroundings(scene, points)
-        thing = bodies.object_body(self.task)
-        self.thing = add(scene, "/object", thing, self.shown[0].X_WO, opacity=OBJECT_OPACITY)
-        self._add_fingers(scene)
+        self.arrows: Any = None
+        self.fingers: list[tuple[Any, dict[str, Any]]] = []
         self.links: list[tuple[int, Any]] = []
         self.poses: Matrix = np.empty((0, 4, 4))
-        self._add_robot(scene)
-        view = camera(self.task, some, points, (4, 3))
+        forces = [np.linalg.norm(m.forces, axis=1).max(initial=0.0) for m in self.shown]
+        self.largest = max([*forces, 1e-9])
+        self.layers = Layers(server.scene)
+        some = self.shown[:: max(1, self.rows // MOMENTS)]
+        points = swept(self.task, some)
+        self._add_object()
+        self._add_fingers()
+        self._add_robot()
+        ground = self._add_surroundings(points)
+        tails = np.concatenate([bodies.arrow_ends(self.task, m, self.largest)[:, 0] for m in some])
+        everything = np.concatenate([points, tails[tails.any(axis=1)], *ground])
+        view = camera(self.task, some, everything, (4, 3))
         look(server, view)
-        self.captions = Captions(scene, view, [moment.name for moment in self.shown])
+        self.captions = Captions(self.layers, view, self._tell(self.shown[0]))
 
     def show(self, row: int) -> None:
         """Moves object, fingers and robot to a moment; what stays is not sent again."""
@@ -53,28 +61,73 @@ class Stage:
         before, self.row = self.row, row
         moment, last = self.shown[row], self.shown[max(before, 0)]
         move(self.thing, moment.X_WO, last.X_WO, before)
+        if moment.X_WP is not None and last.X_WP is not None:
+            move(self.ghost, moment.X_WP, last.X_WP, before)
+        self._show_contacts(moment)
         self._show_fingers(moment, last, before)
         if self.links and moment.q is not None:
             poses = np.asarray(self.task.arm.robot.forward(moment.q))
             for i, handle in self.links:
                 move(handle, poses[i], self.poses[i], before)
             self.poses = poses
-        self.captions.show(moment.name)
+        self.captions.show(self._tell(moment))
 
-    def _add_surroundings(self, scene: Any, points: Matrix) -> None:
+    def _tell(self, moment: Moment) -> str:
+        if moment.X_WP is None:
+            return moment.name + tell_pace(self.pace)
+        center = np.asarray(self.task.problem.object.com)
+        off = apart(moment.X_WP, moment.X_WO, center)
+        return f"{moment.name}: {off}{tell_pace(self.pace)}"
+
+    def _add_object(self) -> None:
+        """The object, where it shall be, and its corners on floor and walls."""
+        thing, first = bodies.object_body(self.task), self.shown[0]
+        self.thing = self.layers.add_body(thing, first.X_WO, OBJECT_OPACITY)
+        if first.X_WP is not None:
+            self.ghost = self._add_outline("planned", first.X_WP)
+        elif self.plan.segments:
+            self._add_outline("goal", self.plan.segments[-1].X_WO[-1])
+        self.touching: Matrix = bodies.supported(self.task, first.X_WO)
+        self.layers.add("contacts")
+        self.contacts = self.layers.scene.add_point_cloud(
+            "/contacts/points",
+            self.touching,
+            shade(bodies.CONTACT),
+            point_size=0.03 * self.task.problem.object.size,
+            point_shape="circle",
+            precision="float32",
+        )
+
+    def _add_outline(self, name: str, X_WP: Matrix) -> Any:
+        """A layer with the object's edges: glass within the glass-like object would flicker."""
+        frame = self.layers.add(name, X_WP)
+        edges = bodies.edges(self.task)
+        width = 0.004 * self.task.problem.object.size
+        add_segments(self.layers.scene, f"/{name}/edges", edges, GHOST, width)
+        return frame
+
+    def _show_contacts(self, moment: Moment) -> None:
+        touching = bodies.supported(self.task, moment.X_WO)
+        if not np.array_equal(touching, self.touching):
+            self.contacts.points = self.touching = touching
+
+    def _add_surroundings(self, points: Matrix) -> list[Matrix]:
+        """Floor, walls and obstacles; returns the floor's corners."""
         floor = bodies.floor_body(self.task, points)
         if floor.parts:
-            add(scene, "/floor", floor, np.eye(4))
-        for wall in bodies.wall_bodies(self.task, points):
-            add(scene, f"/walls/{plain(wall.name)}", wall, np.eye(4), opacity=WALL_OPACITY)
-        for body, X_WB in obstacles(self.task):
-            add(scene, f"/obstacles/{plain(body.name)}", body, X_WB)
+            self.layers.add_body(floor, np.eye(4))
+        walls = [(wall, np.eye(4)) for wall in bodies.wall_bodies(self.task, points)]
+        self.layers.add_bodies("walls", walls, WALL_OPACITY)
+        self.layers.add_bodies("obstacles", obstacles(self.task))
+        return [part.vertices for part in floor.parts]
 
-    def _add_fingers(self, scene: Any) -> None:
+    def _add_fingers(self) -> None:
         """A frame a finger, with a ball of each colour in it, and the arrows of all."""
-        radius = self.task.problem.fingers.radius
-        self.fingers: list[tuple[Any, dict[str, Any]]] = []
+        radius, scene = self.task.problem.fingers.radius, self.layers.scene
         count = len(self.shown[0].modes)
+        if not count:
+            return
+        self.layers.add("fingers")
         for k in range(count):
             frame = scene.add_frame(f"/fingers/{k + 1}", show_axes=False)
             balls = {
@@ -84,17 +137,19 @@ class Stage:
                 for mode, color in bodies.MODES.items()
             }
             self.fingers.append((frame, balls))
-        width = min(0.018 * self.task.problem.object.size, 0.4 * radius)
-        self.arrows = None
-        if count:
-            self.arrows = scene.add_arrows(
-                "/forces",
-                np.zeros((count, 2, 3), dtype=np.float32),
-                shade(bodies.ARROW),
-                shaft_radius=width,
-                head_radius=2.2 * width,
-                head_length=4.5 * width,
-            )
+        if self.largest > 1e-6:
+            self._add_forces(count, min(0.018 * self.task.problem.object.size, 0.4 * radius))
+
+    def _add_forces(self, count: int, width: float) -> None:
+        self.layers.add("forces")
+        self.arrows = self.layers.scene.add_arrows(
+            "/forces/arrows",
+            np.zeros((count, 2, 3), dtype=np.float32),
+            shade(bodies.ARROW),
+            shaft_radius=width,
+            head_radius=2.2 * width,
+            head_length=4.5 * width,
+        )
 
     def _show_fingers(self, moment: Moment, last: Moment, before: int) -> None:
         for k, (frame, balls) in enumerate(self.fingers):
@@ -109,14 +164,13 @@ class Stage:
             ends = bodies.arrow_ends(self.task, moment, self.largest)
             self.arrows.points = np.round(ends, 6).astype(np.float32)
 
-    def _add_robot(self, scene: Any) -> None:
+    def _add_robot(self) -> None:
         moment = self.shown[0]
         if self.task.arm is None or moment.q is None:
             return
         robot = self.task.arm.robot
         self.poses = np.asarray(robot.forward(moment.q))
-        self.links = [
-            (i, add(scene, f"/robot/{plain(body.name)}", body, self.poses[i]))
-            for i, body in enumerate(robot_bodies(robot, self.task.fields.robot))
-            if body.parts
-        ]
+        every = enumerate(robot_bodies(robot, self.task.fields.robot))
+        links = [(i, body) for i, body in every if body.parts]
+        handles = self.layers.add_bodies("robot", [(body, self.poses[i]) for i, body in links])
+        self.links = [(i, handle) for (i, _), handle in zip(links, handles, strict=True)]

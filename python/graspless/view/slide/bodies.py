@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part
+from ..tubes import tube
 
 if TYPE_CHECKING:
     from ... import geometry
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from ..film import Film
 
 TRAIL_WIDTH = 0.008  # [m]
+CONTACT: Color = (0.84, 0.18, 0.24)
+CONTACT_RADIUS = 0.012  # [m]
 
 
 def table_body(task: Task) -> Body:
@@ -73,3 +76,23 @@ def trail_body(shown: Film) -> Body:
     return Body(
         "trail", [Part(ribbon @ X_WS[:3, :3].T + X_WS[:3, 3], np.concatenate(quads), TRAIL)]
     )
+
+
+def contact_body(shown: Film) -> Body:
+    """A ring around the place that the fingertip presses, in O.
+
+    There the tip meets the object; the effective tip, which carries it, stays there until the lift.
+    """
+    rows = shown.rows("press")
+    problem = shown.plan.task.problem
+    top = problem.object.thickness
+    if not len(rows):
+        return Body("contact")
+    tips_W = shown.frame(problem.hand.fingertip)[rows, :3, 3]
+    X_WO = shown.object_poses[rows[0]]
+    tips = (tips_W - X_WO[:3, 3]) @ X_WO[:3, :3]
+    # Downwards: heights increase along the reversed rows.
+    x, y = (np.interp(top, tips[::-1, 2], tips[::-1, k]) for k in (0, 1))
+    angles = np.linspace(0, 2 * np.pi, 25)[:-1]
+    ring = CONTACT_RADIUS * np.column_stack([np.cos(angles), np.sin(angles), 0 * angles])
+    return Body("contact", [tube(ring + [x, y, top], 0.0015, CONTACT, closed=True)])

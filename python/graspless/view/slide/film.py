@@ -10,11 +10,16 @@ from .. import film as films
 
 if TYPE_CHECKING:
     from ...plans.slide import Plan
+    from ...simulation import Recording
 
 SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3}  # [rad/s]
 
 
-def film(plan: Plan) -> films.Film:
-    """The plan's rows at a pace for watching; a plan without motion shows the start."""
+def film(plan: Plan, recording: Recording | None = None) -> films.Film:
+    """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
+    start.
+    """
+    if recording is not None:
+        return films.recorded(plan, recording)
     problem = plan.task.problem
     return films.film(plan, problem.q_home, problem.X_WO_start, SPEEDS)

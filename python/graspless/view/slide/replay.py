@@ -8,27 +8,37 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..film import spread
-from ..film_stage import FilmStage
-from ..replay import add
+from ..film import spread, timed
+from ..film_stage import GHOST_OPACITY, FilmStage, ghost_of
 from . import bodies
 from .film import film
 from .stage import camera
 
 if TYPE_CHECKING:
     from ...plans.slide import Plan
+    from ...simulation import Recording
 
 
 class Stage(FilmStage):
     """The scene of a slide on a viser server."""
 
-    def __init__(self, server: Any, plan: Plan) -> None:
-        shown = film(plan)
+    def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
+        planned = film(plan)
+        shown = timed(planned) if recording is None else film(plan, recording)
         task = plan.task
+        thing = bodies.object_body(task)
         # All of the way, not some moments of it.
-        view = camera(shown, 4, 3, spread(shown))
-        super().__init__(server, shown, bodies.object_body(task), view)
-        add(server.scene, "/table", bodies.table_body(task), np.asarray(task.problem.support.X_WS))
-        trail = bodies.trail_body(self.shown)
+        super().__init__(server, shown, thing, camera(shown, 4, 3, spread(shown)))
+        X_WS = np.asarray(task.problem.support.X_WS)
+        self.layers.add_body(bodies.table_body(task), X_WS)
+        self.contact = None
+        if not plan:
+            return
+        if recording is None:
+            self.layers.add_body(ghost_of(thing, "goal"), plan.X_WO_goal, GHOST_OPACITY)
+        trail, contact = bodies.trail_body(planned), bodies.contact_body(planned)
         if trail.parts:
-            add(server.scene, "/fingertip", trail, np.eye(4))
+            self.layers.add_body(trail, np.eye(4))
+        if contact.parts:
+            self.contact = self.layers.add_body(contact, shown.object_poses[0])
+            self.carried.append(self.contact)

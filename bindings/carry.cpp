@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/carry/carry.hpp"
+
+#include <pybind11/native_enum.h>
+
+#include "conversions.hpp"
+#include "planning.hpp"
+
+namespace graspless::bindings {
+namespace {
+
+using namespace carry;
+
+using Normals = std::map<std::string, Array>;
+
+std::vector<Rest> to_rests(const Normals& normals) {
+  std::vector<Rest> rests;
+  for (const auto& [obstacle, normal_W] : normals)
+    rests.push_back({obstacle, to_vector3(normal_W, "rests_on[" + obstacle + "]")});
+  return rests;
+}
+
+void bind_problem(py::module_& m) {
+  py::class_<Problem>(m, "Problem", "What is given: take what the hand holds to another pose.")
+      .def(
+          py::init([](const robot::Robot& robot, const std::string& frame, const Obstacle& object,
+                      const Array& X_WO_goal, const Array& q_start,
+                      const std::vector<Obstacle>& obstacles, const Normals& rests_on,
+                      const std::string& arm) {
+            return Problem{robot,
+                           arm,
+                           frame,
+                           object,
+                           to_pose(X_WO_goal, "X_WO_goal"),
+                           obstacles,
+                           to_rests(rests_on),
+                           to_configuration(robot, q_start, "q_start")};
+          }),
+          py::arg("robot"), py::arg("frame"), py::arg("object"), py::arg("X_WO_goal"),
+          py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
+          py::arg("rests_on") = Normals{}, py::arg("arm") = "arm",
+          "frame: link that the object keeps its place to. object: its shapes, and its pose when "
+          "the carry begins.\nX_WO_goal: (4, 4). q_start: (dof,) where the robot stands. rests_on: "
+          "obstacles that the object lies on at\nfirst and may be drawn over, each with its "
+          "normal (3,) in the world. arm: group of the joints that move.")
+      .def_property_readonly(
+          "robot", [](const Problem& self) { return self.robot; }, "The robot.")
+      .def_readonly("arm", &Problem::arm, "Group of the joints that move.")
+      .def_readonly("frame", &Problem::frame, "Link that the object keeps its place to.")
+      .def_readonly("object", &Problem::object,
+                    "What is held, with its pose when the carry begins.")
+      .def_property_readonly(
+          "X_WO_goal", [](const Problem& self) { return from_pose(self.X_WO_goal); },
+          "(4, 4) pose of the object in the world at the end.")
+      .def_property_readonly(
+          "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
+          "(dof,) [rad or m].")
+      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
+      .def_property_readonly(
+          "rests_on",
+          [](const Problem& self) {
+            std::map<std::string, Eigen::Vector3d> normals;
+            for (const Rest& rest : self.rests_on) normals[rest.obstacle] = rest.normal_W;
+            return normals;
+          },
+          "What the object lies on at first, with its normal (3,) in the world; a copy.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"robot", "arm", "frame", "object", "obstacles"});
+      });
+}
+
+void bind_options(py::module_& m) {
+  py::class_<Options> options(m, "Options", "How to search.");
+  bind_fields(options, "Any field by keyword; the others keep their defaults.",
+              Field{"step", &Options::step, "Along the way, between poses looked at [m]."},
+              Field{"tolerance", &Options::tolerance,
+                    "How far the object's origin may leave the straight way [m]."},
+              Field{"angle_tolerance", &Options::angle_tolerance,
+                    "How far the object may turn off it [rad]."},
+              Field{"max_twist", &Options::max_twist,
+                    "How far hand and object may turn about the line of the way [rad]."},
+              Field{"contact_depth", &Options::contact_depth,
+                    "How far the object may reach into what it rests on [m]."},
+              Field{"resolution", &Options::resolution,
+                    "Largest joint step between checked configurations [rad]."});
+}
+
+void bind_segment(py::module_& m) {
+  py::class_<Segment>(
+      m, "Segment", "A stretch of motion: rows follow each other by at most 0.05 rad in any joint.")
+      .def(py::init([](const std::string& name, const Array& positions, const Array& object_poses) {
+             Segment segment{name, to_configurations(positions, "positions"),
+                             to_poses(object_poses, "object_poses")};
+             if (segment.positions.size() != segment.object_poses.size()) {
+               throw std::invalid_argument(
+                   "segment '" + name + "' has " + std::to_string(segment.positions.size()) +
+                   " positions but " + std::to_string(segment.object_poses.size()) +
+                   " object_poses");
+             }
+             return segment;
+           }),
+           py::arg("name"), py::arg("positions"), py::arg("object_poses"),
+           "positions: (N, dof) [rad or m]. object_poses: (N, 4, 4) poses of the object in the "
+           "world.")
+      .def_readonly("name", &Segment::name, "carry.")
+      .def_property_readonly(
+          "positions",
+          [](const Segment& self) {
+            return from_configurations(self.positions,
+                                       self.positions.empty() ? 0 : self.positions.front().size());
+          },
+          "(N, dof) all joints [rad or m].")
+      .def_property_readonly(
+          "object_poses", [](const Segment& self) { return from_poses(self.object_poses); },
+          "(N, 4, 4) pose of the object in the world at each row.")
+      .def(
+          "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")
+      .def("__repr__", [](const Segment& self) {
+        return "<Segment '" + self.name + "' of " + std::to_string(self.positions.size()) +
+               " rows>";
+      });
+}
+
+void bind_statistics(py::module_& m) {
+  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
+  bind_fields(statistics, "Any field by keyword; the others are zero.",
+              Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+              Field{"iterations", &Statistics::iterations, "Steps tried."},
+              Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
+              Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
+              Field{"refusals", &Statistics::refusals, "Why steps failed, and how often; a copy."});
+  statistics.def(
+      "as_dict",
+      [](const py::object& self) {
+        py::typing::Dict<py::str, py::object> result;
+        for (const char* name :
+             {"seconds", "iterations", "ik_calls", "collision_checks", "refusals"}) {
+          result[name] = self.attr(name);
+        }
+        return result;
+      },
+      "All fields by name.");
+}
+
+void bind_plan(py::module_& m) {
+  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
+      .value("solved", Status::solved, "A plan was found.")
+      .value("start_in_collision", Status::start_in_collision,
+             "Something touches where the robot stands.")
+      .value("not_found", Status::not_found, "The arm cannot go all the way.")
+      .value("interrupted", Status::interrupted, "Stopped from outside.")
+      .finalize();
+  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
+      .def(
+          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
+          "Whether it is solved.");
+  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
+  field(Field{"status", &Plan::status, "How the query ended."});
+  field(Field{"reason", &Plan::reason, "One sentence, for people."});
+  field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
+  field(Field{"segments", &Plan::segments, "Stretches of motion, in order."});
+  field(Field{"reached", &Plan::reached, "How much of the way was possible, 0 to 1."});
+  field(Field{"statistics", &Plan::statistics, "What the search did."});
+  plan.def("__repr__", [](const py::object& self) {
+    return represent(self, {"status", "reason", "segments"});
+  });
+}
+
+}  // namespace
+
+void bind_carry(py::module_ m) {
+  bind_problem(m);
+  bind_options(m);
+  bind_segment(m);
+  bind_statistics(m);
+  bind_plan(m);
+  bind_front_door<Problem, Options, Plan>(
+      m,
+      "Plans a motion of the arm that takes the object along the straight way to its goal. Not "
+      "finding a plan is a status.",
+      "Replays a plan against its problem, with none of the search's code.");
+}
+
+}  // namespace graspless::bindings

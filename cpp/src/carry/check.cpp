@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "graspless/carry/carry.hpp"
+
+#include "scene/replay.hpp"
+#include "scene/rows.hpp"
+
+namespace graspless::carry {
+namespace {
+
+using Eigen::Isometry3d, Eigen::Quaterniond, Eigen::Vector3d, Eigen::VectorXd;
+using Faults = std::vector<std::string>;
+
+constexpr double kSame = 1e-6;  // [m, rad]
+
+double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle();
+}
+
+bool is_same(const Isometry3d& a, const Isometry3d& b) {
+  return (a.translation() - b.translation()).norm() <= kSame &&
+         angle_between(a.linear(), b.linear()) <= kSame;
+}
+
+/// One plan under examination.
+class Examination {
+ public:
+  Examination(const Problem& problem, const Plan& plan, const Options& options)
+      : problem_(problem),
+        plan_(plan),
+        options_(options),
+        frame_(problem.robot.frame(problem.frame)),
+        replay_(problem.robot) {
+    object_ = replay_.add(problem.object.name,
+                          collision::Solid(problem.object.shapes, problem.object.name), false);
+    leave_out_the_hand();
+    add_obstacles();
+  }
+
+  Faults run() {
+    if (!has_shape()) return faults_;
+    check_rows();
+    check_still_joints();
+    check_object_poses();
+    replay();
+    check_end();
+    return faults_;
+  }
+
+ private:
+  const Segment& carried() const { return plan_.segments[0]; }
+
+  void fault(const std::string& where, const std::string& what) {
+    faults_.push_back(where + ": " + what);
+  }
+  void fault(std::size_t row, const std::string& what) {
+    fault("carry row " + std::to_string(row), what);
+  }
+
+  /// What the arm does not move against the object: links behind the arm's last joint. Found by
+  /// moving each joint of the arm alone.
+  void leave_out_the_hand() {
+    const robot::Robot& robot = problem_.robot;
+    for (int link = 0; link < static_cast<int>(robot.frame_names().size()); ++link) {
+      bool stays = true;
+      for (const int joint : robot.group(problem_.arm)) {
+        VectorXd q = problem_.q_start;
+        const Isometry3d before = robot.pose(frame_, q).inverse() * robot.pose(link, q);
+        q[joint] += 0.2;
+        const Isometry3d after = robot.pose(frame_, q).inverse() * robot.pose(link, q);
+        stays = stays && is_same(before, after);
+      }
+      const int body = replay_.body_of(robot.frame_names()[static_cast<std::size_t>(link)]);
+      if (stays && body >= 0) replay_.world().remove_pair(body, object_);
+    }
+  }
+
+  void add_obstacles() {
+    for (const Obstacle& obstacle : problem_.obstacles) {
+      const int body = replay_.add(obstacle);
+      replay_.world().add_pair(object_, body);
+      for (const Rest& rest : problem_.rests_on) {
+        if (rest.obstacle != obstacle.name) continue;
+        replay_.world().allow_contact(object_, body, rest.normal_W, options_.contact_depth);
+      }
+    }
+  }
+
+  bool has_shape() {
+    if (!plan_) {
+      fault("plan", "not solved: " + plan_.reason);
+      return false;
+    }
+    if (plan_.joint_names != problem_.robot.joint_names())
+      fault("plan", "joint names are not the robot's");
+    if (plan_.segments.size() != 1 || plan_.segments[0].name != "carry") {
+      fault("plan", "has not the one segment 'carry'");
+      return false;
+    }
+    if (carried().positions.empty() || carried().positions.size() != carried().object_poses.size())
+      fault("carry", "needs rows, and one object pose for each");
+    for (std::size_t row = 0; faults_.empty() && row < carried().positions.size(); ++row) {
+      const VectorXd& q = carried().positions[row];
+      const bool sound = q.size() == problem_.robot.dof() && q.allFinite() &&
+                         carried().object_poses[row].matrix().allFinite();
+      if (!sound) fault(row, "has the wrong size or a value that is not finite");
+    }
+    return faults_.empty();
+  }
+
+  void check_rows() {
+    if ((carried().positions[0] - problem_.q_start).lpNorm<Eigen::Infinity>() > kSame)
+      fault(0, "is not where the robot stands");
+    scene::check_rows(problem_.robot, problem_.q_start, kSame, carried().positions,
+                      [&](std::size_t row, const std::string& what) { fault(row, what); });
+  }
+
+  void check_still_joints() {
+    VectorXd moving = VectorXd::Zero(problem_.robot.dof());
+    for (const int joint : problem_.robot.group(problem_.arm)) moving[joint] = 1;
+    for (std::size_t row = 0; row < carried().positions.size(); ++row) {
+      const VectorXd off = (carried().positions[row] - problem_.q_start)
+                               .cwiseProduct(VectorXd::Ones(moving.size()) - moving);
+      if (off.lpNorm<Eigen::Infinity>() > kSame) fault(row, "a joint moves that is not the arm's");
+    }
+  }
+
+  Isometry3d object_at(const VectorXd& q) const {
+    const robot::Robot& robot = problem_.robot;
+    return robot.pose(frame_, q) * robot.pose(frame_, problem_.q_start).inverse() *
+           problem_.object.X_WB;
+  }
+
+  void check_object_poses() {
+    for (std::size_t row = 0; row < carried().positions.size(); ++row) {
+      if (!is_same(carried().object_poses[row], object_at(carried().positions[row])))
+        fault(row, "the object does not keep its place in the hand");
+    }
+  }
+
+  void replay() {
+    std::size_t faulty_row = carried().positions.size();  // one report a row is enough
+    scene::replay_rows(carried().positions, [&](std::size_t row, const VectorXd& q) {
+      if (row == faulty_row) return;
+      const Isometry3d X_WO = object_at(q);
+      replay_.world().set_pose(object_, X_WO);
+      const auto touching = replay_.touching(q);
+      const std::string off = off_the_way(X_WO);
+      if (touching.empty() && off.empty()) return;
+      faulty_row = row;
+      fault(row, touching.empty() ? off : "collision " + touching.front());
+    });
+  }
+
+  /// What is wrong with a pose of the object on its way; empty when nothing is.
+  std::string off_the_way(const Isometry3d& X_WO) const {
+    const Isometry3d &start = problem_.object.X_WB, &goal = problem_.X_WO_goal;
+    const Vector3d a = start.translation(), b = goal.translation(), p = X_WO.translation();
+    const Quaterniond from(start.linear()), to(goal.linear()), now(X_WO.linear());
+    const bool is_turn = (b - a).norm() <= 1e-6;
+    double s = is_turn ? part_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm();
+    s = std::clamp(s, 0.0, 1.0);
+    std::ostringstream text;
+    const double off = (p - a - s * (b - a)).norm();
+    if (off > options_.tolerance + kSame) {
+      text << "the object is " << off << " m off its straight way";
+      return text.str();
+    }
+    const Quaterniond wanted = from.slerp(s, to);
+    const double twist = is_turn ? 0 : twist_about((b - a).normalized(), now * wanted.conjugate());
+    const double kept = std::clamp(twist, -options_.max_twist, options_.max_twist);
+    const Eigen::AngleAxisd turned(is_turn ? 0 : kept,
+                                   is_turn ? Vector3d::UnitX() : Vector3d((b - a).normalized()));
+    const double left = now.angularDistance(Quaterniond(turned) * wanted);
+    if (left > options_.angle_tolerance + kSame)
+      text << "the object is turned by " << left << " rad off its way";
+    return text.str();
+  }
+
+  static double part_turned(const Quaterniond& from, const Quaterniond& to,
+                            const Quaterniond& now) {
+    const double whole = from.angularDistance(to);
+    return now.angularDistance(from) / whole;
+  }
+
+  /// The angle of the turn about an axis that is nearest to a rotation, in (-pi, pi].
+  static double twist_about(const Vector3d& axis, const Quaterniond& turn) {
+    const double angle = 2 * std::atan2(turn.vec().dot(axis), turn.w());
+    return std::atan2(std::sin(angle), std::cos(angle));
+  }
+
+  void check_end() {
+    const Vector3d missing =
+        carried().object_poses.back().translation() - problem_.X_WO_goal.translation();
+    const double turned =
+        angle_between(carried().object_poses.back().linear(), problem_.X_WO_goal.linear());
+    const double allowed = options_.max_twist + options_.angle_tolerance;
+    if (missing.norm() > options_.tolerance || turned > allowed + kSame)
+      fault(carried().positions.size() - 1, "the object is not at its goal");
+  }
+
+  const Problem& problem_;
+  const Plan& plan_;
+  const Options& options_;
+  int frame_;
+  scene::Replay replay_;
+  int object_ = -1;
+  Faults faults_;
+};
+
+}  // namespace
+
+std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
+  validate(problem);
+  validate(options);
+  return Examination(problem, plan, options).run();
+}
+
+}  // namespace graspless::carry

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <sstream>
+
+#include "graspless/planning/path.hpp"
+
+#include "carry/search.hpp"
+
+namespace graspless::carry {
+namespace {
+
+constexpr double kRowStep = 0.05;  // largest joint step between rows [rad]
+
+Segment assemble(const Search& search, const std::vector<Eigen::VectorXd>& path) {
+  Segment segment{"carry", planning::subdivided(path, kRowStep), {}};
+  for (const Eigen::VectorXd& q : segment.positions)
+    segment.object_poses.push_back(search.object_at(q));
+  return segment;
+}
+
+/// How far it came, and what stopped it most often.
+std::string why_not(const Search& search, const Statistics& statistics, bool out_of_time) {
+  std::ostringstream text;
+  text.precision(3);
+  const Way& way = search.way();
+  text << "the hand comes " << search.reached() * 100 << " % of the way of ";
+  if (way.distance() > 1e-6) {
+    text << way.distance() << " m";
+  } else {
+    text << way.angle() << " rad";
+  }
+  const auto most =
+      std::max_element(statistics.refusals.begin(), statistics.refusals.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most != statistics.refusals.end()) text << "; most often refused: " << most->first;
+  if (out_of_time) text << "; the time or the iterations were over before all was tried";
+  return text.str();
+}
+
+}  // namespace
+
+Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+  validate(problem);
+  validate(options);
+  planning::Clock clock(budget);
+  Search search(problem, options, clock);
+  Plan plan;
+  plan.joint_names = problem.robot.joint_names();
+  if (const auto [a, b] = search.touching_at_start(); !a.empty()) {
+    plan.status = Status::start_in_collision;
+    plan.reason = "at the start, '" + a + "' touches '" + b + "'";
+  } else if (const auto path = search.run(); !path.empty()) {
+    plan.status = Status::solved;
+    plan.segments = {assemble(search, path)};
+  } else {
+    const bool out = clock.is_out() || clock.iterations() >= budget.iterations;
+    plan.status = clock.was_interrupted() ? Status::interrupted : Status::not_found;
+    plan.reason = why_not(search, search.statistics(), out);
+  }
+  plan.reached = search.reached();
+  plan.statistics = search.statistics();
+  return plan;
+}
+
+}  // namespace graspless::carry

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "graspless/carry/carry.hpp"
+#include "graspless/geometry/pose.hpp"
+#include "graspless/robot/ik.hpp"
+
+namespace graspless::carry {
+namespace {
+
+void check_bodies(const Problem& problem) {
+  std::set<std::string> taken;
+  for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
+  std::vector<Obstacle> bodies{problem.object};
+  try {
+    collision::require_obstacles(bodies, taken, "a link of the robot");
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("object" + std::string(error.what()).substr(12));  // obstacles[0]
+  }
+  taken.insert(problem.object.name);
+  collision::require_obstacles(problem.obstacles, taken, "a link, another obstacle or the object");
+}
+
+void check_rests(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.rests_on.size(); ++i) {
+    const Rest& rest = problem.rests_on[i];
+    const std::string field = "rests_on[" + std::to_string(i) + "]";
+    const auto is_it = [&](const Obstacle& obstacle) { return obstacle.name == rest.obstacle; };
+    if (std::none_of(problem.obstacles.begin(), problem.obstacles.end(), is_it)) {
+      std::string names;
+      for (const Obstacle& obstacle : problem.obstacles) names += " " + obstacle.name;
+      throw std::invalid_argument(field + ": there is no obstacle '" + rest.obstacle +
+                                  "' (one of:" + names + ")");
+    }
+    const double length = rest.normal_W.norm();
+    if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)
+      throw std::invalid_argument(field + ": normal_W must be of unit length");
+  }
+}
+
+void check_way(const Problem& problem) {
+  geometry::require_pose(problem.X_WO_goal, "X_WO_goal");
+  const Eigen::Isometry3d X = problem.object.X_WB.inverse() * problem.X_WO_goal;
+  if (X.translation().norm() > 1e-6 || Eigen::AngleAxisd(X.linear()).angle() > 1e-6) return;
+  throw std::invalid_argument("X_WO_goal is where the object already is: there is no way to go");
+}
+
+}  // namespace
+
+void validate(const Problem& problem) {
+  const std::vector<int>& arm = problem.robot.group(problem.arm);
+  const robot::Ik ik(problem.robot, problem.robot.frame(problem.frame), arm);  // throws otherwise
+  robot::require_configuration(problem.robot, problem.q_start, "q_start");
+  check_bodies(problem);
+  check_rests(problem);
+  check_way(problem);
+}
+
+void validate(const Options& options) {
+  const auto require = [](bool good, const char* field, double value, const char* what) {
+    if (good) return;
+    std::ostringstream text;
+    text << "options." << field << " is " << value << "; it " << what;
+    throw std::invalid_argument(text.str());
+  };
+  const Options& o = options;
+  require(o.step >= 1e-4 && o.step <= 0.1, "step", o.step, "must lie in [0.0001, 0.1] m");
+  require(o.tolerance >= 1e-5 && o.tolerance <= 0.05, "tolerance", o.tolerance,
+          "must lie in [0.00001, 0.05] m");
+  require(o.angle_tolerance >= 1e-4 && o.angle_tolerance <= 0.5, "angle_tolerance",
+          o.angle_tolerance, "must lie in [0.0001, 0.5] rad");
+  require(o.max_twist >= 0 && o.max_twist <= 3.2, "max_twist", o.max_twist,
+          "must lie in [0, 3.2] rad");
+  require(o.contact_depth > 0 && o.contact_depth <= 0.02, "contact_depth", o.contact_depth,
+          "must lie in (0, 0.02] m");
+  require(o.resolution > 0 && o.resolution <= 0.01, "resolution", o.resolution,
+          "must lie in (0, 0.01], the step of check()");
+}
+
+std::string to_string(Status status) {
+  switch (status) {
+    case Status::solved:
+      return "solved";
+    case Status::start_in_collision:
+      return "start_in_collision";
+    case Status::not_found:
+      return "not_found";
+    case Status::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+}  // namespace graspless::carry

@@ -1,0 +1,299 @@
+"""
+Take what the hand holds along a straight way.
+"""
+from __future__ import annotations
+import collections.abc
+import enum
+import graspless._core.collision
+import graspless._core.planning
+import graspless._core.robot
+import numpy
+import numpy.typing
+import typing
+__all__: list[str] = ['Options', 'Plan', 'Problem', 'Segment', 'Statistics', 'Status', 'check', 'plan', 'validate']
+class Problem:
+    """
+    What is given: take what the hand holds to another pose.
+    """
+    def __init__(self, robot: graspless._core.robot.Robot, frame: str, object: graspless._core.collision.Obstacle, X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], rests_on: collections.abc.Mapping[str, typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = {}, arm: str = 'arm') -> None:
+        """
+        frame: link that the object keeps its place to. object: its shapes, and its pose when the carry begins.
+        X_WO_goal: (4, 4). q_start: (dof,) where the robot stands. rests_on: obstacles that the object lies on at
+        first and may be drawn over, each with its normal (3,) in the world. arm: group of the joints that move.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WO_goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose of the object in the world at the end.
+        """
+    @property
+    def arm(self) -> str:
+        """
+        Group of the joints that move.
+        """
+    @property
+    def frame(self) -> str:
+        """
+        Link that the object keeps its place to.
+        """
+    @property
+    def object(self) -> graspless._core.collision.Obstacle:
+        """
+        What is held, with its pose when the carry begins.
+        """
+    @property
+    def obstacles(self) -> list[graspless._core.collision.Obstacle]:
+        """
+        What else stands around.
+        """
+    @property
+    def q_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (dof,) [rad or m].
+        """
+    @property
+    def rests_on(self) -> dict[str, typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]]:
+        """
+        What the object lies on at first, with its normal (3,) in the world; a copy.
+        """
+    @property
+    def robot(self) -> graspless._core.robot.Robot:
+        """
+        The robot.
+        """
+class Options:
+    """
+    How to search.
+    """
+    def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def angle_tolerance(self) -> float:
+        """
+        How far the object may turn off it [rad].
+        """
+    @angle_tolerance.setter
+    def angle_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def contact_depth(self) -> float:
+        """
+        How far the object may reach into what it rests on [m].
+        """
+    @contact_depth.setter
+    def contact_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_twist(self) -> float:
+        """
+        How far hand and object may turn about the line of the way [rad].
+        """
+    @max_twist.setter
+    def max_twist(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def resolution(self) -> float:
+        """
+        Largest joint step between checked configurations [rad].
+        """
+    @resolution.setter
+    def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def step(self) -> float:
+        """
+        Along the way, between poses looked at [m].
+        """
+    @step.setter
+    def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def tolerance(self) -> float:
+        """
+        How far the object's origin may leave the straight way [m].
+        """
+    @tolerance.setter
+    def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class Segment:
+    """
+    A stretch of motion: rows follow each other by at most 0.05 rad in any joint.
+    """
+    def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        positions: (N, dof) [rad or m]. object_poses: (N, 4, 4) poses of the object in the world.
+        """
+    def __len__(self) -> int:
+        """
+        Number of rows.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def name(self) -> str:
+        """
+        carry.
+        """
+    @property
+    def object_poses(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (N, 4, 4) pose of the object in the world at each row.
+        """
+    @property
+    def positions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (N, dof) all joints [rad or m].
+        """
+class Statistics:
+    """
+    What the search did.
+    """
+    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, iterations: typing.SupportsInt | typing.SupportsIndex = 0, ik_calls: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
+        """
+        Any field by keyword; the others are zero.
+        """
+    def __repr__(self) -> str:
+        ...
+    def as_dict(self) -> dict[str, typing.Any]:
+        """
+        All fields by name.
+        """
+    @property
+    def collision_checks(self) -> int:
+        """
+        Configurations checked.
+        """
+    @collision_checks.setter
+    def collision_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def ik_calls(self) -> int:
+        """
+        Inverse kinematics solved.
+        """
+    @ik_calls.setter
+    def ik_calls(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def iterations(self) -> int:
+        """
+        Steps tried.
+        """
+    @iterations.setter
+    def iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def refusals(self) -> dict[str, int]:
+        """
+        Why steps failed, and how often; a copy.
+        """
+    @refusals.setter
+    def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:
+        ...
+    @property
+    def seconds(self) -> float:
+        """
+        Wall clock [s].
+        """
+    @seconds.setter
+    def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class Status(enum.Enum):
+    """
+    How a query ended.
+    """
+    interrupted = ...
+    not_found = ...
+    solved = ...
+    start_in_collision = ...
+class Plan:
+    """
+    What was found, or why not. False unless solved.
+    """
+    def __bool__(self) -> bool:
+        """
+        Whether it is solved.
+        """
+    def __init__(self) -> None:
+        """
+        A plan without segments, to be filled from a file.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """
+        The robot's joints, in the order of positions.
+        """
+    @joint_names.setter
+    def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def reached(self) -> float:
+        """
+        How much of the way was possible, 0 to 1.
+        """
+    @reached.setter
+    def reached(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def reason(self) -> str:
+        """
+        One sentence, for people.
+        """
+    @reason.setter
+    def reason(self, arg0: str) -> None:
+        ...
+    @property
+    def segments(self) -> tuple[Segment, ...]:
+        """
+        Stretches of motion, in order.
+        """
+    @segments.setter
+    def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
+        ...
+    @property
+    def statistics(self) -> Statistics:
+        """
+        What the search did.
+        """
+    @statistics.setter
+    def statistics(self, arg0: Statistics) -> None:
+        ...
+    @property
+    def status(self) -> Status:
+        """
+        How the query ended.
+        """
+    @status.setter
+    def status(self, arg0: Status) -> None:
+        ...
+def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
+    """
+    Replays a plan against its problem, with none of the search's code.
+    
+    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    """
+def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
+    """
+    Plans a motion of the arm that takes the object along the straight way to its goal. Not finding a plan is a status.
+    
+    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Raises ValueError on a bad problem or bad options.
+    """
+@typing.overload
+def validate(problem: Problem) -> None:
+    """
+    Raises ValueError that names the field at fault, its value and the choices.
+    """
+@typing.overload
+def validate(options: Options) -> None:
+    """
+    Raises ValueError that names the option at fault, its value and what it may be.
+    """

@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many tasks: planned, checked and written as they come; what is done is not done again.
+
+>>> import graspless
+>>> summary = graspless.batch("tasks/", "plans/", jobs=2)  # doctest: +SKIP
+>>> print(summary.as_text())  # doctest: +SKIP
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from concurrent.futures import CancelledError
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .. import files
+from ..errors import TaskError
+from . import manifest, names, pools, work
+from .spread import spread
+from .summary import Summary
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+
+    from .names import Entry
+    from .work import Job, Outcome, Row
+
+PATIENCE = 600.0  # [s]: reading, checking and writing take seconds
+
+
+def batch(
+    tasks: str | Path | Iterable[str | Path],
+    output: str | Path,
+    *,
+    jobs: int = 1,
+    dask: str | None = None,
+    seed: int | None = None,
+    seconds: float | None = None,
+    iterations: int | None = None,
+    patience: float = PATIENCE,
+    progress: Callable[[int, int], None] | None = None,
+) -> Summary:
+    """Plans many tasks, checks every plan, and writes both as they come.
+
+    Where the plan of a task is there already, and the task says the same as then, it stands. No
+    task stops the others, whatever becomes of it. Ctrl-C ends the batch; what is done is kept.
+
+    Parameters
+    ----------
+    tasks : str, Path or several of them
+        Task files, globs, or folders of them.
+    output : str or Path
+        A folder, made where there is none: NAME.plan.json of each task, batch.jsonl with a row
+        of each, and summary.json.
+    jobs : int
+        Processes, each with one thread.
+    dask : str, optional
+        Address of a Dask scheduler, whose workers do it instead.
+    seed, seconds, iterations : optional
+        Instead of every task's own [s].
+    patience : float
+        How long a task may take beyond its own budget before its process is ended [s]. Not with
+        Dask workers that have several threads.
+    progress : callable, optional
+        Called with the number of tasks that are done, and of all.
+
+    Returns
+    -------
+    Summary
+        Not complete when Ctrl-C ended the batch: the same call goes on.
+
+    Raises
+    ------
+    TaskError
+        No tasks, jobs below 1, an output that cannot be written, no Dask scheduler or worker.
+    """
+    changes = {"seed": seed, "seconds": seconds, "iterations": iterations}
+    if jobs < 1:
+        raise TaskError(f"jobs: {jobs}: should be at least 1")
+    if dask is not None and jobs != 1:
+        raise TaskError("jobs: not beside dask, whose workers do it")
+    if not patience > 0:
+        raise TaskError(f"patience: {patience}: should be above 0")
+    if any(value is not None for value in changes.values()):
+        _check(changes)
+    run = _Run(names.find(tasks), Path(output), changes, patience, progress)
+    with pools.opened(jobs, dask) as pool:
+        return run.carry_out(pool, work.carry_out)
+
+
+def _check(changes: dict[str, Any]) -> None:
+    """Raises TaskError for what no task could be changed to."""
+    from pydantic import ValidationError
+
+    from ..tasks.budget import Budget
+
+    try:
+        Budget.model_validate(changes)
+    except ValidationError as error:
+        fault = error.errors()[0]
+        name, what = fault["loc"][0], fault["msg"].removeprefix("Input ")
+        raise TaskError(f"{name}: {fault['input']}: {what}") from None
+
+
+class _Run:
+    """One call of `batch`."""
+
+    def __init__(
+        self,
+        entries: list[Entry],
+        output: Path,
+        changes: dict[str, Any],
+        patience: float = PATIENCE,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> None:
+        self.entries, self.output, self.changes = entries, output, changes
+        self.patience, self.progress = patience, progress
+        self.manifest = output / manifest.NAME
+        work.make_folder(output)
+        files.check_writable(self.manifest)
+        self.before = manifest.read(self.manifest)
+        self.done: dict[str, Row] = {}
+        self.kept = 0
+
+    def carry_out(self, pool: pools.Pool, do: Callable[[Job], Outcome]) -> Summary:
+        """Has `do` carry out all tasks, and writes what comes of them."""
+        start = time.monotonic()
+        try:
+            with manifest.opened(self.manifest) as log:
+                work.sweep(self.output)
+                for outcome in spread(do, self._jobs(pool), pool, self._lost):
+                    self._take(outcome, log)
+        except KeyboardInterrupt:
+            pool.close(at_once=True)
+            work.sweep(self.output)
+        except CancelledError:
+            told = "the scheduler has gone; what is done is kept, and the same call goes on"
+            raise TaskError(f"dask: {told}") from None
+        return self._summarize(pool.workers, time.monotonic() - start)
+
+    def _jobs(self, pool: pools.Pool) -> Iterator[Job]:
+        patience = self.patience if pool.one_thread_each else None
+        for entry in self.entries:
+            row = self.before.get(entry.name, {})
+            is_there = row.get("plan") and (self.output / row["plan"]).is_file()
+            known = row["hash"] if is_there else None
+            job = work.Job(
+                entry.name,
+                str(entry.path),
+                self.changes,
+                known,
+                output=None if pool.is_elsewhere else str(self.output),
+                patience=patience,
+            )
+            yield work.inline(job) if pool.is_elsewhere else job
+
+    def _lost(self, job: Job, told: str, seconds: float) -> Outcome:
+        codes = _exit_codes(told)
+        is_late = job.patience is not None and seconds >= job.patience
+        if is_late and codes in ("", work.LATE):
+            what = f"gave no answer for {seconds:.0f} s, and was ended"
+            return work.without_plan(job, work.TIMED_OUT, what, seconds)
+        what = f"its worker process died: {codes or told.strip()}"
+        return work.without_plan(job, work.CRASHED, what, seconds)
+
+    def _take(self, outcome: Outcome, log: manifest.Log) -> None:
+        row = outcome.row
+        if row is None:
+            row = self.before[outcome.name]
+            self.kept += 1
+        else:
+            if outcome.plan is not None:
+                work.write(self.output, row, outcome.plan)
+            log.add(row)
+        self.done[outcome.name] = row
+        if self.progress is not None:
+            self.progress(len(self.done), len(self.entries))
+
+    def _summarize(self, workers: int, seconds: float) -> Summary:
+        rows = [self.done[entry.name] for entry in self.entries if entry.name in self.done]
+        summary = Summary(rows, len(self.entries), self.kept, workers, seconds)
+        if summary.is_complete:
+            others = [row for name, row in self.before.items() if name not in self.done]
+            manifest.rewrite(self.manifest, others + rows)
+        text = json.dumps(summary.as_dict(), indent=1, ensure_ascii=False) + "\n"
+        files.write(self.output / "summary.json", text)
+        return summary
+
+
+def _exit_codes(told: str) -> str:
+    """What loky says how processes ended: SIGSEGV(-11), EXIT(3); Dask does not know."""
+    _, _, codes = told.partition("The exit codes of the workers are ")
+    return codes.partition("\n")[0].strip("{}")
+
+
+__all__ = ["Summary", "batch"]

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The manifest of a batch: a row a task, in JSON lines, written as results come."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import json
+from typing import TYPE_CHECKING, Any
+
+from .. import files
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+    from pathlib import Path
+
+Row = dict[str, Any]
+NAME = "batch.jsonl"
+
+
+def read(path: Path, key: str = "name") -> dict[str, Row]:
+    """Rows by name; of several the last. A line that was cut short is none."""
+    if not path.exists():
+        return {}
+    rows = {}
+    for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+        with contextlib.suppress(ValueError):
+            row = json.loads(line)
+            if isinstance(row, dict) and key in row:
+                rows[row[key]] = row
+    return rows
+
+
+class Log:
+    """A file of rows that grows."""
+
+    def __init__(self, path: Path) -> None:
+        """Raises TaskError when it cannot be written, or somebody else writes it."""
+        files.check_writable(path)
+        self._file = path.open("ab")
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            self._file.close()
+            raise TaskError(f"{path}: another run is writing it") from None
+        except OSError:  # a file system without locks
+            pass
+        if self._file.tell() and not path.read_bytes().endswith(b"\n"):
+            self._file.write(b"\n")  # after a line that was cut short
+
+    def add(self, row: Row) -> None:
+        """At once, so that nothing that is done is lost."""
+        self._file.write(_line(row).encode())
+        self._file.flush()
+
+    def close(self) -> None:
+        self._file.close()
+
+
+@contextlib.contextmanager
+def opened(path: Path) -> Iterator[Log]:
+    log = Log(path)
+    try:
+        yield log
+    finally:
+        log.close()
+
+
+def rewrite(path: Path, rows: Iterable[Row]) -> None:
+    """All rows anew, whole or not at all."""
+    files.write(path, "".join(map(_line, rows)))
+
+
+def _line(row: Row) -> str:
+    return json.dumps(row, ensure_ascii=False) + "\n"

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which files a batch has, and what each is called in the output."""
+
+from __future__ import annotations
+
+import glob
+import os
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+ENDINGS = (".yaml", ".yml")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A task file, and its name in the output: a path without an ending."""
+
+    name: str
+    path: Path
+
+
+def find(tasks: str | Path | Iterable[str | Path]) -> list[Entry]:
+    """The task files of a batch, sorted by name, each once.
+
+    Parameters
+    ----------
+    tasks : str, Path or several of them
+        Files, globs (``**`` goes through folders), or folders: all .yaml and .yml below them but
+        those of hands (x.hand.yaml, x.clasp.yaml).
+
+    Returns
+    -------
+    list of Entry
+        A name is the path below the folder that all tasks have in common, so that equal names in
+        different folders stay apart.
+
+    Raises
+    ------
+    TaskError
+        No file is there.
+    """
+    given = [tasks] if isinstance(tasks, (str, Path)) else list(tasks)
+    if not given:
+        raise TaskError("tasks: none given; should be files, globs or folders")
+    folders: list[Path] = []
+    paths: dict[Path, None] = {}
+    for one in given:
+        found = _below(Path(one)) if Path(one).is_dir() else _files(str(one))
+        if not found:
+            raise TaskError(f"{one}: no task files there")
+        paths.update(dict.fromkeys(Path(os.path.abspath(path)) for path in found))
+        folders += [Path(one)] if Path(one).is_dir() else [path.parent for path in found]
+    base = Path(os.path.commonpath([os.path.abspath(folder) for folder in folders]))
+    return sorted(_named(list(paths), base), key=lambda entry: entry.name)
+
+
+def _below(folder: Path) -> list[Path]:
+    files = (path for ending in ENDINGS for path in folder.rglob(f"*{ending}"))
+    return sorted(path for path in files if len(path.suffixes) == 1 and path.is_file())
+
+
+def _files(text: str) -> list[Path]:
+    if Path(text).exists():  # also a name that holds a bracket
+        return [Path(text)]
+    if not glob.has_magic(text):
+        raise TaskError(f"{text}: no such file")
+    return [path for path in map(Path, sorted(glob.glob(text, recursive=True))) if path.is_file()]
+
+
+def _named(paths: list[Path], base: Path) -> list[Entry]:
+    """Without their endings, but where two would then be the same."""
+    relative = {path: path.relative_to(base).as_posix() for path in paths}
+    short = {path: name.removesuffix(path.suffix) for path, name in relative.items()}
+    count = Counter(short.values())
+    return [
+        Entry(short[path] if count[short[path]] == 1 else relative[path], path) for path in paths
+    ]

@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where work is done: processes of this machine (joblib's loky), or a Dask cluster."""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+from concurrent.futures import Future
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+Given = TypeVar("Given")
+Result = TypeVar("Result")
+Crashes = tuple[type[BaseException], ...]
+
+CONNECT_SECONDS = 10.0  # to a Dask scheduler, and until it has a worker
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+
+
+class Pool(Protocol):
+    """Workers that may die."""
+
+    capacity: int
+    """How many jobs keep all workers busy."""
+
+    workers: int
+    """How many there are."""
+
+    is_elsewhere: bool
+    """Whether workers may not see our files."""
+
+    one_thread_each: bool
+    """Whether a worker's process does one job at a time."""
+
+    crashes: Crashes
+    """What a future raises when the worker has died."""
+
+    def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
+        """Has something done; `work` must be importable there."""
+
+    def restart(self) -> None:
+        """After a crash, which may have taken all jobs with it."""
+
+    def close(self, at_once: bool = False) -> None:
+        """Ends the workers; at once, whatever they do."""
+
+
+class Processes:
+    """Processes of this machine, one thread each; also one of them is a process of its own."""
+
+    is_elsewhere = False
+    one_thread_each = True
+
+    def __init__(self, jobs: int) -> None:
+        try:
+            from joblib.externals.loky import process_executor
+        except ImportError:
+            raise TaskError("needs joblib: pip install 'graspless[batch]'") from None
+        self.workers = jobs
+        self.capacity = 2 * jobs
+        self.crashes: Crashes = (process_executor.BrokenProcessPool,)
+        self._make: Any = process_executor.ProcessPoolExecutor
+        self._executor = self._make(jobs, env=ONE_THREAD)
+
+    def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
+        with _shielded():  # this may start a worker
+            future: Future[Result] = self._executor.submit(work, given)
+        return future
+
+    def restart(self) -> None:
+        self.close(at_once=True)
+        self._executor = self._make(self.workers, env=ONE_THREAD)
+
+    def close(self, at_once: bool = False) -> None:
+        self._executor.shutdown(wait=True, kill_workers=at_once)
+
+
+class Cluster:
+    """The workers of a Dask scheduler, as many as there are at the beginning."""
+
+    is_elsewhere = True
+
+    def __init__(self, address: str, seconds: float = CONNECT_SECONDS) -> None:
+        try:
+            import distributed
+            from distributed.scheduler import KilledWorker
+        except ImportError:
+            raise TaskError("needs distributed: pip install 'graspless[cluster]'") from None
+        self.crashes: Crashes = (KilledWorker,)
+        make: Any = distributed.Client
+        try:
+            self._client = make(address, timeout=seconds, set_as_default=False)
+        except (OSError, ValueError, TypeError) as error:
+            reason = str(error) or type(error).__name__
+            raise TaskError(f"dask: {address}: no scheduler there: {reason}") from None
+        try:
+            self._meet(address, seconds)
+        except BaseException:
+            self._client.close()
+            raise
+        self._executor = self._client.get_executor(pure=False)
+
+    def _meet(self, address: str, seconds: float) -> None:
+        try:
+            self._client.wait_for_workers(1, timeout=seconds)
+        except TimeoutError:
+            raise TaskError(f"dask: {address}: no worker within {seconds:g} s") from None
+        threads = self._client.nthreads()
+        self.workers = sum(threads.values())
+        self.capacity = 2 * self.workers
+        self.one_thread_each = all(count == 1 for count in threads.values())
+        for worker, found in self._client.run(_version, on_error="return").items():
+            if found != (ours := _version()):
+                has = f"graspless {found}" if isinstance(found, str) else f"none: {found}"
+                raise TaskError(f"dask: {worker}: should have graspless {ours}, has {has}")
+
+    def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
+        future: Future[Result] = self._executor.submit(work, given)
+        return future
+
+    def restart(self) -> None:  # nannies do
+        pass
+
+    def close(self, at_once: bool = False) -> None:
+        self._executor.shutdown(wait=not at_once)
+        self._client.close(timeout=2)
+
+
+def _version() -> str:
+    from .. import __version__
+
+    return __version__
+
+
+@contextlib.contextmanager
+def opened(jobs: int, dask: str | None) -> Iterator[Pool]:
+    """A pool that ends with the block: in peace, or at once when an exception leaves it."""
+    pool: Pool = Processes(jobs) if dask is None else Cluster(dask)
+    try:
+        yield pool
+    except BaseException:
+        pool.close(at_once=True)
+        raise
+    pool.close()
+
+
+@contextlib.contextmanager
+def _shielded() -> Iterator[None]:
+    """Processes that are started meanwhile never see Ctrl-C: we alone answer it."""
+    before: Any = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plans in the files of other programs."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any, Protocol
+
+from .. import files
+from ..errors import TaskError
+from ..timing import time
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..plans import Plan
+    from ..robot import Robot
+    from ..timing import Trajectory
+
+FORMATS = {
+    "ros": "trajectory_msgs/JointTrajectory as YAML, for ros2 topic pub",
+    "mcap": "ROS 2 messages in an MCAP file, or a rosbag2 folder",
+    "csv": "a table, one row a moment",
+    "mujoco": "MJCF of the task with keyframes",
+    "json": "the trajectory, by trajectory.schema.json",
+}
+
+
+class Format(Protocol):
+    """What a module of this package has."""
+
+    def write(self, trajectory: Trajectory, path: Path | str) -> None:
+        """Writes the file, whole or not at all."""
+
+
+def export(
+    plan: Plan,
+    path: str | Path,
+    to: str,
+    *,
+    rate: float | None = None,
+    robot: Robot | None = None,
+    **limits: Any,
+) -> Trajectory:
+    """Times a plan and writes it for other programs.
+
+    Parameters
+    ----------
+    plan : Plan
+        One that is solved.
+    path : str or Path
+        The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
+    to : str
+        ros, mcap, csv, mujoco or json: see docs/export.md.
+    rate : float, optional
+        Moments a second. Default 100.
+    robot : Robot, optional
+        As in `time`.
+    **limits
+        As in `time`: max_velocity, max_acceleration, contact_speed, pause, fingers.
+
+    Returns
+    -------
+    Trajectory
+        What was written.
+
+    Raises
+    ------
+    TaskError
+        There is no such format, the plan cannot be timed or has not what the format needs, or the
+        file cannot be written.
+    """
+    if to not in FORMATS:
+        raise TaskError(f"to: {to}: no such format (one of: {', '.join(FORMATS)})")
+    writer = _writer(to)
+    files.check_writable(path)
+    trajectory = time(plan, robot, rate=rate, **limits)
+    writer.write(trajectory, path)
+    return trajectory
+
+
+def _writer(to: str) -> Format:
+    try:
+        writer: Format = importlib.import_module(f".{to}", __name__)
+    except ImportError as error:
+        extra = {"mcap": "ros", "mujoco": "sim"}.get(to, "timing")
+        raise TaskError(f"needs {error.name}: pip install 'graspless[{extra}]'") from None
+    return writer
+
+
+__all__ = ["FORMATS", "export"]

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless export`. Imports what runs only when it runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._commands import FOUND, given_plan
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def add_parser(commands: Any) -> None:
+    """Adds `export` to the commands of the command line."""
+    parser = commands.add_parser(
+        "export",
+        help="time a plan and write it for other programs",
+        description="Times a plan within the robot's limits and writes it. ros: "
+        "trajectory_msgs/JointTrajectory as YAML; mcap: ROS 2 messages; csv: a table; mujoco: MJCF "
+        "with keyframes; json: by trajectory.schema.json. See docs/export.md.",
+    )
+    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
+    parser.add_argument("--to", required=True, choices=["ros", "mcap", "csv", "mujoco", "json"])
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", required=True, help="mcap: FILE.mcap, or a new folder"
+    )
+    for flag, unit, what in (
+        ("--rate", "HZ", "moments a second (100)"),
+        ("--velocity", "V", "of every joint at most [rad/s, m/s]; the URDF's hold besides"),
+        ("--acceleration", "A", "of every joint at most [rad/s^2, m/s^2] (5 and 1)"),
+        ("--contact-speed", "V", "of what touches [m/s] (0.05; fingertip plans 0.02)"),
+    ):
+        parser.add_argument(flag, type=float, metavar=unit, help=what)
+    parser.add_argument(
+        "--fingers", action="store_true", help="the bare fingertips of a plan that has an arm"
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from . import export
+
+    limits = {
+        "rate": options.rate,
+        "max_velocity": options.velocity,
+        "max_acceleration": options.acceleration,
+        "contact_speed": options.contact_speed,
+    }
+    trajectory = export(
+        given_plan(options.plan), options.output, options.to, fingers=options.fingers, **limits
+    )
+    print(f"written: {options.output}")
+    print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s")
+    return FOUND

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A table: one row a moment, one line of names above."""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import files, frames
+from .fingers import contacts
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..timing import Trajectory
+
+POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
+
+
+def header(trajectory: Trajectory, fingers: int) -> list[str]:
+    """The columns' names."""
+    joints = trajectory.joint_names
+    return [
+        "time",
+        "segment",
+        *joints,
+        *(f"{name}_velocity" for name in joints),
+        *(f"object_{name}" for name in POSE),
+        *(f"finger_{i}_{axis}" for i in range(fingers) for axis in "xyz"),
+    ]
+
+
+def write(trajectory: Trajectory, path: Path | str) -> None:
+    """Writes the file."""
+    points = contacts(trajectory)
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(header(trajectory, points.shape[1]))
+    for k, name in enumerate(trajectory.names):
+        numbers = [
+            *trajectory.positions[k],
+            *trajectory.velocities[k],
+            *frames.to_row(trajectory.object_poses[k]),
+        ]
+        absent = ["" if np.isnan(value) else float(value) for value in points[k].ravel()]
+        table.writerow([float(trajectory.times[k]), name, *map(float, numbers), *absent])
+    files.write(path, text.getvalue())

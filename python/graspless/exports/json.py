@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The trajectory by a published schema."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import __version__, files, frames
+from .fingers import contacts
+from .json_model import TrajectoryFile
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..timing import Trajectory
+
+
+def write(trajectory: Trajectory, path: Path | str) -> None:
+    """Writes the file."""
+    files.write(path, document(trajectory).model_dump_json() + "\n")
+
+
+def document(trajectory: Trajectory) -> TrajectoryFile:
+    """What the file holds."""
+    points = [
+        [None if np.isnan(p).any() else p.tolist() for p in row] for row in contacts(trajectory)
+    ]
+    return TrajectoryFile(
+        format=1,
+        kind=trajectory.plan.kind,
+        version=__version__,
+        duration=trajectory.duration,
+        joint_names=list(trajectory.joint_names),
+        segments=[str(segment.name) for segment in trajectory.segments],
+        times=trajectory.times.tolist(),
+        segment_index=trajectory.segment_index.tolist(),
+        rows=trajectory.rows.tolist(),
+        positions=trajectory.positions.tolist(),
+        velocities=trajectory.velocities.tolist(),
+        accelerations=trajectory.accelerations.tolist(),
+        object_poses=[frames.to_row(X_WO) for X_WO in trajectory.object_poses],
+        fingers=points,
+    )

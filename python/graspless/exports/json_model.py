@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a trajectory file holds, format 1; `trajectory.schema.json` is made from this model."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import Field
+
+from ..plans.model import PoseRow
+from ..tasks.shapes import Fields, Point3
+
+
+class TrajectoryFile(Fields):
+    """A plan in time: N moments, n bare fingertips."""
+
+    format: Literal[1]
+    kind: str = Field(description="of the plan")
+    version: str = Field(description="of graspless, that wrote it")
+    duration: float = Field(description="[s]")
+    joint_names: list[str] = Field(description="the columns of positions")
+    segments: list[str] = Field(description="names of the segments, in order")
+    times: list[float] = Field(description="[N] from 0, increasing [s]")
+    segment_index: list[int] = Field(description="[N] which of `segments`")
+    rows: list[float] = Field(
+        description="[N] where in that segment of the plan: 2.25 is a quarter of the way from row "
+        "2 to 3; of a regrasp without an arm from 0 to 1"
+    )
+    positions: list[list[float]] = Field(description="[N][dof], rad or m")
+    velocities: list[list[float]] = Field(description="[N][dof], rad/s or m/s")
+    accelerations: list[list[float]] = Field(description="[N][dof], rad/s^2 or m/s^2")
+    object_poses: list[PoseRow] = Field(
+        description="[N][7] of the object, x y z qw qx qy qz in the world"
+    )
+    fingers: list[list[Point3 | None]] = Field(
+        description="[N][n][3] contact points of bare fingertips in the world [m]; null: off the "
+        "object"
+    )
+
+
+def schema() -> dict[str, Any]:
+    """The JSON schema of trajectory files."""
+    return TrajectoryFile.model_json_schema()

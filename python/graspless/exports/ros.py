@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""trajectory_msgs/JointTrajectory as `ros2 topic pub` reads it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from .. import files
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..timing import Trajectory
+
+
+def write(trajectory: Trajectory, path: Path | str) -> None:
+    """Writes the file."""
+    dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+    text = yaml.dump(
+        message(trajectory), Dumper=dumper, default_flow_style=None, sort_keys=False, width=1000
+    )
+    files.write(path, text)
+
+
+def message(trajectory: Trajectory) -> dict[str, Any]:
+    """The message in plain types; raises TaskError where no joints move."""
+    if not trajectory.joint_names:
+        raise TaskError(
+            "to: ros: the plan moves no joints, its fingertips have no arm "
+            "(mcap, csv, json and mujoco hold fingertips)"
+        )
+    return {
+        "header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""},
+        "joint_names": list(trajectory.joint_names),
+        "points": [
+            {
+                "positions": trajectory.positions[k].tolist(),
+                "velocities": trajectory.velocities[k].tolist(),
+                "accelerations": trajectory.accelerations[k].tolist(),
+                "effort": [],
+                "time_from_start": dict(zip(("sec", "nanosec"), seconds(t), strict=True)),
+            }
+            for k, t in enumerate(trajectory.times)
+        ],
+    }
+
+
+def seconds(t: float) -> tuple[int, int]:
+    """Seconds and nanoseconds of a time [s]."""
+    return divmod(round(float(t) * 1e9), 10**9)

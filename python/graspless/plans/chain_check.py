@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether the stages of a chain are those of its task, each starting where the last one ended."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames
+from ..tasks.chain import start_at
+from .chain_state import begins, ends, join
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .chain import Plan
+
+SAME_JOINTS = 1e-9  # [rad or m]
+SAME_POSE = 1e-6  # [m, rad]; a slide lays its object flat
+
+
+def check_joins(plan: Plan) -> list[str]:
+    """What does not hold between the stages of a plan that is solved."""
+    stages, asked = plan.stages, plan.task.problem.stages
+    if [stage.name for stage in asked] != plan.names:
+        return ["plan: the stages are not those of the task"]
+    if len(plan.fields.joins) != len(stages) - 1:
+        return ["plan: there is not one join between each two stages"]
+    faults = []
+    for k, (before, stage) in enumerate(pairwise(stages), start=1):
+        where = f"stage {k} '{plan.names[k]}'"
+        faults += [f"{where}: {fault}" for fault in _continuity(before, stage)]
+        if join(before) != plan.fields.joins[k - 1].model_dump(mode="json"):
+            faults.append(f"{where}: the join before it is not what the stage before it left")
+    for k, stage in enumerate(stages):
+        fields = asked[k].fields if k == 0 else start_at(asked[k].fields, ends(stages[k - 1]))
+        wrong = differs(_plain(fields), _plain(stage.task.fields))
+        if wrong is not None:
+            faults.append(f"stage {k} '{plan.names[k]}': {wrong} is not what the chain's task says")
+    return faults + _check_contents(plan)
+
+
+def differs(asked: Any, given: Any, place: str = "") -> str | None:
+    """Where `given` has another value than `asked`; what is not asked for may be anything."""
+    if isinstance(asked, dict) and isinstance(given, dict):
+        for key, value in asked.items():
+            if value is not None and key not in ("budget", "files"):
+                wrong = differs(value, given.get(key), f"{place}.{key}" if place else key)
+                if wrong is not None:
+                    return wrong
+        return None
+    return None if asked == given else place
+
+
+def _plain(fields: Any) -> dict[str, Any]:
+    """What was asked for in words of the file."""
+    document: dict[str, Any] = fields.model_dump(mode="json")
+    return document
+
+
+def _continuity(before: Any, stage: Any) -> list[str]:
+    state, (q, X_WO) = ends(before), begins(stage)
+    faults = []
+    if (q is None) != (state.q is None):
+        faults.append("has an arm, or none, other than the stage before it")
+    elif q is not None and state.q is not None:
+        if before.joint_names != stage.joint_names:
+            faults.append("has other joints than the stage before it")
+        elif (off := float(np.abs(q - state.q).max())) > SAME_JOINTS:
+            faults.append(f"a joint starts {off:.3g} rad from where the stage before it ended")
+    if (off := _apart(X_WO, state.X_WO)) > SAME_POSE:
+        faults.append(f"the object starts {off:.3g} m or rad from where the stage before it ended")
+    return faults
+
+
+def _apart(X_A: Matrix, X_B: Matrix) -> float:
+    """Distance and angle between two poses, the larger [m, rad]."""
+    w = abs(float(frames.to_quaternion(np.linalg.inv(X_A) @ X_B)[0]))
+    angle = 2 * float(np.arccos(min(w, 1.0))) if w < 1 - 1e-15 else 0.0
+    return max(float(np.linalg.norm(X_A[:3, 3] - X_B[:3, 3])), angle)
+
+
+def _check_contents(plan: Plan) -> list[str]:
+    """Whether the list of all segments is that of the stages."""
+    listed = [(s.name, s.stage, s.segment) for s in plan.fields.segments]
+    found = [
+        (segment.name, k, i)
+        for k, stage in enumerate(plan.stages)
+        for i, segment in enumerate(stage.segments)
+    ]
+    return [] if listed == found else ["plan: the list of segments is not that of the stages"]

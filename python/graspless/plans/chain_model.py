@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a plan file of kind chain holds."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, model_validator
+
+from ..tasks.chain.model import ChainTask
+from ..tasks.shapes import Fields
+from .carry_model import CarryPlanFile
+from .clasp_model import ClaspPlanFile
+from .fingertip_model import FingertipPlanFile
+from .model import PlanFields, PoseRow, require_unit_quaternions
+from .slide_model import SlidePlanFile
+
+StagePlan = Annotated[
+    SlidePlanFile | FingertipPlanFile | ClaspPlanFile | CarryPlanFile, Discriminator("kind")
+]
+
+
+class Join(Fields):
+    """What one stage hands to the next."""
+
+    how: Literal["held", "arm", "regrasp"] = Field(
+        description="held: the hand holds the object; arm: the arm goes on from where it stopped; "
+        "regrasp: fingertips without an arm, which all lift and touch anew"
+    )
+    X_WO: PoseRow = Field(description="of the object")
+    positions: list[float] | None = Field(
+        default=None, description="[dof] all joints, rad or m; null without an arm"
+    )
+
+
+class Segment(Fields):
+    """Where a segment of the whole chain stands."""
+
+    name: str
+    stage: Annotated[int, Field(ge=0)]
+    segment: Annotated[int, Field(ge=0)] = Field(description="of that stage")
+
+
+class ChainPlanFile(PlanFields):
+    """Plans one after the other, with the whole task."""
+
+    kind: Literal["chain"]
+    status: str = Field(
+        description="solved; not_joined: a stage cannot start where the one before it ended; "
+        "out_of_time: before a stage was begun; or that of the first stage not solved"
+    )
+    names: list[str] = Field(description="of the stages")
+    stages: list[StagePlan] = Field(description="whole plans, as far as was planned")
+    joins: list[Join] = Field(description="between each two stages")
+    segments: list[Segment] = Field(description="of all stages, in order")
+    task: ChainTask = Field(description="the task file, with all that it names")
+
+    @model_validator(mode="after")
+    def _check(self) -> ChainPlanFile:
+        if len(self.names) != len(self.stages):
+            raise ValueError(f"{len(self.stages)} stages have {len(self.names)} names")
+        if len(self.stages) > len(self.task.stages):
+            what = f"{len(self.stages)} stages of a task that has {len(self.task.stages)}"
+            raise ValueError(what)
+        require_unit_quaternions([join.X_WO for join in self.joins])
+        return self

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The state that a stage of a chain leaves, read from the rows of its plan."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames
+from ..tasks.chain import Held, State
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+
+
+def begins(plan: Any) -> tuple[Matrix | None, Matrix]:
+    """Joints and object at the first moment of a plan that is solved: [dof] or None, X_WO."""
+    return _moment(plan, first=True)
+
+
+def ends(plan: Any) -> State:
+    """Where a plan that is solved ends."""
+    q, X_WO = _moment(plan, first=False)
+    return State(X_WO, q, _held(plan))
+
+
+def join(before: Any) -> dict[str, Any]:
+    """What a stage hands to the next, as it stands in a plan file."""
+    state = ends(before)
+    how = "held" if state.held else "regrasp" if state.q is None else "arm"
+    q = None if state.q is None else np.asarray(state.q).tolist()
+    return {"how": how, "X_WO": frames.to_row(state.X_WO), "positions": q}
+
+
+def _moment(plan: Any, first: bool) -> tuple[Matrix | None, Matrix]:
+    row = 0 if first else -1
+    if plan.kind == "fingertip":
+        moved = [segment for segment in plan.segments if len(segment.X_WO)]
+        joints = plan.joint_segments
+        q = joints[row].positions[row] if joints else None
+        return q, moved[row].X_WO[row]
+    segments = [segment for segment in plan.segments if len(segment)]
+    return segments[row].positions[row], segments[row].object_poses[row]
+
+
+def _held(plan: Any) -> Held | None:
+    problem = plan.task.problem
+    if plan.kind == "slide":
+        return Held(problem.hand.arm, problem.hand.grasp_frame, plan.task.fields)
+    if plan.kind == "clasp":
+        return Held(problem.hand.arm, problem.hand.frame, plan.task.fields)
+    if plan.kind == "carry":
+        return Held(problem.arm, problem.frame, plan.task.fields)
+    return None

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What carrying came to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import least_seconds, refused, segment_line
+
+if TYPE_CHECKING:
+    from ..plans.carry import Plan
+
+
+def details(plan: Plan) -> dict[str, Any]:
+    """What `--json` prints of this kind alone."""
+    return {
+        "reached": plan.reached,
+        "segments": [
+            {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
+            for s in plan.segments
+        ],
+    }
+
+
+def lines(plan: Plan) -> list[str]:
+    """A line a segment, and how far the object moves."""
+    problem = plan.task.problem
+    start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
+    distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
+    moved = f"{problem.object.name} moves {distance * 100:.1f} cm in the hand"
+    return [*(segment_line(plan, segment) for segment in plan.segments), moved]
+
+
+def lines_not_found(plan: Plan) -> list[str]:
+    """Why steps were refused."""
+    return refused(plan)

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the planners found for the stages of a chain."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import as_dict, as_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..plans.chain import Plan
+
+
+def details(plan: Plan) -> dict[str, Any]:
+    """What `--json` prints of this kind alone."""
+    named = zip(plan.names, plan.stages, strict=True)
+    return {
+        "stages": [{"name": name, "kind": stage.kind} | as_dict(stage) for name, stage in named],
+        "segments": [
+            {"name": s.name, "stage": s.stage, "segment": s.segment} for s in plan.fields.segments
+        ],
+    }
+
+
+def lines(plan: Plan) -> list[str]:
+    """What there is to say of each stage."""
+    return list(_stages(plan))
+
+
+def lines_not_found(plan: Plan) -> list[str]:
+    """The stages that were planned, the last of them perhaps not found."""
+    return list(_stages(plan))
+
+
+def _stages(plan: Plan) -> Iterator[str]:
+    for name, stage in zip(plan.names, plan.stages, strict=True):
+        first, *rest = as_text(stage).splitlines()
+        yield f"{name} ({stage.kind}): {first}"
+        yield from (f"  {line}" for line in rest)

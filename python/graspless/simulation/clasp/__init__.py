@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clasps in MuJoCo: the hand reaches, closes until its motors have had enough, and is pulled at.
+
+Until then the object stands on a level floor under its lowest points, by its own weight; one that
+cannot stand on them is held. Then floor and weight are taken away, so that a pull in any direction
+asks the same of the hand. Robot and object touch by the links' shapes and the triangles that bound
+K_d; obstacles stop the robot alone.
+"""
+
+from __future__ import annotations
+
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...timing import time as timed
+from ..results import Trial
+from ..settings import Clasp
+from .execution import Execution, Recorder
+from .judge import Judge
+from .model import make_world
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ... import geometry
+    from ...frames import Matrix
+    from ...plans.clasp import Plan
+    from ...timing import Trajectory
+    from ..variation import Variation
+
+FAILURES = {
+    "hit": "the object moved before the hand closed",
+    "not_closed": "a finger is not linked with the loop when the hand has closed",
+    "escaped": "the loop came out of the closed hand under random wrenches, the motors locked too",
+    "forced_open": "random wrenches forced the fingers open; with locked motors the hand held",
+    "pulled_out": "the loop came out of the closed hand under a straight pull",
+    "open_hand_holds": "the negative control: the open hand held the loop too",
+}
+
+MEASURES = {
+    "moved_before": "how far the object moved before the hand closed [m]",
+    "moved_by_closing": "how far the object had moved when the hand was closed [m]",
+    "linking": "virtual linking of the closed hand, the least of all fingers",
+    "grip": "torque of the joint of the hand that presses hardest when closed, of its greatest",
+    "held": "sequences of random wrenches that the closed hand held",
+    "held_locked": "the same where those that were lost are run again with locked motors",
+    "sequences": "how many there were",
+    "pull": "straight pull that was held [N]",
+    "open_pull": "straight pull at which the open hand lost the object [N]",
+    "open_sequence": "in which sequence the open hand lost the object, from 1",
+    "open_linked": "fingers whose curves are linked with the loop when the hand has opened",
+}
+
+
+def run(
+    plan: Plan,
+    variation: Variation,
+    *,
+    record: bool = False,
+    settings: Clasp | None = None,
+    solids: Sequence[geometry.PlacedShape] | None = None,
+) -> Trial:
+    """Executes a plan that is solved.
+
+    `settings` instead of the defaults; `solids`, in O, instead of the cloud's skin.
+    """
+    started = perf_counter()
+    settings = settings or Clasp()
+    task, loop = plan.task, plan.loop
+    assert loop is not None
+    problem = task.problem
+    world = make_world(task, variation, settings, solids)
+    judge = Judge(problem.hand, world, problem.object.loops.loops[loop].points)
+    recorder = Recorder() if record else None
+    execution = Execution(world, judge, problem.hand, problem.robot, recorder)
+    failures: list[str] = []
+    measures = _close(execution, timed(plan))
+    if measures["moved_before"] > settings.hit:
+        failures.append("hit")
+    if measures["linking"] == 0:
+        failures.append("not_closed")
+    world.let_go()
+    closed = execution.save()
+    execution.recorder = None
+    measures |= _shaken(execution, closed, recorder)
+    if measures["held_locked"] < settings.sequences:
+        failures.append("escaped")
+    elif measures["held"] < settings.sequences:
+        failures.append("forced_open")
+    execution.set_back(closed)
+    execution.recorder = recorder
+    direction_W = _direction(problem.pull_W, judge)
+    measures["pull"] = execution.pull(direction_W)
+    if measures["pull"] < settings.pull_needed:
+        failures.append("pulled_out")
+    execution.set_back(closed)
+    execution.recorder = None
+    measures |= _opened(execution, direction_W)
+    if measures["open_pull"] >= settings.pull_most and "open_sequence" not in measures:
+        failures.append("open_hand_holds")
+    recording = None if recorder is None else recorder.recording()
+    seconds = perf_counter() - started
+    return Trial(variation, tuple(failures), measures, seconds, recording)
+
+
+def _close(execution: Execution, trajectory: Trajectory) -> dict[str, float]:
+    """Reaches, closes and grips."""
+    resting = execution.surface()
+    execution.settle(execution.world.settings.lead)
+    moved = execution.follow(trajectory)
+    torque = execution.grip()
+    far = float(np.linalg.norm(execution.surface() - resting, axis=1).max())
+    return {
+        "moved_before": moved.get("reach", 0.0),
+        "moved_by_closing": far,
+        "linking": execution.judge.linking(),
+        "grip": float(torque.max()),
+    }
+
+
+def _shaken(execution: Execution, closed: Any, recorder: Recorder | None) -> dict[str, float]:
+    """Sequences of random wrenches from the closed hand; the first is recorded.
+
+    One that frees the loop is run again with motors that nothing can turn: then the clasp was
+    good, and the fingers too weak.
+    """
+    settings = execution.world.settings
+    held = rigid = 0
+    for sequence in range(settings.sequences):
+        execution.set_back(closed)
+        execution.recorder = recorder if sequence == 0 else None
+        if execution.shake(np.random.default_rng(sequence)):
+            held += 1
+            continue
+        execution.set_back(closed)
+        with execution.locked():
+            rigid += execution.shake(np.random.default_rng(sequence))
+    execution.recorder = None
+    return {
+        "held": float(held),
+        "held_locked": float(held + rigid),
+        "sequences": float(settings.sequences),
+    }
+
+
+def _opened(execution: Execution, direction_W: Matrix) -> dict[str, float]:
+    """The negative control: whether the open hand loses the object to the same pulls."""
+    execution.open()
+    measures = {"open_linked": float(execution.judge.linked())}
+    opened = execution.save()
+    measures["open_pull"] = execution.pull(direction_W)
+    for sequence in range(execution.world.settings.sequences):
+        execution.set_back(opened)
+        if not execution.shake(np.random.default_rng(sequence)):
+            measures["open_sequence"] = float(sequence + 1)
+            break
+    return measures
+
+
+def _direction(pull_W: Matrix | None, judge: Judge) -> Matrix:
+    """Of the force on the object: it drags behind a hand that pulls it, else out of the hand."""
+    if pull_W is None:
+        return judge.forward()
+    along = np.asarray(pull_W)
+    back: Matrix = -along / np.linalg.norm(along)
+    return back

@@ -1,0 +1,204 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is done with a clasp, one thing after the other: reach, close, grip, pull."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ..results import Recording
+from ..settings import Servo
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ... import clasp
+    from ...frames import Matrix
+    from ...timing import Trajectory
+    from .judge import Judge
+    from .model import World
+
+LOOK = 0.02  # between two looks of the judge, and two rows of a recording [s]
+_LOCKED = 1e3  # times the motors' own torque
+_STILL = 10  # looks without a motion of the hand: it is closed
+
+
+@dataclass
+class Recorder:
+    """Rows of a recording; they go on where the world was set back."""
+
+    rows: list[tuple[float, Matrix, Matrix, str]] = field(default_factory=list)
+
+    def add(self, world: World, name: str) -> None:
+        """A row, LOOK after the one before."""
+        self.rows.append((len(self.rows) * LOOK, world.positions, world.object_pose, name))
+
+    def recording(self) -> Recording:
+        """All rows."""
+        times, positions, poses, names = zip(*self.rows, strict=True)
+        empty = np.zeros((len(times), 0, 3))
+        return Recording(np.array(times), np.array(positions), np.array(poses), empty, list(names))
+
+
+class Execution:
+    """A world that runs on, looked at every LOOK seconds."""
+
+    def __init__(
+        self, world: World, judge: Judge, hand: clasp.Hand, robot: Any, recorder: Recorder | None
+    ) -> None:
+        self.world, self.judge, self.recorder = world, judge, recorder
+        self._steps = max(1, round(LOOK / world.model.opt.timestep))
+        self._fingers = np.array(robot.group(hand.hand))
+        self._closed = robot.clamp(robot.state(hand.closed))
+        self._open = robot.clamp(robot.state(hand.open))
+
+    def run(self, name: str, commands: Matrix | None = None) -> None:
+        """From one look to the next, with a command [steps, dof] a step, or as it was."""
+        world = self.world
+        if commands is None:
+            mujoco.mj_step(world.model, world.data, nstep=self._steps)
+        else:
+            for command in commands:
+                world.data.ctrl[:] = command
+                mujoco.mj_step(world.model, world.data)
+        mujoco.mj_kinematics(world.model, world.data)
+        if self.recorder is not None:
+            self.recorder.add(world, name)
+
+    def settle(self, seconds: float) -> None:
+        """Nothing moves but what falls."""
+        for _ in range(_looks(seconds)):
+            self.run("settle")
+
+    def follow(self, trajectory: Trajectory) -> dict[str, float]:
+        """The arm and the hand as planned; how far the object had moved at the end of each
+        segment, at most [m].
+        """
+        step = self.world.model.opt.timestep
+        moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
+        ahead = 2 * Servo().damping_ratio / Servo().bandwidth  # or the servos would lag by it
+        commands = moments.positions + ahead * moments.velocities
+        names = moments.names
+        moved: dict[str, float] = {}
+        resting = self.surface()
+        for i in range(0, len(moments), self._steps):
+            self.run(names[i], commands[i : i + self._steps])
+            far = float(np.linalg.norm(self.surface() - resting, axis=1).max())
+            moved[names[i]] = max(far, moved.get(names[i], 0.0))
+        return moved
+
+    def surface(self) -> Matrix:
+        """The object's points in W [m]."""
+        X_WO = self.world.object_pose
+        points: Matrix = self.world.points_O @ X_WO[:3, :3].T + X_WO[:3, 3]
+        return points
+
+    def grip(self) -> Matrix:
+        """Every joint of the hand closes on while its motor is below the torque of the grip; each
+        one's torque in the end, as a part of its greatest.
+        """
+        data, settings = self.world.data, self.world.settings
+        step = settings.grip_rate * self.world.model.opt.timestep
+        command = data.ctrl.copy()
+        still = 0
+        for _ in range(_looks(settings.grip_seconds)):
+            left = (self._closed - command)[self._fingers]
+            goes = np.where(self.effort() < settings.grip_effort, np.clip(left, -step, step), 0.0)
+            commands = np.repeat(command[None], self._steps, axis=0)
+            commands[:, self._fingers] += np.arange(1, self._steps + 1)[:, None] * goes
+            command = commands[-1]
+            self.run("grip", commands)
+            still = 0 if goes.any() else still + 1
+            if still > _STILL:
+                break
+        return self.effort()
+
+    def effort(self) -> Matrix:
+        """[n] torque of the hand's joints now, as a part of each one's greatest."""
+        model, data = self.world.model, self.world.data
+        limits = model.actuator_forcerange[self._fingers, 1]
+        effort: Matrix = np.abs(data.actuator_force[self._fingers]) / limits
+        return effort
+
+    def open(self) -> None:
+        """The hand goes back to its pre-shape, the arm stays."""
+        start, data = self.world.data.ctrl.copy(), self.world.data
+        looks = _looks(self.world.settings.open_seconds)
+        for look in range(1, looks + 1):
+            goal = start[self._fingers] + look / looks * (self._open - start)[self._fingers]
+            data.ctrl[self._fingers] = goal
+            self.run("open")
+
+    def shake(self, random: np.random.Generator) -> bool:
+        """One sequence of random wrenches; whether the loop is still in the hand."""
+        settings, body = self.world.settings, self.world.body
+        most, reach = _looks(settings.seconds), self.judge.reach()
+        for look in range(most):
+            if look % _looks(settings.hold) == 0:
+                wrench = [settings.force * _direction(random), settings.torque * _direction(random)]
+                self.world.data.xfrc_applied[body] = np.concatenate(wrench)
+            self.run("shake")
+            if self.judge.distance() > reach:
+                break
+        self.world.data.xfrc_applied[body] = 0.0
+        return look + 1 == most and self.judge.linked() > 0
+
+    @contextmanager
+    def locked(self) -> Iterator[None]:
+        """The hand's motors as strong as it takes to stay where they are."""
+        model = self.world.model
+        joints = model.actuator_trnid[self._fingers, 0]
+        limits = ((model.actuator_forcerange, self._fingers), (model.jnt_actfrcrange, joints))
+        kept = [array[rows].copy() for array, rows in limits]
+        for array, rows in limits:
+            array[rows] *= _LOCKED
+        try:
+            yield
+        finally:
+            for (array, rows), before in zip(limits, kept, strict=True):
+                array[rows] = before
+
+    def pull(self, direction_W: Matrix) -> float:
+        """A force at the object's centre of mass grows until the loop is out of the hand; how much
+        was held [N].
+        """
+        settings, body = self.world.settings, self.world.body
+        reach, step = self.judge.reach(), self._steps * self.world.model.opt.timestep
+        force = 0.0
+        while force < settings.pull_most:
+            self.world.data.xfrc_applied[body, :3] = force * direction_W
+            self.run("pull")
+            if self.judge.distance() > reach or not self.judge.linked():
+                break
+            force += settings.pull_rate * step
+        self.world.data.xfrc_applied[body] = 0.0
+        return min(force, settings.pull_most)
+
+    def save(self) -> Any:
+        """All that set_back needs."""
+        model, data = self.world.model, self.world.data
+        kind = mujoco.mjtState.mjSTATE_INTEGRATION
+        state = np.empty(mujoco.mj_stateSize(model, kind))
+        mujoco.mj_getState(model, data, state, kind)
+        return state
+
+    def set_back(self, state: Any) -> None:
+        """The world as it was."""
+        model, data = self.world.model, self.world.data
+        mujoco.mj_setState(model, data, state, mujoco.mjtState.mjSTATE_INTEGRATION)
+        mujoco.mj_forward(model, data)
+
+
+def _looks(seconds: float) -> int:
+    return max(1, round(seconds / LOOK))
+
+
+def _direction(random: np.random.Generator) -> Matrix:
+    vector = random.normal(size=3)
+    unit: Matrix = vector / np.linalg.norm(vector)
+    return unit

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether the hand still has the loop: geometry of simulated poses, nothing of the planner's."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import geometry
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    from ... import clasp
+    from ...frames import Matrix
+    from .model import World
+
+
+class Judge:
+    """Looks at the curves of a hand and the loop that it clasps."""
+
+    def __init__(self, hand: clasp.Hand, world: World, loop_O: Matrix) -> None:
+        self._fingers = [_bodies(finger, world.model) for finger in hand.fingers]
+        self._thumb = _bodies(hand.thumb, world.model)
+        self._palm = world.model.body(hand.frame).id
+        self._forward_H = np.asarray(hand.forward_H)
+        self._world = world
+        self._loop_O = np.asarray(loop_O)
+
+    def curves(self) -> list[Matrix]:
+        """[K, 3] of each finger, from its tip over the palm to the thumb's tip, in W [m]."""
+        thumb = self._points(self._thumb)
+        return [np.concatenate([self._points(finger)[::-1], thumb]) for finger in self._fingers]
+
+    def loop(self) -> Matrix:
+        """[K, 3] in W [m]."""
+        X_WO = self._world.object_pose
+        points: Matrix = self._loop_O @ X_WO[:3, :3].T + X_WO[:3, 3]
+        return points
+
+    def linked(self) -> int:
+        """How many fingers' curves, closed from tip to tip, are linked with the loop."""
+        loop = geometry.PreparedLoop(self.loop())
+        return sum(number != 0 for number in loop.linking_numbers(self.curves()))
+
+    def linking(self) -> float:
+        """|VLk| of the loop and the fingers' curves, the least."""
+        loop = self.loop()
+        return min(abs(geometry.virtual_linking(loop, curve)) for curve in self.curves())
+
+    def distance(self) -> float:
+        """Of the loop from the middle of the hand's curves [m]."""
+        corners = np.concatenate(self.curves())
+        middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
+        return _distance(self.loop(), middle)
+
+    def reach(self) -> float:
+        """Half the length of the longest curve [m]: no hand reaches farther from its middle."""
+        return max(float(_lengths(curve).sum()) for curve in self.curves()) / 2
+
+    def forward(self) -> Matrix:
+        """Unit, out of the palm, in W."""
+        forward: Matrix = self._world.data.xmat[self._palm].reshape(3, 3) @ self._forward_H
+        return forward
+
+    def _points(self, nodes: list[tuple[int, Matrix]]) -> Matrix:
+        data = self._world.data
+        return np.array([data.xmat[i].reshape(3, 3) @ p_L + data.xpos[i] for i, p_L in nodes])
+
+
+def _bodies(finger: clasp.Finger, model: Any) -> list[tuple[int, Matrix]]:
+    return [(model.body(node.link).id, np.asarray(node.p_L)) for node in finger.nodes]
+
+
+def _lengths(curve: Matrix) -> Matrix:
+    lengths: Matrix = np.linalg.norm(np.diff(curve, axis=0), axis=1)
+    return lengths
+
+
+def _distance(loop: Matrix, p: Matrix) -> float:
+    """Of a point from a closed polyline."""
+    sides = np.roll(loop, -1, axis=0) - loop
+    squares = np.maximum((sides**2).sum(axis=1), 1e-18)
+    along = np.clip(((p - loop) * sides).sum(axis=1) / squares, 0, 1)
+    return float(np.linalg.norm(p - loop - along[:, None] * sides, axis=1).min())

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A clasp task in MuJoCo: robot, obstacles, and the object with its holes open."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from ..robots import joint_addresses, robot_spec
+from ..settings import Clasp, Solver
+from .object import OBJECT, OBJECT_BIT, STAND, add_object
+from .obstacles import add_obstacle
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from ... import geometry
+    from ...frames import Matrix
+    from ...tasks import Task
+    from ..variation import Variation
+
+_ROBOT_BIT = 1  # of what collides: obstacles have the robot's
+
+
+@dataclass(frozen=True)
+class World:
+    """A model and what the execution must know of it.
+
+    Attributes
+    ----------
+    model, data : MjModel, MjData
+        The object stands, or is held, at `X_WO`.
+    joints : array [dof]
+        Where the robot's joints stand in qpos.
+    body : int
+        The object's.
+    points_O : array [N, 3]
+        Of the object's surface [m].
+    X_WO : array [4, 4]
+        Where the object is at first: the task's pose, varied.
+    """
+
+    model: Any
+    data: Any
+    joints: NDArray[np.int64]
+    body: int
+    points_O: Matrix
+    X_WO: Matrix
+    settings: Clasp
+
+    @property
+    def object_pose(self) -> Matrix:
+        """X_WO now."""
+        return frames.translation(self.data.xpos[self.body]) @ frames.from_quaternion(
+            self.data.xquat[self.body]
+        )
+
+    @property
+    def positions(self) -> Matrix:
+        """[dof] of the robot now [rad or m]."""
+        q: Matrix = self.data.qpos[self.joints].copy()
+        return q
+
+    def let_go(self) -> None:
+        """Takes floor and gravity away: what holds the object is the hand alone."""
+        self.model.opt.gravity[:] = 0.0
+        self.data.mocap_pos[self.model.body(STAND).mocapid[0], 2] -= 100.0
+        self.data.eq_active[self.model.equality(OBJECT).id] = 0
+
+
+def make_world(
+    task: Task,
+    variation: Variation,
+    settings: Clasp,
+    solids: Sequence[geometry.PlacedShape] | None = None,
+) -> World:
+    """The world at rest, the robot where the plan begins.
+
+    Parameters
+    ----------
+    task : Task
+        Of kind clasp.
+    variation : Variation
+        What differs from it.
+    settings : Clasp
+        Of the object and what touches it.
+    solids : list of PlacedShape, optional
+        In O, what the object's cloud was taken from: touched instead of the cloud's skin.
+    """
+    problem = task.problem
+    spec = robot_spec(problem.robot, task.fields.robot)
+    spec.option.timestep = Solver().timestep * variation.timestep
+    for geom in spec.geoms:
+        geom.contype, geom.conaffinity = _ROBOT_BIT, _ROBOT_BIT | OBJECT_BIT
+    for obstacle in problem.obstacles:
+        add_obstacle(spec, obstacle, contype=_ROBOT_BIT, conaffinity=_ROBOT_BIT)
+    X_WO = _moved(np.asarray(problem.X_WO), variation)
+    surface = problem.object.loops.complex
+    mass = variation.mass * (task.fields.object.mass or settings.mass)
+    add_object(spec, surface, solids, X_WO, mass, variation.friction, settings)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    joints = joint_addresses(model, problem.robot)
+    data.qpos[joints] = data.ctrl[:] = problem.q_start
+    mujoco.mj_forward(model, data)
+    return World(model, data, joints, model.body(OBJECT).id, np.asarray(surface.points), X_WO, settings)
+
+
+def _moved(X_WO: Matrix, variation: Variation) -> Matrix:
+    """Turned about the vertical through its origin, and moved."""
+    moved: Matrix = frames.from_rpy([0.0, 0.0, variation.yaw]) @ X_WO
+    moved[:3, 3] = X_WO[:3, 3] + [variation.x, variation.y, 0.0]
+    return moved

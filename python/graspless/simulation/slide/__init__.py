@@ -1,0 +1,201 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A slide, executed by the whole arm: is the object where the plan says, and can it be lifted?"""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import timing
+from ..results import Recording, Trial
+from ..robots import joint_addresses
+from ..settings import Servo, Slide
+from .fingers import PAD, SLIDING
+from .judge import FAILURES, Judge
+from .program import HOLD, RAISE, SQUEEZE, Program, make_program
+from .scene import FINGER_GRASPS, Scene, build_scene
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.slide import Plan
+    from ..variation import Variation
+
+MEASURES = {
+    "position_error": "of the object at the end of the slide, against the plan's [m]",
+    "angle_error": "of the object at the end of the slide, against the plan's [rad]",
+    "overhang": "how far the object sticks out at the end of the slide [m]",
+    "mean_force": "of the finger on the object while it slides [N]",
+    "max_force": "the largest of these [N]",
+    "shift_by_lift": "how far the object moved between the end of the slide and the grasp [m]",
+    "lift_height": "how far the object was lifted, at the end [m]",
+    "lift_reach": "how far the arm can lift straight up, of what is asked [m]",
+    "creep": "how far the object moved in the hand while it was lifted and held [m]",
+}
+
+_LOOK = 0.01  # between looks of the judge [s]
+_RECORD = 50.0  # moments a second
+_NEVER = -1.0  # a margin of contact below which nothing comes [m]
+
+
+def run(
+    plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
+) -> Trial:
+    """Executes a plan that is solved; `settings` are for tests."""
+    start = time.perf_counter()
+    execution = Execution(plan, variation, settings or Slide())
+    if record:
+        execution.record()
+    execution.run()
+    seconds = time.perf_counter() - start
+    return Trial(
+        variation,
+        tuple(execution.judge.failures),
+        execution.measures,
+        seconds,
+        execution.recording() if record else None,
+    )
+
+
+class Execution:
+    """A model in motion, and what is noted of it."""
+
+    def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
+        self.plan, self.variation, self.settings = plan, variation, settings
+        self.scene: Scene = build_scene(plan, variation, settings)
+        model = self.scene.model
+        self.data = mujoco.MjData(model)
+        self.timestep = float(model.opt.timestep)
+        self.program: Program = make_program(plan, timing.time(plan), self.timestep, settings)
+        self.every = max(1, round(_LOOK / self.timestep))
+        self.judge = Judge(
+            self.scene,
+            self.every * self.timestep,
+            settings.tipped,
+            settings.fell,
+            settings.lost_seconds,
+        )
+        self.measures: dict[str, float] = {"lift_reach": self.program.raised}
+        self._addresses = joint_addresses(model, plan.task.problem.robot)
+        self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
+        _set_joints(model, self.data, plan, self.program.positions[0], self._addresses)
+
+    def record(self) -> None:
+        """Keeps what moves from now on."""
+        self._rows = []
+
+    def recording(self) -> Recording:
+        """What was kept."""
+        rows = self._rows or []
+        times, positions, poses, names = zip(*rows, strict=True)
+        fingers = np.zeros((len(rows), 0, 3))
+        return Recording(
+            np.array(times), np.array(positions), np.array(poses), fingers, list(names)
+        )
+
+    def run(self) -> None:
+        """To the end of the hold, or until the object has fallen."""
+        model, data, program = self.scene.model, self.data, self.program
+        ends = {program.last(name): name for name in program.names}
+        skip = max(1, round(1 / (_RECORD * self.timestep)))
+        ahead = Servo().damping_ratio * 2 / Servo().bandwidth
+        for step, command in enumerate(program.positions + ahead * program.velocities):
+            data.ctrl[:] = command
+            mujoco.mj_step(model, data)
+            name = program.names[program.phase[step]]
+            if step % self.every == 0:
+                self.judge.look(data, name)
+                if self.judge.is_over:
+                    break
+            if self._rows is not None and step % skip == 0:
+                q = data.qpos[self._addresses].copy()
+                self._rows.append((data.time, q, self.judge.pose(data), name))
+            if step in ends:
+                self._end_of(ends[step])
+
+    def _end_of(self, phase: str) -> None:
+        if phase == "slide":
+            self._measure_slide()
+        elif phase == "lift":
+            self._let_finger_grasp()
+        elif phase == "close":
+            X_WO = self.judge.pose(self.data)
+            self.measures["shift_by_lift"] = float(np.linalg.norm((X_WO - self._slid)[:3, 3]))
+        elif phase == SQUEEZE:
+            self._held = self._in_hand()
+            self._low = float(self.data.xpos[self.scene.model.body("object").id][2])
+            if not self.judge.holds(self.data):
+                self.judge.note("not_grasped")
+        elif phase in (RAISE, HOLD):
+            self._measure_lift(phase)
+
+    def _measure_slide(self) -> None:
+        X_WO = self._slid = self.judge.pose(self.data)
+        X_OO = np.linalg.inv(self.plan.X_WO_goal) @ X_WO
+        position = float(np.linalg.norm(X_OO[:3, 3]))
+        angle = float(np.arccos(np.clip((np.trace(X_OO[:3, :3]) - 1) / 2, -1, 1)))
+        forces = self.judge.forces or [0.0]
+        self.measures |= {
+            "position_error": position,
+            "angle_error": angle,
+            "overhang": overhang(self.plan, X_WO),
+            "mean_force": float(np.mean(forces)),
+            "max_force": float(np.max(forces)),
+        }
+        nominal, varied = self.settings.off_target, self.settings.off_target_varied
+        allowed = nominal if self.variation.is_nominal else varied
+        if position > allowed[0] or angle > allowed[1]:
+            self.judge.note("off_target")
+
+    def _let_finger_grasp(self) -> None:
+        """From here on the sliding finger touches with its own shapes, as the plan knows them."""
+        model, groups = self.scene.model, self.scene.groups
+        model.geom_contype[groups[SLIDING]] = FINGER_GRASPS.contype
+        model.geom_conaffinity[groups[SLIDING]] = FINGER_GRASPS.conaffinity
+        body = model.body(SLIDING).id
+        model.body_contype[body] |= FINGER_GRASPS.contype
+        model.body_conaffinity[body] |= FINGER_GRASPS.conaffinity
+        of_pad = np.isin(model.pair_geom1, groups[PAD]) | np.isin(model.pair_geom2, groups[PAD])
+        model.pair_margin[of_pad] = _NEVER
+
+    def _in_hand(self) -> Matrix:
+        body = self.data.body(self.plan.task.problem.hand.grasp_frame)
+        R_WH = body.xmat.reshape(3, 3)
+        p_HO: Matrix = R_WH.T @ (self.judge.pose(self.data)[:3, 3] - body.xpos)
+        return p_HO
+
+    def _measure_lift(self, phase: str) -> None:
+        lifted = float(self.data.xpos[self.scene.model.body("object").id][2]) - self._low
+        creep = float(np.linalg.norm(self._in_hand() - self._held))
+        self.measures |= {"lift_height": lifted, "creep": creep}
+        if "not_grasped" in self.judge.failures:
+            return
+        if not self.judge.holds(self.data) or creep > self.settings.kept:
+            self.judge.note("not_grasped" if phase == RAISE and lifted < 0.02 else "dropped")
+        elif lifted < 0.9 * self.settings.lift_height:
+            self.judge.note("dropped")
+
+
+def overhang(plan: Plan, X_WO: Matrix) -> float:
+    """How far the outline of an object there lies outside the support [m]; 0 where it does not."""
+    support, thing = plan.task.problem.support, plan.task.problem.object
+    X_SO = np.linalg.inv(support.X_WS) @ X_WO
+    corners = np.array(thing.outline.vertices) @ X_SO[:2, :2].T + X_SO[:2, 3]
+    return max(0.0, max(-float(support.polygon.depth(corner)) for corner in corners))
+
+
+def _set_joints(model: Any, data: Any, plan: Plan, q: Matrix, addresses: Any) -> None:
+    """The robot at rest at q, mimic joints with theirs."""
+    data.qpos[addresses] = q
+    for equality in range(model.neq):
+        follower, leader = model.eq_obj1id[equality], model.eq_obj2id[equality]
+        offset, factor = model.eq_data[equality][:2]
+        followed = data.qpos[model.jnt_qposadr[leader]]
+        data.qpos[model.jnt_qposadr[follower]] = offset + factor * followed
+    mujoco.mj_forward(model, data)
+
+
+__all__ = ["FAILURES", "MEASURES", "run"]

@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fingers that flex: each turns about one flexure behind its tip, held by a spring.
+
+Frame F is the sliding finger's: X along the line contact, Z out of the tip, Y towards the other
+finger. The other finger is its mirror image in the hand's frame H.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+
+if TYPE_CHECKING:
+    from ... import slide
+    from ...frames import Matrix
+    from ..settings import Slide
+
+SLIDING, OTHER = "sliding finger", "other finger"
+PAD = "pad"
+_MIRROR = np.diag([1.0, -1.0, 1.0, 1.0])
+
+
+@dataclass(frozen=True)
+class Bits:
+    """Who may touch whom: MuJoCo's contype and conaffinity."""
+
+    contype: int
+    conaffinity: int
+
+
+def add_flexing_fingers(
+    spec: Any, problem: slide.Problem, settings: Slide, bits: dict[str, Bits]
+) -> None:
+    """Makes the fingers of a robot in `spec` flex, and gives the sliding one its pad.
+
+    The shapes of a finger's link move to a body of the finger's mass that turns about the
+    flexure. The pad is a row of spheres, so that a line evenly pressed resists turning.
+    """
+    robot, hand = problem.robot, problem.hand
+    q = np.array(robot.state(hand.open))
+    X_WF, X_WH = robot.pose(hand.fingertip, q), robot.pose(hand.grasp_frame, q)
+    X_HF = np.linalg.inv(X_WH) @ X_WF
+    flexing = _flexing_links(problem)
+    for name, link in flexing.items():
+        # A mirrored frame is left-handed: its X axis is turned round to make a frame of it.
+        X_HT = X_HF if name == SLIDING else _MIRROR @ X_HF @ np.diag([-1.0, 1.0, 1.0, 1.0])
+        X_LT = np.linalg.inv(robot.pose(link, q)) @ X_WH @ X_HT
+        flex = _add_flexure(spec, name, link, X_LT, hand, settings)
+        X_XL: Matrix = np.linalg.inv(_behind(X_LT, hand.flexure_length))
+        _move_shapes(spec.body(link), flex, X_XL)
+        for geom in flex.geoms:
+            geom.contype, geom.conaffinity = bits[name].contype, bits[name].conaffinity
+            geom.condim, geom.priority = 6, 1
+            _rub(geom, hand, settings)
+        _exclude_as(spec, robot, link, name)
+    _add_pad(spec.body(SLIDING), hand, settings)
+
+
+def _flexing_links(problem: slide.Problem) -> dict[str, str]:
+    """Which link carries a fingertip."""
+    robot, hand = problem.robot, problem.hand
+    index = robot.frame(hand.fingertip)
+    while robot.frame_names[index] not in hand.sliding_finger and robot.parent(index) >= 0:
+        index = robot.parent(index)
+    own = robot.frame_names[index]
+    others = [link for link in hand.fingers if link not in hand.sliding_finger]
+    return {SLIDING: own if own in hand.sliding_finger else hand.sliding_finger[-1]} | (
+        {OTHER: others[-1]} if others else {}
+    )
+
+
+def _behind(X_LT: Matrix, length: float) -> Matrix:
+    X_LX: Matrix = X_LT @ frames.translation([0.0, 0.0, -length])
+    return X_LX
+
+
+def _add_flexure(
+    spec: Any, name: str, link: str, X_LT: Matrix, hand: slide.Hand, settings: Slide
+) -> Any:
+    body = spec.body(link)
+    X_LX = _behind(X_LT, hand.flexure_length)
+    flex = body.add_body(name=name, pos=X_LX[:3, 3], quat=frames.to_quaternion(X_LX), gravcomp=1.0)
+    # The finger's mass turns about the flexure; the link keeps next to none.
+    p_XC = np.linalg.inv(X_LX)[:3] @ [*body.ipos, 1.0]
+    mass, own = float(body.mass), float(np.max(body.fullinertia[:3]))
+    flex.mass, flex.ipos, flex.inertia = mass, p_XC, [own, own, own]
+    flex.explicitinertial = True
+    body.mass, body.fullinertia = 1e-3, [1e-6, 1e-6, 1e-6, 0, 0, 0]
+    inertia = own + mass * float(p_XC[1] ** 2 + p_XC[2] ** 2)
+    k = hand.flexure_stiffness
+    joint = flex.add_joint(name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[1, 0, 0])
+    joint.stiffness = [k, 0, 0]
+    joint.damping = [2 * settings.flexure_damping_ratio * np.sqrt(k * inertia), 0, 0]
+    return flex
+
+
+def _move_shapes(link: Any, flex: Any, X_XL: Matrix) -> None:
+    """Gives the link's geoms to the flexing body."""
+    for geom in list(link.geoms):
+        X_XG = X_XL @ frames.translation(geom.pos) @ frames.from_quaternion(geom.quat)
+        flex.add_geom(
+            type=geom.type,
+            size=geom.size,
+            meshname=geom.meshname,
+            pos=X_XG[:3, 3],
+            quat=frames.to_quaternion(X_XG),
+        )
+        geom.contype = geom.conaffinity = 0
+        geom.group = 4
+
+
+def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:
+    """The flexing body is not tested where its link is not."""
+    names, own = robot.frame_names, robot.frame(link)
+    for pair in sorted(robot.ignored_pairs):
+        if own in pair:
+            other = pair[0] if pair[1] == own else pair[1]
+            spec.add_exclude(bodyname1=name, bodyname2=names[other])
+
+
+def _rub(geom: Any, hand: slide.Hand, settings: Slide) -> None:
+    """A soft pad: its patch withstands moments about the normal and across it."""
+    mu, a = hand.pad_friction, settings.pad_softness
+    geom.friction = [mu, 2 / 3 * mu * a, a]
+    geom.solref = [settings.tip_solref, 1.0]
+
+
+def _add_pad(flex: Any, hand: slide.Hand, settings: Slide) -> None:
+    for i, x in enumerate(pad_offsets(hand.pad_width, settings.pad_points)):
+        flex.add_geom(
+            name=f"{PAD}{i}",
+            type=mujoco.mjtGeom.mjGEOM_SPHERE,
+            size=[hand.tip_radius, 0, 0],
+            pos=[x, 0.0, hand.flexure_length - hand.tip_radius],
+            contype=0,
+            conaffinity=0,
+        )
+
+
+def pad_offsets(width: float, n: int) -> Matrix:
+    """[n] where along X_F the pad's points are [m]: the middles of equal parts."""
+    offsets: Matrix = ((np.arange(n) + 0.5) / n - 0.5) * width
+    return offsets

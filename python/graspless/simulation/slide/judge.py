@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What became of the object: watched while the program runs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from .fingers import OTHER, PAD, SLIDING
+from .scene import EDGE, FOOT, OBJECT, TABLE
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from .scene import Scene
+
+FAILURES = {
+    "tip_lost": "the finger lost the object while it slid",
+    "off_target": "at the end of the slide the object is not where the plan says",
+    "tipped": "the object tilted on the table's edge",
+    "fell": "the object fell off the table",
+    "hit": "something touched what it must not",
+    "not_grasped": "the hand closed, and left the object behind",
+    "dropped": "the hand lifted the object, and lost it",
+}
+_BEFORE_GRASP = ("approach", "press", "slide", "lift", "reach", "grasp")
+
+
+@dataclass
+class Judge:
+    """Looks at the state every few steps."""
+
+    scene: Scene
+    interval: float  # between looks [s]
+    tipped: float  # [rad]
+    fell: float  # [m]
+    lost_seconds: float
+    failures: list[str] = field(default_factory=list)
+    forces: list[float] = field(default_factory=list)  # of the tip while it slides [N]
+    touched: tuple[str, str] | None = None  # what hit what
+    _lost: float = 0.0
+
+    def __post_init__(self) -> None:
+        model = self.scene.model
+        self._kind = np.zeros(model.ngeom, dtype=int)  # 0: the arm and the hand
+        order = (OBJECT, TABLE, "obstacle", FOOT, EDGE, PAD, SLIDING, OTHER)
+        code = {what: i for i, what in enumerate(order, start=1)}
+        for what in order:
+            self._kind[self.scene.groups[what]] = code[what]
+        allowed = [(FOOT, TABLE), (EDGE, OBJECT), (PAD, OBJECT), (PAD, TABLE)]
+        allowed += [(SLIDING, OBJECT), (OTHER, OBJECT)]
+        self._allowed = np.zeros((len(order) + 1,) * 2, dtype=bool)
+        for a, b in allowed:
+            self._allowed[code[a], code[b]] = self._allowed[code[b], code[a]] = True
+        self._pad, self._object = code[PAD], code[OBJECT]
+        self._fingers = code[SLIDING], code[OTHER]
+        self._body = model.body(OBJECT).id
+        self._lowest = self.scene.X_WO[2, 3] - self.fell
+
+    def look(self, data: Any, phase: str) -> None:
+        """Notes what went wrong."""
+        a, b = self._kinds(data)
+        if len(a) and not self._allowed[a, b].all():
+            self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
+        if phase == "slide":
+            self._watch_tip(data, a, b)
+        if phase in _BEFORE_GRASP and self.tilt(data) > self.tipped:
+            self.note("tipped")
+        if data.xpos[self._body][2] < self._lowest:
+            self.note("fell" if phase not in ("raise", "hold") else "dropped")
+
+    def note(self, failure: str) -> None:
+        """Each is said once."""
+        if failure not in self.failures:
+            self.failures.append(failure)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether there is nothing left to watch."""
+        return "fell" in self.failures or "dropped" in self.failures
+
+    def pose(self, data: Any) -> Matrix:
+        """X_WO."""
+        X_WO = frames.from_quaternion(data.xquat[self._body])
+        X_WO[:3, 3] = data.xpos[self._body]
+        return X_WO
+
+    def tilt(self, data: Any) -> float:
+        """Between the object's z and where it pointed at first [rad]."""
+        cosine = data.xmat[self._body].reshape(3, 3)[:, 2] @ self.scene.X_WO[:3, 2]
+        return float(np.arccos(np.clip(cosine, -1, 1)))
+
+    def holds(self, data: Any) -> bool:
+        """Whether both fingers touch the object."""
+        a, b = self._kinds(data)
+        other = np.where(a == self._object, b, np.where(b == self._object, a, 0))
+        return all((other == finger).any() for finger in self._fingers)
+
+    def _kinds(self, data: Any) -> tuple[Any, Any]:
+        geoms = data.contact.geom
+        touching = data.contact.dist < 0
+        return self._kind[geoms[touching, 0]], self._kind[geoms[touching, 1]]
+
+    def _note_hit(self, data: Any, index: int) -> None:
+        self.note("hit")
+        if self.touched is None:
+            geoms = data.contact.geom[data.contact.dist < 0][index]
+            model = self.scene.model
+            bodies = [model.body(model.geom_bodyid[g]).name for g in geoms]
+            self.touched = bodies[0], bodies[1]
+
+    def _watch_tip(self, data: Any, a: Any, b: Any) -> None:
+        force, of_contact = 0.0, np.zeros(6)
+        kinds = self._kind[data.contact.geom]
+        pads = ((kinds == self._pad) | (kinds == self._object)).all(axis=1)
+        for i in np.flatnonzero(pads):
+            mujoco.mj_contactForce(self.scene.model, data, i, of_contact)
+            force += of_contact[0]
+        self.forces.append(force)
+        self._lost = 0.0 if force > 0 else self._lost + self.interval
+        if self._lost > self.lost_seconds:
+            self.note("tip_lost")

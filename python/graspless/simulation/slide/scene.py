@@ -1,0 +1,187 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The world of a slide in MuJoCo: robot with flexing fingers, table, obstacles, object.
+
+The object stands on feet, small spheres spread evenly over its underside: faces that lie on each
+other would touch in their corners only, and resist turning twice as much as an even pressure.
+The table's edge has a row of spheres of its own, on which the object tips.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from ..robots import apply, robot_spec
+from ..settings import Slide, Solver
+from ..shapes import add_placed
+from .fingers import OTHER, PAD, SLIDING, Bits, add_flexing_fingers
+from .shapes import add_prism, even_points, plate_inertia, points_along
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ...plans.slide import Plan
+    from ..variation import Variation
+
+OBJECT, TABLE, OBSTACLE, FOOT, EDGE = "object", "table", "obstacle", "foot", "edge"
+
+# Bits of contact. Feet, edge and pad touch in pairs that are named, with friction of their own.
+_ROBOT, _TABLE, _OBSTACLE, _OBJECT, _FINGER, _GRASP = 1, 2, 4, 8, 16, 32
+FINGER_SLIDES = Bits(_FINGER, _ROBOT)
+FINGER_GRASPS = Bits(_FINGER | _GRASP, _ROBOT)
+_BITS = {
+    TABLE: Bits(_TABLE, _ROBOT | _GRASP),
+    OBSTACLE: Bits(_OBSTACLE, _ROBOT | _FINGER),
+    OBJECT: Bits(_OBJECT, _ROBOT | _OBSTACLE | _GRASP),
+}
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What is executed in: a model, and where things are in it."""
+
+    model: Any
+    X_WO: Matrix  # where the object lies at first
+    groups: dict[str, Any]  # indices of geoms by what they are
+
+
+def build_scene(plan: Plan, variation: Variation, settings: Slide | None = None) -> Scene:
+    """The model of a plan's own task, varied."""
+    settings = settings or Slide()
+    problem = plan.task.problem
+    spec = robot_spec(problem.robot, plan.task.fields.robot)
+    solver = dataclasses.replace(Solver(), impratio=settings.impratio)
+    apply(spec, solver)
+    spec.option.timestep = solver.timestep * variation.timestep
+    add_flexing_fingers(spec, problem, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
+    X_WO = varied_start(problem, variation)
+    _add_table(spec, plan, settings)
+    for obstacle in problem.obstacles:
+        _add_obstacle(spec, obstacle)
+    _add_object(spec, problem.object, X_WO, variation.mass, settings)
+    _add_pairs(spec, problem, settings, variation.friction)
+    for geom in spec.geoms:
+        if geom.priority == 1:
+            geom.friction = [variation.friction * geom.friction[0], *geom.friction[1:]]
+    model = spec.compile()
+    return Scene(model, X_WO, _groups(model))
+
+
+def varied_start(problem: Any, variation: Variation) -> Matrix:
+    """X_WO: moved in the plane of the support, and turned about the object's own origin."""
+    X_WS = np.array(problem.support.X_WS)
+    X_SO = np.linalg.inv(X_WS) @ problem.X_WO_start
+    moved = frames.translation([variation.x, variation.y, 0.0])
+    X_WO: Matrix = X_WS @ moved @ X_SO @ frames.planar(0.0, 0.0, variation.yaw)
+    return X_WO
+
+
+def _add_table(spec: Any, plan: Plan, settings: Slide) -> None:
+    support = plan.task.problem.support
+    X_WS = np.array(support.X_WS)
+    body = spec.worldbody.add_body(name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS))
+    for i, part in enumerate(support.polygon.convex_parts()):
+        _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
+    for i, p in enumerate(_edge_points(plan, settings)):
+        _add_foot(body, f"{EDGE}{i}", [*p, -settings.foot_radius], settings)
+
+
+def _edge_points(plan: Plan, settings: Slide) -> Matrix:
+    """[N, 2] along the table's outline, in S, where the object comes."""
+    problem = plan.task.problem
+    points = points_along(problem.support.polygon, settings.rim_spacing)
+    reach = np.linalg.norm(np.array(problem.object.outline.vertices), axis=1).max() + 0.02
+    X_SW = np.linalg.inv(problem.support.X_WS)
+    poses = np.concatenate([segment.object_poses for segment in plan.segments])
+    centers = np.unique((poses[:, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2].round(3), axis=0)
+    nearest = np.linalg.norm(points[:, None] - centers[None], axis=2).min(axis=1)
+    near: Matrix = points[nearest < reach]
+    return near
+
+
+def _add_obstacle(spec: Any, obstacle: Any) -> None:
+    X_WB = np.array(obstacle.X_WB)
+    name = f"{OBSTACLE} {obstacle.name}"
+    body = spec.worldbody.add_body(name=name, pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB))
+    for i, placed in enumerate(obstacle.shapes):
+        _mark(add_placed(spec, body, placed, name=f"{name} {i}"), OBSTACLE)
+
+
+def _add_object(spec: Any, thing: Any, X_WO: Matrix, mass_factor: float, settings: Slide) -> None:
+    mass = float(thing.mass) * mass_factor
+    body = spec.worldbody.add_body(
+        name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO), mass=mass, ipos=thing.com
+    )
+    J = plate_inertia(thing.outline, thing.thickness, mass)
+    body.fullinertia = [J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]]
+    body.explicitinertial = True
+    body.add_freejoint(name=OBJECT)
+    for i, part in enumerate(thing.outline.convex_parts()):
+        _mark(add_prism(spec, body, part, (0.0, thing.thickness), name=f"{OBJECT}{i}"), OBJECT)
+    r = settings.foot_radius
+    for i, p in enumerate(even_points(thing.outline, settings.feet)):
+        _add_foot(body, f"{FOOT}{i}", [*p, r], settings)
+    for i, p in enumerate(points_along(thing.outline, settings.rim_spacing)):
+        _add_foot(body, f"{FOOT} of rim {i}", [*p, r + settings.rim_rise], settings)
+
+
+def _add_foot(body: Any, name: str, place: list[float], settings: Slide) -> None:
+    size = [settings.foot_radius, 0, 0]
+    body.add_geom(
+        name=name, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=size, pos=place, contype=0, conaffinity=0
+    )
+
+
+def _mark(geom: Any, what: str) -> None:
+    geom.contype, geom.conaffinity = _BITS[what].contype, _BITS[what].conaffinity
+
+
+def _add_pairs(spec: Any, problem: Any, settings: Slide, factor: float) -> None:
+    """What slides on what, with one friction a pair."""
+    names = [geom.name for geom in spec.geoms]
+    of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
+    parts = [n for n in names if n.startswith(OBJECT)]
+    table = {
+        "friction": _coulomb(problem.support.friction * factor),
+        "solref": [settings.table_solref, 1.0],
+        "solreffriction": [settings.table_slip, 1.0],
+        "solimp": [*settings.table_solimp, 0.5, 2.0],
+    }
+    tip = {
+        "friction": _coulomb(problem.hand.pad_friction * factor),
+        "solref": [settings.tip_solref, 1.0],
+    }
+    for one, other, given in (
+        (of[FOOT], of[TABLE], table),
+        (of[EDGE], parts, table),
+        (of[PAD], parts, tip),
+        (of[PAD], of[TABLE], tip),
+    ):
+        for a in one:
+            for b in other:
+                spec.add_pair(geomname1=a, geomname2=b, condim=3, **given)
+
+
+def _coulomb(friction: float) -> list[float]:
+    return [friction, friction, 0.0, 0.0, 0.0]
+
+
+def _groups(model: Any) -> dict[str, Any]:
+    names = [model.geom(i).name for i in range(model.ngeom)]
+    bodies = [model.body(model.geom_bodyid[i]).name for i in range(model.ngeom)]
+    groups = {
+        what: np.array([i for i, name in enumerate(names) if name.startswith(what)], dtype=int)
+        for what in (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD)
+    }
+    for what in (SLIDING, OTHER):
+        own = [i for i, body in enumerate(bodies) if body == what and names[i][:3] != PAD]
+        groups[what] = np.array(own, dtype=int)
+    return groups
+
+
+__all__ = ["FINGER_GRASPS", "Scene", "build_scene"]

@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tasks of carrying."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..clasp.cloud import resolve_object
+from ..force import in_force as _in_force
+from ..meshes import checksums
+from ..obstacles import obstacle_meshes, resolve_obstacles
+from ..robots import resolve_robot, robot_meshes
+from .build import build as build_problem
+from .build import build_options
+from .model import CarryTask
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ... import carry
+    from ..source import Source
+
+SEARCHES: tuple[str, ...] = ()
+Fields = CarryTask
+
+
+def resolve(named: CarryTask, source: Source, directory: Path) -> tuple[CarryTask, Source]:
+    """The fields with robot and points inline and absolute paths of meshes."""
+    update: dict[str, Any] = {}
+    meshes = set()
+    if named.robot is not None:
+        update["robot"] = resolve_robot(named.robot, source, directory)[0]
+        meshes |= robot_meshes(update["robot"])
+    if named.obstacles is not None:
+        update["obstacles"] = resolve_obstacles(named.obstacles, source, directory)
+        meshes |= obstacle_meshes(update["obstacles"])
+    thing = named.object
+    if thing is not None and thing.slide is not None and thing.slide.cloud is not None:
+        raise source.error(("object", "slide", "cloud"), "a carry takes outlines or points")
+    if thing is not None and thing.clasp is not None:
+        cloud = resolve_object(thing.clasp, source, directory)
+        update["object"] = thing.model_copy(update={"clasp": cloud})
+    return named.model_copy(update=update | {"files": checksums(meshes)}), source
+
+
+def require_resolved(fields: CarryTask, source: Source) -> None:
+    """Raises TaskError unless fields of a plan file name no file that is not beside it."""
+    if fields.robot is not None and fields.robot.urdf is not None:
+        raise source.error(("robot", "urdf"), "must stand in the plan file itself")
+    thing = fields.object
+    if thing is not None and thing.clasp is not None and not isinstance(thing.clasp.points, list):
+        raise source.error(("object", "clasp", "points"), "must stand in the plan file itself")
+
+
+def build(fields: CarryTask, source: Source, other: Source) -> tuple[carry.Problem, None]:
+    """The problem of resolved fields."""
+    return build_problem(fields, source), None
+
+
+def options(fields: CarryTask, problem: carry.Problem, source: Source) -> carry.Options:
+    """How to search."""
+    return build_options(fields, source)
+
+
+def in_force(fields: CarryTask, problem: carry.Problem, options: carry.Options) -> dict[str, Any]:
+    """Fields with every value that was in force."""
+    return {"options": _in_force(fields.options, options)}
+
+
+__all__ = ["SEARCHES", "Fields", "build", "in_force", "options", "require_resolved", "resolve"]

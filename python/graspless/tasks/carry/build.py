@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a resolved task to the planner's own types."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import carry, frames, geometry
+from ..clasp.build import build_object as build_clasp_object
+from ..obstacles import placed_obstacles
+from ..robots import build_home, build_robot, require_srdf
+from ..shapes import pose_matrix
+from ..slide.build import build_object as build_slide_object
+from ..slide.build import build_support
+from ..slide.resolve import support_pose
+from ..source import Source, at
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ..source import Location
+    from . import model
+
+SUPPORT = "support"
+UP = np.array([0.0, 0.0, 1.0])
+
+
+def build(task: model.CarryTask, source: Source) -> carry.Problem:
+    """The problem that a resolved task states; faults name the place in `source`."""
+    for field in ("robot", "frame", "object", "pose"):
+        if getattr(task, field) is None:
+            raise source.error((field,), "missing")
+    given: Any = task  # all of it is there now
+    robot = build_robot(given.robot, source)
+    require_srdf(given.robot, source)
+    with at(source, "arm"):
+        robot.group(task.arm)
+    with at(source, "frame"):
+        robot.frame(given.frame)
+    X_WO = pose_matrix(given.pose)
+    obstacles = [
+        carry.Obstacle(*placed) for placed in placed_obstacles(task.obstacles or [], source)
+    ]
+    rests = dict.fromkeys(task.rests_on, UP)
+    if task.support is not None:
+        obstacles.append(_support(task.support, source))
+        rests[SUPPORT] = support_pose(task.support)[:3, 2]
+    shapes = object_shapes(given.object, source)
+    problem = carry.Problem(
+        robot=robot,
+        arm=task.arm,
+        frame=given.frame,
+        object=carry.Obstacle(given.object.name, shapes, X_WO),
+        X_WO_goal=goal(task, X_WO),
+        q_start=build_home(given.robot, robot, source),
+        obstacles=obstacles,
+        rests_on=rests,
+    )
+    try:
+        carry.validate(problem)
+    except ValueError as error:
+        raise source.error(*_blamed(str(error))) from None
+    return problem
+
+
+def goal(task: model.CarryTask, X_WO: Matrix) -> Matrix:
+    """[4, 4] X_WO at the end."""
+    if task.goal is not None:
+        return pose_matrix(task.goal)
+    if task.offset is not None:
+        return frames.translation(task.offset) @ X_WO
+    assert task.line is not None  # the model has seen to it
+    direction = np.array(task.line.direction) / np.linalg.norm(task.line.direction)
+    return frames.translation(task.line.distance * direction) @ X_WO
+
+
+def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedShape]:
+    """What the hand holds, in O."""
+    if thing.box is not None:
+        return [geometry.PlacedShape(geometry.Box(np.array(thing.box)), np.eye(4))]
+    field = "slide" if thing.slide is not None else "clasp"
+    given = source.data.get("object", {})
+    inner = given.get(field, {}) if isinstance(given, dict) else {}
+    below = Source(source.file, {"object": inner})
+    if thing.slide is not None:
+        return list(build_slide_object(thing.slide, below).shapes)
+    assert thing.clasp is not None
+    surface = build_clasp_object(thing.clasp, below).surface
+    return [geometry.PlacedShape(surface, np.eye(4))]
+
+
+def build_options(task: model.CarryTask, source: Source) -> carry.Options:
+    """How to search; what the task leaves out is the library's."""
+    with at(source, "options"):
+        options = carry.Options(**task.options.model_dump(exclude_none=True))
+        carry.validate(options)
+    return options
+
+
+def _support(support: Any, source: Source) -> carry.Obstacle:
+    built = build_support(support, support_pose(support), source)
+    return carry.Obstacle(SUPPORT, list(built.shapes), np.asarray(built.X_WS))
+
+
+# What the core calls a part of a problem, and where it stands in a task file.
+_PLACES: dict[str, Location] = {
+    "X_WO_goal": ("goal",),
+    "object": ("object",),
+    "obstacles": ("obstacles",),
+    "q_start": ("robot", "home"),
+    "rests_on": ("rests_on",),
+}
+
+
+def _blamed(message: str) -> tuple[Location, str]:
+    """The field of the task file that a message of carry.validate() is about, and the rest."""
+    named = re.match(r"(\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
+    if named is None or named[1] not in _PLACES:
+        return ("frame",), message
+    return _PLACES[named[1]], named[3]

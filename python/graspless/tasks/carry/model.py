@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a task file of kind carry may hold: docs/task-files.md says the same in prose.
+
+A carry is mostly a stage of a chain, and takes from the stage before it what stands here as None.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from ..budget import Budget
+from ..clasp.model import Object as ClaspObject
+from ..obstacles import Obstacles
+from ..robots import Robot
+from ..shapes import Fields, NotNegative, Point3, Pose, Positive, Size3
+from ..slide.model import Object as SlideObject
+from ..slide.model import Support
+
+
+def _posed(value: Any) -> Any:
+    """A slide's object needs a place on its support; here `pose` says where it is."""
+    return {"pose": {}, **value} if isinstance(value, dict) else value
+
+
+class Object(Fields):
+    """What the hand holds, described as the planner that put it there has it."""
+
+    name: str = "object"
+    box: Size3 | None = Field(default=None, description="side lengths, centred at O [m]")
+    slide: Annotated[SlideObject, BeforeValidator(_posed)] | None = Field(
+        default=None, description="as in a task of kind slide"
+    )
+    clasp: ClaspObject | None = Field(default=None, description="as in a task of kind clasp")
+
+    @model_validator(mode="after")
+    def _check(self) -> Object:
+        self.one_of("box", "slide", "clasp")
+        return self
+
+
+class Line(Fields):
+    """A straight way."""
+
+    direction: Point3 = Field(description="in the world, of any length but 0")
+    distance: Positive = Field(description="[m]")
+
+    @model_validator(mode="after")
+    def _check(self) -> Line:
+        if not any(self.direction):
+            raise ValueError("direction must not be zero")
+        return self
+
+
+class Options(Fields):
+    """How to search: graspless.carry.Options has the defaults and the reasons."""
+
+    step: Positive | None = Field(default=None, description="along the way [m]")
+    tolerance: Positive | None = Field(default=None, description="off the straight way [m]")
+    angle_tolerance: Positive | None = Field(default=None, description="[rad]")
+    max_twist: NotNegative | None = Field(
+        default=None, description="how far the hand may turn about the way [rad]"
+    )
+    contact_depth: Positive | None = Field(
+        default=None, description="how far the object may reach into what it rests on [m]"
+    )
+    resolution: Positive | None = Field(default=None, description="[rad]")
+
+
+class CarryTask(Fields):
+    """A task for the carrying of what the hand holds."""
+
+    kind: Literal["carry"]
+    robot: Robot | None = Field(default=None, description="its home is where it holds the object")
+    arm: str = Field(default="arm", description="group of joints that carry the hand")
+    frame: str | None = Field(default=None, description="link that the object keeps its place to")
+    object: Object | None = None
+    pose: Pose | None = Field(default=None, description="of O in the world when the carry begins")
+    line: Line | None = Field(default=None, description="along a direction")
+    offset: Point3 | None = Field(default=None, description="instead: by this, in the world [m]")
+    goal: Pose | None = Field(default=None, description="instead: to this pose of O in the world")
+    support: Support | None = Field(default=None, description="of the slide before it")
+    rests_on: list[str] = Field(
+        default=[], description="obstacles that the object lies on and may be drawn over"
+    )
+    obstacles: Obstacles | None = None
+    options: Options = Options()
+    budget: Budget = Budget()
+    files: dict[str, str] = Field(
+        default={}, description="in plan files: sha256 of each mesh that the task reads"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> CarryTask:
+        self.one_of("line", "offset", "goal")
+        if self.offset is not None and not any(self.offset):
+            raise ValueError("offset must not be zero")
+        return self

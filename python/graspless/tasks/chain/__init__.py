@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tasks of several stages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .joints import require_joined
+from .model import ChainTask, Options
+from .stages import Stage, read_stages, stages_of_plan
+from .start import Held, State, start_at
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from .. import Task
+    from ..source import Source
+
+SEARCHES: tuple[str, ...] = ()
+Fields = ChainTask
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is given: the stages, of which only the first knows where it starts."""
+
+    stages: tuple[Stage, ...]
+    first: Task
+
+    @property
+    def object(self) -> Any:
+        """The object, as the first stage describes it."""
+        return self.first.problem.object
+
+
+def resolve(named: ChainTask, source: Source, directory: Path) -> tuple[ChainTask, Any]:
+    """The fields with every stage whole and every file inline, and the stages themselves."""
+    stages = read_stages(named, source, directory)
+    files = {name: value for stage in stages for name, value in stage.fields.files.items()}
+    documents = [stage.document() for stage in stages]
+    fields = ChainTask(
+        kind="chain", stages=documents, options=named.options, budget=named.budget, files=files
+    )
+    return fields, stages
+
+
+def require_resolved(fields: ChainTask, source: Source) -> None:
+    """Raises TaskError unless fields of a plan file name no file that is not beside it."""
+    stages_of_plan(fields, source)
+
+
+def build(fields: ChainTask, source: Source, other: Any) -> tuple[Problem, None]:
+    """The stages, the first one with its problem; `other` are those that `resolve` gave."""
+    stages = other if isinstance(other, list) else stages_of_plan(fields, source)
+    require_joined(stages)
+    return Problem(tuple(stages), stages[0].task(stages[0].fields)), None
+
+
+def options(fields: ChainTask, problem: Problem, source: Source) -> Options:
+    """How to search; the stages have options of their own."""
+    return fields.options
+
+
+def in_force(fields: ChainTask, problem: Problem, options: Options) -> dict[str, Any]:
+    """Fields with every value that was in force; every stage's plan says those of the stage."""
+    return {"options": options}
+
+
+__all__ = [
+    "SEARCHES",
+    "Fields",
+    "Held",
+    "Problem",
+    "Stage",
+    "State",
+    "build",
+    "in_force",
+    "options",
+    "require_resolved",
+    "resolve",
+    "start_at",
+]

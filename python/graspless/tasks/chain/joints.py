@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which stages can follow one another, as far as that is known before anything is planned."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..source import Source
+    from .stages import Stage
+
+HOLDING = ("slide", "clasp", "carry")  # after these the hand holds the object
+
+
+def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
+    """Raises TaskError where a stage needs a hand that holds the object, or one that does not.
+
+    Parameters
+    ----------
+    stages : sequence of (name, kind, source)
+    """
+    held, last = False, ""
+    for name, kind, source in stages:
+        if kind == "carry" and not held:
+            after = f" after '{last}'" if last else ""
+            what = f"nothing is held{after}: a slide or a clasp comes first"
+            raise source.error(("kind",), what)
+        if kind != "carry" and held:
+            what = f"the hand holds the object after '{last}': only a carry can follow"
+            raise source.error(("kind",), what)
+        held, last = kind in HOLDING, name
+
+
+def require_joined(stages: Sequence[Stage]) -> None:
+    """Raises TaskError that names the stage and the field which cannot follow the one before it."""
+    require_held([(stage.name, stage.kind, stage.source) for stage in stages])
+    for before, stage in pairwise(stages):
+        if stage.kind != "carry":
+            _require_same_robot(before, stage)
+            _require_same_object(before, stage)
+
+
+def _require_same_robot(before: Stage, stage: Stage) -> None:
+    old, new = before.fields.robot, stage.fields.robot
+    if (old is None) != (new is None):
+        has = "has none" if old is None else "has one"
+        what = "must not be given" if old is None else "missing"
+        raise stage.source.error(("robot",), f"{what}: '{before.name}', the stage before it, {has}")
+    if old is not None and _without_home(old) != _without_home(new):
+        what = f"should be that of '{before.name}', the stage before it"
+        raise stage.source.error(("robot",), what)
+
+
+def _without_home(robot: Any) -> dict[str, Any]:
+    document: dict[str, Any] = robot.model_dump()
+    del document["home"]
+    return document
+
+
+def _require_same_object(before: Stage, stage: Stage) -> None:
+    old, new = before.fields.object, stage.fields.object
+    if old.name != new.name:
+        what = f"'{before.name}', the stage before it, has '{old.name}'"
+        raise stage.source.error(("object", "name"), what)
+    if before.kind == stage.kind and _shape(old) != _shape(new):
+        what = f"should be that of '{before.name}', the stage before it"
+        raise stage.source.error(("object",), what)
+
+
+def _shape(thing: Any) -> dict[str, Any]:
+    document: dict[str, Any] = thing.model_dump(exclude={"pose"})
+    return document

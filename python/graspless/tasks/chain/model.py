@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a task file of kind chain may hold: docs/task-files.md says the same in prose.
+
+In a plan file every stage is a whole task of its kind, with what the chain gave all of them and
+with every file put inline.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from ..budget import Budget
+from ..shapes import Fields
+
+SHARED = (
+    "robot", "hand", "object", "support", "obstacles", "fingers", "floor", "walls", "friction",
+    "gravity", "carrier", "realize",
+)  # fmt: skip
+
+
+class Options(Fields):
+    """How to search."""
+
+    attempts: Annotated[int, Field(ge=1, le=1000)] = Field(
+        default=5,
+        description="how often the chain is begun anew where a stage cannot go on from what the "
+        "ones before it found",
+    )
+
+
+class ChainTask(Fields):
+    """Tasks one after the other, each from the state that the one before it left."""
+
+    kind: Literal["chain"]
+    robot: dict[str, Any] | None = Field(default=None, description="of every stage with an arm")
+    hand: dict[str, Any] | str | None = None
+    object: dict[str, Any] | None = None
+    support: dict[str, Any] | None = None
+    obstacles: list[Any] | None = None
+    fingers: dict[str, Any] | None = None
+    floor: dict[str, Any] | None = None
+    walls: list[Any] | None = None
+    friction: float | list[float] | None = None
+    gravity: list[float] | None = None
+    carrier: dict[str, Any] | None = None
+    realize: dict[str, Any] | None = None
+    stages: Annotated[list[dict[str, Any]], Field(min_length=1)] = Field(
+        description="each {name, kind, fields of a task of that kind} or {name, file, fields}"
+    )
+    options: Options = Options()
+    budget: Budget = Budget()
+    files: dict[str, str] = Field(
+        default={}, description="in plan files: sha256 of each mesh that a stage reads"
+    )

@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stages of a chain as tasks of their kinds: what each says itself comes first, then what
+stands in the file that it names, then what the chain gives all stages.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ...kinds import KINDS, part
+from ..source import Source, read_yaml
+from .joints import require_held
+from .model import SHARED, ChainTask
+
+if TYPE_CHECKING:
+    from .. import Task
+    from ..source import Location
+
+STAGES = tuple(kind for kind in KINDS if kind != "chain")
+FILES = ("urdf", "srdf", "directory", "packages", "hand", "cloud", "file")
+
+
+@dataclass
+class StageSource(Source):
+    """A stage's fields, which stand in several places of one or two files."""
+
+    parts: list[tuple[Source, Location]] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """What the stage is called: its kind, if nobody has named it."""
+        source, above = self.parts[0]
+        return str(source.data["stages"][above[1]].get("name", self.data["kind"]))
+
+    def where(self, place: Location) -> str:
+        """The part that holds most of the way to a field; of several, the first."""
+
+        def known(of: tuple[Source, Location]) -> int:
+            source, above = of
+            return source.depth((*above, *place)) - len(above)
+
+        source, above = max(self.parts, key=known)
+        return source.where((*above, *place))
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage as it is before anybody knows where it starts.
+
+    Attributes
+    ----------
+    name : str
+    fields : SlideTask, FingertipTask, ClaspTask or CarryTask
+        Resolved; what the stage before it decides holds a place only.
+    source, other : Source
+        Where the fields and those of another file stand; for errors.
+    """
+
+    name: str
+    fields: Any
+    source: Source
+    other: Source
+
+    @property
+    def kind(self) -> str:
+        return str(self.fields.kind)
+
+    def task(self, fields: Any) -> Task:
+        """The task, its fields with what the stage before it has decided."""
+        from .. import build_task
+
+        return build_task(fields, self.source, self.other)
+
+    def document(self) -> dict[str, Any]:
+        """As it stands in a plan file."""
+        document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
+        return {"name": self.name, **document}
+
+
+def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage]:
+    """The stages of a task file, with all that they name inline.
+
+    Parameters
+    ----------
+    chain : ChainTask
+        As read from `source`.
+    source : Source
+        Where it stands; for errors.
+    directory : Path
+        What relative paths are relative to.
+    """
+    named = [_merged(source, i, directory) for i in range(len(chain.stages))]
+    require_held([(stage.name, _kind(stage), stage) for stage in named])
+    kinds = {_kind(stage) for stage in named} - {"carry"}  # it takes what the stage before it has
+    taken = {key for kind in kinds for key in part("tasks", kind).Fields.model_fields}
+    for key in SHARED:
+        if getattr(chain, key) is not None and key not in taken:
+            raise source.error((key,), "no stage of this chain has such a field")
+    return [_resolved(stage, i, directory) for i, stage in enumerate(named)]
+
+
+def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
+    """The stages of a chain that stands in a plan file."""
+    found = []
+    for i, document in enumerate(chain.stages):
+        fields = {key: value for key, value in document.items() if key != "name"}
+        stage = StageSource(source.file, fields, {}, [(source, ("stages", i))])
+        kind = part("tasks", _kind(stage))
+        validated = stage.validate(kind.Fields)
+        kind.require_resolved(validated, stage)
+        found.append(Stage(stage.name, validated, stage, stage))
+    return found
+
+
+def _merged(source: Source, index: int, directory: Path) -> StageSource:
+    """A stage with what its file and the chain say of what it leaves out."""
+    place = ("stages", index)
+    own = dict(source.data["stages"][index])
+    name = own.pop("name", None)
+    if name is not None and not isinstance(name, str):
+        raise source.error((*place, "name"), "should be text")
+    parts: list[tuple[Source, Location]] = [(source, place)]
+    given: dict[str, Any] = {}
+    if "file" in own:
+        read = _read(own.pop("file"), source, place, directory)
+        parts.append((read, ()))
+        given = _absolute(read.data, Path(read.file).parent)
+        given.pop("budget", None)  # the chain's stands for all
+    stage = StageSource(source.file, {**given, **own}, {}, parts)
+    if "budget" in own:
+        raise source.error((*place, "budget"), "must not be given: all stages share the chain's")
+    kind = part("tasks", _kind(stage))
+    known = ("obstacles",) if stage.data["kind"] == "carry" else kind.Fields.model_fields
+    shared = {
+        key: value
+        for key, value in source.data.items()
+        if key in SHARED and key in known and value is not None
+    }
+    _require_one_object(stage, shared)
+    stage.data = {**shared, **stage.data}
+    stage.parts.append((source, ()))
+    return stage
+
+
+def _read(name: Any, source: Source, place: Location, directory: Path) -> Source:
+    if not isinstance(name, str) or not (directory / name).is_file():
+        raise source.error((*place, "file"), "no such file")
+    return read_yaml((directory / name).resolve())
+
+
+def _kind(stage: StageSource) -> str:
+    name = stage.data.get("kind")
+    choices = " or ".join(f"'{kind}'" for kind in STAGES)
+    if name is None:
+        raise stage.error(("kind",), f"missing; should be {choices}")
+    if name not in STAGES:
+        nested = " (a chain holds no chain)" if name == "chain" else ""
+        raise stage.error(("kind",), f"should be {choices}{nested}")
+    return str(name)
+
+
+def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:
+    """Raises TaskError where a stage has another object than the chain."""
+    own, common = stage.data.get("object"), shared.get("object")
+    if not isinstance(own, dict) or not isinstance(common, dict):
+        return
+    name = common.get("name", "object")
+    if own.setdefault("name", name) != name:
+        raise stage.error(("object", "name"), f"the chain's object is '{name}'")
+
+
+def _absolute(value: Any, directory: Path, key: str = "") -> Any:
+    """A document whose relative paths no longer depend on where it stands."""
+    if isinstance(value, dict):
+        inner = key if key == "packages" else ""
+        return {name: _absolute(v, directory, inner or name) for name, v in value.items()}
+    if isinstance(value, list):
+        return [_absolute(item, directory, key) for item in value]
+    if key in FILES and isinstance(value, str) and (directory / value).exists():
+        return str((directory / value).resolve())
+    return value
+
+
+def _resolved(stage: StageSource, index: int, directory: Path) -> Stage:
+    from .start import hold_place
+
+    kind = part("tasks", _kind(stage))
+    if index > 0:
+        hold_place(stage)
+    fields, other = kind.resolve(stage.validate(kind.Fields), stage, directory)
+    return Stage(stage.name, fields, stage, other)

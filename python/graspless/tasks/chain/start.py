@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where a stage starts: what it takes from the state that the one before it left."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import frames
+from ..carry.model import Object
+from ..shapes import PlanarPose, Pose
+from ..slide.resolve import support_pose
+
+if TYPE_CHECKING:
+    from ...frames import Matrix
+    from ..source import Location
+    from .stages import StageSource
+
+MUST_NOT = "must not be given: a stage starts where the one before it ended"
+
+
+@dataclass(frozen=True)
+class Held:
+    """The object in the hand, as a carry needs to know it.
+
+    Attributes
+    ----------
+    arm : str
+        Group of the joints that carry the hand.
+    frame : str
+        Link that the object keeps its place to.
+    fields : SlideTask, ClaspTask or CarryTask
+        Of the stage that left it there.
+    """
+
+    arm: str
+    frame: str
+    fields: Any
+
+
+@dataclass(frozen=True)
+class State:
+    """Where a stage ended.
+
+    Attributes
+    ----------
+    X_WO : array [4, 4]
+    q : array [dof] or None
+        All joints [rad or m]; None where fingertips have no arm.
+    held : Held or None
+        None where the hand has let go.
+    """
+
+    X_WO: Matrix
+    q: Matrix | None
+    held: Held | None
+
+
+def hold_place(stage: StageSource) -> None:
+    """Raises TaskError where a later stage says itself where it starts, and fills what it must not
+    say.
+    """
+    own, above = stage.parts[0]
+    for place in _starts(stage.data):
+        if own.depth((*above, *place)) == len(above) + len(place):
+            raise own.error((*above, *place), MUST_NOT)
+    if stage.data["kind"] == "slide" and isinstance(stage.data.get("object"), dict):
+        thing = stage.data["object"]
+        stage.data["object"] = thing | {"pose": {}, "frame": "object"}
+
+
+def _starts(data: dict[str, Any]) -> list[Location]:
+    """Where a task of this kind says how it starts."""
+    if data["kind"] == "carry":
+        return [("robot",), ("arm",), ("frame",), ("object",), ("pose",), ("support",)]
+    if data["kind"] != "fingertip":
+        return [("object", "pose"), ("robot", "home")]
+    moves = ("slide", "turn", "tumble")
+    places: list[Location] = [("robot", "home"), ("motion", "path")]
+    places += [("motion", name, "pose") for name in moves]
+    places += [("motion", "sequence", 0, name, "pose") for name in moves]
+    return [*places, ("motion", "lattice", "start"), ("motion", "goal", "start")]
+
+
+def start_at(fields: Any, state: State) -> Any:
+    """The fields of a stage that starts where another has ended."""
+    changes: dict[str, Any] = {"slide": _slide, "fingertip": _fingertip, "clasp": _clasp}
+    if fields.kind == "carry":
+        return _carry(fields, state)
+    return fields.model_copy(update=_robot(fields, state) | changes[fields.kind](fields, state))
+
+
+def _robot(fields: Any, state: State) -> dict[str, Any]:
+    if fields.robot is None or state.q is None:
+        return {}
+    return {"robot": fields.robot.model_copy(update={"home": np.asarray(state.q).tolist()})}
+
+
+def _slide(fields: Any, state: State) -> dict[str, Any]:
+    X_SO = np.linalg.inv(support_pose(fields.support)) @ state.X_WO
+    yaw = float(np.arctan2(X_SO[1, 0], X_SO[0, 0]))
+    pose = PlanarPose(x=float(X_SO[0, 3]), y=float(X_SO[1, 3]), yaw=yaw)
+    return {"object": fields.object.model_copy(update={"pose": pose})}
+
+
+def _clasp(fields: Any, state: State) -> dict[str, Any]:
+    return {"object": fields.object.model_copy(update={"pose": as_pose(state.X_WO)})}
+
+
+def _fingertip(fields: Any, state: State) -> dict[str, Any]:
+    """The motion with its first pose; the model has seen to it that there is one motion."""
+    motion, pose = fields.motion, as_pose(state.X_WO)
+    name = next(name for name in type(motion).model_fields if getattr(motion, name) is not None)
+    moved = getattr(motion, name)
+    if name == "sequence":
+        first = moved[0]
+        step = next(n for n in type(first).model_fields if getattr(first, n) is not None)
+        started = getattr(first, step).model_copy(update={"pose": pose})
+        moved = [first.model_copy(update={step: started}), *moved[1:]]
+    else:
+        moved = moved.model_copy(update={"start" if name in ("lattice", "goal") else "pose": pose})
+    return {"motion": motion.model_copy(update={name: moved})}
+
+
+def _carry(fields: Any, state: State) -> Any:
+    """All that a carry leaves out is as in the stage before it."""
+    held = state.held
+    assert held is not None  # the chain was looked at when it was read
+    before = held.fields
+    if before.kind == "carry":
+        thing, support = before.object, before.support
+    else:
+        thing = Object.model_validate({"name": before.object.name, before.kind: before.object})
+        support = getattr(before, "support", None)
+    update = {
+        "robot": before.robot.model_copy(update={"home": np.asarray(state.q).tolist()}),
+        "arm": held.arm,
+        "frame": held.frame,
+        "object": thing,
+        "pose": as_pose(state.X_WO),
+        "support": support,
+    }
+    if fields.obstacles is None:
+        update["obstacles"] = before.obstacles
+    return fields.model_copy(update=update)
+
+
+def as_pose(X: Matrix) -> Pose:
+    """A pose as task files write it."""
+    row = frames.to_row(X)
+    return Pose(position=row[:3], quaternion=row[3:])
+
+
+__all__ = ["Held", "State", "as_pose", "hold_place", "start_at"]

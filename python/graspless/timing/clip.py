@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A segment in time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .fastest import fastest
+from .path import rounded, stretches
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .fastest import Limits, Motion
+
+
+@dataclass(frozen=True)
+class Clip:
+    """N moments of one segment, from rest to rest.
+
+    Attributes
+    ----------
+    times : array [N]
+        From 0 [s].
+    rows : array [N]
+        Where between the points that it goes through: 2.25 is a quarter of the way from 2 to 3.
+    coordinates, velocities, accelerations : array [N, n]
+    """
+
+    times: Matrix
+    rows: Matrix
+    coordinates: Matrix
+    velocities: Matrix
+    accelerations: Matrix
+
+
+def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: float) -> Clip:
+    """The fastest motion through points [N, n], at `rate` moments a second.
+
+    It rests at its ends and where the points turn back; points that do not move are one moment.
+    """
+    parts: list[Clip] = []
+    for rows in stretches(points):
+        path = rounded(points[rows], tolerance)
+        if path is not None:
+            parts.append(_sampled(fastest(path, limits), rows.start, rate))
+    if not parts:
+        still = np.zeros_like(points[:1])
+        return Clip(np.zeros(1), np.array([len(points) - 1.0]), points[-1:], still, still)
+    return joined(parts)
+
+
+def joined(parts: list[Clip]) -> Clip:
+    """Clips of which each begins where and when the one before ends."""
+    starts = np.cumsum([0.0, *(part.times[-1] for part in parts[:-1])])
+    first = [0] + [1] * (len(parts) - 1)
+    times = [part.times[k:] + t for k, t, part in zip(first, starts, parts, strict=True)]
+    others = ("rows", "coordinates", "velocities", "accelerations")
+    values = [
+        np.concatenate([getattr(part, name)[k:] for k, part in zip(first, parts, strict=True)])
+        for name in others
+    ]
+    return Clip(np.concatenate(times), *values)
+
+
+def _sampled(motion: Motion, row: int, rate: float) -> Clip:
+    times = np.linspace(0.0, motion.duration, max(2, int(np.ceil(motion.duration * rate)) + 1))
+    rows = row + motion.path.row(motion.at(times)[0])
+    return Clip(times, rows, *motion.coordinates(times))

@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Segments of joint rows in time, as slide and clasp plans have them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import frames
+from . import settings as defaults
+from .clip import clip
+from .fastest import Limits
+from .trajectory import assembled
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+    from ..plans import Plan
+    from .fastest import Pace
+    from .settings import Settings
+    from .trajectory import Trajectory
+
+
+def trajectory(
+    plan: Plan,
+    segments: Sequence[Any],
+    slow: Mapping[str, Sequence[Pace]],
+    settings: Settings,
+) -> Trajectory:
+    """Segments of `positions` [N, dof] and `object_poses` [N, 4, 4], slow by their names."""
+    assert settings.robot is not None
+    clips, poses = [], []
+    for segment in segments:
+        touching = segment.name in slow
+        tolerance = defaults.CONTACT_TOLERANCE if touching else defaults.TOLERANCE
+        acceleration = settings.acceleration * (defaults.CONTACT_SHARE if touching else 1.0)
+        limits = Limits(settings.velocity, acceleration, slow.get(segment.name, ()))
+        tolerances = np.full(len(settings.velocity), tolerance)
+        timed = clip(segment.positions, tolerances, limits, settings.rate)
+        clips.append(timed)
+        poses.append(frames.along(segment.object_poses, timed.rows))
+    names = list(settings.robot.joint_names)
+    return assembled(plan, list(segments), names, clips, poses, settings.pause)

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Speeds of points and links as bounds along a path: see `fastest.Limits.paces`.
+
+A path's first coordinates are the robot's joints.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..robot import Robot
+    from .fastest import Pace
+
+
+def frame_speed(robot: Robot, frame: str, speed: float) -> Pace:
+    """The origin of a link moves at most at `speed` [m/s]."""
+
+    def pace(q: Matrix, dq: Matrix) -> Matrix:
+        joints, rates = q[:, : robot.dof], dq[:, : robot.dof]
+        moved = [
+            np.linalg.norm(robot.jacobian(frame, at)[:3] @ rate)
+            for at, rate in zip(joints, rates, strict=True)
+        ]
+        return np.array(moved) / speed
+
+    return pace
+
+
+def link_speed(robot: Robot, speed: float) -> Pace:
+    """No point of any link moves faster than `speed` [m/s], by the links' own bounds."""
+    reach = np.array([robot.reach(frame) for frame in robot.frame_names])
+
+    def pace(_: Matrix, dq: Matrix) -> Matrix:
+        moved: Matrix = (np.abs(dq[:, : robot.dof]) @ reach.T).max(axis=1) / speed
+        return moved
+
+    return pace

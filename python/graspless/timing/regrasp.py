@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A fingertip without an arm on its way to another place.
+
+Three parts, each from rest to rest and a third of a row long: it leaves along the contact's normal
+by twice its radius, it moves to as far above its new place, and it touches.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .clip import Clip, clip, joined
+from .fastest import Limits
+from .settings import FINGERTIP_SPEED, FREE_FINGER_ACCELERATION, FREE_FINGER_SPEED
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..plans.fingertip import Plan
+    from .settings import Settings
+
+
+def regrasp(plan: Plan, index: int, settings: Settings) -> Clip:
+    """The regrasp that is segment `index`, without coordinates: rows from 0 to 1."""
+    clearance = 2 * plan.task.problem.fingers.radius
+    slow, free = settings.speed(FINGERTIP_SPEED), FREE_FINGER_SPEED
+    parts = [
+        _part(i, distance, speed, settings.rate)
+        for i, (distance, speed) in enumerate(
+            [(clearance, slow), (_way(plan, index) + clearance, free), (clearance, slow)]
+        )
+    ]
+    whole = joined(parts)
+    nothing = np.zeros((len(whole.times), 0))
+    return Clip(whole.times, whole.rows, nothing, nothing, nothing)
+
+
+def _part(i: int, distance: float, speed: float, rate: float) -> Clip:
+    limits = Limits(np.array([speed]), np.array([FREE_FINGER_ACCELERATION]))
+    timed = clip(np.array([[0.0], [distance]]), np.array([1.0]), limits, rate)
+    return Clip(
+        timed.times,
+        (i + timed.rows) / 3,
+        timed.coordinates,
+        timed.velocities,
+        timed.accelerations,
+    )
+
+
+def _way(plan: Plan, index: int) -> float:
+    """From contact to contact [m], and the object's size for what is in between."""
+    finger = plan.segments[index].finger
+    old = _seen(plan, finger, range(index - 1, -1, -1), -1)
+    new = _seen(plan, finger, range(index + 1, len(plan.segments)), 0)
+    size = float(plan.task.problem.object.size)
+    if old is None or new is None:  # a finger that is not needed before, or after
+        return size
+    return float(np.linalg.norm(new - old)) + size
+
+
+def _seen(plan: Plan, finger: int, segments: range, row: int) -> Matrix | None:
+    """[3] where a finger touches, in O, in the first of the segments in which it does."""
+    for i in segments:
+        point: Matrix = plan.segments[i].fingers[row, finger]
+        if np.isfinite(point).all():
+            return point
+    return None

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How fast: every default of the timing, and what a caller says instead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ..frames import Matrix
+    from ..robot import Robot
+
+    PerJoint = float | Mapping[str, float]
+
+TOLERANCE = 1e-3  # how far joints round the corners of free motions [rad or m]
+CONTACT_TOLERANCE = 2e-4  # and where something is touched [rad or m]
+OBJECT_TOLERANCE = 1e-4  # how far an object in fingertips rounds its corners [m]
+
+# Where a URDF has none, and it never has accelerations: a turning joint's, a sliding joint's.
+VELOCITY = (1.0, 0.25)  # [rad/s], [m/s]
+ACCELERATION = (5.0, 1.0)  # [rad/s^2], [m/s^2]
+CONTACT_SHARE = 0.1  # of joint accelerations where something is touched: no jerk breaks it loose
+
+CONTACT_SPEED = 0.05  # of what touches or is about to [m/s]
+FINGERTIP_SPEED = 0.02  # of an object in fingertips: faster sliding chatters [m/s]
+TUMBLE_SPEED = math.pi / 6  # 90 degrees in 3 s hold in a physics engine, in 1 s not [rad/s]
+STABILITY_SHARE = 0.1  # of the disturbance withstood that inertia may take
+FREE_FINGER_SPEED = 0.1  # of a fingertip without an arm, off the object [m/s]
+FREE_FINGER_ACCELERATION = 0.5  # [m/s^2]
+
+RATE = 100.0  # [1/s]
+PAUSE = 0.05  # between segments, where contacts change [s]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What was asked for.
+
+    Attributes
+    ----------
+    robot : Robot or None
+        That moves; None where fingertips have no arm.
+    velocity, acceleration : array [dof]
+        Limits of its joints.
+    contact_speed : float or None
+        None: each kind of plan has its own [m/s].
+    rate : float
+        Moments a second.
+    pause : float
+        Between segments [s].
+    """
+
+    robot: Robot | None
+    velocity: Matrix
+    acceleration: Matrix
+    contact_speed: float | None
+    rate: float
+    pause: float
+
+    def speed(self, default: float) -> float:
+        """Of what touches [m/s]."""
+        return default if self.contact_speed is None else self.contact_speed
+
+
+def joint_limits(
+    robot: Robot | None, max_velocity: PerJoint | None, max_acceleration: PerJoint | None
+) -> tuple[Matrix, Matrix]:
+    """[dof] velocities and [dof] accelerations of a robot, in the order of its joints.
+
+    A velocity is the least of the URDF's and the caller's.
+    """
+    if robot is None:
+        for name, given in (("max_velocity", max_velocity), ("max_acceleration", max_acceleration)):
+            if given is not None:
+                raise TaskError(f"{name}: {given}: this plan moves no joints: should be left out")
+        return np.zeros(0), np.zeros(0)
+    slides = _slides(robot)
+    velocity = np.asarray(robot.max_velocity, dtype=float).copy()
+    unknown = ~(np.isfinite(velocity) & (velocity > 0))
+    velocity[unknown] = np.where(slides, VELOCITY[1], VELOCITY[0])[unknown]
+    velocity = np.minimum(velocity, _per_joint("max_velocity", max_velocity, robot, np.inf))
+    default = np.where(slides, ACCELERATION[1], ACCELERATION[0])
+    return velocity, _per_joint("max_acceleration", max_acceleration, robot, default)
+
+
+def require_positive(name: str, value: float) -> float:
+    """The value; raises TaskError unless it is a finite positive number."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
+        raise TaskError(f"{name}: {value!r}: should be a number")
+    if not math.isfinite(value) or value <= 0:
+        raise TaskError(f"{name}: {value}: should be positive and finite")
+    return float(value)
+
+
+def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix | float) -> Matrix:
+    """[dof] what a caller says, and a default where it does not."""
+    values: Matrix = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
+    if isinstance(given, Mapping):
+        names = list(robot.joint_names)
+        for joint, value in given.items():
+            if joint not in names:
+                raise TaskError(f"{name}: {joint}: no such joint (one of: {', '.join(names)})")
+            values[names.index(joint)] = require_positive(f"{name}: {joint}", value)
+    elif given is not None:
+        values[:] = require_positive(name, given)
+    return values
+
+
+def _slides(robot: Robot) -> NDArray[np.bool_]:
+    """[dof] whether a joint turns nothing."""
+    q = np.zeros(robot.dof)
+    turns = [np.abs(robot.jacobian(frame, q)[3:]).max(axis=0) for frame in robot.frame_names]
+    slides: NDArray[np.bool_] = np.max(turns, axis=0) < 1e-9
+    return slides

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slides in time: what touches, or is about to, is slow."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..errors import TaskError
+from . import joints, paces
+from . import settings as defaults
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..plans.slide import Plan
+    from ..robot import Robot
+    from .fastest import Pace
+    from .settings import Settings
+    from .trajectory import Trajectory
+
+
+def robot(plan: Plan, fingers: bool) -> Robot:
+    """That the plan was made for."""
+    if fingers:
+        raise TaskError(f"fingers: {fingers}: a {plan.kind} plan has no bare fingertips")
+    mine: Robot = plan.task.problem.robot
+    return mine
+
+
+def trajectory(plan: Plan, settings: Settings) -> Trajectory:
+    """The plan in time."""
+    assert settings.robot is not None
+    hand, speed = plan.task.problem.hand, settings.speed(defaults.CONTACT_SPEED)
+    tip = [paces.frame_speed(settings.robot, hand.fingertip, speed)]
+    slow: dict[str, Sequence[Pace]] = {
+        "press": tip,
+        "slide": tip,
+        "lift": tip,
+        "grasp": [paces.frame_speed(settings.robot, hand.grasp_frame, speed)],
+        "close": [paces.link_speed(settings.robot, speed)],
+    }
+    return joints.trajectory(plan, plan.segments, slow, settings)

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A carry in time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import film as films
+
+if TYPE_CHECKING:
+    from ...plans.carry import Plan
+    from ...simulation import Recording
+
+SPEEDS = {"carry": 0.25}  # [rad/s]
+
+
+def film(plan: Plan, recording: Recording | None = None) -> films.Film:
+    """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
+    start.
+    """
+    if recording is not None:
+        return films.recorded(plan, recording)
+    problem = plan.task.problem
+    return films.film(plan, problem.q_start, problem.object.X_WB, SPEEDS)

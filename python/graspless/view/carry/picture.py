@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plan as one picture: the robot at three moments of the way."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import raster
+from ..figures import INK, as_png, draw_panel, new_figure
+from .film import film
+from .stage import Scene, camera
+
+if TYPE_CHECKING:
+    from ...plans.carry import Plan
+
+PANEL = (520, 420)  # pixels
+
+
+def draw(plan: Plan) -> bytes:
+    """The picture as the bytes of a PNG file."""
+    shown = film(plan)
+    scene = Scene(shown)
+    last = len(shown.times) - 1
+    rows = [0, last // 2, last] if last > 1 else [0]
+    captions = ["start", "half way", "goal"]
+    view = camera(scene, rows, PANEL)
+    figure = new_figure(15, 4.7)
+    grid = figure.add_gridspec(1, 3, left=0.01, right=0.99, bottom=0.02, top=0.84, wspace=0.03)
+    for k, row in enumerate(rows):
+        axes = figure.add_subplot(grid[0, k] if len(rows) > 1 else grid[0, :])
+        picture = raster.render([*scene.still, *scene.moving(row)], view, *PANEL)
+        draw_panel(axes, picture, captions[k], pad=3)
+    figure.suptitle(headline(plan), x=0.015, y=0.96, ha="left", fontsize=14, color=INK)
+    return as_png(figure)
+
+
+def headline(plan: Plan) -> str:
+    """What happens, or why not."""
+    problem = plan.task.problem
+    name = problem.object.name
+    if not plan:
+        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"
+    start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
+    distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
+    return (
+        f"{problem.robot.name} carries the {name} along a straight way of {distance * 100:.0f} cm"
+    )

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a picture and a replay share: the bodies, and where to look from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..bodies import obstacles, robot
+from ..raster import Camera
+from . import bodies
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...frames import Matrix
+    from ..bodies import Body
+    from ..film import Film
+
+
+class Scene:
+    """Every body of a carry, made once, and where each is at a row."""
+
+    def __init__(self, shown: Film) -> None:
+        self.shown = shown
+        task = shown.plan.task
+        self.object = bodies.object_body(task)
+        self.links = robot(task)
+        self.still = [*bodies.supports(task), *obstacles(task)]
+
+    def moving(self, row: int) -> list[tuple[Body, Matrix]]:
+        """Robot and object in the world."""
+        links = zip(self.links, self.shown.link_poses[row], strict=True)
+        found = [(self.object, self.shown.object_poses[row]), *links]
+        return [(body, X_WB) for body, X_WB in found if body.parts]
+
+
+def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
+    """From beside the robot, a little before it and above.
+
+    Parameters
+    ----------
+    scene : Scene
+    rows : sequence of int
+        What must be seen.
+    shape : tuple of int
+        Width and height of the picture.
+    """
+    shown = scene.shown
+    points = np.concatenate(
+        [
+            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
+            for row in rows
+            for body, X_WB in scene.moving(row)
+            for part in body.parts
+        ]
+    )
+    base, thing = shown.link_poses[0, 0, :3, 3], shown.object_poses[0][:3, 3]
+    ahead = thing - base
+    ahead[2] = 0
+    ahead /= max(float(np.linalg.norm(ahead)), 1e-6)
+    toward = np.array([-ahead[1], ahead[0], 0.0]) + 0.6 * ahead + np.array([0, 0, 0.5])
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    eye = middle + 3.0 * toward / np.linalg.norm(toward)
+    return Camera(eye, middle).fitted(points, *shape)

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/torsion.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "graspless/robot/ik.hpp"
+
+#include "problems.hpp"
+#include "slide/contact.hpp"
+
+namespace graspless::slide {
+namespace {
+
+Problem with(double support_friction, double pad_width) {
+  Hand hand;
+  hand.pad_width = pad_width;
+  const Support& table = tables()[0];
+  const Support support(table.polygon(), table.X_WS(), 0.04, 0.06, support_friction);
+  return {wam(), hand, objects()[0], support, flat(.65, 0, 0), {}, wam().state("home")};
+}
+
+/// Whether the pad holds an object that turns by k per length: both limit surfaces, written out.
+bool keeps_up(const Problem& p, double radius, double press, double k) {
+  const double drag = p.support.friction() * (press + p.object.mass() * 9.81);
+  const double speed = std::hypot(1, radius * k);
+  const double force = drag / speed, torque = drag * radius * radius * k / speed;
+  const double grip = p.hand.pad_friction * press, w = p.hand.pad_width / 4;
+  return std::hypot(force / grip, torque / (grip * w)) <= 1;
+}
+
+TEST(Torsion, TheBoundIsWhereTheLimitSurfacesMeet) {
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int finite = 0, never = 0, always = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Problem p = with(0.05 + 1.4 * unit(rng), 0.005 + 0.1 * unit(rng));
+    const double radius = 0.005 + 0.1 * unit(rng), press = 0.2 + 20 * unit(rng);
+    const double k = max_turn_per_length(p, radius, press);
+    if (k == 0) {
+      EXPECT_FALSE(keeps_up(p, radius, press, 0));
+      ++never;
+    } else if (std::isinf(k)) {
+      EXPECT_TRUE(keeps_up(p, radius, press, 1e6));
+      ++always;
+    } else {
+      EXPECT_TRUE(keeps_up(p, radius, press, k * (1 - 1e-9)));
+      EXPECT_FALSE(keeps_up(p, radius, press, k * (1 + 1e-6)));
+      ++finite;
+    }
+  }
+  EXPECT_GT(std::min({finite, never, always}), 20);
+}
+
+TEST(Torsion, TheFingerPressesAsItsSpringSays) {
+  const Hand hand;
+  EXPECT_EQ(press_force(hand, 0, 0.8), 0);
+  // The work of the press is the spring's energy: dE = N dz.
+  double energy = 0;
+  const double pitch = 0.7, step = 1e-6;
+  for (double z = step / 2; z < 0.02; z += step) energy += press_force(hand, z, pitch) * step;
+  const double bent = pitch - std::asin(std::sin(pitch) - 0.02 / hand.flexure_length);
+  EXPECT_NEAR(energy, hand.flexure_stiffness * bent * bent / 2, 1e-6);
+}
+
+/// A plan whose finger goes `way` along its heading and turns by `turn`, at a depth of 15 mm.
+Plan slide(const Problem& problem, double way, double turn) {
+  Plan plan;
+  const robot::Ik ik(problem.robot, problem.robot.frame(problem.hand.fingertip),
+                     problem.robot.group(problem.hand.arm));
+  Segment segment{"slide", {}, {}};
+  Eigen::VectorXd q = problem.q_home;
+  std::mt19937_64 rng(1);
+  for (int i = 0; i <= 20; ++i) {
+    const double yaw = turn * i / 20;
+    const Eigen::Vector2d p(.6 + way * i / 20, 0);
+    const Eigen::Isometry3d X_WF =
+        tip_pose(p, problem.object.thickness() - .015, {std::cos(yaw), std::sin(yaw)}, 0.785);
+    const auto all = ik.solve_all(X_WF, q, rng);
+    if (all.empty()) throw std::runtime_error("out of reach");
+    q = all.front();
+    segment.positions.push_back(q);
+    segment.object_poses.push_back(flat(p.x(), p.y(), yaw));
+  }
+  plan.segments.push_back(segment);
+  return plan;
+}
+
+TEST(Torsion, AStraightSlideNeverLagsAndATurnOnTheSpotLagsByItself) {
+  const Problem rough = with(0.6, 0.01);
+  const Turning straight = turning(rough, slide(rough, 0.1, 0));
+  EXPECT_NEAR(straight.most, 0, 1e-9);
+  EXPECT_NEAR(straight.lag, 0, 1e-9);
+  EXPECT_GT(straight.allowed, 0);
+  const Turning turned = turning(rough, slide(rough, 1e-4, 0.5));
+  EXPECT_NEAR(turned.lag, 0.5, 0.02);
+  const Problem smooth = with(0.05, 0.1);
+  EXPECT_NEAR(turning(smooth, slide(smooth, 1e-4, 0.5)).lag, 0, 1e-9);
+}
+
+TEST(Torsion, AFingerWithoutAModelPromisesNothing) {
+  Problem rigid = with(0.6, 0.01);
+  rigid.hand.finger_model = FingerModel::none;
+  EXPECT_EQ(turning(rigid, slide(rigid, 1e-4, 0.5)).lag, 0);
+  EXPECT_EQ(turning(rigid, Plan{}).lag, 0);
+}
+
+TEST(Torsion, APlanThatTurnsFastIsWarnedOf) {
+  int warned = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Problem problem = with(0.8, 0.008);
+    planning::Budget budget;
+    budget.seed = seed;
+    const Plan plan = slide::plan(problem, {}, budget);
+    ASSERT_TRUE(plan);
+    const bool lags = turning(problem, plan).lag > 2 * M_PI / 180;
+    EXPECT_EQ(plan.warnings.size(), lags ? 1u : 0u);
+    warned += lags;
+  }
+  EXPECT_GT(warned, 0);
+}
+
+}  // namespace
+}  // namespace graspless::slide

@@ -1,0 +1,213 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clasps in the physics engine: what holds, what does not, and whether holes stay open."""
+
+import dataclasses
+import json
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial import Delaunay, cKDTree
+
+import graspless
+from clasp_common import PURSE, changed
+from graspless import clasp, geometry
+from graspless.bench.physics_clasp import physics_tasks
+from graspless.simulation.clasp import FAILURES, MEASURES, run, surface
+from graspless.simulation.clasp.model import make_world
+from graspless.simulation.settings import Clasp
+from graspless.simulation.variation import Variation
+from graspless.tasks import read_task
+from tasks_common import reread
+
+SHORT = Clasp(sequences=2, seconds=0.6, pull_rate=80.0)
+
+
+@pytest.fixture(scope="module")
+def plan():
+    plan = graspless.plan(read_task(PURSE, "purse.yaml"))
+    assert plan, plan.reason
+    return plan
+
+
+@pytest.fixture(scope="module")
+def trial(plan):
+    return run(plan, Variation(), record=True, settings=SHORT)
+
+
+def test_a_plan_holds_and_its_open_hand_does_not(trial):
+    assert trial.failures == ()
+    assert trial.measures["held"] == trial.measures["sequences"] == SHORT.sequences
+    assert trial.measures["open_sequence"] >= 1
+    assert trial.measures["pull"] > SHORT.pull_needed
+
+
+def test_measures_and_failures_are_those_that_are_explained(trial):
+    assert set(trial.measures) == set(MEASURES)
+    assert set(trial.failures) <= set(FAILURES)
+
+
+def test_the_hand_goes_through_the_hole_as_planned(trial):
+    # The parts of the purse leave its hole open, or the fingers would have pushed it away.
+    assert trial.measures["moved_before"] < 1e-4
+    assert trial.measures["linking"] > 0.5
+
+
+def _without_closing(document):
+    """The hand as far open as its state says, all the way."""
+    joints = document["joint_names"]
+    for segment in document["segments"]:
+        for row in segment["positions"]:
+            for i, name in enumerate(joints):
+                if "proximal" in name:
+                    row[i] = -1.0
+                if "distal" in name:
+                    row[i] = 1.0
+
+
+def _without_reaching(document):
+    """The arm stays where it stands; the hand closes on air."""
+    first = document["segments"][0]["positions"][0]
+    for segment in document["segments"]:
+        for row in segment["positions"]:
+            row[:6] = first[:6]
+
+
+@pytest.mark.parametrize(
+    ("change", "settings", "failures"),
+    [
+        (_without_closing, dataclasses.replace(SHORT, grip_seconds=0.0), {"escaped"}),
+        (_without_reaching, SHORT, {"not_closed", "escaped", "pulled_out"}),
+    ],
+)
+def test_a_plan_that_was_spoilt_fails(plan, tmp_path, change, settings, failures):
+    document = json.loads(plan.to_json())
+    change(document)
+    spoilt = reread(document, tmp_path / "plan.json")
+    assert failures <= set(run(spoilt, Variation(), settings=settings).failures)
+
+
+def test_an_object_in_the_way_is_hit(plan):
+    aside = Variation(x=-0.02, y=0.04, yaw=0.5)
+    trial = run(plan, aside, settings=dataclasses.replace(SHORT, sequences=1))
+    assert "hit" in trial.failures
+    assert trial.measures["moved_before"] > SHORT.hit
+
+
+def test_the_same_again(plan, trial):
+    again = run(plan, Variation(), settings=SHORT)
+    assert again.measures == trial.measures
+    assert again.recording is None
+
+
+def test_recording_has_a_row_a_moment(plan, trial):
+    recording = trial.recording
+    rows = len(recording.times)
+    assert recording.positions.shape == (rows, len(plan.joint_names))
+    assert recording.object_poses.shape == (rows, 4, 4)
+    assert recording.fingers.shape == (rows, 0, 3)
+    assert len(recording.names) == rows
+    np.testing.assert_allclose(np.diff(recording.times), recording.times[1])
+    order = list(dict.fromkeys(recording.names))
+    assert order == ["settle", "reach", "close", "grip", "shake", "pull"]
+    np.testing.assert_allclose(recording.positions[0], plan.segments[0].positions[0], atol=1e-6)
+
+
+def test_the_object_stands_where_the_variation_says(plan):
+    variation = Variation(x=0.002, y=-0.001, yaw=0.03, mass=1.2)
+    world = make_world(plan.task, variation, Clasp())
+    X_WO = np.asarray(plan.task.problem.X_WO)
+    np.testing.assert_allclose(world.object_pose[:3, 3] - X_WO[:3, 3], [0.002, -0.001, 0])
+    turned = world.object_pose[:3, :3] @ X_WO[:3, :3].T
+    assert np.arctan2(turned[1, 0], turned[0, 0]) == pytest.approx(0.03)
+    assert world.model.body_mass[world.body] == pytest.approx(1.2 * Clasp().mass)
+
+
+def test_the_object_rests_and_then_is_free(plan):
+    world = make_world(plan.task, Variation(), Clasp())
+    start = world.object_pose
+    mujoco.mj_step(world.model, world.data, nstep=100)
+    assert np.abs(world.object_pose - start).max() < 5e-4
+    world.let_go()
+    start, moment = world.object_pose, world.data.time
+    world.data.xfrc_applied[world.body, :3] = [0, 0, -2.0]  # into the floor that was there
+    mujoco.mj_step(world.model, world.data, nstep=100)
+    fallen = 0.5 * 2.0 / Clasp().mass * (world.data.time - moment) ** 2
+    np.testing.assert_allclose((world.object_pose - start)[:3, 3], [0, 0, -fallen], atol=1e-3)
+
+
+def test_a_task_may_say_the_mass():
+    task = read_task(changed("sample: purse", "sample: purse\n  mass: 2.5"), "purse.yaml")
+    world = make_world(task, Variation(), Clasp())
+    assert world.model.body_mass[world.body] == pytest.approx(2.5)
+
+
+@pytest.mark.parametrize("name", clasp.sample_object_names())
+def test_skin_is_the_boundary_of_the_complex(name):
+    points = geometry.sample_surface(clasp.sample_object(name), 800)
+    # Four points in a plane are a tetrahedron to one triangulation and none to the other.
+    points = points + np.random.default_rng(1).normal(scale=5e-4, size=points.shape)
+    found = geometry.shortest_loops(points).complex
+    # By another triangulation: a face of two tetrahedra of K_d is inside.
+    d = found.max_edge_length
+    faces = {}
+    for corners in Delaunay(points).simplices:
+        if np.linalg.norm(points[corners][:, None] - points[corners], axis=2).max() < d:
+            for left_out in range(4):
+                face = tuple(sorted(int(c) for c in np.delete(corners, left_out)))
+                faces[face] = faces.get(face, 0) + 1
+    all_ = {tuple(int(i) for i in triangle) for triangle in found.triangles}
+    inside = {face for face, count in faces.items() if count == 2}
+    skin = {tuple(int(i) for i in triangle) for triangle in surface.skin(found)}
+    assert skin == all_ - inside
+    assert inside  # the test can fail
+
+
+@pytest.mark.parametrize("name", clasp.sample_object_names())
+def test_skin_is_near_the_solid_that_the_cloud_was_taken_from(name):
+    shapes = clasp.sample_object(name)
+    found = geometry.shortest_loops(geometry.sample_surface(shapes, 2000)).complex
+    corners = np.asarray(found.points)[surface.skin(found)]
+    random = np.random.default_rng(2)
+    weights = random.dirichlet(np.ones(3), size=60)
+    on_skin = np.einsum("wk,tkx->twx", weights, corners).reshape(-1, 3)
+    elsewhere = geometry.sample_surface(shapes, 1500, 7)
+    far = cKDTree(on_skin).query(elsewhere)[0]
+    assert np.quantile(far, 0.99) < 0.45 * geometry.spacing(found.points)
+    assert far.max() < geometry.spacing(found.points)
+
+
+def test_feet_are_where_a_box_stands():
+    side = np.linspace(-1, 1, 9)
+    cube = np.stack(np.meshgrid(side, side, side), axis=-1).reshape(-1, 3)
+    cube = cube[np.abs(cube).max(axis=1) == 1]
+    corners = surface.feet(cube + [0.3, 0.1, 5], 0.01)
+    np.testing.assert_allclose(corners[:, 2], 4)
+    assert geometry.Polygon(corners[:, :2]).area == pytest.approx(4)
+    heavy = np.concatenate([cube, np.full((4000, 3), [5.0, 0, 0])])
+    assert surface.feet(heavy, 0.01) is None  # it would topple
+    needle = np.concatenate([cube, [[0, 0, -3.0]]])
+    assert surface.feet(needle, 0.01) is None
+
+
+def test_inertia_is_that_of_a_hollow_sphere():
+    random = np.random.default_rng(0).normal(size=(20000, 3))
+    shell = 0.2 * random / np.linalg.norm(random, axis=1)[:, None]
+    np.testing.assert_allclose(
+        surface.inertia(shell + [1, 2, 3]), 2 / 3 * 0.2**2 * np.eye(3), atol=5e-4
+    )
+
+
+def test_tasks_of_the_bench_are_its_own():
+    tasks = list(physics_tasks(2))
+    assert len(tasks) == 2
+    from graspless.bench.clasp_grid import paper
+
+    for task, trial in zip(tasks, paper(1), strict=False):
+        theirs = trial.make_problem()
+        np.testing.assert_allclose(task.problem.X_WO, theirs.X_WO)
+        np.testing.assert_allclose(task.problem.q_start, theirs.q_start)
+        np.testing.assert_array_equal(
+            task.problem.object.loops.complex.points, theirs.object.loops.complex.points
+        )

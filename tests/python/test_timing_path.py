@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rounded polylines and the fastest motion along them: laws, on any polyline."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from graspless.timing.clip import clip
+from graspless.timing.fastest import Limits, fastest
+from graspless.timing.path import rounded, stretches
+
+
+@st.composite
+def polylines(draw):
+    shape = draw(st.integers(2, 8)), draw(st.integers(1, 4))
+    steps = draw(arrays.arrays(float, shape, elements=st.floats(-0.5, 0.5, width=32)))
+    return np.cumsum(np.round(steps, 3), axis=0)
+
+
+@given(polylines(), st.sampled_from([1e-4, 1e-3, 1e-2]))
+@settings(max_examples=60, deadline=None)
+def test_a_path_keeps_to_its_polyline(points, tolerance):
+    for rows in stretches(points):
+        path = rounded(points[rows], np.full(points.shape[1], tolerance))
+        if path is None:
+            continue
+        s = np.linspace(0, path.length, 400)
+        kept = points[rows][path.rows.astype(int)]
+        straight = np.stack([np.interp(s, path.knots, column) for column in kept.T], axis=1)
+        assert np.abs(path(s) - straight).max() <= tolerance + 1e-9
+        np.testing.assert_allclose(path(s[[0, -1]]), points[rows][[0, -1]], atol=1e-9)
+        for order in (0, 1):  # twice continuously differentiable
+            joints = path.curve.x[1:-1]
+            left, right = (path(joints + side, order) for side in (-1e-9, 1e-9))
+            np.testing.assert_allclose(left, right, atol=1e-4)
+        rates = np.gradient(path(s), s, axis=0, edge_order=2)[1:-1]
+        assert np.abs(rates - path(s, 1)[1:-1]).mean() < 0.05
+
+
+@given(polylines(), st.floats(0.1, 3), st.floats(0.2, 10))
+@settings(max_examples=30, deadline=None)
+def test_the_fastest_motion_keeps_its_limits(points, velocity, acceleration):
+    n = points.shape[1]
+    limits = Limits(np.full(n, velocity), np.full(n, acceleration))
+    timed = clip(points, np.full(n, 1e-3), limits, rate=500.0)
+    assert np.abs(timed.velocities).max() <= velocity * (1 + 1e-6)
+    assert np.abs(timed.accelerations).max() <= acceleration * (1 + 1e-6)
+    np.testing.assert_allclose(timed.velocities[[0, -1]], 0, atol=1e-6)
+    np.testing.assert_allclose(timed.coordinates[[0, -1]], points[[0, -1]], atol=1e-6)
+    farthest = np.abs(points - points[0]).max()
+    assert timed.times[-1] >= max(farthest / velocity, np.sqrt(2 * farthest / acceleration)) - 1e-9
+
+
+@pytest.mark.parametrize(("distance", "velocity", "acceleration"), [(1, 1, 2), (0.1, 5, 1)])
+def test_a_straight_line_takes_the_time_of_the_textbook(distance, velocity, acceleration):
+    line = np.array([[0.0, 0.0], [distance, 0.0]])
+    path = rounded(line, np.full(2, 1e-3))
+    limits = Limits(np.full(2, velocity), np.full(2, acceleration))
+    if velocity**2 / acceleration < distance:  # a trapezoid, else a triangle
+        seconds = distance / velocity + velocity / acceleration
+    else:
+        seconds = 2 * np.sqrt(distance / acceleration)
+    assert fastest(path, limits).duration == pytest.approx(seconds, rel=5e-3)
+
+
+def test_a_pace_is_kept_along_the_way():
+    line = np.array([[0.0], [1.0]])
+    slow_end = Limits(
+        np.array([1.0]), np.array([5.0]), [lambda q, dq: np.abs(dq[:, 0]) / 0.1 * q[:, 0]]
+    )
+    timed = clip(line, np.array([1e-3]), slow_end, rate=1000.0)
+    q, v = timed.coordinates[:, 0], timed.velocities[:, 0]
+    assert (v * q <= 0.1 * (1 + 1e-6)).all()
+    assert v[q < 0.08].max() > 0.8
+
+
+def test_turning_back_comes_to_rest():
+    there_and_back = np.array([[0.0, 0.0], [0.5, 0.0], [0.0, 0.01]])
+    assert [(s.start, s.stop) for s in stretches(there_and_back)] == [(0, 2), (1, 3)]
+    limits = Limits(np.ones(2), np.full(2, 5.0))
+    timed = clip(there_and_back, np.full(2, 1e-3), limits, rate=1000.0)
+    at_turn = np.argmin(np.abs(timed.rows - 1))
+    np.testing.assert_allclose(timed.velocities[at_turn], 0, atol=0.01)
+    np.testing.assert_allclose(timed.coordinates[at_turn], [0.5, 0], atol=1e-4)
+
+
+def test_rows_that_do_not_move_are_passed():
+    points = np.array([[0.0], [0.0], [1.0], [1.0], [2.0], [2.0]])
+    timed = clip(points, np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=100.0)
+    assert timed.rows[-1] == 5
+    assert (np.diff(timed.rows) >= 0).all()
+    still = clip(points[:2], np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=100.0)
+    assert len(still.times) == 1
+    np.testing.assert_array_equal(still.velocities, [[0.0]])
