@@ -58,6 +58,7 @@ class Fingertip:
     stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
     damping_ratio: float = 1.0
     turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
+    speed: float = 0.005  # of an object that slides; faster, MuJoCo lifts it off the floor [m/s]
     approach: float = 0.002  # from where a finger comes to the surface [m]
     load_seconds: float = 0.3  # to touch, and from one set of forces to the next [s]
     rest_seconds: float = 0.2  # at the end [s]

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
+from ...timing import time as timed
 from ..results import Recording, Trial
 from ..settings import Fingertip, Spread
 from .execute import Log, execute
-from .pace import paced
 from .program import program
 from .servo import Servo
 from .world import build_world
@@ -55,7 +55,8 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
     start = time.perf_counter()
     settings = Fingertip()
     world = build_world(plan.task.problem, variation, settings)
-    script = program(plan, paced(plan), settings)
+    trajectory = timed(plan, contact_speed=settings.speed, fingers=True)
+    script = program(plan, trajectory, settings)
     script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
     world.place(plan.segments[0].X_WO[0], script.centers[0])
     limit = plan.task.problem.fingers.max_normal_force
