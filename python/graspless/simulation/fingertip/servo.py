@@ -74,7 +74,8 @@ class Servo:
     @property
     def zero_O(self) -> Matrix:
         """[n, 3] where the fingers' places are zeroed to, turning with the object [m]."""
-        return self._zero_O.copy()
+        zero_O: Matrix = self._zero_O.copy()
+        return zero_O
 
     @zero_O.setter
     def zero_O(self, value: Matrix) -> None:

@@ -68,6 +68,12 @@ class World:
         self.data.qvel[:] = 0
         mujoco.mj_forward(self.model, self.data)
 
+    def push(self, wrench_O: Matrix) -> None:
+        """A wrench on the object about its centre of mass, in O [N, N m], from now on."""
+        body = self.model.body(OBJECT).id
+        R_WO = frames.from_quaternion(self.object_qpos[3:])[:3, :3]
+        self.data.xfrc_applied[body] = np.concatenate([R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]])
+
     def soften(self, *, slides: bool) -> None:
         """Gives contacts with planes the parameters for an object that slides, or that does not."""
         s, planes = self.settings, slice(0, self.planes)
