@@ -150,18 +150,20 @@ class Execution:
 
     @contextmanager
     def locked(self) -> Iterator[None]:
-        """The hand's motors as strong as it takes to stay where they are."""
+        """The hand's motors as strong as it takes to stay where they are, and its gears rigid."""
         model = self.world.model
         joints = model.actuator_trnid[self._fingers, 0]
-        limits = ((model.actuator_forcerange, self._fingers), (model.jnt_actfrcrange, joints))
-        kept = [array[rows].copy() for array, rows in limits]
-        for array, rows in limits:
-            array[rows] *= _LOCKED
+        gears = np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT)
+        limits = (model.actuator_forcerange, model.jnt_actfrcrange, model.eq_solref)
+        kept = [array.copy() for array in limits]
+        model.actuator_forcerange[self._fingers] *= _LOCKED
+        model.jnt_actfrcrange[joints] *= _LOCKED
+        model.eq_solref[gears] = [2 * model.opt.timestep, 1.0]  # as stiff as can be
         try:
             yield
         finally:
-            for (array, rows), before in zip(limits, kept, strict=True):
-                array[rows] = before
+            for array, before in zip(limits, kept, strict=True):
+                array[:] = before
 
     def pull(self, direction_W: Matrix) -> float:
         """A force at the object's centre of mass grows until the loop is out of the hand; how much
