@@ -109,7 +109,8 @@ def make_world(
     data = mujoco.MjData(model)
     joints = joint_addresses(model, problem.robot)
     set_positions(model, data, problem.robot, problem.q_start)
-    return World(model, data, joints, model.body(OBJECT).id, np.asarray(surface.points), X_WO, settings)
+    points = np.asarray(surface.points)
+    return World(model, data, joints, model.body(OBJECT).id, points, X_WO, settings)
 
 
 def _moved(X_WO: Matrix, variation: Variation) -> Matrix:
