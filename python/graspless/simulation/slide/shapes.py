@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 _SQUARE = 1e-9  # how far a rectangle's corners may be from square [m^2]
 
 
-def add_prism(spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any) -> Any:
+def add_prism(
+    spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any
+) -> Any:
     """A geom over a convex polygon: a box where that is a rectangle, else a mesh.
 
     Parameters
@@ -40,9 +42,7 @@ def add_prism(spec: Any, body: Any, polygon: Any, heights: tuple[float, float], 
         size = [np.hypot(*a) / 2, np.hypot(*b) / 2, (heights[1] - heights[0]) / 2]
         pos = [*corners.mean(axis=0), middle]
         quat = frames.to_quaternion(frames.planar(0, 0, yaw))
-        return body.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given
-        )
+        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given)
     points = np.concatenate([np.column_stack([corners, np.full(len(corners), z)]) for z in heights])
     return add_hull(spec, body, points, given)
 
@@ -63,7 +63,7 @@ def even_points(polygon: Any, count: int) -> Matrix:
 def points_along(polygon: Any, spacing: float) -> Matrix:
     """[N, 2] the corners of a polygon and points between them, at most `spacing` apart [m]."""
     corners = np.array(polygon.vertices)
-    points = []
+    points: list[Matrix] = []
     for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         pieces = max(1, int(np.ceil(np.hypot(*(b - a)) / spacing)))
         points.extend(a + (b - a) * i / pieces for i in range(pieces))
