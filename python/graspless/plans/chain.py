@@ -74,7 +74,7 @@ class _Found:
     def as_dict(self) -> dict[str, Any]:
         return {
             "seconds": self.seconds,
-            "stages_planned": len(self.stages),
+            "planned_stages": len(self.stages),
             "attempts": self.attempts,
         }
 
