@@ -263,6 +263,29 @@ def test_object_follows_its_rows():
     assert sum(still) == len(still) - 1
 
 
+@pytest.mark.parametrize("name", ["lifted", "twice"])
+def test_a_chain_is_its_stages_one_after_the_other(name):
+    plan, whole = planned(name), timed(name)
+    stages = [graspless.time(stage) for stage in plan.stages]
+    assert whole.joint_names == stages[0].joint_names
+    assert [s.name for s in whole.segments] == [s.name for t in stages for s in t.segments]
+    assert (np.diff(whole.times) > 0).all()
+    total = sum(t.duration for t in stages) + settings.PAUSE * (len(stages) - 1)
+    assert whole.duration == pytest.approx(total)
+    np.testing.assert_array_equal(
+        whole.positions, np.concatenate([stage.positions for stage in stages])
+    )
+    for segment, mine in of_segments(whole):
+        if segment.name == "carry":
+            problem = plan.stages[-1].task.problem
+            moved = [
+                np.linalg.norm(problem.robot.jacobian(problem.frame, q)[:3] @ v)
+                for q, v in zip(whole.positions[mine], whole.velocities[mine], strict=True)
+            ]
+            assert max(moved) > 0.9 * settings.CONTACT_SPEED
+            assert max(moved) <= settings.CONTACT_SPEED * (1 + 1e-6)
+
+
 def test_same_plan_same_times():
     again = graspless.time(planned("slide"))
     np.testing.assert_array_equal(again.times, timed("slide").times)

@@ -88,7 +88,7 @@ class Clasp:
     mass: float = 1.0  # of an object whose task says none, a bag's [kg]
     friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
     stand_friction: float = 0.5  # object on floor
-    skin: float = 0.001  # half thickness of the surface [m]: as far as chords cut a handle's curve
+    skin: float = 0.0005  # half thickness of the surface [m]: little against a cloud's spacing
     stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
     foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
     lead: float = 0.3  # the object comes to rest before the arm moves [s]
@@ -113,18 +113,17 @@ class Slide:
 
     impratio: float = 1000.0  # at 100 a finger that carries an object sideways creeps round by
     # up to 7 degrees in 8 s, at 1000 by less than one, as at 10000: Coulomb's law has no creep
-    table_friction: float = 0.3  # plastic on wood or laminate: handbooks have 0.2 to 0.4
-    tip_friction: float = 1.16  # the T42's urethane pads (notes of the house)
-    table_solref: float = 0.02  # time constant of a foot's contact [s]; a table that is stiffer
-    # than the tip chatters, which looks like slip
+    table_solref: float = 0.02  # time constant of a foot's contact [s]
+    table_solimp: tuple[float, float, float] = (0.9, 0.95, 0.001)  # MuJoCo's own
+    table_slip: float = 0.1  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
+    # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
+    # come down with kicks of 0.1 m/s
     tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
-    feet: int = 60  # points on which the object stands, evenly spread: torsion of a uniform pressure
+    feet: int = 60  # on which the object stands, evenly spread: the torsion of an even pressure
     foot_radius: float = 0.001  # [m]
     rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
     rim_spacing: float = 0.01  # of points along outline and edge [m]
-    flexure_stiffness: float = 4.6  # of a finger's flexure [Nm/rad]: 9 N at 15 mm depth
     flexure_damping_ratio: float = 0.7  # of the finger on its flexure
-    pad_width: float = 0.032  # of the line contact [m]: the T42's pad
     pad_points: int = 5  # of the line contact: the torsion of a line evenly pressed
     pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what
     # moment a soft pad withstands is the force times this

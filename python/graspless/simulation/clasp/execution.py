@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 
 from ..results import Recording
+from ..settings import Servo
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -80,11 +81,13 @@ class Execution:
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
+        ahead = 2 * Servo().damping_ratio / Servo().bandwidth  # or the servos would lag by it
+        commands = moments.positions + ahead * moments.velocities
         names = moments.names
         moved: dict[str, float] = {}
         resting = self.surface()
         for i in range(0, len(moments), self._steps):
-            self.run(names[i], moments.positions[i : i + self._steps])
+            self.run(names[i], commands[i : i + self._steps])
             far = float(np.linalg.norm(self.surface() - resting, axis=1).max())
             moved[names[i]] = max(far, moved.get(names[i], 0.0))
         return moved
@@ -148,13 +151,17 @@ class Execution:
     @contextmanager
     def locked(self) -> Iterator[None]:
         """The hand's motors as strong as it takes to stay where they are."""
-        limits = self.world.model.actuator_forcerange
-        kept = limits.copy()
-        limits[self._fingers] *= _LOCKED
+        model = self.world.model
+        joints = model.actuator_trnid[self._fingers, 0]
+        limits = ((model.actuator_forcerange, self._fingers), (model.jnt_actfrcrange, joints))
+        kept = [array[rows].copy() for array, rows in limits]
+        for array, rows in limits:
+            array[rows] *= _LOCKED
         try:
             yield
         finally:
-            limits[:] = kept
+            for (array, rows), before in zip(limits, kept, strict=True):
+                array[rows] = before
 
     def pull(self, direction_W: Matrix) -> float:
         """A force at the object's centre of mass grows until the loop is out of the hand; how much

@@ -63,7 +63,7 @@ class Breaking:
 
 
 def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
-    """As `break_test`, in plain types: smallest, direction, z, compliant, ratio, compliant_ratio."""
+    """As `break_test`, in plain types."""
     return break_test(plan, row).as_dict()
 
 
@@ -147,6 +147,7 @@ class Disturbed:
                 world.object_qpos[:], world.data.qvel[:6] = held, 0
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
+        self._zero_O = self._servo.zero_O
         state = np.zeros(mujoco.mj_stateSize(world.model, _WHOLE))
         mujoco.mj_getState(world.model, world.data, state, _WHOLE)
         return state
@@ -155,6 +156,7 @@ class Disturbed:
         """Places of the object every few steps; fewer than undisturbed where it went too far."""
         world, settings = self._world, self._settings
         mujoco.mj_setState(world.model, world.data, self._state, _WHOLE)
+        self._servo.zero_O = self._zero_O
         places: list[Matrix] = []
         for i in range(self._start, len(self._script)):
             since = self._script.times[i] - settings.begin

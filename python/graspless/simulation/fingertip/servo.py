@@ -9,10 +9,14 @@ from typing import TYPE_CHECKING
 import mujoco
 import numpy as np
 
+from ... import frames
+
 if TYPE_CHECKING:
     from ...frames import Matrix
     from .script import Script
     from .world import World
+
+LOADING = ("load", "settle")
 
 
 class Servo:
@@ -23,6 +27,10 @@ class Servo:
     pushes with its force and is damped. Fingertips turn with the object's planned pose: a contact
     that does not roll.
 
+    A place is zeroed when the fingers have come to their forces, and along the normal when one
+    goes from force to position control: the force is then the nominal one. Without it the contact's
+    own softness, a tenth of a millimetre, would take a newton from the force.
+
     Parameters
     ----------
     world : World
@@ -31,9 +39,9 @@ class Servo:
     limit : float
         Greatest normal force [N].
     offsets : array [n, 3]
-        By how much the fingers are beside where they are told to be [m].
-    feeds : bool
-        Whether nominal forces are fed forward.
+        By how much the fingers are beside where they are told to be, see Script.drift [m].
+    feeds, zeroes : bool
+        Whether nominal forces are fed forward, and places zeroed.
     """
 
     def __init__(
@@ -44,27 +52,39 @@ class Servo:
         offsets: Matrix | None = None,
         *,
         feeds: bool = True,
+        zeroes: bool = True,
     ) -> None:
-        n = world.fingers
-        self._world, self._script, self._limit = world, script, limit
-        self._centers = script.centers + (np.zeros((n, 3)) if offsets is None else offsets)
+        self._world, self._script, self._limit, self._zeroes = world, script, limit, zeroes
+        beside = np.zeros((world.fingers, 3)) if offsets is None else offsets
+        self._centers = script.centers + script.drift[:, None, None] * beside
         normal_forces = np.einsum("tni,tni->tn", script.forces, script.normals)
         along = script.forces - normal_forces[..., None] * script.normals
         if not feeds:
             along, normal_forces = 0 * along, normal_forces * (1 - script.holds)
-        damping = world.model.dof_damping[6]
-        self._along = along + damping * script.velocities()
+        self._along = along + world.model.dof_damping[6] * script.velocities()
         self._normal_forces = normal_forces
         radius = world.model.geom_size[-1, 0]
         self._turning = world.settings.turning * world.settings.stiffness * radius**2
         self._error = np.zeros(3)
+        self._zero_O = np.zeros((world.fingers, 3))
+
+    @property
+    def zero_O(self) -> Matrix:
+        """[n, 3] where the fingers' places are zeroed to, turning with the object [m]."""
+        return self._zero_O.copy()
+
+    @zero_O.setter
+    def zero_O(self, value: Matrix) -> None:
+        self._zero_O = value.copy()
 
     def command(self, i: int) -> None:
         """Sets the forces of the fingers for moment i."""
         world, script = self._world, self._script
-        stiffness = world.settings.stiffness
-        normals = script.normals[i]
-        pull = stiffness * (self._centers[i] - world.centers)
+        stiffness, normals = world.settings.stiffness, script.normals[i]
+        R_WO = frames.from_quaternion(script.places[i, 3:])[:3, :3]
+        if self._zeroes and i > 0:
+            self._zero(i, R_WO)
+        pull = stiffness * (self._centers[i] + self._zero_O @ R_WO.T - world.centers)
         along_normal = (pull * normals).sum(axis=1)
         held = np.clip(along_normal + self._normal_forces[i], -self._limit, self._limit)
         pushed = np.where(script.holds[i] > 0, held, self._normal_forces[i])
@@ -75,3 +95,20 @@ class Servo:
         for finger in range(world.fingers):
             mujoco.mju_subQuat(self._error, script.places[i, 3:], places[finger, 3:])
             applied[finger, 3:] = self._turning * self._error
+
+    def _zero(self, i: int, R_WO: Matrix) -> None:
+        """Takes the fingers' present places for what they are told, where it is time to."""
+        script = self._script
+        is_new = script.stage[i] != script.stage[i - 1]
+        starts = script.holds[i] > script.holds[i - 1]
+        if not is_new and not starts.any():
+            return
+        off = (self._world.centers - self._centers[i]) @ R_WO
+        if is_new and script.names[script.stage[i - 1]] in LOADING:
+            self._zero_O = off
+        elif not is_new:
+            normals_O = script.normals[i] @ R_WO
+            more = ((off - self._zero_O) * normals_O).sum(axis=1) * starts
+            self._zero_O = self._zero_O + more[:, None] * normals_O
+        if is_new:  # who is not on the object goes where it is told
+            self._zero_O[~script.forces[i].any(axis=1)] = 0

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
+from ... import timing
 from ..results import Recording, Trial
 from ..robots import joint_addresses
 from ..settings import Servo, Slide
-from ... import timing
-from .fingers import SLIDING
+from .fingers import PAD, SLIDING
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
@@ -38,6 +38,7 @@ MEASURES = {
 
 _LOOK = 0.01  # between looks of the judge [s]
 _RECORD = 50.0  # moments a second
+_NEVER = -1.0  # a margin of contact below which nothing comes [m]
 
 
 def run(
@@ -150,13 +151,15 @@ class Execution:
             self.judge.note("off_target")
 
     def _let_finger_grasp(self) -> None:
-        """From here on the sliding finger touches with its inner side too."""
-        model, geoms = self.scene.model, self.scene.groups[SLIDING]
-        model.geom_contype[geoms] = FINGER_GRASPS.contype
-        model.geom_conaffinity[geoms] = FINGER_GRASPS.conaffinity
+        """From here on the sliding finger touches with its own shapes, as the plan knows them."""
+        model, groups = self.scene.model, self.scene.groups
+        model.geom_contype[groups[SLIDING]] = FINGER_GRASPS.contype
+        model.geom_conaffinity[groups[SLIDING]] = FINGER_GRASPS.conaffinity
         body = model.body(SLIDING).id
         model.body_contype[body] |= FINGER_GRASPS.contype
         model.body_conaffinity[body] |= FINGER_GRASPS.conaffinity
+        of_pad = np.isin(model.pair_geom1, groups[PAD]) | np.isin(model.pair_geom2, groups[PAD])
+        model.pair_margin[of_pad] = _NEVER
 
     def _in_hand(self) -> Matrix:
         body = self.data.body(self.plan.task.problem.hand.grasp_frame)

@@ -48,9 +48,9 @@ class Judge:
         model = self.scene.model
         self._kind = np.zeros(model.ngeom, dtype=int)  # 0: the arm and the hand
         order = (OBJECT, TABLE, "obstacle", FOOT, EDGE, PAD, SLIDING, OTHER)
-        for code, what in enumerate(order, start=1):
-            self._kind[self.scene.groups[what]] = code
         code = {what: i for i, what in enumerate(order, start=1)}
+        for what in order:
+            self._kind[self.scene.groups[what]] = code[what]
         allowed = [(FOOT, TABLE), (EDGE, OBJECT), (PAD, OBJECT), (PAD, TABLE)]
         allowed += [(SLIDING, OBJECT), (OTHER, OBJECT)]
         self._allowed = np.zeros((len(order) + 1,) * 2, dtype=bool)

@@ -55,9 +55,7 @@ class Program:
         return int(np.flatnonzero(self.phase == self.names.index(name))[-1])
 
 
-def make_program(
-    plan: Plan, trajectory: Trajectory, timestep: float, settings: Slide
-) -> Program:
+def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: Slide) -> Program:
     """The whole execution of a plan at even steps [s]."""
     names = [segment.name for segment in trajectory.segments]
     rows, phases = [], []
