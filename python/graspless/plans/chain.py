@@ -143,7 +143,7 @@ def _start(found: _Found, stage: Stage, task: Task) -> Task:
     if not found.stages:
         first: Task = task.problem.first
         return first
-    return stage.task(start_at(stage.fields, ends(found.stages[-1])))
+    return stage.task(start_at(stage, ends(found.stages[-1])))
 
 
 def check(plan: Plan) -> list[str]:
