@@ -70,7 +70,7 @@ def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: 
 
     still = max(1, round(settings.pause / timestep))
     for i, name in enumerate(list(names)):
-        values = _stretch(trajectory, i, timestep)
+        values = stretch(trajectory, i, timestep)
         append(values, name)
         if name in ("press", "slide"):
             append(np.repeat(values[-1:], still, axis=0), name)
@@ -89,7 +89,7 @@ def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: 
     return Program(positions, velocities, np.concatenate(phases), names, raised)
 
 
-def _stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:
+def stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:
     """[N, dof] a segment's positions at even times."""
     own = trajectory.segment_index == index
     times, positions = trajectory.times[own], trajectory.positions[own]
