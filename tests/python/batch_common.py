@@ -1,16 +1,33 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Work for the tests of batches, where worker processes can import it."""
+"""Pools and work for the tests of batches, where worker processes can import them."""
 
 import os
 import signal
 import time
+from concurrent.futures import Future
 
 from graspless.batches import work
 
 KILLER = "killer"  # tasks of this name end their worker
 EXITS = "exits"
 HANGS = "hangs"
+
+
+class Here:
+    """A pool without processes: what it is given is done at once."""
+
+    workers = capacity = 1
+    is_elsewhere = one_thread_each = False
+    crashes = ()
+
+    def submit(self, work, given):
+        future = Future()
+        future.set_result(work(given))
+        return future
+
+    def close(self, at_once=False):
+        pass
 
 
 def dangerous(job):

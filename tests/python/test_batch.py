@@ -10,7 +10,6 @@ import signal
 import subprocess
 import sys
 import time
-from concurrent.futures import Future
 
 import pytest
 
@@ -39,26 +38,12 @@ def tasks(tmp_path):
     return make
 
 
-class Here:
-    """A pool without processes: what it is given is done at once."""
-
-    workers = capacity = 1
-    is_elsewhere = one_thread_each = False
-    crashes = ()
-
-    def submit(self, work, given):
-        future = Future()
-        future.set_result(work(given))
-        return future
-
-    def close(self, at_once=False):
-        pass
-
-
 @pytest.fixture
 def here(monkeypatch):
     """Batches without processes, for what has nothing to do with them."""
-    monkeypatch.setattr(pools, "opened", lambda jobs, dask: contextlib.nullcontext(Here()))
+    monkeypatch.setattr(
+        pools, "opened", lambda jobs, dask: contextlib.nullcontext(batch_common.Here())
+    )
 
 
 def rows_of(output):
@@ -189,8 +174,8 @@ def test_who_is_innocent_gets_an_answer_too(tmp_path):
     with pools.opened(2, None) as pool:
         found = set(spread(batch_common.square, range(8), pool, lost))
         assert found == {"3 lost", *(n * n for n in range(8) if n != 3)}
-        once = [str(tmp_path / name) for name in "ab"]
-        assert set(spread(batch_common.unlucky, once, pool, lost)) == set(once)
+        once = [str(tmp_path / "mark")]
+        assert list(spread(batch_common.unlucky, once, pool, lost)) == once
 
 
 def test_a_fault_of_ours_is_not_hidden():
@@ -249,6 +234,7 @@ def test_interrupted_and_resumed(tasks, tmp_path):
         (folder / f"{name}.yaml").unlink()
     kept = {path: path.stat().st_mtime_ns for path in output.glob("*.plan.json")}
     left = {path.stem for path in folder.glob("*.yaml")}
+    (output / ".card_000.plan.json.abc").write_text("half a plan, of a process that was killed")
     again = _start(folder, output, "--jobs", "2", "--json")
     out, err = again.communicate(timeout=60)
     assert again.returncode == 0, err
@@ -258,6 +244,7 @@ def test_interrupted_and_resumed(tasks, tmp_path):
     for path, then in kept.items():
         assert path.stat().st_mtime_ns == then
     assert left <= set(rows_of(output))
+    assert list(output.rglob(".*")) == []
 
 
 def test_a_row_that_was_cut_short_is_none(here, tasks, tmp_path):
@@ -310,6 +297,14 @@ def test_output_that_cannot_be_written_exits_2(tasks, tmp_path, capsys):
         code, _, err = run(capsys, "batch", folder, "-o", output)
         assert code == 2
         assert "cannot be written" in err
+
+
+def test_a_plan_that_cannot_be_written_ends_the_batch(tasks, tmp_path, capsys):
+    folder, output = tasks("a/card", "b"), tmp_path / "out"
+    output.mkdir()
+    (output / "a").write_text("a file where a folder is wanted")
+    code, _, err = run(capsys, "batch", str(folder), "-o", str(output))
+    assert (code, err) == (2, f"{output / 'a'}: cannot be written: File exists\n")
 
 
 def test_json_is_all_that_is_printed(here, tasks, tmp_path, capsys):

@@ -118,10 +118,7 @@ class _Run:
         self.entries, self.output, self.changes = entries, output, changes
         self.patience, self.progress = patience, progress
         self.manifest = output / manifest.NAME
-        try:
-            output.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise TaskError(f"{output}: cannot be written: {error.strerror}") from None
+        work.make_folder(output)
         files.check_writable(self.manifest)
         self.before = manifest.read(self.manifest)
         self.done: dict[str, Row] = {}
@@ -132,10 +129,12 @@ class _Run:
         start = time.monotonic()
         try:
             with manifest.opened(self.manifest) as log:
+                work.sweep(self.output)
                 for outcome in spread(do, self._jobs(pool), pool, self._lost):
                     self._take(outcome, log)
         except KeyboardInterrupt:
             pool.close(at_once=True)
+            work.sweep(self.output)
         except CancelledError:
             told = "the scheduler has gone; what is done is kept, and the same call goes on"
             raise TaskError(f"dask: {told}") from None
@@ -147,7 +146,14 @@ class _Run:
             row = self.before.get(entry.name, {})
             is_there = row.get("plan") and (self.output / row["plan"]).is_file()
             known = row["hash"] if is_there else None
-            job = work.Job(entry.name, str(entry.path), self.changes, known, patience=patience)
+            job = work.Job(
+                entry.name,
+                str(entry.path),
+                self.changes,
+                known,
+                output=None if pool.is_elsewhere else str(self.output),
+                patience=patience,
+            )
             yield work.inline(job) if pool.is_elsewhere else job
 
     def _lost(self, job: Job, told: str, seconds: float) -> Outcome:
@@ -166,9 +172,7 @@ class _Run:
             self.kept += 1
         else:
             if outcome.plan is not None:
-                path = self.output / row["plan"]
-                path.parent.mkdir(parents=True, exist_ok=True)
-                files.write(path, outcome.plan)
+                work.write(self.output, row, outcome.plan)
             log.add(row)
         self.done[outcome.name] = row
         if self.progress is not None:

@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import time
 from concurrent.futures import ALL_COMPLETED, FIRST_COMPLETED, wait
-from itertools import chain
+from functools import partial
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 if TYPE_CHECKING:
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 Given = TypeVar("Given")
 Result = TypeVar("Result")
+
+CHUNK_SECONDS = 0.1  # of work sent at once: short work is not to wait for its messages
+LARGEST_CHUNK = 16
 
 
 def spread(
@@ -56,43 +60,51 @@ def spread(
 
 
 class _Together(Generic[Given, Result]):
-    """Jobs in flight, enough to keep all workers busy."""
+    """Jobs in flight, enough to keep all workers busy; short ones several at once."""
 
     def __init__(self, work: Callable[[Given], Result], pool: Pool, items: Iterator[Given]) -> None:
-        self._work, self._pool, self._items = work, pool, items
-        self._running: dict[Future[Result], Given] = {}
+        self._work, self._pool, self._items = partial(_each, work), pool, items
+        self._running: dict[Future[tuple[list[Result], float]], list[Given]] = {}
+        self._chunk = 1
         self._is_broken = False
         self.suspects: list[Given] = []
 
     def fill(self) -> bool:
         """Submits what there is room for; False when all is done."""
         while len(self._running) < self._pool.capacity and not self._is_broken:
-            for item in self._items:
-                self._submit(item)
+            items = list(islice(self._items, self._chunk))
+            if not items:
                 break
-            else:
-                break
+            self._submit(items)
         return bool(self._running) or self._is_broken
 
     def results(self) -> Iterator[Result]:
         """Waits for some; after a crash for all, before workers are started anew."""
         when = ALL_COMPLETED if self._is_broken else FIRST_COMPLETED
         for future in wait(self._running, return_when=when).done:
-            item = self._running.pop(future)
+            items = self._running.pop(future)
             try:
-                result = future.result()
+                results, seconds = future.result()
             except self._pool.crashes:
-                self.suspects.append(item)
+                self.suspects += items
                 self._is_broken = True
                 continue
-            yield result
+            fitting = int(CHUNK_SECONDS * len(items) / max(seconds, 1e-6))
+            self._chunk = min(max(fitting, 1), LARGEST_CHUNK)
+            yield from results
         if self._is_broken and not self._running:
             self._pool.restart()
             self._is_broken = False
 
-    def _submit(self, item: Given) -> None:
+    def _submit(self, items: list[Given]) -> None:
         try:
-            self._running[self._pool.submit(self._work, item)] = item
-        except self._pool.crashes:  # it broke since; nobody has begun this one
-            self._items = chain([item], self._items)
+            self._running[self._pool.submit(self._work, items)] = items
+        except self._pool.crashes:  # it broke since; nobody has begun these
+            self._items = chain(items, self._items)
             self._is_broken = True
+
+
+def _each(work: Callable[[Given], Result], items: list[Given]) -> tuple[list[Result], float]:
+    """In the worker: results, and how long they took [s]."""
+    start = time.perf_counter()
+    return [work(item) for item in items], time.perf_counter() - start

@@ -12,8 +12,10 @@ import os
 import time
 import warnings
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .. import files
 from ..errors import TaskError
 
 if TYPE_CHECKING:
@@ -49,6 +51,8 @@ class Job:
         Hash of the task of which there is a plan already.
     document : dict or None
         The whole task, for a worker that does not see our files.
+    output : str or None
+        The folder that the worker writes the plan to, where it has one in common with us.
     fault : str or None
         Why the task is not as it may be, where that is known before.
     patience : float or None
@@ -60,13 +64,14 @@ class Job:
     changes: dict[str, Any] = field(default_factory=dict)
     known: str | None = None
     document: dict[str, Any] | None = None
+    output: str | None = None
     fault: str | None = None
     patience: float | None = None
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a job: a row of the manifest, and the plan file where there is one.
+    """What became of a job: a row of the manifest, and the plan's text unless it is written.
 
     Without a row, the plan that is there stands.
     """
@@ -77,7 +82,13 @@ class Outcome:
 
 
 def carry_out(job: Job) -> Outcome:
-    """Reads, plans and checks; no fault of a task leaves it."""
+    """Reads, plans and checks; no fault of a task leaves it.
+
+    Raises
+    ------
+    TaskError
+        The plan cannot be written.
+    """
     start = time.perf_counter()
     with warnings.catch_warnings(record=True) as caught, _watched(job.patience):
         warnings.simplefilter("always")
@@ -90,8 +101,11 @@ def carry_out(job: Job) -> Outcome:
     if outcome.row is None:
         return outcome
     told = [str(warning.message) for warning in caught if warning.category is UserWarning]
-    total = time.perf_counter() - start
-    return replace(outcome, row=outcome.row | {"warnings": told, "total_seconds": total})
+    row = outcome.row | {"warnings": told, "total_seconds": time.perf_counter() - start}
+    if outcome.plan is None or job.output is None:
+        return replace(outcome, row=row)
+    write(Path(job.output), row, outcome.plan)
+    return Outcome(job.name, row)
 
 
 def without_plan(job: Job, status: str, reason: str, seconds: float | None = None) -> Outcome:
@@ -128,11 +142,37 @@ def _carry_out(job: Job) -> Outcome:
     row = _row(job, digest, plan.status, plan.reason) | {
         "seconds": float(plan.statistics.get("seconds", 0.0)),
         "seed": task.seed,
-        "plan": f"{job.name}.plan.json",
+        "plan": plan_file(job.name),
         "holds": bool(plan) and not faults,
         "faults": faults[:MOST_FAULTS],
     }
     return Outcome(job.name, row, plan.to_json())
+
+
+def plan_file(name: str) -> str:
+    """Of a task of this name, in the output."""
+    return f"{name}.plan.json"
+
+
+def write(output: Path, row: Row, plan: str) -> None:
+    """Writes the plan of a row, whole or not at all; raises TaskError."""
+    path = output / row["plan"]
+    make_folder(path.parent)
+    files.write(path, plan)
+
+
+def make_folder(path: Path) -> None:
+    """With those above it; raises TaskError."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def sweep(output: Path) -> None:
+    """Removes what processes that were killed had begun to write."""
+    for path in output.rglob(plan_file(".*") + ".*"):
+        path.unlink(missing_ok=True)
 
 
 def _read(job: Job) -> Task:

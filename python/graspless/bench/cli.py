@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .._commands import FOUND, INTERRUPTED, NOT_FOUND
+from .physics_cli import add_parser as _add_physics
 
 if TYPE_CHECKING:
     import argparse
@@ -64,6 +65,7 @@ def add_parser(commands: Any) -> None:
     slide.set_defaults(run=_slide)
     _add_fingertip(planners)
     _add_clasp(planners)
+    _add_physics(planners, _positive)
 
 
 def _add_fingertip(planners: Any) -> None:

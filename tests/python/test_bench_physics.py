@@ -1,0 +1,265 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The bench of plans in a physics engine, without one: rows, tables, and the page they make."""
+
+import contextlib
+import json
+import sys
+import types
+
+import pytest
+
+import batch_common
+from graspless import TaskError, kinds, simulation
+from graspless.batches import manifest, pools
+from graspless.bench import physics, physics_claims, physics_report, physics_tables, physics_work
+from graspless.cli import main
+from graspless.simulation import Trial
+from graspless.tasks import read_task
+from tasks_common import changed
+
+FAILURES = {"fell": "off the table", "not_grasped": "left behind", "hit": "touched"}
+MEASURES = {"position_error": "of the object [m]", "angle_error": "of the object [rad]"}
+
+
+def run_trial(plan, variation, *, record=False):
+    """Trial k is off by k mm and by a degree; a light object falls."""
+    error = 0.001 + abs(variation.x)
+    failures = ("fell",) if variation.mass < 0.85 else ()
+    measures = {"position_error": error} | ({} if failures else {"angle_error": 0.02})
+    return Trial(variation, failures, measures, seconds=0.25)
+
+
+def disturb(plan):
+    return {"segment": 0, "row": 2, "smallest": float("inf"), "z": 4.0, "compliant": 2.0,
+            "ratio": float("inf"), "compliant_ratio": 0.9}  # fmt: skip
+
+
+def physics_tasks(count, seed, finger_model="flexure"):
+    for k in range(count):
+        text = changed("seed: 3", f"seed: {seed + k}")
+        text += f"hand: {{finger_model: {finger_model}}}\n"
+        yield read_task(text, f"bench: card {k}")
+
+
+@pytest.fixture
+def engine(monkeypatch):
+    """A physics engine that is none, and problems for it; everything in this process."""
+    kind = types.SimpleNamespace(FAILURES=FAILURES, MEASURES=MEASURES, run=run_trial)
+    monkeypatch.setattr(simulation, "simulation_kind", lambda _: kind)
+    monkeypatch.setattr(physics_report, "simulation_kind", lambda _: kind)
+    monkeypatch.setattr(physics_report.importlib.metadata, "version", lambda _: "4")
+    tasks = types.SimpleNamespace(physics_tasks=physics_tasks)
+    for name in physics.RUNS:
+        monkeypatch.setitem(sys.modules, f"graspless.bench.physics_{name}", tasks)
+    monkeypatch.setattr(physics_work, "part", lambda *_: types.SimpleNamespace(disturb=disturb))
+    monkeypatch.setattr(
+        pools, "opened", lambda jobs, dask: contextlib.nullcontext(batch_common.Here())
+    )
+
+
+def test_rows_hold_every_trial(engine):
+    run = physics.run(physics.Grid("slide", runs=3, trials=4, seed=7))
+    assert run.is_complete
+    assert run.complaints == []
+    assert [row["name"] for row in run.rows] == ["000 card 0", "001 card 1", "002 card 2"]
+    assert [row["seed"] for row in run.rows] == [7, 8, 9]
+    for row in run.rows:
+        drawn = simulation.variations(4, row["seed"])
+        assert row["measures"]["position_error"] == pytest.approx(
+            [0.001 + abs(v.x) for v in drawn], rel=1e-4
+        )
+        assert [bool(f) for f in row["failures"]] == [v.mass < 0.85 for v in drawn]
+        assert [a is None for a in row["measures"]["angle_error"]] == [
+            bool(f) for f in row["failures"]
+        ]
+
+
+def rows_of(*trials, **more):
+    """A row of a plan from its trials: (failures, position error, angle error)."""
+    return {
+        "name": "a", "key": "k", "status": "solved", "reason": "", "seed": 1, "faults": [],
+        "plan_seconds": 0.1, "disturbed": None, "seconds": [1.0 + k for k in range(len(trials))],
+        "failures": [list(trial[0]) for trial in trials],
+        "measures": {"position_error": [t[1] for t in trials], "angle_error": [t[2] for t in trials]},
+    } | more  # fmt: skip
+
+
+def test_tables_count_what_they_say():
+    rows = [
+        rows_of(((), 0.004, 0.01), ((), 0.009, 0.1), (("fell",), None, None)),
+        rows_of((("hit",), 0.006, 0.01), (("fell", "hit"), 0.02, 0.3)),
+        rows_of(status="no_goal_root"),
+    ]
+    result = {"part": "slide", "rows": rows, "failures": FAILURES, "measures": MEASURES}
+    totals = physics_tables.totals(rows)
+    assert (totals["tasks"], totals["planned"]) == (3, 2)
+    assert totals["not_planned"] == {"no_goal_root": 1}
+    assert (totals["nominal"], totals["nominal_held"]) == (2, 1)
+    assert (totals["varied"], totals["varied_held"]) == (3, 1)
+    assert totals["max_seconds"] == 3.0
+    claims = {
+        (c["name"], c["of"]): (c["held"], c["asked"]) for c in physics_tables.claims(result)[0]
+    }
+    assert claims["within 5 mm and 5 deg after the slide, and stays", "nominal"] == (1, 2)
+    assert claims["within 10 mm and 10 deg after the slide, and stays", "varied"] == (1, 3)
+    assert claims["lifted", "nominal"] == (2, 2)
+    assert claims["lifted", "varied"] == (1, 3)
+    failures = {r["name"]: (r["nominal"], r["varied"]) for r in physics_tables.failures(result)[0]}
+    assert failures == {"fell": (0, 2), "not grasped": (0, 0), "hit": (1, 1)}
+    error = physics_tables.measures(result)[0][0]
+    assert (error["name"], error["means"]) == ("position error [mm]", "of the object")
+    assert error["nominal"] == pytest.approx({"median": 4, "95 %": 6, "max": 6})
+    assert error["varied"] == pytest.approx({"median": 9, "95 %": 20, "max": 20})
+
+
+@pytest.mark.parametrize(
+    ("part", "cases", "held"),
+    [
+        # (failures, measures) of nominal trials, and how many are so by the first nominal claim
+        ("slide", [([], 0.005, 0.087), ([], 0.0051, 0), ([], 0, 0.088), (["fell"], 0, 0)], 1),
+        ("clasp", [([], 0, 0), (["open_hand_holds"], 0, 0), (["escaped"], 0, 0)], 2),
+    ],
+)
+def test_limits(part, cases, held):
+    rows = [rows_of(case) for case in cases]
+    result = {"part": part, "rows": rows}
+    first = physics_tables.claims(result)[0][0]
+    assert (first["held"], first["asked"]) == (held, len(cases))
+
+
+def test_disturbances_against_the_index():
+    def broken(z, ratio, compliant):
+        found = {"z": z, "ratio": ratio, "compliant_ratio": compliant, "smallest": 1.0}
+        return rows_of(disturbed=found)
+
+    rows = [broken(4, 0.8, 1.0), broken(6, 0.7, 1.2), broken(4, None, 0.9), broken(9, 0.69, None)]
+    found, _ = physics_tables.claims({"part": "fingertip_disturb", "rows": rows})
+    assert [(c["held"], c["asked"]) for c in found] == [(3, 4), (1, 2), (3, 4)]
+    shown, _ = physics_tables.disturbances({"rows": rows})
+    assert shown[0]["count"] == 3
+    assert shown[0]["min"] == 0.69
+
+
+def test_a_share_never_looks_better_than_it_is():
+    assert physics_tables._share(1999, 2000) == "99.9 %"
+    assert physics_tables._share(199, 200) == "99.5 %"
+    assert physics_tables._share(2000, 2000) == "100 %"
+    assert physics_tables._share(948, 999) == "94.8 %"
+
+
+def test_interrupted_and_resumed(engine, tmp_path, monkeypatch):
+    log = tmp_path / "physics_slide.rows"
+    grid = physics.Grid("slide", runs=4, trials=2)
+    measured = []
+
+    def measure(query):
+        if len(measured) == 2:
+            raise KeyboardInterrupt
+        measured.append(query.name)
+        return physics_work.measure(query)
+
+    first = physics.run(grid, log=log, measure=measure)
+    assert not first.is_complete
+    assert len(first.rows) == len(manifest.read(log, "key")) == 2
+    told = []
+    measured.append("no interruption any more")
+    second = physics.run(grid, log=log, measure=measure, tell=lambda *now: told.append(now))
+    assert second.is_complete
+    assert told == [(1, 4), (2, 4), (3, 4), (4, 4)]
+    assert measured[:2] + measured[3:] == [f"{k:03} card {k}" for k in range(4)]
+    assert _without_clock(second) == _without_clock(physics.run(grid))
+    other = physics.run(physics.Grid("slide", runs=4, trials=3), log=log)  # another question
+    assert len(other.rows) == 4
+    assert all(len(row["seconds"]) == 3 for row in other.rows)
+
+
+def _without_clock(run):
+    return [{k: v for k, v in row.items() if k != "plan_seconds"} for row in run.rows]
+
+
+def test_an_error_or_a_dead_worker_is_a_complaint(engine, monkeypatch):
+    def broken(task):
+        raise RuntimeError("no such thing")
+
+    monkeypatch.setattr("graspless.plans.plan", broken)
+    run = physics.run(physics.Grid("slide", runs=1))
+    assert run.complaints == ["000 card 0: RuntimeError: no such thing"]
+    query = physics_work.Query("a", {}, 1, 1)
+    lost = physics_work.unknown(query, "crashed", "")
+    assert physics._lost(query, "SIGSEGV\nmore", 2.0) == lost | {
+        "reason": "its process died after 2 s: SIGSEGV"
+    }
+
+
+@pytest.mark.parametrize(
+    ("flags", "part"),
+    [
+        (["--kind", "slide"], "slide"),
+        (["--kind", "slide", "--ablation"], "slide_ablation"),
+        (["--kind", "fingertip"], "fingertip"),
+        (["--kind", "fingertip", "--disturb"], "fingertip_disturb"),
+        (["--kind", "clasp"], "clasp"),
+    ],
+)
+def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
+    arguments = ["bench", "physics", "--runs", "2", "--trials", "3", "--out", str(tmp_path)]
+    assert main([*arguments, *flags]) == 0
+    out = capsys.readouterr().out
+    assert "2 tasks, 2 planned" in out
+    assert [path.name for path in tmp_path.glob("physics_*")] == [f"physics_{part}.json"]
+    result = json.loads((tmp_path / f"physics_{part}.json").read_text())
+    assert result["part"] == part
+    assert len(result["rows"]) == 2
+    assert result["versions"]["mujoco"] == "4"
+    page = (tmp_path / "physics.md").read_text()
+    assert "$" not in page
+    assert "2 tasks, 2 planned" in page
+    for claim in physics_claims.CLAIMS[part]:
+        asked = claim.of == "disturbed" or part != "fingertip_disturb"
+        assert (f"| {claim.what} |" in page) == asked
+    if part == "fingertip_disturb":
+        assert result["rows"][0]["disturbed"]["ratio"] is None
+        assert "| z [N] | 2 | 4 | 4 | 4 |" in page
+    else:
+        assert "| fell | 0 |" in page
+        assert "position error" in page
+
+
+def test_the_ablation_is_the_papers_finger(engine):
+    queries = list(physics.Grid("slide", runs=1, is_ablation=True).queries())
+    assert queries[0].document["hand"]["finger_model"] == "none"
+
+
+def test_page_of_all_parts(engine, tmp_path, capsys):
+    for flags in (["--kind", "slide"], ["--kind", "fingertip", "--disturb"], ["--kind", "clasp"]):
+        main(["bench", "physics", "--runs", "1", "--out", str(tmp_path), *flags, "--json"])
+        assert json.loads(capsys.readouterr().out)["complete"]
+    page = (tmp_path / "physics.md").read_text()
+    heads = [line for line in page.splitlines() if line.startswith("#")]
+    assert [head.lstrip("# ") for head in heads] == [
+        "Plans in a physics engine",
+        "Slides",
+        "How much disturbance breaks a motion",
+        "Clasps",
+        "Circumstances",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("grid", "message"),
+    [
+        (physics.Grid("clasp", 1, is_ablation=True), "--ablation: clasp has none"),
+        (physics.Grid("slide", 1, disturb=True), "--disturb: slide plans promise no stability"),
+        (physics.Grid("slide", 0), "--runs: 0: should be at least 1"),
+        (physics.Grid("slide", 1, seed=-1), "--seed: -1: should not be negative"),
+    ],
+)
+def test_grids_that_are_none(grid, message):
+    with pytest.raises(TaskError, match=message):
+        grid.check()
+
+
+def test_every_kind_is_asked_something():
+    assert set(physics.RUNS) == set(physics_report.PARTS) & set(kinds.KINDS)
+    assert set(physics_claims.CLAIMS) == set(physics_report.PARTS)
