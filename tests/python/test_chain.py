@@ -425,3 +425,32 @@ def test_picture_of_a_carry_shows_the_object_rise(lift, tmp_path):
         pixels(picture[80:, k * third : (k + 1) * third], OBJECT)[:, 0].mean() for k in range(3)
     ]
     assert heights[0] > heights[1] > heights[2]
+
+
+def test_simulated_hand_takes_the_object_where_the_plan_says(lift):
+    pytest.importorskip("mujoco")
+    trial = graspless.simulate(lift).trials[0]
+    assert trial, trial.failures
+    assert trial.measures["carried"] == pytest.approx(0.1, abs=0.003)
+    assert trial.measures["carry_error"] < 0.003
+    assert "lift_height" not in trial.measures
+
+
+def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_path):
+    """A hand that stays open takes nothing with it."""
+    pytest.importorskip("mujoco")
+    document = json.loads(lift.to_json())
+    close = document["stages"][0]["segments"][-1]
+    open_rows = [close["positions"][0]] * len(close["positions"])
+    close["positions"] = open_rows
+    for row in document["stages"][1]["segments"][0]["positions"]:
+        row[7] = open_rows[0][7]
+    plan = reread(document, tmp_path / "plan.json")
+    trial = graspless.simulate(plan).trials[0]
+    assert not trial
+
+
+def test_chain_that_is_not_executed_in_one_go(tumble):
+    pytest.importorskip("mujoco")
+    with pytest.raises(graspless.TaskError, match="fingertip, fingertip is not executed in one go"):
+        graspless.simulate(tumble)

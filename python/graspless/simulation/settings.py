@@ -142,4 +142,5 @@ class Slide:
     tipped: float = 0.175  # an object that tilts by 10 degrees is about to fall [rad]
     fell: float = 0.02  # below where it lay [m]
     lost_seconds: float = 0.1  # without contact while it slides
+    kept_height: float = 0.09  # of what is asked; hands and arms give way a little [m]
     kept: float = 0.02  # how far an object that is held may creep in the hand [m]

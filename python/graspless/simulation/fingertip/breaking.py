@@ -196,9 +196,7 @@ def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
     return joined([load, settle, move])
 
 
-def slow_poses(
-    plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break
-) -> Matrix:
+def slow_poses(plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break) -> Matrix:
     """[T, 4, 4] X_WO: at the row when the wrench is half over, no corner faster than allowed."""
     arcs = len(segment.X_WO) - 1
     if arcs == 0:
