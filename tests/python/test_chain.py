@@ -207,7 +207,7 @@ def test_where_a_stage_cannot_start(write):
             "kind: slide}",
             "kind: slide, object: {name: tile}}",
             10,
-            r"stages\[0\].object.name: tile: the chain's object is 'card'",
+            r"stages\[0\].object.name: tile: the chain's object has card",
         ),
         (
             "kind: carry, line: {direction: [0, 0, 2], distance: 0.1}",
@@ -489,6 +489,12 @@ def test_object_is_one_body_in_all_frames(tile):
     assert np.abs(np.diff(poses[:, :3, :3], axis=0)).max() < 0.02
     end = third.segments[-1].object_poses[-1] @ np.linalg.inv(tile.object_frames[2])
     assert np.abs(poses[-1] - end).max() < 1e-9
+
+
+def test_stage_has_the_mass_of_the_chain(tile, write):
+    assert tile.stages[1].task.problem.object.mass == 0.15
+    said = fault(write(changed("thickness: 0.02}", "thickness: 0.02, mass: 1}", TILE)))
+    assert "stages[1].object.mass: 1: the chain's object has 0.15" in said
 
 
 @pytest.mark.parametrize(
