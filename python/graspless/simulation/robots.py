@@ -70,6 +70,17 @@ def joint_addresses(model: Any, robot: Robot) -> Any:
     return np.array([model.joint(name).qposadr[0] for name in robot.joint_names])
 
 
+def set_positions(model: Any, data: Any, robot: Robot, q: Any) -> None:
+    """The robot at rest at q, [dof], told to stay there; mimic joints with theirs."""
+    data.qpos[joint_addresses(model, robot)] = data.ctrl[:] = q
+    for equality in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
+        follower, leader = model.eq_obj1id[equality], model.eq_obj2id[equality]
+        offset, factor = model.eq_data[equality][:2]
+        followed = data.qpos[model.jnt_qposadr[leader]]
+        data.qpos[model.jnt_qposadr[follower]] = offset + factor * followed
+    mujoco.mj_forward(model, data)
+
+
 def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:
     """A position servo that sags by `servo.sag` at its greatest effort."""
     effort = effort if np.isfinite(effort) and effort > 0 else servo.effort

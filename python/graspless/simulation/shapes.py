@@ -20,7 +20,7 @@ def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any)
     shape, X_BG = placed.shape, np.array(placed.X_BG)
     pose = {"pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
     if isinstance(shape, geometry.Box):
-        size = np.array(shape.size) / 2
+        size = (np.array(shape.size) / 2).tolist()
         return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, **pose, **given)
     if isinstance(shape, geometry.Sphere):
         size = [shape.radius, 0, 0]

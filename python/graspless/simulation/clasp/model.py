@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
-from ..robots import joint_addresses, robot_spec
+from ..robots import joint_addresses, robot_spec, set_positions
 from ..settings import Clasp, Solver
 from .object import OBJECT, OBJECT_BIT, STAND, add_object
 from .obstacles import add_obstacle
@@ -108,9 +108,9 @@ def make_world(
     model = spec.compile()
     data = mujoco.MjData(model)
     joints = joint_addresses(model, problem.robot)
-    data.qpos[joints] = data.ctrl[:] = problem.q_start
-    mujoco.mj_forward(model, data)
-    return World(model, data, joints, model.body(OBJECT).id, np.asarray(surface.points), X_WO, settings)
+    set_positions(model, data, problem.robot, problem.q_start)
+    points = np.asarray(surface.points)
+    return World(model, data, joints, model.body(OBJECT).id, points, X_WO, settings)
 
 
 def _moved(X_WO: Matrix, variation: Variation) -> Matrix:

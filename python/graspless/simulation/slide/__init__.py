@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 MEASURES = {
+    "slid": "1 where the object came to where the plan says and lay there until it was grasped",
+    "lifted": "1 where it was lifted and held",
     "position_error": "of the object at the end of the slide, against the plan's [m]",
     "angle_error": "of the object at the end of the slide, against the plan's [rad]",
     "overhang": "how far the object sticks out at the end of the slide [m]",
@@ -78,7 +80,7 @@ class Execution:
             settings.fell,
             settings.lost_seconds,
         )
-        self.measures: dict[str, float] = {"lift_reach": self.program.raised}
+        self.measures = {"slid": 0.0, "lifted": 0.0, "lift_reach": self.program.raised}
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         _set_joints(model, self.data, plan, self.program.positions[0], self._addresses)
@@ -96,8 +98,8 @@ class Execution:
             np.array(times), np.array(positions), np.array(poses), fingers, list(names)
         )
 
-    def run(self) -> None:
-        """To the end of the hold, or until the object has fallen."""
+    def run(self, until: str = HOLD) -> None:
+        """To the end of a phase, or until the object has fallen."""
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
@@ -115,6 +117,8 @@ class Execution:
                 self._rows.append((data.time, q, self.judge.pose(data), name))
             if step in ends:
                 self._end_of(ends[step])
+                if ends[step] == until:
+                    return
 
     def _end_of(self, phase: str) -> None:
         if phase == "slide":
@@ -124,6 +128,7 @@ class Execution:
         elif phase == "close":
             X_WO = self.judge.pose(self.data)
             self.measures["shift_by_lift"] = float(np.linalg.norm((X_WO - self._slid)[:3, 3]))
+            self.measures["slid"] = float(not self.judge.failures)
         elif phase == SQUEEZE:
             self._held = self._in_hand()
             self._low = float(self.data.xpos[self.scene.model.body("object").id][2])
@@ -173,10 +178,13 @@ class Execution:
         self.measures |= {"lift_height": lifted, "creep": creep}
         if "not_grasped" in self.judge.failures:
             return
+        self.measures["lifted"] = float(phase == HOLD)
         if not self.judge.holds(self.data) or creep > self.settings.kept:
-            self.judge.note("not_grasped" if phase == RAISE and lifted < 0.02 else "dropped")
-        elif lifted < 0.9 * self.settings.lift_height:
+            self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
+        elif lifted < self.settings.kept_height:
             self.judge.note("dropped")
+        if {"not_grasped", "dropped"} & set(self.judge.failures):
+            self.measures["lifted"] = 0.0
 
 
 def overhang(plan: Plan, X_WO: Matrix) -> float:
