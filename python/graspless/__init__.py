@@ -8,7 +8,7 @@
 >>> assert plan and not graspless.check(plan)  # doctest: +SKIP
 >>> plan.save("plan.json")  # doctest: +SKIP
 
-`graspless.slide`, `graspless.fingertip` and `graspless.clasp` have the planners themselves, for
+`graspless.slide`, `graspless.fingertip`, `graspless.clasp` and `graspless.carry` have the planners themselves, for
 problems that are made in Python.
 """
 
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from . import (
+        carry,
         clasp,
         collision,
         fingertip,
@@ -48,6 +49,7 @@ __all__ = [
     "__version__",
     "batch",
     "check",
+    "carry",
     "clasp",
     "collision",
     "export",
