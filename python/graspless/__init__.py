@@ -8,8 +8,8 @@
 >>> assert plan and not graspless.check(plan)  # doctest: +SKIP
 >>> plan.save("plan.json")  # doctest: +SKIP
 
-`graspless.slide`, `graspless.fingertip`, `graspless.clasp` and `graspless.carry` have the planners themselves, for
-problems that are made in Python.
+`graspless.slide`, `graspless.fingertip`, `graspless.clasp` and `graspless.carry` have the planners
+themselves, for problems that are made in Python.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ __all__ = [
     "Trajectory",
     "__version__",
     "batch",
-    "check",
     "carry",
+    "check",
     "clasp",
     "collision",
     "export",

@@ -457,12 +457,12 @@ def test_chain_that_is_not_executed_in_one_go(tumble):
         graspless.simulate(tumble)
 
 
-TILE = (EXAMPLES / "22_tumble_slide_lift.yaml").read_text()
+TILE = (EXAMPLES / "23_tumble_slide_lift.yaml").read_text()
 
 
 @pytest.fixture(scope="module")
 def tile():
-    return graspless.plan(EXAMPLES / "22_tumble_slide_lift.yaml")
+    return graspless.plan(EXAMPLES / "23_tumble_slide_lift.yaml")
 
 
 def test_arm_goes_on_with_what_the_fingertips_left(tile):
