@@ -11,6 +11,7 @@ import pytest
 import graspless
 from graspless import _data, frames
 from graspless.plans.chain_state import begins, ends
+from graspless.simulation import simulation_kind
 from graspless.tasks.chain import lying
 from tasks_common import fault, reread, run, without_clock
 
@@ -434,7 +435,8 @@ def test_simulated_hand_takes_the_object_where_the_plan_says(lift):
     assert trial, trial.failures
     assert trial.measures["carried"] == pytest.approx(0.1, abs=0.003)
     assert trial.measures["carry_error"] < 0.003
-    assert "lift_height" not in trial.measures
+    assert trial.measures["slid"] == trial.measures["kept"] == 1
+    assert set(trial.measures) == set(simulation_kind("chain").MEASURES)
 
 
 def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_path):
@@ -449,6 +451,7 @@ def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_p
     plan = reread(document, tmp_path / "plan.json")
     trial = graspless.simulate(plan).trials[0]
     assert not trial
+    assert trial.measures["kept"] == 0
 
 
 def test_chain_that_is_not_executed_in_one_go(tumble):
