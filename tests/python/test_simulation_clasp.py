@@ -5,6 +5,7 @@
 import dataclasses
 import json
 
+import mujoco
 import numpy as np
 import pytest
 from scipy.spatial import Delaunay, cKDTree
@@ -121,6 +122,19 @@ def test_the_object_stands_where_the_variation_says(plan):
     turned = world.object_pose[:3, :3] @ X_WO[:3, :3].T
     assert np.arctan2(turned[1, 0], turned[0, 0]) == pytest.approx(0.03)
     assert world.model.body_mass[world.body] == pytest.approx(1.2 * Clasp().mass)
+
+
+def test_the_object_rests_and_then_is_free(plan):
+    world = make_world(plan.task, Variation(), Clasp())
+    start = world.object_pose
+    mujoco.mj_step(world.model, world.data, nstep=100)
+    assert np.abs(world.object_pose - start).max() < 5e-4
+    world.let_go()
+    start, moment = world.object_pose, world.data.time
+    world.data.xfrc_applied[world.body, :3] = [0, 0, -2.0]  # into the floor that was there
+    mujoco.mj_step(world.model, world.data, nstep=100)
+    fallen = 0.5 * 2.0 / Clasp().mass * (world.data.time - moment) ** 2
+    np.testing.assert_allclose((world.object_pose - start)[:3, 3], [0, 0, -fallen], atol=1e-3)
 
 
 def test_a_task_may_say_the_mass():

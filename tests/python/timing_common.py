@@ -19,6 +19,8 @@ TASKS = {
     "tumble": TUMBLE,
     "regrasp": (EXAMPLES / "07_tumble_regrasp.yaml").read_text(),
     "carried": (EXAMPLES / "12_t42_tumble.yaml").read_text(),
+    "lifted": (EXAMPLES / "19_slide_then_lift.yaml").read_text(),
+    "twice": (EXAMPLES / "20_tumble_then_slide.yaml").read_text(),
 }
 
 

@@ -66,8 +66,8 @@ def _without(*failures: str) -> Callable[[Row], bool]:
     return lambda case: not set(failures) & set(case["failures"])
 
 
-def _holds_but(failure: str) -> Callable[[Row], bool]:
-    return lambda case: not set(case["failures"]) - {failure}
+def _holds_but(*failures: str) -> Callable[[Row], bool]:
+    return lambda case: not set(case["failures"]) - set(failures)
 
 
 def _ratio(name: str, least: float, below_z: float = math.inf) -> Callable[[Row], bool | None]:
@@ -94,6 +94,7 @@ def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> 
 _LIFTED = _without("fell", "not_grasped", "dropped")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
+_CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
 _LOST_OPEN = _without("open_hand_holds")
 
 CLAIMS: dict[str, list[Claim]] = {
@@ -125,7 +126,9 @@ CLAIMS: dict[str, list[Claim]] = {
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
         Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
+        Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
         Claim("holds", VARIED, _CLASPED),
+        Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
         Claim("the open hand loses it", VARIED, _LOST_OPEN),
     ],
 }

@@ -74,7 +74,7 @@ class _Found:
     def as_dict(self) -> dict[str, Any]:
         return {
             "seconds": self.seconds,
-            "stages_planned": len(self.stages),
+            "planned_stages": len(self.stages),
             "attempts": self.attempts,
         }
 
@@ -143,7 +143,7 @@ def _start(found: _Found, stage: Stage, task: Task) -> Task:
     if not found.stages:
         first: Task = task.problem.first
         return first
-    return stage.task(start_at(stage.fields, ends(found.stages[-1])))
+    return stage.task(start_at(stage, ends(found.stages[-1])))
 
 
 def check(plan: Plan) -> list[str]:

@@ -21,7 +21,7 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     trials = count(len(found.trials), "trials")
     lines = [f"{found.held} of {trials} held, seed {found.seed}"]
     for name, times in found.failures.items():
-        lines.append(f"  {name}: {times} times: {kind.FAILURES[name]}")
+        lines.append(f"  {name} in {count(times, 'trials')}: {kind.FAILURES[name]}")
     lines += [f"  {line}" for line in _table(found.trials, kind.MEASURES)]
     if disturbed is not None:
         lines.append(f"  {_disturbance(disturbed)}")

@@ -27,6 +27,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         "--seed", type=int, default=0, metavar="S", help="of the variations (%(default)s)"
     )
+    parser.add_argument("--html", metavar="FILE", help="write the first trial as a replay")
     parser.add_argument(
         "--disturb",
         action="store_true",
@@ -37,21 +38,29 @@ def add_parser(commands: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from .. import progress
+    from .. import files, progress
     from ..errors import TaskError
     from ..report import simulation as report
     from . import simulate
 
+    if options.html is not None:
+        files.check_writable(options.html)
     plan = given_plan(options.plan)
     if options.disturb and plan.kind != "fingertip":
         raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
     with progress.waiting(f"simulating, {options.trials} trials"):
-        found = simulate(plan, options.trials, options.seed)
+        found = simulate(plan, options.trials, options.seed, record=options.html is not None)
     disturbed = _disturb(plan) if options.disturb else None
+    if options.html is not None:
+        from .. import view
+
+        view.write_html(plan, options.html, recording=found.trials[0].recording)
     if options.json:
         print(json.dumps(found.as_dict() | ({"disturbed": disturbed} if disturbed else {})))
     else:
         print(report.as_text(found, disturbed))
+        if options.html is not None:
+            print(f"written: {options.html}")
     return FOUND if found else NOT_FOUND
 
 

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from ..robot import Robot
     from ..tasks.robots import Robot as RobotFields
 
+_MIMIC = (0.99, 0.999)  # impedance of the constraint between a joint and the one that it follows
+
 
 def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) -> Any:
     """The world with the robot alone: an mujoco.MjSpec.
@@ -46,6 +48,9 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
         spec.add_exclude(bodyname1=names[i], bodyname2=names[j])
     for name, effort in zip(robot.joint_names, robot.max_effort, strict=True):
         _add_servo(spec, name, float(effort), servo or Servo())
+    for equality in spec.equalities:  # mimic joints: a light follower would yield to a touch
+        spec.joint(equality.name1).armature = spec.joint(equality.name2).armature
+        equality.solimp[:2] = _MIMIC
     return spec
 
 
@@ -63,6 +68,17 @@ def apply(spec: Any, solver: Solver | None = None) -> None:
 def joint_addresses(model: Any, robot: Robot) -> Any:
     """[dof] where each of the robot's joints stands in qpos."""
     return np.array([model.joint(name).qposadr[0] for name in robot.joint_names])
+
+
+def set_positions(model: Any, data: Any, robot: Robot, q: Any) -> None:
+    """The robot at rest at q, [dof], told to stay there; mimic joints with theirs."""
+    data.qpos[joint_addresses(model, robot)] = data.ctrl[:] = q
+    for equality in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
+        follower, leader = model.eq_obj1id[equality], model.eq_obj2id[equality]
+        offset, factor = model.eq_data[equality][:2]
+        followed = data.qpos[model.jnt_qposadr[leader]]
+        data.qpos[model.jnt_qposadr[follower]] = offset + factor * followed
+    mujoco.mj_forward(model, data)
 
 
 def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:

@@ -44,19 +44,21 @@ class Spread:
 class Fingertip:
     """Bare fingertips: spheres with servos of their own, and contact with them and with planes.
 
-    Contact is soft where the object slides: a stiff one chatters, so that the floor's force
-    vanishes a quarter of the time, which no pose shows. It is stiff where the object turns.
+    Planes are soft while the object slides on them: a stiff contact that slides chatters, so that
+    the floor's force vanishes a quarter of the time, which no pose shows. What sticks is stiff: a
+    soft contact creeps under a steady force along it, 0.2 mm/s for 3 N on a light object.
     """
 
     timestep: float = 0.001  # [s]
     slide_solref: tuple[float, float] = (0.005, 1.0)
     slide_solimp: tuple[float, ...] = (0.5, 0.95, 0.0005, 0.5, 2.0)
-    turn_solref: tuple[float, float] = (0.002, 1.0)
-    turn_solimp: tuple[float, ...] = (0.99, 0.999, 0.001, 0.5, 2.0)
+    stick_solref: tuple[float, float] = (0.002, 1.0)
+    stick_solimp: tuple[float, ...] = (0.99, 0.999, 0.001, 0.5, 2.0)
     mass: float = 0.1  # of a fingertip, and of what moves with it [kg]
     stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
     damping_ratio: float = 1.0
     turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
+    speed: float = 0.005  # of an object that slides; faster, MuJoCo lifts it off the floor [m/s]
     approach: float = 0.002  # from where a finger comes to the surface [m]
     load_seconds: float = 0.3  # to touch, and from one set of forces to the next [s]
     rest_seconds: float = 0.2  # at the end [s]
@@ -88,7 +90,7 @@ class Clasp:
     mass: float = 1.0  # of an object whose task says none, a bag's [kg]
     friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
     stand_friction: float = 0.5  # object on floor
-    skin: float = 0.001  # half thickness of the surface [m]: as far as chords cut a handle's curve
+    skin: float = 0.0005  # half thickness of the surface [m]: little against a cloud's spacing
     stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
     foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
     lead: float = 0.3  # the object comes to rest before the arm moves [s]
@@ -113,18 +115,17 @@ class Slide:
 
     impratio: float = 1000.0  # at 100 a finger that carries an object sideways creeps round by
     # up to 7 degrees in 8 s, at 1000 by less than one, as at 10000: Coulomb's law has no creep
-    table_friction: float = 0.3  # plastic on wood or laminate: handbooks have 0.2 to 0.4
-    tip_friction: float = 1.16  # the T42's urethane pads (notes of the house)
-    table_solref: float = 0.02  # time constant of a foot's contact [s]; a table that is stiffer
-    # than the tip chatters, which looks like slip
+    table_solref: float = 0.02  # time constant of a foot's contact [s]
+    table_solimp: tuple[float, float, float] = (0.9, 0.95, 0.001)  # MuJoCo's own
+    table_slip: float = 0.1  # time constant of sliding friction [s]. MuJoCo's cone is relaxed: what
+    # slides hovers by friction x speed x the ratio of both; at 0.02 s feet lose the table, and
+    # come down with kicks of 0.1 m/s
     tip_solref: float = 0.01  # of a point of the pad [s]; softer tunnels through a thin plate
-    feet: int = 60  # points on which the object stands, evenly spread: torsion of a uniform pressure
+    feet: int = 60  # on which the object stands, evenly spread: the torsion of an even pressure
     foot_radius: float = 0.001  # [m]
     rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
     rim_spacing: float = 0.01  # of points along outline and edge [m]
-    flexure_stiffness: float = 4.6  # of a finger's flexure [Nm/rad]: 9 N at 15 mm depth
     flexure_damping_ratio: float = 0.7  # of the finger on its flexure
-    pad_width: float = 0.032  # of the line contact [m]: the T42's pad
     pad_points: int = 5  # of the line contact: the torsion of a line evenly pressed
     pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what
     # moment a soft pad withstands is the force times this
@@ -140,4 +141,5 @@ class Slide:
     tipped: float = 0.175  # an object that tilts by 10 degrees is about to fall [rad]
     fell: float = 0.02  # below where it lay [m]
     lost_seconds: float = 0.1  # without contact while it slides
+    kept_height: float = 0.09  # of what is asked; hands and arms give way a little [m]
     kept: float = 0.02  # how far an object that is held may creep in the hand [m]

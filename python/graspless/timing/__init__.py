@@ -19,9 +19,6 @@ if TYPE_CHECKING:
 class TimingKind(Protocol):
     """What `timing` needs of a kind."""
 
-    CONTACT_SPEED: float
-    """Of what touches, where the caller does not say [m/s]."""
-
     def robot(self, plan: Any, fingers: bool) -> Robot | None:
         """That the plan was made for; `fingers`: none is to be moved."""
 
@@ -64,33 +61,35 @@ def time(
         Of all joints or by joint [rad/s^2, m/s^2]; URDFs have none. Default: 5 rad/s^2, 1 m/s^2.
     contact_speed : float, optional
         Of what touches or is about to [m/s]: the sliding fingertip while it presses, slides and
-        lifts, the hand on the last way to a grasp, every point of fingers that close; of
-        fingertip plans the object. Default 0.05, of fingertip plans 0.02.
+        lifts, the hand on the last way to a grasp and while it carries, every point of fingers
+        that close; of fingertip plans the object. Default 0.05, of fingertip plans 0.02.
     rate : float, optional
         Moments a second that the trajectory has; between them it is linear. Default 100.
     pause : float, optional
         Between segments, where contacts change [s]. Default 0.05.
     fingers : bool
-        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same.
+        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same, also
+        where its status is not_realized.
 
     Raises
     ------
     TaskError
-        The plan is not solved, the robot is another one, or a limit is not positive.
+        The plan is not solved, the robot is another one, a limit is not positive, or toppra is
+        not installed.
     """
     from . import settings as defaults
 
-    if not plan:
+    if not plan and not (fingers and plan.status == "not_realized"):
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to time")
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
     pause = defaults.require_positive("pause", defaults.PAUSE if pause is None else pause)
     kind = _kind(plan.kind)
     own = kind.robot(plan, fingers)
     robot = own if robot is None else _require_same_joints(robot, own)
-    speed = kind.CONTACT_SPEED if contact_speed is None else contact_speed
-    speed = defaults.require_positive("contact_speed", speed)
+    if contact_speed is not None:
+        contact_speed = defaults.require_positive("contact_speed", contact_speed)
     velocity, acceleration = defaults.joint_limits(robot, max_velocity, max_acceleration)
-    asked = defaults.Settings(robot, velocity, acceleration, speed, rate, pause)
+    asked = defaults.Settings(robot, velocity, acceleration, contact_speed, rate, pause)
     return kind.trajectory(plan, asked)
 
 
@@ -103,7 +102,10 @@ def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:
 
 
 def _kind(name: str) -> TimingKind:
-    kind: TimingKind = part("timing", name)
+    try:
+        kind: TimingKind = part("timing", name)
+    except ImportError as error:
+        raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
     return kind
 
 

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from .settings import Settings
     from .trajectory import Trajectory
 
-CONTACT_SPEED = defaults.CONTACT_SPEED
-
 
 def robot(plan: Plan, fingers: bool) -> Robot:
     """That the plan was made for."""
@@ -30,5 +28,5 @@ def robot(plan: Plan, fingers: bool) -> Robot:
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     """The plan in time."""
     assert settings.robot is not None
-    slow = {"close": [paces.link_speed(settings.robot, settings.contact_speed)]}
+    slow = {"close": [paces.link_speed(settings.robot, settings.speed(defaults.CONTACT_SPEED))]}
     return joints.trajectory(plan, plan.segments, slow, settings)

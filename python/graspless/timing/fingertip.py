@@ -26,8 +26,6 @@ if TYPE_CHECKING:
     from .settings import Settings
     from .trajectory import Trajectory
 
-CONTACT_SPEED = defaults.FINGERTIP_SPEED
-
 
 def robot(plan: Plan, fingers: bool) -> Robot | None:
     """That the plan was made for."""
@@ -70,7 +68,7 @@ def _bare(plan: Plan, index: int, settings: Settings) -> tuple[Clip, Matrix]:
 
 def _limits(path: ObjectPath, segment: Segment, settings: Settings) -> Limits:
     acceleration = path.acceleration(float(segment.stability.min()))
-    slow = path.slow(segment.name, settings.contact_speed)
+    slow = path.slow(segment.name, settings.speed(defaults.FINGERTIP_SPEED))
     return Limits(np.full(6, np.inf), acceleration, [slow])
 
 
@@ -102,11 +100,9 @@ def _free(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Clip, 
         tips = plan.task.arm.carrier.fingertips
     if tips or segment.plan_segment >= 0:  # in a regrasp the other fingers hold
         share, tolerance = defaults.CONTACT_SHARE, defaults.CONTACT_TOLERANCE
-    limits = Limits(
-        settings.velocity,
-        settings.acceleration * share,
-        [frame_speed(settings.robot, tip, settings.contact_speed) for tip in tips],
-    )
+    speed = settings.speed(defaults.FINGERTIP_SPEED)
+    paces = [frame_speed(settings.robot, tip, speed) for tip in tips]
+    limits = Limits(settings.velocity, settings.acceleration * share, paces)
     tolerances = np.full(len(settings.velocity), tolerance)
     timed = clip(segment.positions, tolerances, limits, settings.rate)
     return timed, frames.along(segment.object_poses, timed.rows)

@@ -14,7 +14,7 @@ import numpy as np
 
 from .clip import Clip, clip, joined
 from .fastest import Limits
-from .settings import FREE_FINGER_ACCELERATION, FREE_FINGER_SPEED
+from .settings import FINGERTIP_SPEED, FREE_FINGER_ACCELERATION, FREE_FINGER_SPEED
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 def regrasp(plan: Plan, index: int, settings: Settings) -> Clip:
     """The regrasp that is segment `index`, without coordinates: rows from 0 to 1."""
     clearance = 2 * plan.task.problem.fingers.radius
-    slow, free = settings.contact_speed, FREE_FINGER_SPEED
+    slow, free = settings.speed(FINGERTIP_SPEED), FREE_FINGER_SPEED
     parts = [
         _part(i, distance, speed, settings.rate)
         for i, (distance, speed) in enumerate(

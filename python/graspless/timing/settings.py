@@ -51,8 +51,8 @@ class Settings:
         That moves; None where fingertips have no arm.
     velocity, acceleration : array [dof]
         Limits of its joints.
-    contact_speed : float
-        [m/s].
+    contact_speed : float or None
+        None: each kind of plan has its own [m/s].
     rate : float
         Moments a second.
     pause : float
@@ -62,9 +62,13 @@ class Settings:
     robot: Robot | None
     velocity: Matrix
     acceleration: Matrix
-    contact_speed: float
+    contact_speed: float | None
     rate: float
     pause: float
+
+    def speed(self, default: float) -> float:
+        """Of what touches [m/s]."""
+        return default if self.contact_speed is None else self.contact_speed
 
 
 def joint_limits(

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from .settings import Settings
     from .trajectory import Trajectory
 
-CONTACT_SPEED = defaults.CONTACT_SPEED
-
 
 def robot(plan: Plan, fingers: bool) -> Robot:
     """That the plan was made for."""
@@ -33,7 +31,7 @@ def robot(plan: Plan, fingers: bool) -> Robot:
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     """The plan in time."""
     assert settings.robot is not None
-    hand, speed = plan.task.problem.hand, settings.contact_speed
+    hand, speed = plan.task.problem.hand, settings.speed(defaults.CONTACT_SPEED)
     tip = [paces.frame_speed(settings.robot, hand.fingertip, speed)]
     slow: dict[str, Sequence[Pace]] = {
         "press": tip,

@@ -134,3 +134,21 @@ def assembled(
         np.concatenate([clip.accelerations[:, :dof] for clip in clips]),
         np.concatenate(object_poses),
     )
+
+
+def concatenated(plan: Plan, parts: list[Trajectory], pause: float) -> Trajectory:
+    """Trajectories of the same joints one after the other, `pause` [s] between them."""
+    starts = np.cumsum([0.0, *(part.duration + pause for part in parts[:-1])])
+    counts = np.cumsum([0, *(len(part.segments) for part in parts[:-1])])
+    return Trajectory(
+        plan,
+        [segment for part in parts for segment in part.segments],
+        np.concatenate([part.times + t for part, t in zip(parts, starts, strict=True)]),
+        np.concatenate([part.segment_index + n for part, n in zip(parts, counts, strict=True)]),
+        np.concatenate([part.rows for part in parts]),
+        parts[0].joint_names,
+        np.concatenate([part.positions for part in parts]),
+        np.concatenate([part.velocities for part in parts]),
+        np.concatenate([part.accelerations for part in parts]),
+        np.concatenate([part.object_poses for part in parts]),
+    )

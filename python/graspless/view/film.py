@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
+from .clock import LONGEST, clock_of, pace_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
 SPEED = 0.9  # of segments without one of their own: for watching, not for driving a robot [rad/s]
 PAUSE = 0.4  # between segments [s]
-LONGEST = 30.0  # [s]
 
 
 @dataclass
@@ -94,16 +94,9 @@ class Film:
             planned_poses=None if self.planned_poses is None else mixed(self.planned_poses),
         )
 
-    @property
-    def clock(self) -> str:
-        """What to say of the pace: nothing where it is that of what is shown."""
-        if self.pace is None or abs(self.pace - 1) < 0.05:
-            return ""
-        return f"  ({self.pace:.1f} x as fast)"
-
 
 def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) -> Film:
-    """The plan's rows at a pace for watching.
+    """The plan's rows at a pace for watching; `timed` gives them the robot's.
 
     Parameters
     ----------
@@ -136,6 +129,16 @@ def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) ->
     )
 
 
+def timed(shown: Film) -> Film:
+    """The film of a plan at the pace of its robot, where that is known."""
+    clock = clock_of(shown.plan)
+    if clock is None:
+        return shown
+    parts = [(k, s) for k, s in enumerate(shown.plan.segments) if len(s)]
+    times = np.concatenate([clock.times(k, np.arange(len(s))) for k, s in parts])
+    return replace(shown, times=times, pace=clock.pace)
+
+
 def recorded(plan: Plan, recording: Recording) -> Film:
     """What happened in a simulation, at its own pace if that is not too slow to watch."""
     times = np.asarray(recording.times, dtype=float)
@@ -159,11 +162,6 @@ def planned_poses(plan: Plan, recording: Recording) -> Matrix:
         return np.asarray(recording.planned_poses, dtype=float)
     last = [segment for segment in plan.segments if len(segment)][-1].object_poses[-1]
     return np.repeat(last[None], len(recording.times), axis=0)
-
-
-def pace_of(seconds: float) -> float:
-    """How much faster to show what takes so long."""
-    return max(1.0, seconds / LONGEST)
 
 
 def spread(shown: Film, most: int = 60) -> list[int]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import frames
 from .bodies import GHOST, obstacles, robot
+from .clock import tell_pace
 from .replay import RATE
 from .scene import Captions, Layers, look, move
 
@@ -45,7 +46,7 @@ class FilmStage:
             self.ghost = self.layers.add_body(ghost_of(thing, "planned"), there, GHOST_OPACITY)
         self.layers.add_bodies("obstacles", obstacles(task))
         look(server, view)
-        self.texts = [text + shown.clock for text in self.tell()]
+        self.texts = [text + tell_pace(shown.pace) for text in self.tell()]
         self.captions = Captions(self.layers, view, self.texts[0])
 
     def tell(self) -> list[str]:

@@ -10,19 +10,22 @@ K_d; obstacles stop the robot alone.
 
 from __future__ import annotations
 
-import time
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...timing import time as timed
 from ..results import Trial
 from ..settings import Clasp
 from .execution import Execution, Recorder
 from .judge import Judge
 from .model import make_world
-from .pace import timed
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ... import geometry
     from ...frames import Matrix
     from ...plans.clasp import Plan
     from ...timing import Trajectory
@@ -46,21 +49,30 @@ MEASURES = {
     "held_locked": "the same where those that were lost are run again with locked motors",
     "sequences": "how many there were",
     "pull": "straight pull that was held [N]",
+    "open_pull": "straight pull at which the open hand lost the object [N]",
     "open_sequence": "in which sequence the open hand lost the object, from 1",
     "open_linked": "fingers whose curves are linked with the loop when the hand has opened",
 }
 
 
 def run(
-    plan: Plan, variation: Variation, *, record: bool = False, settings: Clasp | None = None
+    plan: Plan,
+    variation: Variation,
+    *,
+    record: bool = False,
+    settings: Clasp | None = None,
+    solids: Sequence[geometry.PlacedShape] | None = None,
 ) -> Trial:
-    """Executes a plan that is solved; `settings` instead of the defaults."""
-    started = time.perf_counter()
+    """Executes a plan that is solved.
+
+    `settings` instead of the defaults; `solids`, in O, instead of the cloud's skin.
+    """
+    started = perf_counter()
     settings = settings or Clasp()
     task, loop = plan.task, plan.loop
     assert loop is not None
     problem = task.problem
-    world = make_world(task, variation, settings)
+    world = make_world(task, variation, settings, solids)
     judge = Judge(problem.hand, world, problem.object.loops.loops[loop].points)
     recorder = Recorder() if record else None
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
@@ -80,16 +92,17 @@ def run(
         failures.append("forced_open")
     execution.set_back(closed)
     execution.recorder = recorder
-    measures["pull"] = execution.pull(_direction(problem.pull_W, judge))
+    direction_W = _direction(problem.pull_W, judge)
+    measures["pull"] = execution.pull(direction_W)
     if measures["pull"] < settings.pull_needed:
         failures.append("pulled_out")
     execution.set_back(closed)
     execution.recorder = None
-    lost = _opened(execution, measures)
-    if not lost:
+    measures |= _opened(execution, direction_W)
+    if measures["open_pull"] >= settings.pull_most and "open_sequence" not in measures:
         failures.append("open_hand_holds")
     recording = None if recorder is None else recorder.recording()
-    seconds = time.perf_counter() - started
+    seconds = perf_counter() - started
     return Trial(variation, tuple(failures), measures, seconds, recording)
 
 
@@ -133,17 +146,18 @@ def _shaken(execution: Execution, closed: Any, recorder: Recorder | None) -> dic
     }
 
 
-def _opened(execution: Execution, measures: dict[str, float]) -> bool:
-    """The negative control: whether the open hand loses the object to the same wrenches."""
+def _opened(execution: Execution, direction_W: Matrix) -> dict[str, float]:
+    """The negative control: whether the open hand loses the object to the same pulls."""
     execution.open()
-    measures["open_linked"] = float(execution.judge.linked())
+    measures = {"open_linked": float(execution.judge.linked())}
     opened = execution.save()
+    measures["open_pull"] = execution.pull(direction_W)
     for sequence in range(execution.world.settings.sequences):
         execution.set_back(opened)
         if not execution.shake(np.random.default_rng(sequence)):
             measures["open_sequence"] = float(sequence + 1)
-            return True
-    return False
+            break
+    return measures
 
 
 def _direction(pull_W: Matrix | None, judge: Judge) -> Matrix:

@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 
 from ..results import Recording
+from ..settings import Servo
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from .model import World
 
 LOOK = 0.02  # between two looks of the judge, and two rows of a recording [s]
-_LOCKED = 1e3  # times the motors' own torque
+_LOCKED, _STIFFER = 1e3, 10.0  # times the motors' own torque, and stiffness
 _STILL = 10  # looks without a motion of the hand: it is closed
 
 
@@ -80,11 +81,13 @@ class Execution:
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
+        ahead = 2 * Servo().damping_ratio / Servo().bandwidth  # or the servos would lag by it
+        commands = moments.positions + ahead * moments.velocities
         names = moments.names
         moved: dict[str, float] = {}
         resting = self.surface()
         for i in range(0, len(moments), self._steps):
-            self.run(names[i], moments.positions[i : i + self._steps])
+            self.run(names[i], commands[i : i + self._steps])
             far = float(np.linalg.norm(self.surface() - resting, axis=1).max())
             moved[names[i]] = max(far, moved.get(names[i], 0.0))
         return moved
@@ -102,10 +105,13 @@ class Execution:
         data, settings = self.world.data, self.world.settings
         step = settings.grip_rate * self.world.model.opt.timestep
         command = data.ctrl.copy()
+        # A joint that is open and closed at one value does not close, and none ever opens.
+        way = np.sign(self._closed - self._open)[self._fingers]
         still = 0
         for _ in range(_looks(settings.grip_seconds)):
-            left = (self._closed - command)[self._fingers]
-            goes = np.where(self.effort() < settings.grip_effort, np.clip(left, -step, step), 0.0)
+            left = way * (self._closed - command)[self._fingers]
+            stride = way * np.clip(left, 0.0, step)
+            goes = np.where(self.effort() < settings.grip_effort, stride, 0.0)
             commands = np.repeat(command[None], self._steps, axis=0)
             commands[:, self._fingers] += np.arange(1, self._steps + 1)[:, None] * goes
             command = commands[-1]
@@ -147,14 +153,29 @@ class Execution:
 
     @contextmanager
     def locked(self) -> Iterator[None]:
-        """The hand's motors as strong as it takes to stay where they are."""
-        limits = self.world.model.actuator_forcerange
-        kept = limits.copy()
-        limits[self._fingers] *= _LOCKED
+        """The hand's motors as strong as it takes to stay where they are, and its gears rigid."""
+        model = self.world.model
+        joints = model.actuator_trnid[self._fingers, 0]
+        gears = np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT)
+        arrays = (
+            model.actuator_forcerange,
+            model.jnt_actfrcrange,
+            model.actuator_gainprm,
+            model.actuator_biasprm,
+            model.eq_solref,
+        )
+        kept = [array.copy() for array in arrays]
+        model.actuator_forcerange[self._fingers] *= _LOCKED
+        model.jnt_actfrcrange[joints] *= _LOCKED
+        model.actuator_gainprm[self._fingers, 0] *= _STIFFER
+        model.actuator_biasprm[self._fingers, 1] *= _STIFFER
+        model.actuator_biasprm[self._fingers, 2] *= np.sqrt(_STIFFER)  # critically damped still
+        model.eq_solref[gears] = [2 * model.opt.timestep, 1.0]  # as stiff as can be
         try:
             yield
         finally:
-            limits[:] = kept
+            for array, before in zip(arrays, kept, strict=True):
+                array[:] = before
 
     def pull(self, direction_W: Matrix) -> float:
         """A force at the object's centre of mass grows until the loop is out of the hand; how much

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
+from ...timing import time as timed
 from ..results import Recording, Trial
 from ..settings import Fingertip, Spread
 from .execute import Log, execute
-from .pace import paced
 from .program import program
 from .servo import Servo
 from .world import build_world
@@ -53,15 +53,9 @@ LOST = 0.01  # [m]
 def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
     """Executes a plan that is solved, by bare fingertips."""
     start = time.perf_counter()
-    settings = Fingertip()
-    world = build_world(plan.task.problem, variation, settings)
-    script = program(plan, paced(plan), settings)
-    script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
-    world.place(plan.segments[0].X_WO[0], script.centers[0])
-    limit = plan.task.problem.fingers.max_normal_force
-    servo = Servo(world, script, limit, finger_offsets(variation, world.fingers))
-    log = execute(world, script, servo)
+    world, script, log = carry_out(plan, variation)
     measures = measure(world, script, log)
+    settings = world.settings
     return Trial(
         variation,
         judge(measures, settings.tolerance if variation.is_nominal else settings.varied_tolerance),
@@ -69,6 +63,24 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         time.perf_counter() - start,
         recording(script, log) if record else None,
     )
+
+
+def carry_out(
+    plan: Plan, variation: Variation, *, feeds: bool = True, zeroes: bool = True
+) -> tuple[World, Script, Log]:
+    """The world in the end, what the fingers were told at each of its steps, and what was seen.
+
+    `feeds` and `zeroes` are the servos' own.
+    """
+    problem, settings = plan.task.problem, Fingertip()
+    world = build_world(problem, variation, settings)
+    trajectory = timed(plan, contact_speed=settings.speed, fingers=True)
+    script = program(plan, trajectory, settings)
+    script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
+    world.place(plan.segments[0].X_WO[0], script.centers[0])
+    offsets, limit = finger_offsets(variation, world.fingers), problem.fingers.max_normal_force
+    servo = Servo(world, script, limit, offsets, feeds=feeds, zeroes=zeroes)
+    return world, script, execute(world, script, servo)
 
 
 def finger_offsets(variation: Variation, fingers: int) -> Matrix:

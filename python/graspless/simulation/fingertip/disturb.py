@@ -18,7 +18,7 @@ from ..variation import Variation
 from .execute import corner_error
 from .script import Script, blended, joined, moving, still
 from .servo import Servo
-from .world import OBJECT, World, build_world
+from .world import build_world
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -63,7 +63,7 @@ class Breaking:
 
 
 def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
-    """As `break_test`, in plain types: smallest, direction, z, compliant, ratio, compliant_ratio."""
+    """As `break_test`, in plain types."""
     return break_test(plan, row).as_dict()
 
 
@@ -112,10 +112,14 @@ class Disturbed:
         scale = wrench_scale(problem.object.mass, problem.object.inertia)
         directions = np.asarray(plan.task.options.disturbance_directions)
         self._wrenches_O = np.linalg.solve(scale, directions.T).T
-        self._body = self._world.model.body(OBJECT).id
         self._start = round(settings.begin / self._world.model.opt.timestep)
         self._state = self._settled()
         self._undisturbed = self._run(np.zeros(6), None)
+
+    def wrench_O(self, direction: int) -> Matrix:
+        """[6] of 1 N along one of the task's directions."""
+        wrench_O: Matrix = self._wrenches_O[direction]
+        return wrench_O
 
     def breaks(self, wrench_O: Matrix) -> bool:
         """Whether a wrench about the centre of mass, in O [N, N m], moves a corner too far."""
@@ -147,6 +151,7 @@ class Disturbed:
                 world.object_qpos[:], world.data.qvel[:6] = held, 0
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
+        self._zero_O = self._servo.zero_O
         state = np.zeros(mujoco.mj_stateSize(world.model, _WHOLE))
         mujoco.mj_getState(world.model, world.data, state, _WHOLE)
         return state
@@ -155,14 +160,11 @@ class Disturbed:
         """Places of the object every few steps; fewer than undisturbed where it went too far."""
         world, settings = self._world, self._settings
         mujoco.mj_setState(world.model, world.data, self._state, _WHOLE)
+        self._servo.zero_O = self._zero_O
         places: list[Matrix] = []
         for i in range(self._start, len(self._script)):
             since = self._script.times[i] - settings.begin
-            R_WO = world.data.xmat[self._body].reshape(3, 3)
-            share = min(1.0, since / settings.rise_seconds)
-            world.data.xfrc_applied[self._body] = share * np.concatenate(
-                [R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]]
-            )
+            world.push(min(1.0, since / settings.rise_seconds) * wrench_O)
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
             if i % settings.every != 0:
@@ -193,9 +195,7 @@ def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
     return joined([load, settle, move])
 
 
-def slow_poses(
-    plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break
-) -> Matrix:
+def slow_poses(plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break) -> Matrix:
     """[T, 4, 4] X_WO: at the row when the wrench is half over, no corner faster than allowed."""
     arcs = len(segment.X_WO) - 1
     if arcs == 0:
@@ -218,4 +218,4 @@ def slow_poses(
     )
 
 
-__all__ = ["Break", "Breaking", "World", "break_test", "disturb"]
+__all__ = ["Break", "Breaking", "Disturbed", "break_test", "disturb"]

@@ -11,12 +11,11 @@ import mujoco
 import numpy as np
 
 from ... import frames
-from .servo import Servo
-from .world import FINGER, PLANE
 
 if TYPE_CHECKING:
     from ...frames import Matrix
     from .script import Script
+    from .servo import Servo
     from .world import World
 
 
@@ -99,12 +98,12 @@ def corner_error(hull: Matrix, place: Matrix, wanted: Matrix) -> float:
 def contact_forces(world: World) -> tuple[float, Matrix]:
     """Normal forces on the object: of all planes together, and of each finger [N]."""
     planes, fingers, force = 0.0, np.zeros(world.fingers), np.zeros(6)
-    for k in range(world.data.ncon):
+    first = world.model.ngeom - world.fingers  # the fingertips' geoms are the last ones
+    for k, geoms in enumerate(world.data.contact.geom):
         mujoco.mj_contactForce(world.model, world.data, k, force)
-        names = [world.model.geom(g).name for g in world.data.contact[k].geom]
-        other = next(name for name in names if name != "object")
-        if other.startswith(PLANE):
+        finger = max(geoms) - first
+        if finger < 0:
             planes += force[0]
         else:
-            fingers[int(other.removeprefix(FINGER))] += force[0]
+            fingers[finger] += force[0]
     return planes, fingers

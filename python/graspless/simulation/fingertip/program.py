@@ -38,7 +38,8 @@ def touch(first: Script, settings: Fingertip) -> Script:
     centers = start.centers.copy()
     centers[0] -= settings.approach * start.normals[0]
     holds, forces = np.ones_like(start.holds), np.zeros_like(start.forces)
-    return replace(start, centers=centers, holds=holds, forces=forces)
+    drift = np.ones_like(start.drift)
+    return replace(start, centers=centers, holds=holds, forces=forces, drift=drift)
 
 
 def _moving(plan: Plan, trajectory: Trajectory, s: int) -> Script:

@@ -38,6 +38,8 @@ class Script:
         On the object, to be fed forward, in W [N].
     holds : array [T, n]
         1 where the finger is in position control along its normal, 0 in force control.
+    drift : array [T]
+        Share of the error of the fingers' places: it grows from 0 to 1 along each motion.
     slides : array [T]
         1 where the object slides without turning over.
     stage : array [T]
@@ -52,6 +54,7 @@ class Script:
     normals: Matrix
     forces: Matrix
     holds: Matrix
+    drift: Matrix
     slides: Matrix
     stage: NDArray[np.int64]
     names: list[str]
@@ -79,7 +82,7 @@ class Script:
         places[:, 3:] /= np.linalg.norm(places[:, 3:], axis=1, keepdims=True)
         return Script(
             times, places, mix(self.centers), mix(self.normals), mix(self.forces),
-            self.holds[after], self.slides[after], self.stage[after], self.names,
+            self.holds[after], mix(self.drift), self.slides[after], self.stage[after], self.names,
         )  # fmt: skip
 
     def velocities(self) -> Matrix:
@@ -145,6 +148,7 @@ def moving(
         normals=turned(normals[None]),
         forces=turned(forces_O),
         holds=np.array([[m == "position" for m in segment.modes[i]] for i in near], dtype=float),
+        drift=np.asarray(rows / max(count - 1, 1), dtype=float),
         slides=np.full(len(times), float(segment.name in ("slide", "turn"))),
         stage=np.zeros(len(times), dtype=np.int64),
         names=[segment.name],
@@ -165,11 +169,13 @@ def still(script: Script, i: int, seconds: float, name: str) -> Script:
 def blended(before: Script, after: Script, seconds: float) -> Script:
     """From the forces at the end of one script to those at the beginning of the next, at rest.
 
-    Fingers are under the modes of the next.
+    All fingers are in force control; those that hold their places afterwards hold those that they
+    then have.
     """
     start = still(after, 0, seconds, "load")
     forces = np.stack([before.forces[-1], after.forces[0]])
-    return replace(start, forces=forces)
+    drift = np.repeat(before.drift[-1:], 2)
+    return replace(start, forces=forces, drift=drift, holds=np.zeros_like(start.holds))
 
 
 def _standing(segment: Segment) -> tuple[Matrix, Matrix]:

@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 if TYPE_CHECKING:
     from ...frames import Matrix
     from .script import Script
     from .world import World
+
+LOADING = ("load", "settle")
 
 
 class Servo:
@@ -23,6 +26,10 @@ class Servo:
     pushes with its force and is damped. Fingertips turn with the object's planned pose: a contact
     that does not roll.
 
+    A place is zeroed when the fingers have come to their forces, and along the normal when one
+    goes from force to position control: the force is then the nominal one. Without it the contact's
+    own softness, a tenth of a millimetre, would take a newton from the force.
+
     Parameters
     ----------
     world : World
@@ -31,9 +38,9 @@ class Servo:
     limit : float
         Greatest normal force [N].
     offsets : array [n, 3]
-        By how much the fingers are beside where they are told to be [m].
-    feeds : bool
-        Whether nominal forces are fed forward.
+        By how much the fingers are beside where they are told to be, see Script.drift [m].
+    feeds, zeroes : bool
+        Whether nominal forces are fed forward, and places zeroed.
     """
 
     def __init__(
@@ -44,34 +51,65 @@ class Servo:
         offsets: Matrix | None = None,
         *,
         feeds: bool = True,
+        zeroes: bool = True,
     ) -> None:
-        n = world.fingers
         self._world, self._script, self._limit = world, script, limit
-        self._centers = script.centers + (np.zeros((n, 3)) if offsets is None else offsets)
+        beside = np.zeros((world.fingers, 3)) if offsets is None else offsets
+        self._centers = script.centers + script.drift[:, None, None] * beside
         normal_forces = np.einsum("tni,tni->tn", script.forces, script.normals)
         along = script.forces - normal_forces[..., None] * script.normals
         if not feeds:
             along, normal_forces = 0 * along, normal_forces * (1 - script.holds)
-        damping = world.model.dof_damping[6]
-        self._along = along + damping * script.velocities()
+        self._along = along + world.model.dof_damping[6] * script.velocities()
         self._normal_forces = normal_forces
         radius = world.model.geom_size[-1, 0]
         self._turning = world.settings.turning * world.settings.stiffness * radius**2
+        self._R_WO = Rotation.from_quat(script.places[:, [4, 5, 6, 3]]).as_matrix()
+        is_new = np.diff(script.stage) != 0
+        starts = (np.diff(script.holds, axis=0) > 0).any(axis=1)
+        self._may_zero = zeroes & np.concatenate([[False], is_new | starts])
         self._error = np.zeros(3)
+        self._zero_O = np.zeros((world.fingers, 3))
+
+    @property
+    def zero_O(self) -> Matrix:
+        """[n, 3] where the fingers' places are zeroed to, turning with the object [m]."""
+        zero_O: Matrix = self._zero_O.copy()
+        return zero_O
+
+    @zero_O.setter
+    def zero_O(self, value: Matrix) -> None:
+        self._zero_O = value.copy()
 
     def command(self, i: int) -> None:
         """Sets the forces of the fingers for moment i."""
         world, script = self._world, self._script
-        stiffness = world.settings.stiffness
-        normals = script.normals[i]
-        pull = stiffness * (self._centers[i] - world.centers)
+        stiffness, normals = world.settings.stiffness, script.normals[i]
+        if self._may_zero[i]:
+            self._zero(i, self._R_WO[i])
+        qpos = world.data.qpos[7:].reshape(-1, 7)
+        pull = stiffness * (self._centers[i] + self._zero_O @ self._R_WO[i].T - qpos[:, :3])
         along_normal = (pull * normals).sum(axis=1)
-        held = np.clip(along_normal + self._normal_forces[i], -self._limit, self._limit)
+        held = (along_normal + self._normal_forces[i]).clip(-self._limit, self._limit)
         pushed = np.where(script.holds[i] > 0, held, self._normal_forces[i])
         force = pull + self._along[i] + (pushed - along_normal)[:, None] * normals
         applied = world.data.qfrc_applied[6:].reshape(-1, 6)
         applied[:, :3] = force
-        places = world.data.qpos[7:].reshape(-1, 7)
         for finger in range(world.fingers):
-            mujoco.mju_subQuat(self._error, script.places[i, 3:], places[finger, 3:])
+            mujoco.mju_subQuat(self._error, script.places[i, 3:], qpos[finger, 3:])
             applied[finger, 3:] = self._turning * self._error
+
+    def _zero(self, i: int, R_WO: Matrix) -> None:
+        """Takes the fingers' present places for what they are told, where it is time to."""
+        script = self._script
+        is_new = script.stage[i] != script.stage[i - 1]
+        starts = script.holds[i] > script.holds[i - 1]
+        off = (self._world.centers - self._centers[i]) @ R_WO
+        if is_new and script.names[script.stage[i - 1]] in LOADING:
+            self._zero_O = off
+        elif not is_new:
+            normals_O = script.normals[i] @ R_WO
+            more = ((off - self._zero_O) * normals_O).sum(axis=1) * starts
+            self._zero_O = self._zero_O + more[:, None] * normals_O
+        if is_new:  # who is not on the object goes where it is told
+            self._zero_O[~script.forces[i].any(axis=1)] = 0

@@ -32,7 +32,8 @@ class World:
     settings : settings.Fingertip
     hull : array [N, 3]
         Corners of the object in O [m].
-    fingers : int
+    fingers, planes : int
+        How many.
     """
 
     model: Any
@@ -40,6 +41,7 @@ class World:
     settings: Fingertip
     hull: Matrix
     fingers: int
+    planes: int
 
     @property
     def object_qpos(self) -> Matrix:
@@ -66,11 +68,17 @@ class World:
         self.data.qvel[:] = 0
         mujoco.mj_forward(self.model, self.data)
 
+    def push(self, wrench_O: Matrix) -> None:
+        """A wrench on the object about its centre of mass, in O [N, N m], from now on."""
+        body = self.model.body(OBJECT).id
+        R_WO = frames.from_quaternion(self.object_qpos[3:])[:3, :3]
+        self.data.xfrc_applied[body] = np.concatenate([R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]])
+
     def soften(self, *, slides: bool) -> None:
-        """Gives contacts the parameters for an object that slides, or that turns."""
-        s = self.settings
-        self.model.pair_solref[:] = s.slide_solref if slides else s.turn_solref
-        self.model.pair_solimp[:] = s.slide_solimp if slides else s.turn_solimp
+        """Gives contacts with planes the parameters for an object that slides, or that does not."""
+        s, planes = self.settings, slice(0, self.planes)
+        self.model.pair_solref[planes] = s.slide_solref if slides else s.stick_solref
+        self.model.pair_solimp[planes] = s.slide_solimp if slides else s.stick_solimp
 
 
 def build_world(
@@ -94,9 +102,9 @@ def build_world(
         friction = np.mean(problem.fingers.friction) * variation.friction
         _add_pair(spec, f"{FINGER}{i}", friction)
     model = spec.compile()
-    world = World(
-        model, mujoco.MjData(model), settings, np.array(problem.object.hull), problem.fingers.count
-    )
+    model.pair_solref[:], model.pair_solimp[:] = settings.stick_solref, settings.stick_solimp
+    hull, fingers, planes = problem.object.hull, problem.fingers.count, len(problem.planes)
+    world = World(model, mujoco.MjData(model), settings, np.array(hull), fingers, planes)
     world.soften(slides=False)
     return world
 

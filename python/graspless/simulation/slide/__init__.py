@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
+from ... import timing
 from ..results import Recording, Trial
 from ..robots import joint_addresses
 from ..settings import Servo, Slide
-from ... import timing
-from .fingers import SLIDING
+from .fingers import PAD, SLIDING
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 MEASURES = {
+    "slid": "1 where the object came to where the plan says and lay there until it was grasped",
+    "lifted": "1 where it was lifted and held",
     "position_error": "of the object at the end of the slide, against the plan's [m]",
     "angle_error": "of the object at the end of the slide, against the plan's [rad]",
     "overhang": "how far the object sticks out at the end of the slide [m]",
@@ -38,6 +40,7 @@ MEASURES = {
 
 _LOOK = 0.01  # between looks of the judge [s]
 _RECORD = 50.0  # moments a second
+_NEVER = -1.0  # a margin of contact below which nothing comes [m]
 
 
 def run(
@@ -77,7 +80,7 @@ class Execution:
             settings.fell,
             settings.lost_seconds,
         )
-        self.measures: dict[str, float] = {"lift_reach": self.program.raised}
+        self.measures = {"slid": 0.0, "lifted": 0.0, "lift_reach": self.program.raised}
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         _set_joints(model, self.data, plan, self.program.positions[0], self._addresses)
@@ -95,8 +98,8 @@ class Execution:
             np.array(times), np.array(positions), np.array(poses), fingers, list(names)
         )
 
-    def run(self) -> None:
-        """To the end of the hold, or until the object has fallen."""
+    def run(self, until: str = HOLD) -> None:
+        """To the end of a phase, or until the object has fallen."""
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
@@ -114,6 +117,8 @@ class Execution:
                 self._rows.append((data.time, q, self.judge.pose(data), name))
             if step in ends:
                 self._end_of(ends[step])
+                if ends[step] == until:
+                    return
 
     def _end_of(self, phase: str) -> None:
         if phase == "slide":
@@ -123,6 +128,7 @@ class Execution:
         elif phase == "close":
             X_WO = self.judge.pose(self.data)
             self.measures["shift_by_lift"] = float(np.linalg.norm((X_WO - self._slid)[:3, 3]))
+            self.measures["slid"] = float(not self.judge.failures)
         elif phase == SQUEEZE:
             self._held = self._in_hand()
             self._low = float(self.data.xpos[self.scene.model.body("object").id][2])
@@ -150,13 +156,15 @@ class Execution:
             self.judge.note("off_target")
 
     def _let_finger_grasp(self) -> None:
-        """From here on the sliding finger touches with its inner side too."""
-        model, geoms = self.scene.model, self.scene.groups[SLIDING]
-        model.geom_contype[geoms] = FINGER_GRASPS.contype
-        model.geom_conaffinity[geoms] = FINGER_GRASPS.conaffinity
+        """From here on the sliding finger touches with its own shapes, as the plan knows them."""
+        model, groups = self.scene.model, self.scene.groups
+        model.geom_contype[groups[SLIDING]] = FINGER_GRASPS.contype
+        model.geom_conaffinity[groups[SLIDING]] = FINGER_GRASPS.conaffinity
         body = model.body(SLIDING).id
         model.body_contype[body] |= FINGER_GRASPS.contype
         model.body_conaffinity[body] |= FINGER_GRASPS.conaffinity
+        of_pad = np.isin(model.pair_geom1, groups[PAD]) | np.isin(model.pair_geom2, groups[PAD])
+        model.pair_margin[of_pad] = _NEVER
 
     def _in_hand(self) -> Matrix:
         body = self.data.body(self.plan.task.problem.hand.grasp_frame)
@@ -170,10 +178,13 @@ class Execution:
         self.measures |= {"lift_height": lifted, "creep": creep}
         if "not_grasped" in self.judge.failures:
             return
+        self.measures["lifted"] = float(phase == HOLD)
         if not self.judge.holds(self.data) or creep > self.settings.kept:
-            self.judge.note("not_grasped" if phase == RAISE and lifted < 0.02 else "dropped")
-        elif lifted < 0.9 * self.settings.lift_height:
+            self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
+        elif lifted < self.settings.kept_height:
             self.judge.note("dropped")
+        if {"not_grasped", "dropped"} & set(self.judge.failures):
+            self.measures["lifted"] = 0.0
 
 
 def overhang(plan: Plan, X_WO: Matrix) -> float:

@@ -51,12 +51,13 @@ def add_flexing_fingers(
         # A mirrored frame is left-handed: its X axis is turned round to make a frame of it.
         X_HT = X_HF if name == SLIDING else _MIRROR @ X_HF @ np.diag([-1.0, 1.0, 1.0, 1.0])
         X_LT = np.linalg.inv(robot.pose(link, q)) @ X_WH @ X_HT
-        flex = _add_flexure(spec, name, link, X_LT, hand.flexure_length, settings)
-        _move_shapes(spec.body(link), flex, np.linalg.inv(_behind(X_LT, hand.flexure_length)))
+        flex = _add_flexure(spec, name, link, X_LT, hand, settings)
+        X_XL = np.asarray(np.linalg.inv(_behind(X_LT, hand.flexure_length)), dtype=float)
+        _move_shapes(spec.body(link), flex, X_XL)
         for geom in flex.geoms:
             geom.contype, geom.conaffinity = bits[name].contype, bits[name].conaffinity
             geom.condim, geom.priority = 6, 1
-            _rub(geom, settings)
+            _rub(geom, hand, settings)
         _exclude_as(spec, robot, link, name)
     _add_pad(spec.body(SLIDING), hand, settings)
 
@@ -80,10 +81,10 @@ def _behind(X_LT: Matrix, length: float) -> Matrix:
 
 
 def _add_flexure(
-    spec: Any, name: str, link: str, X_LT: Matrix, length: float, settings: Slide
+    spec: Any, name: str, link: str, X_LT: Matrix, hand: slide.Hand, settings: Slide
 ) -> Any:
     body = spec.body(link)
-    X_LX = _behind(X_LT, length)
+    X_LX = _behind(X_LT, hand.flexure_length)
     flex = body.add_body(name=name, pos=X_LX[:3, 3], quat=frames.to_quaternion(X_LX), gravcomp=1.0)
     # The finger's mass turns about the flexure; the link keeps next to none.
     p_XC = np.linalg.inv(X_LX)[:3] @ [*body.ipos, 1.0]
@@ -92,7 +93,7 @@ def _add_flexure(
     flex.explicitinertial = True
     body.mass, body.fullinertia = 1e-3, [1e-6, 1e-6, 1e-6, 0, 0, 0]
     inertia = own + mass * float(p_XC[1] ** 2 + p_XC[2] ** 2)
-    k = settings.flexure_stiffness
+    k = hand.flexure_stiffness
     joint = flex.add_joint(name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[1, 0, 0])
     joint.stiffness = [k, 0, 0]
     joint.damping = [2 * settings.flexure_damping_ratio * np.sqrt(k * inertia), 0, 0]
@@ -123,15 +124,15 @@ def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:
             spec.add_exclude(bodyname1=name, bodyname2=names[other])
 
 
-def _rub(geom: Any, settings: Slide) -> None:
+def _rub(geom: Any, hand: slide.Hand, settings: Slide) -> None:
     """A soft pad: its patch withstands moments about the normal and across it."""
-    mu, a = settings.tip_friction, settings.pad_softness
+    mu, a = hand.pad_friction, settings.pad_softness
     geom.friction = [mu, 2 / 3 * mu * a, a]
     geom.solref = [settings.tip_solref, 1.0]
 
 
 def _add_pad(flex: Any, hand: slide.Hand, settings: Slide) -> None:
-    for i, x in enumerate(pad_offsets(settings)):
+    for i, x in enumerate(pad_offsets(hand.pad_width, settings.pad_points)):
         flex.add_geom(
             name=f"{PAD}{i}",
             type=mujoco.mjtGeom.mjGEOM_SPHERE,
@@ -142,8 +143,7 @@ def _add_pad(flex: Any, hand: slide.Hand, settings: Slide) -> None:
         )
 
 
-def pad_offsets(settings: Slide) -> Matrix:
+def pad_offsets(width: float, n: int) -> Matrix:
     """[n] where along X_F the pad's points are [m]: the middles of equal parts."""
-    n = settings.pad_points
-    offsets: Matrix = ((np.arange(n) + 0.5) / n - 0.5) * settings.pad_width
+    offsets: Matrix = ((np.arange(n) + 0.5) / n - 0.5) * width
     return offsets

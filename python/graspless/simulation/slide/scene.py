@@ -19,8 +19,9 @@ import numpy as np
 from ... import frames
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
+from ..shapes import add_placed
 from .fingers import OTHER, PAD, SLIDING, Bits, add_flexing_fingers
-from .shapes import add_placed, add_prism, even_points, plate_inertia, points_along
+from .shapes import add_prism, even_points, plate_inertia, points_along
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -63,7 +64,7 @@ def build_scene(plan: Plan, variation: Variation, settings: Slide | None = None)
     for obstacle in problem.obstacles:
         _add_obstacle(spec, obstacle)
     _add_object(spec, problem.object, X_WO, variation.mass, settings)
-    _add_pairs(spec, settings, variation.friction)
+    _add_pairs(spec, problem, settings, variation.friction)
     for geom in spec.geoms:
         if geom.priority == 1:
             geom.friction = [variation.friction * geom.friction[0], *geom.friction[1:]]
@@ -83,9 +84,7 @@ def varied_start(problem: Any, variation: Variation) -> Matrix:
 def _add_table(spec: Any, plan: Plan, settings: Slide) -> None:
     support = plan.task.problem.support
     X_WS = np.array(support.X_WS)
-    body = spec.worldbody.add_body(
-        name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS)
-    )
+    body = spec.worldbody.add_body(name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS))
     for i, part in enumerate(support.polygon.convex_parts()):
         _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
     for i, p in enumerate(_edge_points(plan, settings)):
@@ -142,14 +141,22 @@ def _mark(geom: Any, what: str) -> None:
     geom.contype, geom.conaffinity = _BITS[what].contype, _BITS[what].conaffinity
 
 
-def _add_pairs(spec: Any, settings: Slide, factor: float) -> None:
+def _add_pairs(spec: Any, problem: Any, settings: Slide, factor: float) -> None:
     """What slides on what, with one friction a pair."""
     names = [geom.name for geom in spec.geoms]
     of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
     parts = [n for n in names if n.startswith(OBJECT)]
-    table = settings.table_solref, settings.table_friction * factor
-    tip = settings.tip_solref, settings.tip_friction * factor
-    for one, other, (solref, friction) in (
+    table = {
+        "friction": _coulomb(problem.support.friction * factor),
+        "solref": [settings.table_solref, 1.0],
+        "solreffriction": [settings.table_slip, 1.0],
+        "solimp": [*settings.table_solimp, 0.5, 2.0],
+    }
+    tip = {
+        "friction": _coulomb(problem.hand.pad_friction * factor),
+        "solref": [settings.tip_solref, 1.0],
+    }
+    for one, other, given in (
         (of[FOOT], of[TABLE], table),
         (of[EDGE], parts, table),
         (of[PAD], parts, tip),
@@ -157,13 +164,11 @@ def _add_pairs(spec: Any, settings: Slide, factor: float) -> None:
     ):
         for a in one:
             for b in other:
-                spec.add_pair(
-                    geomname1=a,
-                    geomname2=b,
-                    condim=3,
-                    friction=[friction, friction, 0.0, 0.0, 0.0],
-                    solref=[solref, 1.0],
-                )
+                spec.add_pair(geomname1=a, geomname2=b, condim=3, **given)
+
+
+def _coulomb(friction: float) -> list[float]:
+    return [friction, friction, 0.0, 0.0, 0.0]
 
 
 def _groups(model: Any) -> dict[str, Any]:

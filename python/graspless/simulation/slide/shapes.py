@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import frames, geometry
+from ... import frames
+from ..shapes import add_hull
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -17,7 +18,9 @@ if TYPE_CHECKING:
 _SQUARE = 1e-9  # how far a rectangle's corners may be from square [m^2]
 
 
-def add_prism(spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any) -> Any:
+def add_prism(
+    spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any
+) -> Any:
     """A geom over a convex polygon: a box where that is a rectangle, else a mesh.
 
     Parameters
@@ -39,34 +42,9 @@ def add_prism(spec: Any, body: Any, polygon: Any, heights: tuple[float, float], 
         size = [np.hypot(*a) / 2, np.hypot(*b) / 2, (heights[1] - heights[0]) / 2]
         pos = [*corners.mean(axis=0), middle]
         quat = frames.to_quaternion(frames.planar(0, 0, yaw))
-        return body.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given
-        )
+        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, pos=pos, quat=quat, **given)
     points = np.concatenate([np.column_stack([corners, np.full(len(corners), z)]) for z in heights])
-    return _add_hull(spec, body, points, given)
-
-
-def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any) -> Any:
-    """A geom of a shape in the body's frame; a mesh stands for its convex hull."""
-    shape, X_BG = placed.shape, np.array(placed.X_BG)
-    pose = {"pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
-    if isinstance(shape, geometry.Box):
-        size = np.array(shape.size) / 2
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=size, **pose, **given)
-    if isinstance(shape, geometry.Sphere):
-        size = [shape.radius, 0, 0]
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=size, **pose, **given)
-    if isinstance(shape, geometry.Capsule):
-        size = [shape.radius, shape.length / 2, 0]
-        return body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=size, **pose, **given)
-    points = np.array(shape.vertices) @ X_BG[:3, :3].T + X_BG[:3, 3]
-    return _add_hull(spec, body, points, given)
-
-
-def _add_hull(spec: Any, body: Any, points: Matrix, given: dict[str, Any]) -> Any:
-    name = f"hull{len(spec.meshes)}"
-    spec.add_mesh(name=name, uservert=points.ravel().tolist())
-    return body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)
+    return add_hull(spec, body, points, given)
 
 
 def even_points(polygon: Any, count: int) -> Matrix:
@@ -75,7 +53,8 @@ def even_points(polygon: Any, count: int) -> Matrix:
     corners = np.array(polygon.vertices)
     low, high = corners.min(axis=0), corners.max(axis=0)
     cells = np.maximum(np.round((high - low) / spacing).astype(int), 1)
-    axes = [a + (np.arange(n) + 0.5) * (b - a) / n for a, b, n in zip(low, high, cells, strict=True)]
+    parts = zip(low, high, cells, strict=True)
+    axes = [a + (np.arange(n) + 0.5) * (b - a) / n for a, b, n in parts]
     points = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
     inside = np.array([point for point in points if polygon.contains(point)])
     return inside if len(inside) >= 3 else corners
@@ -84,7 +63,7 @@ def even_points(polygon: Any, count: int) -> Matrix:
 def points_along(polygon: Any, spacing: float) -> Matrix:
     """[N, 2] the corners of a polygon and points between them, at most `spacing` apart [m]."""
     corners = np.array(polygon.vertices)
-    points = []
+    points: list[Matrix] = []
     for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         pieces = max(1, int(np.ceil(np.hypot(*(b - a)) / spacing)))
         points.extend(a + (b - a) * i / pieces for i in range(pieces))

@@ -10,29 +10,38 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..source import Source
     from .stages import Stage
 
 HOLDING = ("slide", "clasp", "carry")  # after these the hand holds the object
 
 
+def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
+    """Raises TaskError where a stage needs a hand that holds the object, or one that does not.
+
+    Parameters
+    ----------
+    stages : sequence of (name, kind, source)
+    """
+    held, last = False, ""
+    for name, kind, source in stages:
+        if kind == "carry" and not held:
+            after = f" after '{last}'" if last else ""
+            what = f"nothing is held{after}: a slide or a clasp comes first"
+            raise source.error(("kind",), what)
+        if kind != "carry" and held:
+            what = f"the hand holds the object after '{last}': only a carry can follow"
+            raise source.error(("kind",), what)
+        held, last = kind in HOLDING, name
+
+
 def require_joined(stages: Sequence[Stage]) -> None:
     """Raises TaskError that names the stage and the field which cannot follow the one before it."""
-    if stages[0].kind == "carry":
-        raise stages[0].source.error(("kind",), "nothing is held: a slide or a clasp comes first")
+    require_held([(stage.name, stage.kind, stage.source) for stage in stages])
     for before, stage in pairwise(stages):
-        _require_hand(before, stage)
         if stage.kind != "carry":
             _require_same_robot(before, stage)
             _require_same_object(before, stage)
-
-
-def _require_hand(before: Stage, stage: Stage) -> None:
-    if before.kind in HOLDING and stage.kind != "carry":
-        what = f"the hand holds the object after '{before.name}': only a carry can follow"
-        raise stage.source.error(("kind",), what)
-    if before.kind not in HOLDING and stage.kind == "carry":
-        what = f"nothing is held after '{before.name}': a slide or a clasp comes first"
-        raise stage.source.error(("kind",), what)
 
 
 def _require_same_robot(before: Stage, stage: Stage) -> None:

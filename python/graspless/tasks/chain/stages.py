@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...kinds import KINDS, part
 from ..source import Source, read_yaml
+from .joints import require_held
 from .model import SHARED, ChainTask
 
 if TYPE_CHECKING:
@@ -27,6 +28,12 @@ class StageSource(Source):
     """A stage's fields, which stand in several places of one or two files."""
 
     parts: list[tuple[Source, Location]] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """What the stage is called: its kind, if nobody has named it."""
+        source, above = self.parts[0]
+        return str(source.data["stages"][above[1]].get("name", self.data["kind"]))
 
     def where(self, place: Location) -> str:
         """The part that holds most of the way to a field; of several, the first."""
@@ -86,6 +93,7 @@ def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage
         What relative paths are relative to.
     """
     named = [_merged(source, i, directory) for i in range(len(chain.stages))]
+    require_held([(stage.name, _kind(stage), stage) for stage in named])
     kinds = {_kind(stage) for stage in named} - {"carry"}  # it takes what the stage before it has
     taken = {key for kind in kinds for key in part("tasks", kind).Fields.model_fields}
     for key in SHARED:
@@ -103,7 +111,7 @@ def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
         kind = part("tasks", _kind(stage))
         validated = stage.validate(kind.Fields)
         kind.require_resolved(validated, stage)
-        found.append(Stage(str(document.get("name", validated.kind)), validated, stage, stage))
+        found.append(Stage(stage.name, validated, stage, stage))
     return found
 
 
@@ -183,6 +191,4 @@ def _resolved(stage: StageSource, index: int, directory: Path) -> Stage:
     if index > 0:
         hold_place(stage)
     fields, other = kind.resolve(stage.validate(kind.Fields), stage, directory)
-    source, place = stage.parts[0]
-    name = source.data["stages"][place[1]].get("name", fields.kind)
-    return Stage(name, fields, stage, other)
+    return Stage(stage.name, fields, stage, other)

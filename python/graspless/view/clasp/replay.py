@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..film import spread
+from ..film import spread, timed
 from ..film_stage import FilmStage
 from ..scene import add, add_segments, plain
 from . import bodies
@@ -27,7 +27,7 @@ class Stage(FilmStage):
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         self.plan = plan
-        self.film = shown = film(plan, recording)
+        self.film = shown = timed(film(plan)) if recording is None else film(plan, recording)
         things = Scene(plan, shown)
         super().__init__(server, shown, things.object, camera(things, spread(shown, 8), (4, 3)))
         self._add_marks(things, shown.object_poses[0])

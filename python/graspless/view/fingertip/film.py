@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
+from ..clock import LONGEST, Clock, clock_of, pace_of
+from ..film import planned_poses
 from .moments import Moment, at, start_of
 
 if TYPE_CHECKING:
@@ -23,7 +25,6 @@ SLIDE = 8.0  # [cm/s]
 TURN = 25.0  # [degrees/s]
 LEAVE, TRAVEL = 0.4, 0.8  # a finger that regrasps: off and on the surface, and over it [s]
 JOINTS = 0.6  # of a robot that carries the fingers [rad/s]
-LONGEST = 30.0  # [s]
 
 
 @dataclass(frozen=True)
@@ -34,21 +35,25 @@ class Key:
     moment: Moment
 
 
-def film(plan: Plan, rate: float) -> list[Moment]:
-    """Moments at even times, `rate` a second."""
-    keys = list(_joint_keys(plan) if plan.joint_segments else _keys(plan))
+def film(plan: Plan, rate: float, clock: Clock | None = None) -> list[Moment]:
+    """Moments at even times, `rate` a second; by a clock, or else at a pace for watching."""
+    keys = list(_joint_keys(plan, clock) if plan.joint_segments else _keys(plan, clock))
     if not keys:
         return [start_of(plan)]
     scale = min(1.0, LONGEST / max(keys[-1].time, 1e-9))
     return _sampled(keys, scale * rate)
 
 
+def timed(plan: Plan, rate: float) -> tuple[list[Moment], float | None]:
+    """The film at the pace of its robot, where that is known, and how much faster it is."""
+    clock = clock_of(plan)
+    return film(plan, rate, clock), None if clock is None else clock.pace
+
+
 def recorded(plan: Plan, recording: Recording, rate: float) -> tuple[list[Moment], float]:
     """What happened in a simulation at even times, and how much faster than it did; fingertips
     that it has not are where the arm has them.
     """
-    from ..film import pace_of, planned_poses
-
     times = np.asarray(recording.times, dtype=float)
     pace = pace_of(float(times[-1]))
     planned = planned_poses(plan, recording)
@@ -84,28 +89,37 @@ def _tips(plan: Plan, q: Matrix) -> Matrix:
     return np.asarray(tips_W[np.argsort(found.finger_of_fingertip)])
 
 
-def _keys(plan: Plan) -> Iterator[Key]:
+def _keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
     """The fingertips alone."""
     now = 0.0
     for k, segment in enumerate(plan.segments):
         if not len(segment):
             continue
-        if segment.name == "regrasp":
-            for step, moment in _regrasp(plan, k):
-                now += step
-                yield Key(now, moment)
-            continue
-        rows = range(len(segment))
-        first, last = segment.X_WO[0], segment.X_WO[-1]
-        held = [at(plan, segment, 0, first), *(at(plan, segment, row) for row in rows)]
-        held.append(at(plan, segment, len(segment) - 1, last))
-        for before, moment in zip([held[0], *held[:-1]], held, strict=True):
-            now += _seconds(before.X_WO, moment.X_WO)
-            yield Key(now, moment)
+        found = list(_regrasp(plan, k) if segment.name == "regrasp" else _held(plan, segment))
+        steps = np.array([step for step, _, _ in found])
+        times = now + np.cumsum(steps)
+        if clock is not None:
+            times = clock.times(k, [row for _, row, _ in found])
+        for time, (_, _, moment) in zip(times, found, strict=True):
+            yield Key(float(time), moment)
+        now = float(times[-1]) if len(times) else now
 
 
-def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, Moment]]:
-    """Steps of time and moments of a finger that goes to another place."""
+def _held(plan: Plan, segment: Segment) -> Iterator[tuple[float, float, Moment]]:
+    """Steps of time, rows and moments of a motion of the object."""
+    last = len(segment) - 1
+    before = at(plan, segment, 0, segment.X_WO[0])
+    yield 0.0, -0.5, before
+    for row in range(len(segment)):
+        moment = at(plan, segment, row)
+        yield _seconds(before.X_WO, moment.X_WO), float(row), moment
+        before = moment
+    end = at(plan, segment, last, segment.X_WO[-1])
+    yield _seconds(before.X_WO, end.X_WO), last + 0.5, end
+
+
+def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, float, Moment]]:
+    """Steps of time, rows from 0 to 1 and moments of a finger that goes to another place."""
     segment = plan.segments[k]
     resting = at(plan, segment, 0)
     before = _neighbour(plan, k, -1)
@@ -122,11 +136,12 @@ def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, Moment]]:
     arrive = goal - off * after.normals[0, finger]
     way = [start, leave, *_round(leave, arrive, np.asarray(plan.task.problem.object.com))]
     steps = [0.0, LEAVE, *[TRAVEL / (len(way) - 2)] * (len(way) - 2), LEAVE]
+    rows = [0.0, *np.linspace(1 / 3, 2 / 3, len(way) - 1).tolist(), 1.0]
     kept = at(plan, before, len(before) - 1).centers  # of fingers that wait for their own regrasp
-    for step, center in zip(steps, [*way, goal], strict=True):
+    for step, row, center in zip(steps, rows, [*way, goal], strict=True):
         centers = np.where(np.isfinite(resting.centers), resting.centers, kept)
         centers[finger] = center
-        yield step, replace(resting, centers=centers)
+        yield step, row, replace(resting, centers=centers)
 
 
 def _round(start: Matrix, goal: Matrix, middle: Matrix) -> list[Matrix]:
@@ -149,16 +164,17 @@ def _neighbour(plan: Plan, k: int, step: int) -> Segment | None:
     return None
 
 
-def _joint_keys(plan: Plan) -> Iterator[Key]:
+def _joint_keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
     """The fingertips where the robot has them."""
     now = 0.0
-    for segment in plan.joint_segments:
-        for row in range(len(segment)):
-            if row:
-                step = np.abs(segment.positions[row] - segment.positions[row - 1]).max()
-                now += max(float(step) / JOINTS, 1e-3)
-            yield Key(now, _carried(plan, segment, row))
-        now += 0.2
+    for k, segment in enumerate(plan.joint_segments):
+        step = np.abs(np.diff(segment.positions, axis=0)).max(axis=1, initial=0.0) / JOINTS
+        times = now + np.concatenate([[0.0], np.cumsum(np.maximum(step, 1e-3))])
+        if clock is not None:
+            times = clock.times(k, np.arange(len(segment)))
+        for row, time in enumerate(times):
+            yield Key(float(time), _carried(plan, segment, row))
+        now = float(times[-1]) + 0.2
 
 
 def _carried(plan: Plan, segment: JointSegment, row: int) -> Moment:

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..bodies import GHOST, obstacles, robot_bodies
+from ..clock import tell_pace
 from ..film_stage import apart
 from ..replay import RATE
 from ..scene import Captions, Layers, add_segments, look, move, shade
 from . import bodies
-from .film import film, recorded
+from .film import recorded, timed
 from .stage import camera, swept
 
 if TYPE_CHECKING:
@@ -31,11 +32,8 @@ class Stage:
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         self.plan, self.task = plan, plan.task
-        self.pace = 1.0
-        if recording is None:
-            self.shown = film(plan, RATE)
-        else:
-            self.shown, self.pace = recorded(plan, recording, RATE)
+        filmed = timed(plan, RATE) if recording is None else recorded(plan, recording, RATE)
+        self.shown, self.pace = filmed
         self.rows = len(self.shown)
         self.row = -1
         self.arrows: Any = None
@@ -76,10 +74,10 @@ class Stage:
 
     def _tell(self, moment: Moment) -> str:
         if moment.X_WP is None:
-            return moment.name
+            return moment.name + tell_pace(self.pace)
         center = np.asarray(self.task.problem.object.com)
-        clock = f"  ({self.pace:.1f} x as fast)" if self.pace > 1.05 else ""
-        return f"{moment.name}: {apart(moment.X_WP, moment.X_WO, center)}{clock}"
+        off = apart(moment.X_WP, moment.X_WO, center)
+        return f"{moment.name}: {off}{tell_pace(self.pace)}"
 
     def _add_object(self) -> None:
         """The object, where it shall be, and its corners on floor and walls."""

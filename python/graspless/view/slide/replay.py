@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..film import spread
+from ..film import spread, timed
 from ..film_stage import GHOST_OPACITY, FilmStage, ghost_of
 from . import bodies
 from .film import film
@@ -23,7 +23,8 @@ class Stage(FilmStage):
     """The scene of a slide on a viser server."""
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
-        shown = film(plan, recording)
+        planned = film(plan)
+        shown = timed(planned) if recording is None else film(plan, recording)
         task = plan.task
         thing = bodies.object_body(task)
         # All of the way, not some moments of it.
@@ -35,7 +36,6 @@ class Stage(FilmStage):
             return
         if recording is None:
             self.layers.add_body(ghost_of(thing, "goal"), plan.X_WO_goal, GHOST_OPACITY)
-        planned = film(plan)
         trail, contact = bodies.trail_body(planned), bodies.contact_body(planned)
         if trail.parts:
             self.layers.add_body(trail, np.eye(4))

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""MJCF of a task, one keyframe at the start and one at each segment's end: one file, nothing beside
+it.
+
+The robot has position servos, the object a free joint; bare fingertips are mocap bodies. MuJoCo
+writes numbers with six digits.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from .. import files, frames
+from ..simulation.robots import joint_addresses
+from .mujoco_scene import FINGER, OBJECT, build, first_stage
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..frames import Matrix
+    from ..robot import Robot
+    from ..timing import Trajectory
+
+
+def write(trajectory: Trajectory, path: Path | str) -> None:
+    """Writes the file."""
+    files.write(path, text(trajectory))
+
+
+def text(trajectory: Trajectory) -> str:
+    """The MJCF."""
+    spec, robot = build(trajectory)
+    model = spec.compile()
+    last = np.flatnonzero(np.diff(trajectory.segment_index, append=len(trajectory.segments)))
+    names = [f"{i}_{s.name}" for i, s in enumerate(trajectory.segments)]
+    for name, k in zip(["start", *names], [0, *last], strict=True):
+        key = spec.add_key(name=name, time=float(trajectory.times[k]))
+        key.qpos = _qpos(model, robot, trajectory.positions[k], trajectory.object_poses[k])
+        if robot is not None:
+            key.ctrl = trajectory.positions[k]
+        else:
+            key.mpos = _centers(trajectory, int(k)).ravel()
+    spec.compile()
+    document: str = spec.to_xml()
+    return document
+
+
+def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
+    """[nq] with mimic joints where they follow to."""
+    qpos: Matrix = model.qpos0.copy()
+    if robot is not None:
+        qpos[joint_addresses(model, robot)] = q
+        for i in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
+            mimic = model.jnt_qposadr[model.eq_obj1id[i]]
+            followed = model.jnt_qposadr[model.eq_obj2id[i]]
+            qpos[mimic] = np.polynomial.polynomial.polyval(qpos[followed], model.eq_data[i][:5])
+    place = model.joint(OBJECT).qposadr[0]
+    qpos[place : place + 7] = frames.to_row(X_WO)
+    return qpos
+
+
+def _centers(trajectory: Trajectory, k: int) -> Matrix:
+    """[n, 3] of bare fingertips in the world [m]: one that is off waits at its next place."""
+    X_WO, now = trajectory.object_poses[k], int(trajectory.segment_index[k])
+    fingers = first_stage(trajectory.plan).task.problem.fingers
+    radius, count = fingers.radius, fingers.count
+    centers = np.tile([0.0, 0.0, 1.0], (count, 1))
+    row = 0 if k == 0 else -1
+    for i in range(count):
+        places = [(now, row), *((later, 0) for later in range(now + 1, len(trajectory.segments)))]
+        places += [(earlier, -1) for earlier in range(now - 1, -1, -1)]
+        for segment, at in places:
+            p_O = trajectory.segments[segment].fingers[at, i]
+            if np.isfinite(p_O).all():
+                center_O = p_O - radius * trajectory.segments[segment].normals[at, i]
+                centers[i] = X_WO[:3, :3] @ center_O + X_WO[:3, 3]
+                break
+    return centers
+
+
+__all__ = ["FINGER", "OBJECT", "text", "write"]

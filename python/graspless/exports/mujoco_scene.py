@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands around in a task, as MuJoCo has it: bodies of the task's names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+import trimesh
+
+from .. import frames, geometry
+from ..simulation.clasp.surface import inertia, skin
+from ..simulation.robots import apply, robot_spec
+from ..simulation.settings import Clasp
+from ..simulation.shapes import add_placed
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..frames import Matrix
+    from ..plans import Plan
+    from ..robot import Robot
+    from ..tasks import Task
+    from ..timing import Trajectory
+
+OBJECT, FINGER, HELD = "object", "finger", "object_held"
+
+
+def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
+    """The MjSpec of a trajectory's task, and the robot where one moves."""
+    task = first_stage(trajectory.plan).task
+    robot: Robot | None = None
+    if trajectory.joint_names:
+        robot = task.problem.robot if task.arm is None else task.arm.robot
+        spec = robot_spec(robot, task.fields.robot)
+        _inline_meshes(spec)
+    else:
+        spec = mujoco.MjSpec()
+        apply(spec)
+        _add_fingers(spec, task.problem.fingers)
+    spec.modelname = f"graspless {task.kind}"
+    body = spec.worldbody.add_body(name=OBJECT)
+    body.add_freejoint(name=OBJECT)
+    _SURROUNDINGS[task.kind](spec, body, task)
+    for obstacle in task.problem.obstacles:
+        _add_fixed(spec, obstacle.name, obstacle.shapes, obstacle.X_WB)
+    return spec, robot
+
+
+def first_stage(plan: Plan) -> Plan:
+    """Of a chain: its task has the object and all that stands around; else the plan itself."""
+    stage: Plan = getattr(plan, "stages", [plan])[0]
+    return stage
+
+
+def _slide(spec: Any, body: Any, task: Task) -> None:
+    thing, support = task.problem.object, task.problem.support
+    _add_fixed(spec, "table", support.shapes, support.X_WS)
+    for i, placed in enumerate(thing.shapes):
+        _add_shape(spec, body, f"{OBJECT}_{i}", placed, mass=thing.mass / len(thing.shapes))
+
+
+def _fingertip(spec: Any, body: Any, task: Task) -> None:
+    problem, thing = task.problem, task.problem.object
+    friction = float(np.mean(problem.friction))
+    _give_inertia(body, thing.mass, thing.com, thing.inertia)
+    mesh = geometry.PlacedShape(thing.mesh)
+    _add_shape(spec, body, OBJECT, mesh, mass=0, friction=[friction, 0.005, 0.0001])
+    for plane in problem.planes:
+        turned = np.zeros(4)
+        mujoco.mju_quatZ2Vec(turned, np.asarray(plane.n_W))
+        spec.worldbody.add_geom(
+            name=plane.name,
+            type=mujoco.mjtGeom.mjGEOM_PLANE,
+            size=[1, 1, 0.1],
+            pos=plane.offset * np.asarray(plane.n_W),
+            quat=turned,
+            friction=[friction, 0.005, 0.0001],
+        )
+
+
+def _clasp(spec: Any, body: Any, task: Task) -> None:
+    """The cloud's surface as it is, so that its holes stay open; held where it is at first."""
+    surface = task.problem.object.loops.complex
+    points = np.asarray(surface.points)
+    settings = Clasp()
+    mass = task.fields.object.mass or settings.mass
+    _give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
+    spec.add_flex(
+        name=OBJECT,
+        dim=2,
+        radius=settings.skin,
+        vertbody=[OBJECT],
+        vert=points.ravel().tolist(),
+        elem=skin(surface).ravel().tolist(),
+        selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
+    )
+    X_WO = np.asarray(task.problem.X_WO)
+    body.pos, body.quat = X_WO[:3, 3], frames.to_quaternion(X_WO)
+    held = spec.add_equality(name=HELD, type=mujoco.mjtEq.mjEQ_WELD)
+    held.name1, held.name2, held.objtype = OBJECT, "world", mujoco.mjtObj.mjOBJ_BODY
+
+
+def _carry(spec: Any, body: Any, task: Task) -> None:
+    for i, placed in enumerate(task.problem.object.shapes):
+        _add_shape(spec, body, f"{OBJECT}_{i}", placed)
+
+
+_SURROUNDINGS: dict[str, Callable[[Any, Any, Task], None]] = {
+    "slide": _slide,
+    "fingertip": _fingertip,
+    "clasp": _clasp,
+    "carry": _carry,
+}
+
+
+def _give_inertia(body: Any, mass: float, com: Matrix, moments: Matrix) -> None:
+    body.explicitinertial, body.mass, body.ipos = True, mass, com
+    J = np.asarray(moments)
+    body.fullinertia = [*np.diag(J), J[0, 1], J[0, 2], J[1, 2]]
+
+
+def _add_fingers(spec: Any, fingers: Any) -> None:
+    friction = [float(np.mean(fingers.friction)), 0.005, 0.0001]
+    for i in range(fingers.count):
+        body = spec.worldbody.add_body(name=f"{FINGER}{i}", mocap=True)
+        size = [fingers.radius, 0, 0]
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=size, friction=friction)
+
+
+def _add_fixed(spec: Any, name: str, shapes: Any, X_WB: Matrix) -> None:
+    X = np.asarray(X_WB)
+    body = spec.worldbody.add_body(name=name, pos=X[:3, 3], quat=frames.to_quaternion(X))
+    for i, placed in enumerate(shapes):
+        _add_shape(spec, body, f"{name}_{i}", placed)
+
+
+def _add_shape(spec: Any, body: Any, name: str, placed: Any, **given: Any) -> None:
+    """A geom; a mesh looks as it is, and collides as its convex hull."""
+    if not isinstance(placed.shape, geometry.Mesh):
+        add_placed(spec, body, placed, name=name, **given)
+        return
+    mesh = spec.add_mesh(name=name, uservert=np.asarray(placed.shape.vertices).ravel().tolist())
+    mesh.userface = np.asarray(placed.shape.triangles).ravel().tolist()
+    X_BG = np.asarray(placed.X_BG)
+    given |= {"name": name, "pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
+    body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)
+
+
+def _inline_meshes(spec: Any) -> None:
+    """Puts the robot's meshes into the model: the file needs none beside it."""
+    for mesh in spec.meshes:
+        if mesh.file:
+            loaded: Any = trimesh.load(mesh.file, force="mesh")
+            mesh.uservert = np.asarray(loaded.vertices).ravel().tolist()
+            mesh.userface = np.asarray(loaded.faces).ravel().tolist()
+            mesh.file = ""

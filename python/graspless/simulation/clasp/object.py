@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The object of a clasp in MuJoCo: its holes stay open, and it stands."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import mujoco
+import numpy as np
+
+from ... import frames
+from ..shapes import add_placed
+from . import surface
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ... import geometry
+    from ...frames import Matrix
+    from ..settings import Clasp
+
+OBJECT, STAND = "graspless_object", "graspless_stand"
+OBJECT_BIT = 2  # of what collides
+_FOOT = 0.002  # radius: a point's contact [m]
+
+
+def add_object(
+    spec: Any,
+    cloud: geometry.Complex,
+    solids: Sequence[geometry.PlacedShape] | None,
+    X_WO: Matrix,
+    mass: float,
+    friction: float,
+    settings: Clasp,
+) -> None:
+    """A free body with the skin of K_d, or made of solids; on feet if it can stand, else held.
+
+    `friction` is a factor of all coefficients.
+    """
+    points = np.asarray(cloud.points)
+    body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
+    body.add_freejoint(name=OBJECT)
+    body.explicitinertial, body.mass, body.ipos = True, mass, points.mean(axis=0)
+    moments = mass * surface.inertia(points)
+    body.fullinertia = moments[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    touch = {
+        "contype": OBJECT_BIT,
+        "conaffinity": OBJECT_BIT,
+        "condim": 3,
+        "friction": [friction * settings.friction, 0.005, 0.0001],
+        "solref": [settings.stiffness_time, 1.0],
+        "priority": 1,  # its friction is that of the pair
+    }
+    if solids is None:
+        _add_skin(spec, cloud, settings.skin, touch)
+    for placed in solids or ():
+        add_placed(spec, body, placed, **touch)
+    standing = surface.feet(points @ X_WO[:3, :3].T + X_WO[:3, 3], settings.foot_depth)
+    _add_hold(spec, is_active=standing is None)
+    _add_stand(spec, body, X_WO, standing, friction * settings.stand_friction)
+
+
+def _add_skin(spec: Any, cloud: geometry.Complex, radius: float, touch: dict[str, Any]) -> None:
+    """A rigid surface of triangles: MuJoCo would fill a mesh to its convex hull."""
+    spec.add_flex(
+        name=OBJECT,
+        dim=2,
+        radius=radius,
+        vertbody=[OBJECT],
+        vert=np.asarray(cloud.points).ravel().tolist(),
+        elem=surface.skin(cloud).ravel().tolist(),
+        selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
+        **touch,
+    )
+
+
+def _add_hold(spec: Any, *, is_active: bool) -> None:
+    """What keeps the object where it is."""
+    held = spec.add_equality(name=OBJECT, type=mujoco.mjtEq.mjEQ_WELD, active=is_active)
+    held.name1, held.name2 = OBJECT, "world"
+    held.objtype = mujoco.mjtObj.mjOBJ_BODY
+
+
+def _add_stand(
+    spec: Any, body: Any, X_WO: Matrix, standing: Matrix | None, friction: float
+) -> None:
+    """A level plane under small feet. Nothing else touches it: the planner knows of no floor."""
+    height = 0.0 if standing is None else standing[:, 2].min()
+    # A body that can be moved: MuJoCo works out the places of what is fixed to the world once.
+    stand = spec.worldbody.add_body(name=STAND, mocap=True, pos=[0, 0, height])
+    plane = {"type": mujoco.mjtGeom.mjGEOM_PLANE, "size": [1, 1, 1]}
+    stand.add_geom(name=STAND, contype=0, conaffinity=0, **plane)
+    for i, p_W in enumerate(() if standing is None else standing):
+        p_O = X_WO[:3, :3].T @ (np.array([*p_W[:2], height + _FOOT]) - X_WO[:3, 3])
+        name = f"{OBJECT}_{i}"
+        body.add_geom(name=name, size=[_FOOT, 0, 0], pos=p_O, contype=0, conaffinity=0, mass=0)
+        spec.add_pair(
+            geomname1=name,
+            geomname2=STAND,
+            condim=3,
+            friction=[friction, friction, 0.005, 0.0001, 0.0001],
+        )

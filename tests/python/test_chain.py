@@ -1,0 +1,456 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tasks of several stages: read, planned, checked, written and read back."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import _data, frames
+from graspless.plans.chain_state import begins, ends
+from tasks_common import fault, reread, run, without_clock
+
+EXAMPLES = _data.directory("examples")
+
+LIFT = """\
+kind: chain
+robot: {urdf: wam_t42}
+object:
+  name: card
+  rectangle: {size: [0.12, 0.08]}
+  thickness: 0.003
+  pose: {x: 0.62, y: 0.08, yaw: 0.4}
+support: {rectangle: {center: [0.65, 0.0], size: [0.7, 0.7]}, height: 0.0}
+stages:
+  - {name: to the edge, kind: slide}
+  - {name: lift, kind: carry, line: {direction: [0, 0, 2], distance: 0.1}}
+budget: {seconds: 20, seed: 1}
+"""
+
+TUMBLE = """\
+kind: chain
+object: {name: block, box: [0.04, 0.06, 0.08], mass: 0.3}
+fingers: {radius: 0.008}
+friction: 0.6
+stages:
+  - kind: fingertip
+    motion: {tumble: {over: +x, segments: 12}}
+    options: {min_stability: 0.2, locations_per_side: 5}
+  - kind: fingertip
+    motion: {slide: {translation: [0, 0.05, 0], segments: 6}}
+    options: {min_stability: 0.2, locations_per_side: 5}
+"""
+
+
+def changed(old, new, text=LIFT):
+    assert text.count(old) == 1, old
+    return text.replace(old, new)
+
+
+@pytest.fixture(scope="module")
+def lift(tmp_path_factory):
+    path = tmp_path_factory.mktemp("chain") / "task.yaml"
+    path.write_text(LIFT)
+    return graspless.plan(path)
+
+
+@pytest.fixture(scope="module")
+def tumble(tmp_path_factory):
+    path = tmp_path_factory.mktemp("chain") / "task.yaml"
+    path.write_text(TUMBLE)
+    return graspless.plan(path)
+
+
+@pytest.fixture
+def document(lift):
+    return json.loads(lift.to_json())
+
+
+def test_lift_holds(lift):
+    assert lift, lift.reason
+    assert graspless.check(lift) == []
+    assert [stage.kind for stage in lift.stages] == ["slide", "carry"]
+    assert lift.names == ["to the edge", "lift"]
+    assert [s.name for s in lift.segments][-2:] == ["close", "carry"]
+    assert [join.how for join in lift.fields.joins] == ["held"]
+
+
+def test_lift_takes_the_object_up_and_nowhere_else(lift):
+    slid, carried = (stage.segments[-1].object_poses for stage in lift.stages)
+    assert np.abs(carried[0] - slid[-1]).max() < 1e-9
+    rise = carried[:, :3, 3] - carried[0, :3, 3]
+    assert np.abs(rise[-1] - [0, 0, 0.1]).max() < 1e-3
+    assert np.abs(rise[:, :2]).max() < 1e-3
+    assert np.abs(carried[:, :3, :3] - carried[0, :3, :3]).max() < 4e-3
+
+
+def test_hand_keeps_the_object(lift):
+    """The object's place in the hand is the same in all rows, by kinematics asked anew."""
+    stage = lift.stages[1]
+    robot, segment = stage.task.problem.robot, stage.segments[0]
+    X_HO = [
+        np.linalg.inv(robot.pose("grasp", q)) @ X
+        for q, X in zip(segment.positions, segment.object_poses, strict=True)
+    ]
+    assert np.ptp(X_HO, axis=0).max() < 1e-9
+
+
+def test_stages_stand_alone(lift, tmp_path):
+    """Every stage is a plan of its kind, that is checked without the others."""
+    for stage in lift.stages:
+        alone = reread(json.loads(stage.to_json()), tmp_path / "stage.json")
+        assert alone.kind == stage.kind
+        assert graspless.check(alone) == []
+
+
+def test_seeds_and_time_are_shared(lift):
+    assert [stage.fields.seed for stage in lift.stages] == [1, 2]
+    assert all(stage.task.budget.seconds <= 20 for stage in lift.stages)
+    assert lift.statistics["attempts"] == 1
+
+
+def test_same_seed_same_plan(lift, write):
+    again = graspless.plan(write(LIFT))
+
+    def plain(plan):
+        stages = [without_clock(stage) for stage in plan.stages]
+        for stage in stages:
+            del stage["task"]["budget"]  # what time was left
+        return stages
+
+    assert plain(again) == plain(lift)
+
+
+def test_written_and_read_back(lift, tumble, tmp_path):
+    for plan in (lift, tumble):
+        plan.save(tmp_path / "plan.json")
+        again = graspless.load_plan(tmp_path / "plan.json")
+        assert again.to_json() == plan.to_json()
+        assert graspless.check(again) == []
+
+
+def test_fingers_regrasp_between_stages(tumble):
+    assert tumble, tumble.reason
+    assert graspless.check(tumble) == []
+    assert [join.how for join in tumble.fields.joins] == ["regrasp"]
+    first, second = tumble.stages
+    assert np.abs(ends(first).X_WO - begins(second)[1]).max() < 1e-9
+    # Tumbled by 90 degrees about -y... the block's z looks along x now.
+    assert np.abs(second.segments[0].X_WO[0][:3, 2] - [1, 0, 0]).max() < 1e-6
+
+
+def test_same_as_one_sequence(tumble, write):
+    """Two stages move the object as a sequence of both motions does."""
+    text = TUMBLE.replace("kind: chain", "kind: fingertip").partition("stages:")[0]
+    text += """\
+motion:
+  sequence:
+    - tumble: {over: +x, segments: 12}
+    - slide: {translation: [0, 0.05, 0], segments: 6}
+options: {min_stability: 0.2, locations_per_side: 5}
+"""
+    path = graspless.load_task(write(text)).problem.motion.X_WO
+    poses = [X for stage in tumble.stages for s in stage.segments for X in s.X_WO]
+    assert np.abs(poses[0] - path[0]).max() < 1e-9
+    assert np.abs(poses[-1] - path[-1]).max() < 1e-9
+
+
+def test_first_stage_that_is_not_found_ends_the_chain(write):
+    text = changed("distance: 0.1}", "distance: 3}")
+    plan = graspless.plan(write(changed("budget:", "options: {attempts: 2}\nbudget:", text)))
+    assert not plan
+    assert plan.status == "not_found"
+    assert plan.reason.startswith("lift: the hand comes ")
+    assert plan.statistics["attempts"] == 2
+    assert [bool(stage) for stage in plan.stages] == [True, False]
+    assert graspless.check(plan)[0].startswith("nothing to check")
+
+
+def test_no_time_for_a_later_stage(write):
+    plan = graspless.plan(write(LIFT), seconds=1e-9)
+    assert not plan
+    assert plan.status in ("out_of_time", "not_connected", "no_start_root", "no_goal_root")
+
+
+def test_where_a_stage_cannot_start(write):
+    """A tumbled block hangs in the air for a second stage whose floor is lower."""
+    plan = graspless.plan(write(TUMBLE + "    floor: {height: -0.02}\n"))
+    assert plan.status == "not_joined"
+    words = "fingertip: cannot start where 'fingertip' ended: "
+    assert plan.reason.startswith(words)
+    assert "stages[1].motion" in plan.reason
+    assert [bool(stage) for stage in plan.stages] == [True]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "words"),
+    [
+        ("stages:\n  - {name: to the edge, kind: slide}\n", "stages: []\n#", 9, "stages: "),
+        ("kind: slide}", "kind: push}", 10, r"stages\[0\].kind: push: should be 'slide' or"),
+        ("kind: slide}", "}", 10, r"stages\[0\].kind: missing"),
+        ("kind: slide}", "kind: chain}", 10, "a chain holds no chain"),
+        (
+            "  - {name: to the edge, kind: slide}\n",
+            "",
+            10,
+            r"stages\[0\].kind: carry: nothing is held",
+        ),
+        ("distance: 0.1}", "distance: 0}", 11, r"stages\[1\].line.distance: 0: should be greater"),
+        ("[0, 0, 2]", "[0, 0, 0]", 11, r"stages\[1\].line: direction must not be zero"),
+        ("kind: slide}", "kind: slide, budget: {}}", 10, r"stages\[0\].budget: must not be given"),
+        ("kind: slide}", "kind: slide, robott: {}}", 10, r"stages\[0\].robott: unknown field"),
+        (
+            "kind: slide}",
+            "kind: slide, object: {name: tile}}",
+            10,
+            r"stages\[0\].object.name: tile: the chain's object is 'card'",
+        ),
+        (
+            "kind: carry, line: {direction: [0, 0, 2], distance: 0.1}",
+            "kind: slide",
+            11,
+            r"stages\[1\].kind: slide: the hand holds the object after 'to the edge'",
+        ),
+        (
+            "kind: carry, line",
+            "kind: carry, pose: {}, line",
+            11,
+            r"stages\[1\].pose: must not be given: a stage starts where the one before",
+        ),
+        ("thickness: 0.003", "thicknes: 0.003", 6, "object.thicknes: unknown field"),
+        ("[0.12, 0.08]", "[0.12, -0.08]", 5, r"object.rectangle.size\[1\]: -0.08"),
+        ("budget:", "walls: []\nbudget:", 12, "walls: no stage of this chain has such a field"),
+        ("budget:", "options: {attempts: 0}\nbudget:", 12, "options.attempts: 0: should be"),
+        ("{x: 0.62, y", "{x: 5, y", 7, "object.pose"),
+        (
+            "distance: 0.1}}",
+            "distance: 0.1}}\n  - {kind: carry, line: {direction: [1, 0, 0], distance: 0.1}, "
+            "offset: [1, 0, 0]}",
+            12,
+            "exactly one of line, offset, goal must be given, not line and offset",
+        ),
+    ],
+)
+def test_fault_names_the_stage_and_the_field(write, old, new, line, words):
+    said = fault(write(changed(old, new)))
+    assert said.startswith(f"task.yaml:{line}: "), said
+    assert re.search(words, said), said
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (
+            "    motion: {slide: {",
+            "    motion: {slide: {pose: {position: [0, 0, 0.02]}, ",
+            "stages[1].motion.slide.pose: must not be given",
+        ),
+        (
+            "    motion: {slide: {translation: [0, 0.05, 0], segments: 6}}",
+            "    object: {name: block, box: [0.04, 0.06, 0.07], mass: 0.3}\n"
+            "    motion: {slide: {translation: [0, 0.05, 0], segments: 6}}",
+            "stages[1].object: should be that of 'fingertip'",
+        ),
+        (
+            "    motion: {slide: {translation: [0, 0.05, 0], segments: 6}}",
+            "    robot: {urdf: wam_t42_tips}\n"
+            "    motion: {slide: {translation: [0, 0.05, 0], segments: 6}}",
+            "stages[1].robot: must not be given: 'fingertip', the stage before it, has none",
+        ),
+    ],
+)
+def test_stage_that_contradicts_the_one_before(write, old, new, words):
+    assert words in fault(write(changed(old, new, TUMBLE)))
+
+
+def test_stage_from_a_file(write, tmp_path):
+    """A stage may stand in a task file of its own, with paths relative to it."""
+    (tmp_path / "sub").mkdir()
+    urdf = _data.robot("wam_t42")
+    for path in urdf.parent.glob("wam_t42.*"):
+        (tmp_path / "sub" / path.name).write_bytes(path.read_bytes())
+    slide = (EXAMPLES / "01_slide_card.yaml").read_text()
+    write(changed("urdf: wam_t42", "urdf: wam_t42.urdf", slide), "sub/slide.yaml")
+    text = """\
+kind: chain
+stages:
+  - {file: sub/slide.yaml}
+  - {kind: carry, offset: [0, 0, 0.05]}
+"""
+    plan = graspless.plan(write(text), seed=1)
+    assert plan, plan.reason
+    assert graspless.check(plan) == []
+    assert plan.task.fields.stages[0]["object"]["name"] == "card"
+    missing = fault(write(text.replace("sub/slide", "sub/none")))
+    assert "task.yaml:3: stages[0].file: sub/none.yaml: no such file" in missing
+    write(changed("thickness: 0.003", "thickness: -1", slide), "sub/slide.yaml")
+    assert "sub/slide.yaml:10: object.thickness: -1: should be" in fault(write(text))
+
+
+def test_check_finds_a_gap_of_the_object(document, tmp_path):
+    row = document["stages"][1]["segments"][0]["object_poses"]
+    for pose in row:
+        pose[0] += 1e-4
+    document["stages"][1]["task"]["pose"]["position"][0] += 1e-4
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert any("stage 1 'lift': the object starts 0.0001 m" in fault for fault in faults)
+    assert any("pose.position" in fault for fault in faults)
+
+
+def test_check_finds_a_gap_of_the_joints(document, tmp_path):
+    del document["stages"][0]["segments"][-1]["positions"][-1]
+    del document["stages"][0]["segments"][-1]["object_poses"][-1]
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert any("stage 1 'lift': a joint starts " in fault for fault in faults)
+
+
+def test_check_finds_another_task(document, tmp_path):
+    document["task"]["stages"][1]["line"]["distance"] = 0.2
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert faults == ["stage 1 'lift': line.distance is not what the chain's task says"]
+
+
+def test_check_finds_a_stage_that_does_not_hold(document, tmp_path):
+    document["stages"][1]["segments"][0]["positions"][5][2] += 0.02
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert any(fault.startswith("stage 1 'lift': carry row 5: ") for fault in faults)
+
+
+def test_check_finds_a_missing_stage(document, tmp_path):
+    for key in ("stages", "names"):
+        del document[key][1]
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert faults == ["plan: the stages are not those of the task"]
+
+
+def test_check_finds_a_wrong_join(document, tmp_path):
+    document["joins"][0]["how"] = "arm"
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert faults == ["stage 1 'lift': the join before it is not what the stage before it left"]
+
+
+def test_carry_alone(write):
+    """A carry needs no chain when it is told all that a chain would tell it."""
+    text = """\
+kind: carry
+robot: {urdf: wam_t42}
+frame: grasp
+object: {name: bar, box: [0.1, 0.02, 0.02]}
+pose: {position: [0.55, 0, 0.25]}
+goal: {position: [0.55, 0.1, 0.3], rpy: [0, 0, 0.3]}
+"""
+    plan = graspless.plan(write(text))
+    assert plan, plan.reason
+    assert graspless.check(plan) == []
+    X_WO = plan.segments[0].object_poses[-1]
+    wanted = frames.translation([0.55, 0.1, 0.3]) @ frames.from_rpy([0, 0, 0.3])
+    assert np.abs(X_WO - wanted).max() < 1e-6
+    for field in ("frame", "object", "pose", "robot"):
+        kept = "".join(line for line in text.splitlines(True) if not line.startswith(field))
+        assert f"{field}: missing" in fault(write(kept))
+    assert "frame: palm:" in fault(write(changed("frame: grasp", "frame: palm", text)))
+    assert "rests_on" in fault(write(text + "rests_on: [table]\n"))
+
+
+def test_command_line(write, capsys, tmp_path):
+    path, out = str(write(LIFT)), str(tmp_path / "plan.json")
+    code, said, _ = run(capsys, "plan", path, "-o", out)
+    assert code == 0
+    assert "to the edge (slide): solved" in said
+    assert "lift (carry): solved" in said
+    assert "holds: 8 segments" in said
+    assert run(capsys, "check", out)[0] == 0
+    code, said, _ = run(capsys, "plan", path, "-o", out, "--json")
+    summary = json.loads(said)
+    assert [stage["name"] for stage in summary["stages"]] == ["to the edge", "lift"]
+    assert summary["faults"] == []
+
+
+def test_replay_shows_one_stage_after_the_other(lift, tmp_path):
+    pytest.importorskip("viser")
+    from graspless import view
+    from tasks_common import recording
+
+    view.write_html(lift, tmp_path / "plan.html")
+    text = (tmp_path / "plan.html").read_text()
+    assert len(text) < 2e6
+    assert "<title>graspless: card, solved</title>" in text
+    messages = recording(text)["messages"]
+    shown = [
+        (at, m["name"], m["props"]["visible"] if "props" in m else m["visible"])
+        for at, m in messages
+        if m["type"] == "SetSceneNodeVisibilityMessage" and m["name"].count("/") == 1
+    ]
+    switched = [(name, visible) for at, name, visible in shown if at > 0]
+    assert ("/1 to the edge", False) in switched
+    assert ("/2 lift", True) in switched
+
+
+def test_picture_has_those_of_the_stages_below_each_other(lift, tmp_path, monkeypatch):
+    image = pytest.importorskip("PIL.Image")
+    import io
+
+    from graspless import view
+    from graspless.view import carry, slide
+    from tasks_common import read_png
+
+    def drawing(width, height, color):
+        written = io.BytesIO()
+        image.new("RGB", (width, height), color).save(written, "png")
+        return lambda plan: written.getvalue()
+
+    monkeypatch.setattr(slide, "draw", drawing(30, 20, (255, 0, 0)))
+    monkeypatch.setattr(carry, "draw", drawing(20, 10, (0, 0, 255)))
+    view.write_png(lift, tmp_path / "plan.png")
+    picture = read_png(tmp_path / "plan.png")[..., :3]
+    assert picture.shape == (30, 30, 3)
+    assert (picture[:20] == [1, 0, 0]).all()
+    assert (picture[20:, :20] == [0, 0, 1]).all()
+    assert (picture[20:, 20:] == 1).all()
+
+
+def test_picture_of_a_carry_shows_the_object_rise(lift, tmp_path):
+    pytest.importorskip("matplotlib")
+    from graspless import view
+    from graspless.view.bodies import OBJECT
+    from tasks_common import pixels, read_png
+
+    view.write_png(lift.stages[1], tmp_path / "carry.png")
+    picture = read_png(tmp_path / "carry.png")
+    third = picture.shape[1] // 3
+    heights = [
+        pixels(picture[80:, k * third : (k + 1) * third], OBJECT)[:, 0].mean() for k in range(3)
+    ]
+    assert heights[0] > heights[1] > heights[2]
+
+
+def test_simulated_hand_takes_the_object_where_the_plan_says(lift):
+    pytest.importorskip("mujoco")
+    trial = graspless.simulate(lift).trials[0]
+    assert trial, trial.failures
+    assert trial.measures["carried"] == pytest.approx(0.1, abs=0.003)
+    assert trial.measures["carry_error"] < 0.003
+    assert "lift_height" not in trial.measures
+
+
+def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_path):
+    """A hand that stays open takes nothing with it."""
+    pytest.importorskip("mujoco")
+    document = json.loads(lift.to_json())
+    close = document["stages"][0]["segments"][-1]
+    open_rows = [close["positions"][0]] * len(close["positions"])
+    close["positions"] = open_rows
+    for row in document["stages"][1]["segments"][0]["positions"]:
+        row[7] = open_rows[0][7]
+    plan = reread(document, tmp_path / "plan.json")
+    trial = graspless.simulate(plan).trials[0]
+    assert not trial
+
+
+def test_chain_that_is_not_executed_in_one_go(tumble):
+    pytest.importorskip("mujoco")
+    with pytest.raises(graspless.TaskError, match="fingertip, fingertip is not executed in one go"):
+        graspless.simulate(tumble)

@@ -1,0 +1,307 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is exported is read back by other programs' readers, and is the trajectory."""
+
+import csv
+import importlib.util
+import json
+import pathlib
+
+import mujoco
+import numpy as np
+import pytest
+import trimesh
+import yaml
+from rosbags.highlevel import AnyReader
+from rosbags.typesys import Stores, get_typestore
+
+import graspless
+from graspless import TaskError, cli, frames
+from graspless.exports import FORMATS
+from graspless.exports.fingers import contacts
+from graspless.exports.json_model import TrajectoryFile
+from timing_common import planned
+
+ROOT = pathlib.Path(__file__).parents[2]
+RATE = 20.0
+
+
+def exported(name, path, to, **settings):
+    return graspless.export(planned(name), path, to, rate=RATE, **settings)
+
+
+def test_csv_is_a_table_with_one_line_of_names(tmp_path):
+    trajectory = exported("slide", tmp_path / "plan.csv", "csv")
+    with (tmp_path / "plan.csv").open() as file:
+        names, *rows = csv.reader(file)
+    assert names[:3] == ["time", "segment", "wam_joint_1"]
+    assert names[-7:] == [f"object_{x}" for x in ("x", "y", "z", "qw", "qx", "qy", "qz")]
+    assert [row[1] for row in rows] == trajectory.names
+    table = np.array([[float(v) for k, v in enumerate(row) if k != 1] for row in rows])
+    dof = len(trajectory.joint_names)
+    np.testing.assert_array_equal(table[:, 0], trajectory.times)
+    np.testing.assert_array_equal(table[:, 1 : 1 + dof], trajectory.positions)
+    np.testing.assert_array_equal(table[:, 1 + dof : 1 + 2 * dof], trajectory.velocities)
+    poses = [frames.from_row(row) for row in table[:, 1 + 2 * dof :]]
+    np.testing.assert_allclose(poses, trajectory.object_poses, atol=1e-12)
+
+
+def test_fingertips_are_on_the_object_unless_they_regrasp(tmp_path):
+    trajectory = exported("regrasp", tmp_path / "plan.csv", "csv")
+    with (tmp_path / "plan.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    regrasp = next(s for s in trajectory.segments if s.name == "regrasp")
+    size = np.array([0.05, 0.05, 0.10]) / 2  # of the block, centred at O
+    for k, row in enumerate(rows):
+        for finger in range(2):
+            place = [row[f"finger_{finger}_{axis}"] for axis in "xyz"]
+            if row["segment"] == "regrasp" and finger == regrasp.finger:
+                assert place == ["", "", ""]
+                continue
+            X_OW = np.linalg.inv(trajectory.object_poses[k])
+            p_O = X_OW[:3, :3] @ [float(x) for x in place] + X_OW[:3, 3]
+            assert np.isclose(np.abs(p_O), size, atol=1e-9).any()
+            assert (np.abs(p_O) <= size + 1e-9).all()
+
+
+def test_ros_is_a_joint_trajectory(tmp_path):
+    trajectory = exported("slide", tmp_path / "plan.yaml", "ros")
+    message = yaml.safe_load((tmp_path / "plan.yaml").read_text())
+    assert set(message) == {"header", "joint_names", "points"}
+    assert message["joint_names"] == trajectory.joint_names
+    for field in ("positions", "velocities", "accelerations"):
+        values = [point[field] for point in message["points"]]
+        np.testing.assert_array_equal(values, getattr(trajectory, field))
+    stamps = [point["time_from_start"] for point in message["points"]]
+    nanoseconds = np.array([s["sec"] * 10**9 + s["nanosec"] for s in stamps])
+    assert all(0 <= s["nanosec"] < 10**9 for s in stamps)
+    assert (np.diff(nanoseconds) > 0).all()  # controllers refuse anything else
+    np.testing.assert_allclose(nanoseconds * 1e-9, trajectory.times, atol=1e-9)
+    typed(message)
+
+
+def typed(message):
+    """Builds the ROS message: every field has its type's name, none is missing."""
+    types = get_typestore(Stores.ROS2_HUMBLE).types
+    point = types["trajectory_msgs/msg/JointTrajectoryPoint"]
+    duration = types["builtin_interfaces/msg/Duration"]
+    for fields in message["points"]:
+        point(**fields | {"time_from_start": duration(**fields["time_from_start"])})
+
+
+def messages_of(path):
+    """Messages by topic, each with its time [ns]."""
+    found = {}
+    with AnyReader([path], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as reader:
+        for connection, time, data in reader.messages():
+            message = reader.deserialize(data, connection.msgtype)
+            found.setdefault(connection.topic, []).append((time, message))
+    return found
+
+
+@pytest.mark.parametrize("file", ["plan.mcap", "bag"])
+def test_mcap_is_read_back_by_rosbags(tmp_path, file):
+    trajectory = exported("slide", tmp_path / file, "mcap")
+    assert [p.name for p in tmp_path.iterdir()] == [file]
+    found = messages_of(tmp_path / file)
+    assert set(found) == {"/joint_trajectory", "/joint_states", "/object_pose"}
+    ((time, whole),) = found["/joint_trajectory"]
+    assert time == 0
+    assert whole.joint_names == trajectory.joint_names
+    positions = np.array([point.positions for point in whole.points])
+    np.testing.assert_array_equal(positions, trajectory.positions)
+    states = found["/joint_states"]
+    np.testing.assert_allclose([t * 1e-9 for t, _ in states], trajectory.times, atol=1e-9)
+    np.testing.assert_array_equal([m.position for _, m in states], trajectory.positions)
+    np.testing.assert_array_equal([m.velocity for _, m in states], trajectory.velocities)
+    poses = [m.pose for _, m in found["/object_pose"]]
+    rows = [
+        [p.position.x, p.position.y, p.position.z]
+        + [p.orientation.w, p.orientation.x, p.orientation.y, p.orientation.z]
+        for p in poses
+    ]
+    read = [frames.from_row(row) for row in rows]
+    np.testing.assert_allclose(read, trajectory.object_poses, atol=1e-12)
+    assert found["/object_pose"][0][1].header.frame_id == "world"
+
+
+def test_mcap_of_bare_fingertips(tmp_path):
+    trajectory = exported("regrasp", tmp_path / "plan.mcap", "mcap")
+    found = messages_of(tmp_path / "plan.mcap")
+    assert set(found) == {"/object_pose", "/fingertip_0", "/fingertip_1"}
+    points = contacts(trajectory)
+    for i in range(2):
+        on = np.isfinite(points[:, i]).all(axis=1)
+        read = [[m.point.x, m.point.y, m.point.z] for _, m in found[f"/fingertip_{i}"]]
+        np.testing.assert_array_equal(read, points[on, i])
+
+
+@pytest.mark.parametrize("name", ["slide", "regrasp", "carried", "lifted"])
+def test_json_is_what_its_schema_says(tmp_path, name):
+    trajectory = exported(name, tmp_path / "plan.json", "json")
+    document = json.loads((tmp_path / "plan.json").read_text())
+    file = TrajectoryFile.model_validate(document)
+    published = json.loads((ROOT / "python/graspless/trajectory.schema.json").read_text())
+    assert set(document) == set(published["properties"]) == set(published["required"])
+    assert len(file.times) == len(trajectory)
+    for field in ("times", "segment_index", "rows"):
+        np.testing.assert_array_equal(getattr(file, field), getattr(trajectory, field))
+    for field in ("positions", "velocities", "accelerations"):
+        values = np.array(getattr(file, field)).reshape(len(trajectory), -1)
+        np.testing.assert_array_equal(values, getattr(trajectory, field))
+    assert [file.segments[i] for i in file.segment_index] == trajectory.names
+    assert {len(row) for row in file.fingers} == {2 if name == "regrasp" else 0}
+
+
+def test_published_schema_is_that_of_the_model():
+    spec = importlib.util.spec_from_file_location("schema", ROOT / "tools" / "schema.py")
+    schema = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(schema)
+    assert schema.TRAJECTORY.read_text() == schema.trajectory_text(), "run tools/schema.py"
+
+
+def test_limits_reach_the_file(tmp_path):
+    slow = exported("clasp", tmp_path / "plan.csv", "csv", max_velocity=0.2, contact_speed=0.01)
+    assert np.abs(slow.velocities).max() <= 0.2 * (1 + 1e-6)
+    assert slow.duration > graspless.time(planned("clasp")).duration
+
+
+@pytest.mark.parametrize(
+    ("name", "to", "words"),
+    [("slide", "fbx", "to: fbx: no such format .*ros, mcap"), ("push", "ros", "no joints")],
+)
+def test_what_cannot_be_exported_is_told(tmp_path, name, to, words):
+    with pytest.raises(TaskError, match=words):
+        exported(name, tmp_path / "plan", to)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("to", FORMATS)
+def test_a_plan_without_solution_is_refused(tmp_path, to):
+    unsolved = graspless.plan(planned("slide").task, iterations=0)
+    with pytest.raises(TaskError, match="not solved"):
+        graspless.export(unsolved, tmp_path / "plan", to)
+    assert not list(tmp_path.iterdir())
+
+
+def test_files_are_written_whole_or_not_at_all(tmp_path, monkeypatch):
+    for to in FORMATS:
+        with pytest.raises(TaskError, match="there is no folder"):
+            exported("slide", tmp_path / "missing" / "plan.mcap", to)
+    (tmp_path / "bag").mkdir()
+    with pytest.raises(TaskError, match="bag: cannot be written"):
+        exported("slide", tmp_path / "bag", "mcap")
+    assert [p.name for p in tmp_path.iterdir()] == ["bag"]
+
+
+def test_from_the_command_line(tmp_path, capsys):
+    for to in FORMATS:
+        assert cli.make_parser().parse_args(["export", "PLAN", "--to", to, "-o", "FILE"]).to == to
+    planned("clasp").save(tmp_path / "plan.json")
+    out = tmp_path / "plan.csv"
+    flags = ["--rate", "20", "--velocity", "0.5", "--acceleration", "2", "--contact-speed", "0.03"]
+    assert (
+        cli.main(["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), *flags])
+        == 0
+    )
+    assert f"written: {out}" in capsys.readouterr().out
+    given = {"max_velocity": 0.5, "max_acceleration": 2.0, "contact_speed": 0.03}
+    exported("clasp", tmp_path / "again.csv", "csv", **given)
+    assert out.read_text() == (tmp_path / "again.csv").read_text()
+    bad = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), "--rate", "-1"]
+    assert cli.main(bad) == 2
+    assert "rate: -1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["slide", "clasp", "carried", "lifted"])
+def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
+    trajectory = exported(name, tmp_path / "plan.xml", "mujoco")
+    model, data = loaded(tmp_path / "plan.xml")
+    plan = planned(name)
+    task = (plan.stages[0] if plan.kind == "chain" else plan).task
+    robot = task.problem.robot if task.arm is None else task.arm.robot
+    names = [f"{i}_{segment.name}" for i, segment in enumerate(trajectory.segments)]
+    assert [model.key(k).name for k in range(model.nkey)] == ["start", *names]
+    assert [model.actuator(i).name for i in range(model.nu)] == list(robot.joint_names)
+    for k in range(model.nkey):
+        mujoco.mj_resetDataKeyframe(model, data, k)
+        mujoco.mj_forward(model, data)
+        segment = trajectory.segments[max(k - 1, 0)]
+        row = 0 if k == 0 else -1
+        q, X_WO = segment.positions[row], segment.object_poses[row]
+        np.testing.assert_allclose(data.ctrl, q, atol=1e-5)  # MuJoCo writes six digits
+        for frame, X_WF in zip(robot.frame_names, robot.forward(q), strict=True):
+            np.testing.assert_allclose(body_pose(data, frame), X_WF, atol=1e-5)
+        np.testing.assert_allclose(body_pose(data, "object"), X_WO, atol=1e-5)
+
+
+@pytest.mark.parametrize("name", ["push", "tumble", "regrasp", "twice"])
+def test_mujoco_of_bare_fingertips(tmp_path, name):
+    trajectory = exported(name, tmp_path / "plan.xml", "mujoco")
+    model, data = loaded(tmp_path / "plan.xml")
+    plan = planned(name)
+    problem = (plan.stages[0] if plan.kind == "chain" else plan).task.problem
+    np.testing.assert_allclose(model.body("object").mass, problem.object.mass)
+    for k in range(model.nkey):
+        mujoco.mj_resetDataKeyframe(model, data, k)
+        mujoco.mj_forward(model, data)
+        segment = trajectory.segments[max(k - 1, 0)]
+        X_WO = segment.X_WO[0 if k == 0 else -1]
+        np.testing.assert_allclose(body_pose(data, "object"), X_WO, atol=1e-5)
+        corners = problem.object.hull @ X_WO[:3, :3].T + X_WO[:3, 3]
+        assert abs(corners[:, 2].min()) < 1e-6  # on the floor
+        for i in range(problem.fingers.count):
+            # A sphere that touches the block is its radius from it, and so in MuJoCo.
+            gap = mujoco.mj_geomDistance(
+                model, data, model.geom("object").id, geom_of(model, f"finger{i}"), 0.1, None
+            )
+            assert gap == pytest.approx(0, abs=1e-6)
+
+
+def test_mujoco_object_and_obstacles_have_the_task_s_shape(tmp_path):
+    exported("slide", tmp_path / "plan.xml", "mujoco")
+    model, data = loaded(tmp_path / "plan.xml")
+    mujoco.mj_forward(model, data)
+    thing = planned("slide").task.problem.object
+    assert model.body("object").mass[0] == pytest.approx(thing.mass)
+    X_WO = body_pose(data, "object")
+    com = X_WO[:3, :3] @ thing.com + X_WO[:3, 3]
+    np.testing.assert_allclose(data.body("object").xipos, com, atol=1e-6)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    table = model.geom("table_0").id
+    down = np.array([0.0, 0.0, -1.0])
+    geoms = np.zeros(1, dtype=np.int32)
+    above = np.array([0.65, -0.3, 0.5])  # beside the card
+    assert mujoco.mj_ray(model, data, above, down, None, 1, -1, geoms) == pytest.approx(0.5)
+    assert geoms[0] == table
+
+
+def test_mujoco_file_needs_no_other(tmp_path):
+    """A robot with a mesh, and mimic joints where they follow to."""
+    from graspless.exports import mujoco_scene
+
+    trimesh.creation.box((0.1, 0.2, 0.3)).export(tmp_path / "box.stl")
+    spec = mujoco.MjSpec()
+    spec.add_mesh(name="box", file=str(tmp_path / "box.stl"))
+    spec.worldbody.add_geom(name="box", type=mujoco.mjtGeom.mjGEOM_MESH, meshname="box")
+    mujoco_scene._inline_meshes(spec)
+    (tmp_path / "box.stl").unlink()
+    spec.compile()
+    model = mujoco.MjModel.from_xml_string(spec.to_xml())
+    np.testing.assert_allclose(np.ptp(model.mesh_vert, axis=0).round(6), [0.1, 0.2, 0.3])
+
+
+def loaded(path):
+    model = mujoco.MjModel.from_xml_path(str(path))
+    return model, mujoco.MjData(model)
+
+
+def body_pose(data, name):
+    body = data.body(name)
+    return frames.translation(body.xpos) @ frames.from_quaternion(body.xquat)
+
+
+def geom_of(model, body):
+    (geom,) = np.flatnonzero(model.geom_bodyid == model.body(body).id)
+    return int(geom)
