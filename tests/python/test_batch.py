@@ -18,6 +18,7 @@ import batch_common
 import graspless
 from graspless import TaskError, batches
 from graspless.batches import manifest, names, pools, work
+from graspless.batches.cli import bar
 from graspless.batches.spread import spread
 from graspless.batches.summary import Summary
 from tasks_common import GOOD, changed, run, without_clock
@@ -209,6 +210,20 @@ def _start(folder, output, *flags):
     return subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
     )
+
+
+def test_progress_only_at_a_terminal(here, capsys, monkeypatch):
+    with bar("planning") as progress:
+        assert progress is None
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setenv("TERM", "xterm")
+    with bar("planning") as progress:
+        progress(1, 2)
+        progress(2, 2)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "planning" in err
+    assert "2/2" in err
 
 
 def test_interrupted_and_resumed(tasks, tmp_path):
