@@ -31,6 +31,7 @@ Options paper_terms() {
   Options options;
   options.com_margin = 0.001;
   options.tip_margin = 0;
+  options.rim_margin = 0;
   return options;
 }
 

@@ -219,6 +219,8 @@ void bind_options(py::module_& m) {
             "How far the centre of mass stays inside the edge [m]."},
       Field{"tip_margin", &Options::tip_margin,
             "How far the effective tip stays inside the edge [m]."},
+      Field{"rim_margin", &Options::rim_margin,
+            "How far the contact stays inside the object's outline [m]."},
       Field{"lift_height", &Options::lift_height,
             "Clearance above the object before reaching for it [m]."},
       Field{"grasp_approach", &Options::grasp_approach, "Straight final motion of the hand [m]."},

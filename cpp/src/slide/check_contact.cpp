@@ -83,14 +83,27 @@ void Examination::check_clearance() {
   }
 }
 
+/// options.rim_margin, or what a small object has room for.
+double Examination::rim_margin() const {
+  double farthest = 0;
+  const Eigen::Matrix2Xd& outline = problem_.object.outline().vertices();
+  for (const auto& p_OP : problem_.object.points().colwise()) {
+    farthest = std::max(farthest, inside_by(outline, p_OP));
+  }
+  return std::min(options_.rim_margin, farthest / 2);
+}
+
 void Examination::check_slide() {
   const Segment& slide = segment("slide");
   const Finger start = finger(slide.positions.front());
   const Eigen::Isometry3d X_OS = (X_SW_ * slide.object_poses.front()).inverse();
   const Eigen::Vector3d contact_O =
       X_OS * Eigen::Vector3d(start.effective.x(), start.effective.y(), 0);
-  if (inside_by(problem_.object.outline().vertices(), contact_O.head<2>()) < -0.001) {
+  const double inside = inside_by(problem_.object.outline().vertices(), contact_O.head<2>());
+  if (inside < -0.001)
     fault(slide, 0, "the contact is not on the object");
+  else if (inside < rim_margin() - 0.001) {
+    fault(slide, 0, "the contact is " + figure(inside) + " m from the object's rim");
   }
   const double end_pitch = finger(slide.positions.back()).pitch;
   for (const double pitch :

@@ -58,6 +58,7 @@ class Examination {
   void check_object_poses();
   void check_collisions(const Segment& segment);
   void check_pressing(const Segment& segment);
+  double rim_margin() const;
   void check_slide();
   void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);
   /// What sticks out of the support where the object ends.

@@ -69,6 +69,12 @@ double least_width(const geometry::Polygon& outline) {
   return least;
 }
 
+Eigen::VectorXd depths_within(const geometry::Polygon& outline, const Eigen::Matrix2Xd& points) {
+  Eigen::VectorXd depths(points.cols());
+  for (Eigen::Index i = 0; i < points.cols(); ++i) depths[i] = outline.depth(points.col(i));
+  return depths;
+}
+
 /// The slab between two heights over a polygon, as convex prisms.
 std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom,
                                           double top) {
@@ -90,6 +96,7 @@ Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outl
     : name_(std::move(name)),
       points_(std::move(points)),
       outline_(std::move(outline)),
+      depths_(depths_within(outline_, points_)),
       thickness_(thickness),
       com_(com.x(), com.y(), thickness / 2),
       shapes_(prisms(outline_, 0, thickness)),

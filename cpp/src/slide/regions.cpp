@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "graspless/planning/vector_states.hpp"
 
@@ -42,6 +43,17 @@ std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, dou
   return best;
 }
 
+/// P_o less what is within options.rim_margin of the outline.
+Eigen::Matrix2Xd inside_points(const Object& object, double rim_margin) {
+  if (rim_margin == 0) return object.points();
+  const double margin = std::min(rim_margin, object.depths().maxCoeff() / 2);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < object.points().cols(); ++i) {
+    if (object.depths()[i] >= margin) kept.push_back(i);
+  }
+  return object.points()(Eigen::all, kept);
+}
+
 double draw_depth(Query& query) {
   return query.uniform(query.options.min_depth, query.options.max_depth);
 }
@@ -49,15 +61,16 @@ double draw_depth(Query& query) {
 }  // namespace
 
 StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
-    : planning::SampleableRegion(si), query_(query) {}
+    : planning::SampleableRegion(si),
+      query_(query),
+      p_OP_(inside_points(query.problem.object, query.options.rim_margin)) {}
 
 // Eq. (3): a contact anywhere on the object's top, any yaw, the given pitch, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
-  const auto& points = query_.problem.object.points();
   const auto i =
-      static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(points.cols()));
+      static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(p_OP_.cols()));
   const Planar contact =
-      contact_at(query_.object_start * Eigen::Vector2d(points.col(i)), query_.uniform(0, 2 * kPi));
+      contact_at(query_.object_start * Eigen::Vector2d(p_OP_.col(i)), query_.uniform(0, 2 * kPi));
   if (!query_.problem.support.polygon().contains(contact.translation())) {
     query_.refuse("start: off the support");
     return false;

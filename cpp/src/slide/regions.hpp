@@ -19,6 +19,7 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
 
  private:
   Query& query_;
+  Eigen::Matrix2Xd p_OP_;  ///< contact points far enough inside the outline
 };
 
 class GRASPLESS_API GoalRegion : public planning::SampleableRegion {

@@ -119,6 +119,7 @@ void validate(const Options& o) {
   require(o.min_overhang > 0, "options.min_overhang", o.min_overhang, "must be positive");
   require(o.com_margin >= 0, "options.com_margin", o.com_margin, "must not be negative");
   require(o.tip_margin >= 0, "options.tip_margin", o.tip_margin, "must not be negative");
+  require(o.rim_margin >= 0, "options.rim_margin", o.rim_margin, "must not be negative");
   require(o.lift_height > 0 && o.lift_height <= 1, "options.lift_height", o.lift_height,
           "must lie in (0, 1] m");
   require(o.grasp_approach > 0 && o.grasp_approach <= 1, "options.grasp_approach", o.grasp_approach,

@@ -110,6 +110,7 @@ class Trial:
         if not self.defaults:
             options.com_margin = 0.001  # exactly on the edge must not count as inside
             options.tip_margin = 0
+            options.rim_margin = 0
         return options
 
     def make_budget(self, seconds: float) -> planning.Budget:

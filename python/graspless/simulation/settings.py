@@ -131,7 +131,7 @@ class Slide:
     pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what
     # moment a soft pad withstands is the force times this
     squeeze: float = 0.2  # how far the hand is told to close beyond contact [rad or m]: its
-    # flexures push with 6 N then
+    # flexures push with 8 N a finger then
     squeeze_seconds: float = 0.8  # from the first touch to the lift [s]
     pause: float = 0.3  # after pressing and after sliding, until servos and object rest [s]
     lift_height: float = 0.1  # what the issue asks for [m]

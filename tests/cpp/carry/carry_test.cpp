@@ -163,7 +163,7 @@ TEST(Carry, TheHandKeepsItsPlaceToTheObject) {
   EXPECT_FALSE(has("base_link") || has("wam_link_4"));
 }
 
-TEST(Check, FindsWhatIsWrong) {
+TEST(CarryCheck, FindsWhatIsWrong) {
   const Problem problem = held_box(wam(), {0.1, 0.02, 0});
   const Plan good = plan(problem);
   ASSERT_TRUE(good);
@@ -197,7 +197,7 @@ TEST(Check, FindsWhatIsWrong) {
   expect_fault(bad, "joint names");
 }
 
-TEST(Check, FindsWhatTheHeldObjectTouches) {
+TEST(CarryCheck, FindsWhatTheHeldObjectTouches) {
   Problem problem = held_box(wam(), {0.1, 0.02, 0});
   const Plan good = plan(problem);
   ASSERT_TRUE(good);
@@ -209,7 +209,7 @@ TEST(Check, FindsWhatTheHeldObjectTouches) {
   EXPECT_NE(faults.find("post"), std::string::npos) << faults;
 }
 
-TEST(Validate, NamesTheField) {
+TEST(CarryValidate, NamesTheField) {
   const Problem good = held_box(wam(), {0, 0, 0.1});
   const auto refused = [&](auto change, const char* words) {
     Problem bad = good;

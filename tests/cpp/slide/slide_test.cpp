@@ -48,10 +48,33 @@ TEST(Plan, HoldsInThePapersOwnTerms) {
       Options options;
       options.com_margin = 0.001;
       options.tip_margin = 0;
+      options.rim_margin = 0;
       options.max_depth = options.min_depth + range;
       expect_holds(problem, options, seed++);
     }
   }
+}
+
+TEST(Plan, PressesFarEnoughFromTheRim) {
+  std::mt19937_64 rng(5);
+  int near = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Problem problem =
+        make_problem(tables()[0], objects()[2], random_pose(tables()[0], objects()[2], rng));
+    planning::Budget budget;
+    budget.seed = seed;
+    Options anywhere;
+    anywhere.rim_margin = 0;
+    const Plan kept = plan(problem, {}, budget), free = plan(problem, anywhere, budget);
+    ASSERT_TRUE(kept && free);
+    EXPECT_TRUE(check(problem, kept).empty());
+    EXPECT_TRUE(check(problem, free, anywhere).empty());
+    const std::vector<std::string> faults = check(problem, free);
+    if (faults.empty()) continue;
+    EXPECT_NE(faults.front().find("from the object's rim"), std::string::npos) << faults.front();
+    ++near;
+  }
+  EXPECT_GT(near, 0);
 }
 
 TEST(Plan, AlgorithmOneAsWrittenHoldsToo) {

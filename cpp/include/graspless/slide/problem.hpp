@@ -35,6 +35,7 @@ class GRASPLESS_API Object {
   const std::string& name() const { return name_; }
   const Eigen::Matrix2Xd& points() const { return points_; }  ///< contact points, x-y in O [m]
   const geometry::Polygon& outline() const { return outline_; }
+  const Eigen::VectorXd& depths() const { return depths_; }  ///< of points() inside outline() [m]
   double thickness() const { return thickness_; }
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
@@ -56,6 +57,7 @@ class GRASPLESS_API Object {
   std::string name_;
   Eigen::Matrix2Xd points_;
   geometry::Polygon outline_;
+  Eigen::VectorXd depths_;
   double thickness_;
   Eigen::Vector3d com_;
   double mass_ = 0.05;

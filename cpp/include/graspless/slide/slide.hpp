@@ -42,6 +42,9 @@ struct Options {
   double com_margin = 0.010;
   /// How far the effective tip stays inside the edge [m].
   double tip_margin = 0.010;
+  /// How far the contact stays inside the object's outline at the start [m]; at most half of the
+  /// farthest that a contact point can be. In simulation a pad that pressed on a rim lost it.
+  double rim_margin = 0.005;
   /// Clearance above the object before the hand comes round for it [m].
   double lift_height = 0.08;
   /// Length of the hand's straight final motion [m].

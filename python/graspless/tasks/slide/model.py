@@ -136,6 +136,7 @@ class Options(Fields):
     min_overhang: NotNegative | None = Field(default=None, description="[m]")
     com_margin: NotNegative | None = Field(default=None, description="[m]")
     tip_margin: NotNegative | None = Field(default=None, description="[m]")
+    rim_margin: NotNegative | None = Field(default=None, description="[m]")
     lift_height: Positive | None = Field(default=None, description="[m]")
     grasp_approach: Positive | None = Field(default=None, description="[m]")
     range: Positive | None = Field(default=None, description="[rad]")
