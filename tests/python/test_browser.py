@@ -31,6 +31,7 @@ from graspless.tasks import read_task
 from tasks_common import GOOD
 
 pytest.importorskip("viser")
+pytestmark = pytest.mark.slow
 
 TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
 LAYERS = {"slide": "robot", "fingertip": "object", "clasp": "robot"}  # that cover much
