@@ -107,7 +107,9 @@ def test_a_slide_and_a_tumble_go_as_planned(slide, trial_of_tumble):
 def test_nominal_forces_are_what_the_fingers_press_with(slide):
     _, script, log = carry_out(slide, Variation())
     moves = np.array([script.names[k] == "slide" for k in script.stage[log.moments]])
-    nominal = np.einsum("ni,ni->n", slide.segments[0].nominal_forces[0], slide.segments[0].normals[0])
+    nominal = np.einsum(
+        "ni,ni->n", slide.segments[0].nominal_forces[0], slide.segments[0].normals[0]
+    )
     np.testing.assert_allclose(np.array(log.pressed)[moves].mean(axis=0), nominal, rtol=0.05)
 
 
@@ -162,7 +164,9 @@ def test_a_way_round_stays_out_of_the_ball_between_its_ends():
     way = way_round(np.array([0, 0, 0.06]), n, np.array([-0.04, 0, 0.01]), m, np.zeros(3), 0.1)
     np.testing.assert_allclose(np.linalg.norm(way[1:-1], axis=1), 0.1)
     np.testing.assert_allclose(way[1] - way[0], -n * np.linalg.norm(way[1] - way[0]), atol=1e-12)
-    np.testing.assert_allclose(way[-2] - way[-1], -m * np.linalg.norm(way[-2] - way[-1]), atol=1e-12)
+    np.testing.assert_allclose(
+        way[-2] - way[-1], -m * np.linalg.norm(way[-2] - way[-1]), atol=1e-12
+    )
 
 
 def test_small_disturbances_are_withstood_and_large_ones_break(tumble):
@@ -173,9 +177,10 @@ def test_small_disturbances_are_withstood_and_large_ones_break(tumble):
     assert found["ratio"] == found["smallest"] / z
     trial = Disturbed(tumble, tumble.segments[0], row, Break())
     wrench_O = trial.wrench_O(found["direction"])
-    assert trial.breaks(1.05 * found["smallest"] * wrench_O)
-    assert not trial.breaks(0.9 * found["smallest"] * wrench_O)
-    assert not trial.breaks(np.zeros(6))
+    assert trial.breaks(1.05 * found["smallest"] * wrench_O, 1e-3)
+    assert not trial.breaks(0.9 * found["smallest"] * wrench_O, 1e-3)
+    assert not trial.breaks(np.zeros(6), 1e-3)
+    assert found["lost"] >= found["smallest"]
 
 
 def test_a_row_that_is_not_there_is_refused(slide):

@@ -75,9 +75,7 @@ def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
     }
     tips = [model.body(_frame(plan, finger)).id for finger in range(problem.fingers.count)]
     joints = joint_addresses(model, arm.robot)
-    world = ArmWorld(
-        model, mujoco.MjData(model), settings, problem, finger_of_geom, joints, tips
-    )
+    world = ArmWorld(model, mujoco.MjData(model), settings, problem, finger_of_geom, joints, tips)
     world.stiffen()
     return world
 
