@@ -145,6 +145,7 @@ def recording(script: Script, log: Log) -> Recording:
         object_poses=np.array([frames.from_row(place.tolist()) for place in log.places]),
         fingers=np.array(log.centers),
         names=[script.names[k] for k in script.stage[log.moments]],
+        planned_poses=np.array([frames.from_row(p) for p in script.places[log.moments].tolist()]),
     )
 
 
