@@ -72,6 +72,7 @@ class Break:
     """The test of a row of a fingertip plan: a wrench comes while the object moves past."""
 
     distance: float = 0.001  # of a corner, from where it is without the wrench: broken [m]
+    lost_distance: float = 0.005  # the same: not only bent [m]
     speed: float = 0.004  # of the fastest corner; faster, sliding contacts lose strength [m/s]
     load_seconds: float = 0.15  # the object is held fast while the fingers come to their forces [s]
     still: float = 0.25  # when it begins to move [s]

@@ -38,14 +38,14 @@ FAILURES = {
     "off": "a corner of the object was farther from its place than is allowed: 1 mm, 1.5 mm varied",
     "lost": "a corner of the object was more than 1 cm from its place",
     "slipped": "a fingertip slipped by more than 1 mm on the object",
-    "chatter": "while the object moved, the floor's force was zero for more than 5 % of the time",
+    "chatter": "while the object slid, the floor's force was zero for more than 5 % of the time",
 }
 
 MEASURES = {
     "vertex_error": "how far the object's worst corner was from its place, at worst [m]",
     "vertex_error_end": "the same at the end [m]",
     "slip": "how far a fingertip was from its place on the object, at worst [m]",
-    "floor_lost": "share of the motion's time without any force of floor and walls",
+    "floor_lost": "share of the time of slides and turns without any force of floor and walls",
     "duration": "of the motion [s]",
 }
 
@@ -101,7 +101,7 @@ def measure(world: World, script: Script, log: Log) -> dict[str, float]:
     moves = np.isin([script.names[k] for k in stage], ["slide", "turn", "tumble"])
     touches = np.array(log.pressed) > 0
     slips = finger_slips(world, script, log)
-    floor_lost = np.array(log.floor)[moves] <= 0
+    floor_lost = np.array(log.floor)[moves & (script.slides[log.moments] > 0)] <= 0
     return {
         "vertex_error": float(np.max(log.errors)),
         "vertex_error_end": float(log.errors[-1]),

@@ -38,6 +38,8 @@ class Breaking:
         greatest that was tried.
     direction : int
         Of the task's disturbance directions: that of the smallest; -1: none broke it.
+    lost : float
+        As `smallest`, of what moves a corner 5 mm off: more than the fingers' springs give.
     stability, compliant_stability : float
         What the plan says of the row [N].
     """
@@ -46,6 +48,7 @@ class Breaking:
     row: int
     smallest: float
     direction: int
+    lost: float
     stability: float
     compliant_stability: float
 
@@ -56,9 +59,11 @@ class Breaking:
             "row": self.row,
             "smallest": self.smallest,
             "direction": self.direction,
+            "lost": self.lost,
             "z": self.stability,
             "compliant": self.compliant_stability,
             "ratio": self.smallest / self.stability,
+            "lost_ratio": self.lost / self.stability,
             "compliant_ratio": self.smallest / max(self.compliant_stability, 1e-12),
         }
 
@@ -71,7 +76,7 @@ def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
 def break_test(
     plan: Plan, row: tuple[int, int] | None = None, settings: Break | None = None
 ) -> Breaking:
-    """Wrenches along the task's directions grow until one moves a corner 1 mm off.
+    """Wrenches along the task's directions grow until one moves a corner 1 mm off; and 5 mm.
 
     The object begins at rest a little before the row, held by the fingers' nominal forces, and
     moves slowly past it, while the wrench comes and stays.
@@ -93,9 +98,11 @@ def break_test(
         raise TaskError(f"row: ({s}, {i}): the plan has no such segment and row")
     segment = plan.segments[s]
     z = float(segment.stability[i])
-    trial = Disturbed(plan, segment, i, settings or Break())
-    smallest, direction = trial.smallest(z)
-    return Breaking(s, i, smallest, direction, z, float(segment.compliant_stability[i]))
+    settings = settings or Break()
+    trial = Disturbed(plan, segment, i, settings)
+    smallest, direction = trial.smallest(z, settings.distance)
+    lost, _ = trial.smallest(z, settings.lost_distance)
+    return Breaking(s, i, smallest, direction, lost, z, float(segment.compliant_stability[i]))
 
 
 class Disturbed:
@@ -115,28 +122,28 @@ class Disturbed:
         self._wrenches_O = np.linalg.solve(scale, directions.T).T
         self._start = round(settings.begin / self._world.model.opt.timestep)
         self._state = self._settled()
-        self._undisturbed = self._run(np.zeros(6), None)
+        self._undisturbed = self._run(np.zeros(6))
 
     def wrench_O(self, direction: int) -> Matrix:
         """[6] of 1 N along one of the task's directions."""
         wrench_O: Matrix = self._wrenches_O[direction]
         return wrench_O
 
-    def breaks(self, wrench_O: Matrix) -> bool:
-        """Whether a wrench about the centre of mass, in O [N, N m], moves a corner too far."""
-        return len(self._run(wrench_O, self._undisturbed)) < len(self._undisturbed)
+    def breaks(self, wrench_O: Matrix, distance: float) -> bool:
+        """Whether a wrench about the centre of mass, in O [N, N m], moves a corner so far [m]."""
+        return len(self._run(wrench_O, distance)) < len(self._undisturbed)
 
-    def smallest(self, z: float) -> tuple[float, int]:
-        """Factor [N] and number of the direction of the smallest wrench that breaks the motion."""
+    def smallest(self, z: float, distance: float) -> tuple[float, int]:
+        """Factor [N] and number of the direction of the smallest wrench that does."""
         best, direction = self._settings.largest * z, -1
         for k, wrench_O in enumerate(self._wrenches_O):
-            if not self.breaks(best * wrench_O):
+            if not self.breaks(best * wrench_O, distance):
                 continue
             holds = 0.0
             direction = k
             while best - holds > self._settings.precision * best:
                 middle = (holds + best) / 2
-                if self.breaks(middle * wrench_O):
+                if self.breaks(middle * wrench_O, distance):
                     best = middle
                 else:
                     holds = middle
@@ -157,8 +164,8 @@ class Disturbed:
         mujoco.mj_getState(world.model, world.data, state, _WHOLE)
         return state
 
-    def _run(self, wrench_O: Matrix, undisturbed: list[Matrix] | None) -> list[Matrix]:
-        """Places of the object every few steps; fewer than undisturbed where it went too far."""
+    def _run(self, wrench_O: Matrix, distance: float | None = None) -> list[Matrix]:
+        """Places of the object every few steps; fewer than undisturbed where it goes too far."""
         world, settings = self._world, self._settings
         mujoco.mj_setState(world.model, world.data, self._state, _WHOLE)
         self._servo.zero_O = self._zero_O
@@ -171,9 +178,9 @@ class Disturbed:
             if i % settings.every != 0:
                 continue
             place = world.object_qpos.copy()
-            if undisturbed is not None:
-                off = corner_error(world.hull, place, undisturbed[len(places)])
-                if not off < settings.distance:
+            if distance is not None:
+                off = corner_error(world.hull, place, self._undisturbed[len(places)])
+                if not off < distance:
                     break
             places.append(place)
         return places
