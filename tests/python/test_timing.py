@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import graspless
-from graspless import TaskError, robot
+from graspless import TaskError, robot, slide
 from graspless.robot import Robot
 from graspless.timing import settings
 from timing_common import planned, timed
@@ -222,6 +222,15 @@ def test_bare_fingertips_of_a_plan_with_an_arm():
     np.testing.assert_allclose(bare.object_poses[-1], with_arm.object_poses[-1], atol=1e-6)
 
 
+def test_bare_fingertips_of_a_plan_that_its_arm_cannot_carry_out():
+    plan = planned("carried")
+    refused = type(plan)(plan.fields.model_copy(update={"status": "not_realized"}), plan.task)
+    with pytest.raises(TaskError, match="not_realized, not solved"):
+        graspless.time(refused)
+    bare = graspless.time(refused, fingers=True)
+    np.testing.assert_array_equal(bare.times, timed("carried", fingers=True).times)
+
+
 def test_a_regrasp_takes_its_time():
     plan, trajectory = planned("regrasp"), timed("regrasp")
     mine = next(m for segment, m in of_segments(trajectory) if segment.name == "regrasp")
@@ -250,6 +259,19 @@ def test_sampling_keeps_the_limits_and_the_ends(name):
     held = trajectory.at([-1.0, trajectory.duration + 1])
     assert held.names == [trajectory.names[0], trajectory.names[-1]]
     np.testing.assert_allclose(held.positions, trajectory.positions[[0, -1]], atol=1e-12)
+
+
+def test_the_timed_motion_passes_the_plan_s_own_check():
+    """Collisions, bands, limits and the grasp hold along it as they do along the rows."""
+    plan, trajectory = planned("slide"), timed("slide")
+    core = plan.to_core()
+    core.segments = [
+        slide.Segment(segment.name, trajectory.positions[mine], trajectory.object_poses[mine])
+        for segment, mine in of_segments(trajectory)
+    ]
+    faults = slide.check(plan.task.problem, core, plan.task.options)
+    # Poses between rows are interpolated, and follow the contact less exactly than rows do.
+    assert [fault for fault in faults if "does not follow the contact" not in fault] == []
 
 
 def test_object_follows_its_rows():
@@ -351,3 +373,12 @@ def test_a_plan_that_is_not_solved():
     unsolved = graspless.plan(planned("slide").task, iterations=0)
     with pytest.raises(TaskError, match=f"{unsolved.status}, not solved"):
         graspless.time(unsolved)
+
+
+def test_without_toppra(monkeypatch):
+    def part(room, kind):
+        raise ImportError("no", name="toppra")
+
+    monkeypatch.setattr("graspless.timing.part", part)
+    with pytest.raises(TaskError, match=r"needs toppra: pip install 'graspless\[timing\]'"):
+        timed_with("push")

@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
@@ -41,7 +41,7 @@ def test_a_path_keeps_to_its_polyline(points, tolerance):
 
 
 @given(polylines(), st.floats(0.1, 3), st.floats(0.2, 10))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30, deadline=None, phases=[Phase.explicit, Phase.reuse, Phase.generate])
 def test_the_fastest_motion_keeps_its_limits(points, velocity, acceleration):
     n = points.shape[1]
     limits = Limits(np.full(n, velocity), np.full(n, acceleration))

@@ -83,9 +83,9 @@ def draw(random: Generator) -> dict[str, Any]:
             "count": int(random.choice([1, 2, 3], p=[0.15, 0.7, 0.15])),
             "radius": float(random.uniform(0.006, 0.012)),
             "max_normal_force": float(random.uniform(0.6, 2.0) * 9.8 * mass),
-            "friction": float(random.uniform(0.5, 1.0)),
+            "friction": _about(random.uniform(0.5, 1.0)),
         },
-        "friction": float(random.uniform(0.3, 0.8)),
+        "friction": _about(random.uniform(0.3, 0.8)),
         "walls": walls if straight else [],
         "motion": {"sequence": steps},
         "options": {
@@ -96,6 +96,11 @@ def draw(random: Generator) -> dict[str, Any]:
         },
         "budget": {"seconds": 30.0},
     }
+
+
+def _about(friction: float) -> list[float]:
+    """Known to 10 %, by which trials vary it."""
+    return [0.9 * float(friction), 1.1 * float(friction)]
 
 
 def _slide(random: Generator) -> dict[str, Any]:

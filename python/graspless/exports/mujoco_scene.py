@@ -14,6 +14,7 @@ from .. import frames, geometry
 from ..simulation.clasp.surface import inertia, skin
 from ..simulation.robots import apply, robot_spec
 from ..simulation.settings import Clasp
+from ..simulation.shapes import add_placed
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -137,21 +138,15 @@ def _add_fixed(spec: Any, name: str, shapes: Any, X_WB: Matrix) -> None:
 
 
 def _add_shape(spec: Any, body: Any, name: str, placed: Any, **given: Any) -> None:
-    """A geom; a mesh that is not convex collides as its convex hull."""
-    shape, X_BG = placed.shape, np.asarray(placed.X_BG)
+    """A geom; a mesh looks as it is, and collides as its convex hull."""
+    if not isinstance(placed.shape, geometry.Mesh):
+        add_placed(spec, body, placed, name=name, **given)
+        return
+    mesh = spec.add_mesh(name=name, uservert=np.asarray(placed.shape.vertices).ravel().tolist())
+    mesh.userface = np.asarray(placed.shape.triangles).ravel().tolist()
+    X_BG = np.asarray(placed.X_BG)
     given |= {"name": name, "pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
-    if isinstance(shape, geometry.Box):
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=np.asarray(shape.size) / 2, **given)
-    elif isinstance(shape, geometry.Sphere):
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[shape.radius, 0, 0], **given)
-    elif isinstance(shape, geometry.Capsule):
-        size = [shape.radius, shape.length / 2, 0]
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=size, **given)
-    else:
-        mesh = spec.add_mesh(name=name, uservert=np.asarray(shape.vertices).ravel().tolist())
-        if isinstance(shape, geometry.Mesh):
-            mesh.userface = np.asarray(shape.triangles).ravel().tolist()
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)
+    body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)
 
 
 def _inline_meshes(spec: Any) -> None:

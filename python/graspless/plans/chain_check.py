@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
+from ..errors import TaskError
 from ..tasks.chain import start_at
-from .chain_state import begins, ends, join
+from .chain_state import begins, corners, ends, join
 
 if TYPE_CHECKING:
     from ..frames import Matrix
+    from ..tasks.chain import Stage
     from .chain import Plan
 
 SAME_JOINTS = 1e-9  # [rad or m]
@@ -35,11 +37,19 @@ def check_joins(plan: Plan) -> list[str]:
         if join(before) != plan.fields.joins[k - 1].model_dump(mode="json"):
             faults.append(f"{where}: the join before it is not what the stage before it left")
     for k, stage in enumerate(stages):
-        fields = asked[k].fields if k == 0 else start_at(asked[k].fields, ends(stages[k - 1]))
-        wrong = differs(_plain(fields), _plain(stage.task.fields))
-        if wrong is not None:
-            faults.append(f"stage {k} '{plan.names[k]}': {wrong} is not what the chain's task says")
+        wrong = _wrong_task(stage, asked[k], stages[k - 1] if k else None)
+        faults += [f"stage {k} '{plan.names[k]}': {wrong}"] if wrong else []
     return faults + _check_contents(plan)
+
+
+def _wrong_task(stage: Any, asked: Stage, before: Any) -> str:
+    """What a stage's task has that the chain's does not ask for; empty: nothing."""
+    try:
+        fields = asked.fields if before is None else start_at(asked, ends(before))
+    except TaskError as error:
+        return f"cannot start where the stage before it ended: {error}"
+    wrong = differs(_plain(fields), _plain(stage.task.fields))
+    return "" if wrong is None else f"{wrong} is not what the chain's task says"
 
 
 def differs(asked: Any, given: Any, place: str = "") -> str | None:
@@ -70,9 +80,19 @@ def _continuity(before: Any, stage: Any) -> list[str]:
             faults.append("has other joints than the stage before it")
         elif (off := float(np.abs(q - state.q).max())) > SAME_JOINTS:
             faults.append(f"a joint starts {off:.3g} rad from where the stage before it ended")
-    if (off := _apart(X_WO, state.X_WO)) > SAME_POSE:
+    if before.kind == "fingertip" and stage.kind == "slide":
+        off = _uncovered(state.corners, corners(stage, X_WO))  # each has a frame of its own
+    else:
+        off = _apart(X_WO, state.X_WO)
+    if off > SAME_POSE:
         faults.append(f"the object starts {off:.3g} m or rad from where the stage before it ended")
     return faults
+
+
+def _uncovered(p_W: Any, q_W: Any) -> float:
+    """How far a corner of one of two point sets is from the other's nearest, at most [m]."""
+    apart = np.linalg.norm(p_W[:, None] - q_W[None], axis=2)
+    return float(max(apart.min(axis=0).max(), apart.min(axis=1).max()))
 
 
 def _apart(X_A: Matrix, X_B: Matrix) -> float:

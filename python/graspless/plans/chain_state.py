@@ -23,7 +23,22 @@ def begins(plan: Any) -> tuple[Matrix | None, Matrix]:
 def ends(plan: Any) -> State:
     """Where a plan that is solved ends."""
     q, X_WO = _moment(plan, first=False)
-    return State(X_WO, q, _held(plan))
+    return State(X_WO, q, _held(plan), corners(plan, X_WO))
+
+
+def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
+    """[N, 3] of the object's convex hull in the world; None of a cloud, whose points say less."""
+    thing = plan.task.problem.object
+    if plan.kind == "fingertip":
+        p_O = np.array(thing.hull)
+    elif plan.kind == "slide":
+        ring = np.array(thing.outline.vertices)
+        heights = (0.0, float(thing.thickness))
+        p_O = np.concatenate([np.column_stack([ring, np.full(len(ring), z)]) for z in heights])
+    else:
+        return None
+    p_W: Matrix = p_O @ X_WO[:3, :3].T + X_WO[:3, 3]
+    return p_W
 
 
 def join(before: Any) -> dict[str, Any]:

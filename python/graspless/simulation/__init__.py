@@ -86,6 +86,8 @@ def simulation_kind(name: str) -> SimulationKind:
     try:
         kind: SimulationKind = part("simulation", name)
     except ImportError as error:
+        if error.name == f"{__name__}.{name}":
+            raise TaskError(f"{name} plans are not simulated alone") from None
         raise TaskError(f"needs {error.name}: pip install 'graspless[sim]'") from None
     return kind
 

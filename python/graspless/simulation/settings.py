@@ -44,19 +44,22 @@ class Spread:
 class Fingertip:
     """Bare fingertips: spheres with servos of their own, and contact with them and with planes.
 
-    Contact is soft where the object slides: a stiff one chatters, so that the floor's force
-    vanishes a quarter of the time, which no pose shows. It is stiff where the object turns.
+    Planes are soft while the object slides on them: a stiff contact that slides chatters, so that
+    the floor's force vanishes a quarter of the time, which no pose shows. What sticks is stiff: a
+    soft contact creeps under a steady force along it, 0.2 mm/s for 3 N on a light object.
     """
 
     timestep: float = 0.001  # [s]
     slide_solref: tuple[float, float] = (0.005, 1.0)
     slide_solimp: tuple[float, ...] = (0.5, 0.95, 0.0005, 0.5, 2.0)
-    turn_solref: tuple[float, float] = (0.002, 1.0)
-    turn_solimp: tuple[float, ...] = (0.99, 0.999, 0.001, 0.5, 2.0)
+    stick_solref: tuple[float, float] = (0.002, 1.0)
+    stick_solimp: tuple[float, ...] = (0.99, 0.999, 0.001, 0.5, 2.0)
     mass: float = 0.1  # of a fingertip, and of what moves with it [kg]
     stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
     damping_ratio: float = 1.0
     turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
+    speed: float = 0.005  # of an object that slides; faster, MuJoCo lifts it off the floor [m/s]
+    arm_speed: float = 0.01  # the same, carried by an arm [m/s]
     approach: float = 0.002  # from where a finger comes to the surface [m]
     load_seconds: float = 0.3  # to touch, and from one set of forces to the next [s]
     rest_seconds: float = 0.2  # at the end [s]
@@ -139,4 +142,5 @@ class Slide:
     tipped: float = 0.175  # an object that tilts by 10 degrees is about to fall [rad]
     fell: float = 0.02  # below where it lay [m]
     lost_seconds: float = 0.1  # without contact while it slides
+    kept_height: float = 0.09  # of what is asked; hands and arms give way a little [m]
     kept: float = 0.02  # how far an object that is held may creep in the hand [m]

@@ -68,16 +68,18 @@ def time(
     pause : float, optional
         Between segments, where contacts change [s]. Default 0.05.
     fingers : bool
-        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same.
+        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same, also
+        where its status is not_realized.
 
     Raises
     ------
     TaskError
-        The plan is not solved, the robot is another one, or a limit is not positive.
+        The plan is not solved, the robot is another one, a limit is not positive, or toppra is
+        not installed.
     """
     from . import settings as defaults
 
-    if not plan:
+    if not plan and not (fingers and plan.status == "not_realized"):
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to time")
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
     pause = defaults.require_positive("pause", defaults.PAUSE if pause is None else pause)
@@ -100,7 +102,10 @@ def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:
 
 
 def _kind(name: str) -> TimingKind:
-    kind: TimingKind = part("timing", name)
+    try:
+        kind: TimingKind = part("timing", name)
+    except ImportError as error:
+        raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
     return kind
 
 

@@ -5,24 +5,18 @@
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-
-from ..errors import TaskError
-
-try:
-    from toppra.algorithm import TOPPRA
-    from toppra.constraint import (
-        JointAccelerationConstraint,
-        JointVelocityConstraint,
-        LinearConstraint,
-    )
-    from toppra.interpolator import AbstractGeometricPath
-    from toppra.parametrizer import ParametrizeConstAccel
-except ImportError as error:
-    raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
+from toppra.algorithm import TOPPRA
+from toppra.constraint import (
+    JointAccelerationConstraint,
+    JointVelocityConstraint,
+    LinearConstraint,
+)
+from toppra.interpolator import AbstractGeometricPath
+from toppra.parametrizer import ParametrizeConstAccel
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -35,6 +29,10 @@ if TYPE_CHECKING:
 logging.getLogger("toppra").setLevel(logging.CRITICAL)  # what fails is told by us
 
 CHECKS = 4  # moments between two grid points at which the limits are looked at again
+FINAL_CHECKS = 24
+REFINEMENTS = 4  # of the grid, at most
+MARGIN = 1e-4  # for what lies between the moments that are looked at
+ACCEPTED = 0.01  # how much too fast before the grid is refined
 
 
 @dataclass(frozen=True)
@@ -68,26 +66,25 @@ class Limits:
 class Motion:
     """A path in time.
 
-    Attributes
-    ----------
-    duration : float
-        [s].
+    toppra's tolerances are absolute: it is given the path as one of length 1, and a unit of time
+    in which that takes about 1.
     """
 
     path: Path
     _arc: Any
-    _slowed: float
+    _unit: float
 
     @property
     def duration(self) -> float:
         """[s]."""
-        return float(self._arc.duration) * self._slowed
+        return float(self._arc.duration) * self._unit
 
     def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
         """[N] where on the path, its speed and its acceleration at `t` [N] [s]."""
-        scaled = np.clip(t / self._slowed, 0.0, self._arc.duration)
-        s, ds, dds = (self._arc(scaled, order)[:, 0] for order in range(3))
-        return s.clip(0.0, self.path.length), ds / self._slowed, dds / self._slowed**2
+        scaled = np.clip(t / self._unit, 0.0, self._arc.duration)
+        s, ds, dds = (self._arc(scaled, order)[:, 0] * self.path.length for order in range(3))
+        s = np.where(scaled < self._arc.duration, s, self.path.length)  # exactly, at the end
+        return s.clip(0.0, self.path.length), ds / self._unit, dds / self._unit**2
 
     def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
         """[N, n] coordinates, velocities and accelerations at `t` [N] [s]."""
@@ -100,47 +97,69 @@ class Motion:
 def fastest(path: Path, limits: Limits) -> Motion:
     """The fastest motion along `path`; its limits hold at every moment.
 
-    toppra looks at them at the points of a grid; between these they are broken by some 1e-3 of
-    their size, by which the whole motion is slowed down.
+    toppra looks at them at the points of a grid. Where they are broken between these, the grid is
+    made finer; by what is left the whole motion is slowed down.
     """
-    grid = path.grid()
-    given = _Given(path)
+    grid = path.grid() / path.length
+    motion, excess = _solved(path, limits, grid)
+    for _ in range(REFINEMENTS):
+        if excess.max() <= ACCEPTED:
+            break
+        broken = np.flatnonzero(excess > ACCEPTED / 2)
+        grid = np.sort(np.append(grid, (grid[broken] + grid[broken + 1]) / 2))
+        motion, excess = _solved(path, limits, grid)
+    without_paces = replace(limits, paces=())  # they are slow to ask, and smoother
+    most = max(excess.max(), _excess(motion, without_paces, FINAL_CHECKS).max())
+    slower = 1 + MARGIN + 1.1 * float(most)
+    return Motion(path, motion._arc, motion._unit * slower)
+
+
+def _solved(path: Path, limits: Limits, grid: Matrix) -> tuple[Motion, Matrix]:
+    """What toppra finds, and by how much it is too fast between two points of the grid [M - 1]."""
+    unit = _unit_of_time(path, limits)
     constraints = [
-        JointVelocityConstraint(np.minimum(limits.velocity, 1e6)),
-        JointAccelerationConstraint(np.minimum(limits.acceleration, 1e6)),
-        _Pace(limits),
+        JointVelocityConstraint(np.minimum(limits.velocity * unit, 1e6)),
+        JointAccelerationConstraint(np.minimum(limits.acceleration * unit**2, 1e6)),
+        _Pace(limits, unit),
     ]
-    result = TOPPRA(constraints, given, gridpoints=grid).compute_parameterization(0, 0)
+    result = TOPPRA(constraints, _Given(path), gridpoints=grid).compute_parameterization(0, 0)
     speeds = result[1]
     if speeds is None or not np.isfinite(speeds).all():
         raise RuntimeError("toppra found no parametrisation of a path that comes to rest")
-    arc = ParametrizeConstAccel(_Arc(path.length), grid, np.maximum(speeds, 0.0))
-    motion = Motion(path, arc, 1.0)
-    return Motion(path, arc, _excess(motion, limits))
+    motion = Motion(path, ParametrizeConstAccel(_Arc(), grid, np.maximum(speeds, 0.0)), unit)
+    return motion, _excess(motion, limits)
 
 
-def _excess(motion: Motion, limits: Limits) -> float:
-    """By how much a motion is too fast, at least 1."""
-    times = np.asarray(motion._arc._ts)
-    parts = np.linspace(1e-6, 1 - 1e-6, CHECKS + 2)
+def _unit_of_time(path: Path, limits: Limits) -> float:
+    """In which a path from rest is passed with the accelerations that it allows [s]."""
+    slopes = np.abs(path(np.linspace(0.0, path.length, 50), 1)).max(axis=0)
+    return float(np.sqrt((path.length * slopes / limits.acceleration).max()))
+
+
+def _excess(motion: Motion, limits: Limits, checks: int = CHECKS) -> Matrix:
+    """By how much a motion is too fast between two points of its grid: 0.01 is a hundredth."""
+    times = np.asarray(motion._arc._ts) * motion._unit
+    parts = np.linspace(1e-6, 1 - 1e-6, checks + 2)
     t = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
     s, ds, _ = motion.at(t)
     _, velocities, accelerations = motion.coordinates(t)
-    velocity = (np.abs(velocities) / limits.velocity).max()
-    acceleration = (np.abs(accelerations) / limits.acceleration).max()
-    pace = (ds * limits.pace(motion.path, s)).max()
-    excess = max(0.0, velocity - 1, np.sqrt(acceleration) - 1, pace - 1)
-    return 1 + 1.05 * float(excess) + 1e-9  # what is between these moments is smooth
+    velocity = (np.abs(velocities) / limits.velocity).max(axis=1)
+    acceleration = (np.abs(accelerations) / limits.acceleration).max(axis=1)
+    pace = ds * limits.pace(motion.path, s)
+    most = np.max([velocity, np.sqrt(acceleration), pace, np.ones(len(t))], axis=0)
+    excess: Matrix = most.reshape(-1, len(parts)).max(axis=1) - 1
+    return excess
 
 
 class _Given(AbstractGeometricPath):  # type: ignore[misc]
-    """Our path as toppra asks for one."""
+    """Our path as toppra asks for one, of length 1."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
 
     def __call__(self, path_positions: Any, order: int = 0) -> Matrix:
-        return self.path(path_positions, order)
+        length = self.path.length
+        return self.path(path_positions * length, order) * length**order
 
     @property
     def dof(self) -> int:
@@ -148,14 +167,11 @@ class _Given(AbstractGeometricPath):  # type: ignore[misc]
 
     @property
     def path_interval(self) -> Matrix:
-        return np.array([0.0, self.path.length])
+        return np.array([0.0, 1.0])
 
 
 class _Arc(AbstractGeometricPath):  # type: ignore[misc]
     """The parameter itself as a path of one coordinate."""
-
-    def __init__(self, length: float) -> None:
-        self.length = length
 
     def __call__(self, path_positions: Any, order: int = 0) -> Matrix:
         s = np.asarray(path_positions, dtype=float).reshape(-1, 1)
@@ -167,18 +183,20 @@ class _Arc(AbstractGeometricPath):  # type: ignore[misc]
 
     @property
     def path_interval(self) -> Matrix:
-        return np.array([0.0, self.length])
+        return np.array([0.0, 1.0])
 
 
 class _Pace(LinearConstraint):  # type: ignore[misc]
     """Paces as bounds on the squared speed along the path."""
 
-    def __init__(self, limits: Limits) -> None:
+    def __init__(self, limits: Limits, unit: float) -> None:
         super().__init__()
         self.limits = limits
+        self.unit = unit
         self.dof = len(limits.velocity)
 
     def compute_constraint_params(self, path: Any, gridpoints: Matrix) -> tuple[Any, ...]:
-        pace = np.maximum(self.limits.pace(path.path, gridpoints), 1e-6)
-        bounds = np.stack([np.zeros(len(pace)), 1 / pace**2], axis=1)
+        length = path.path.length
+        pace = self.limits.pace(path.path, gridpoints * length) * length / self.unit
+        bounds = np.stack([np.zeros(len(pace)), 1 / np.maximum(pace, 1e-4) ** 2], axis=1)
         return None, None, None, None, None, None, bounds

@@ -37,7 +37,8 @@ class Clock:
         """[N] seconds of rows, which may lie between rows, of one of the trajectory's segments."""
         here = self.trajectory.segment_index == segment
         times = self.trajectory.times[here] / self.pace
-        return np.interp(np.asarray(rows, dtype=float), self.trajectory.rows[here], times)
+        found: Matrix = np.interp(np.asarray(rows, dtype=float), self.trajectory.rows[here], times)
+        return found
 
 
 def clock_of(plan: Plan) -> Clock | None:

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fingertip plans in MuJoCo: spheres under position or force control, as the plan says.
+"""Fingertip plans in MuJoCo: spheres under position or force control, as the plan says, or an arm.
 
 Trials vary friction by 10 % and the fingers' places by 0.1 mm: `x` and `y` of a variation say
 where the first finger is beside its place; the others are beside theirs as far, in directions
-evenly round.
+evenly round. With an arm the object is beside its place.
 """
 
 from __future__ import annotations
@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
+from ...timing import time as timed
 from ..results import Recording, Trial
 from ..settings import Fingertip, Spread
+from .arm import carry_out_by_arm
+from .breaking import disturb
 from .execute import Log, execute
-from .pace import paced
 from .program import program
 from .servo import Servo
 from .world import build_world
@@ -51,17 +53,12 @@ LOST = 0.01  # [m]
 
 
 def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
-    """Executes a plan that is solved, by bare fingertips."""
+    """Executes a plan that is solved, by its arm or, without one, by bare fingertips."""
     start = time.perf_counter()
-    settings = Fingertip()
-    world = build_world(plan.task.problem, variation, settings)
-    script = program(plan, paced(plan), settings)
-    script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
-    world.place(plan.segments[0].X_WO[0], script.centers[0])
-    limit = plan.task.problem.fingers.max_normal_force
-    servo = Servo(world, script, limit, finger_offsets(variation, world.fingers))
-    log = execute(world, script, servo)
+    by = carry_out_by_arm if plan.joint_segments else carry_out
+    world, script, log = by(plan, variation)
     measures = measure(world, script, log)
+    settings = world.settings
     return Trial(
         variation,
         judge(measures, settings.tolerance if variation.is_nominal else settings.varied_tolerance),
@@ -69,6 +66,25 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         time.perf_counter() - start,
         recording(script, log) if record else None,
     )
+
+
+def carry_out(
+    plan: Plan, variation: Variation, *, feeds: bool = True, zeroes: bool = True
+) -> tuple[World, Script, Log]:
+    """By bare fingertips: the world in the end, what the fingers were told at each of its steps,
+    and what was seen.
+
+    `feeds` and `zeroes` are the servos' own.
+    """
+    problem, settings = plan.task.problem, Fingertip()
+    world = build_world(problem, variation, settings)
+    trajectory = timed(plan, contact_speed=settings.speed, fingers=True)
+    script = program(plan, trajectory, settings)
+    script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
+    world.place(plan.segments[0].X_WO[0], script.centers[0])
+    offsets, limit = finger_offsets(variation, world.fingers), problem.fingers.max_normal_force
+    servo = Servo(world, script, limit, offsets, feeds=feeds, zeroes=zeroes)
+    return world, script, execute(world, script, servo)
 
 
 def finger_offsets(variation: Variation, fingers: int) -> Matrix:
@@ -125,8 +141,12 @@ def recording(script: Script, log: Log) -> Recording:
     """What moved."""
     return Recording(
         times=script.times[log.moments],
-        positions=np.zeros((len(log.moments), 0)),
+        positions=np.array(log.joints),
         object_poses=np.array([frames.from_row(place.tolist()) for place in log.places]),
         fingers=np.array(log.centers),
         names=[script.names[k] for k in script.stage[log.moments]],
+        planned_poses=np.array([frames.from_row(p) for p in script.places[log.moments].tolist()]),
     )
+
+
+__all__ = ["FAILURES", "MEASURES", "SPREAD", "carry_out", "carry_out_by_arm", "disturb", "run"]

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 import mujoco
 import numpy as np
-
-from ... import frames
+from scipy.spatial.transform import Rotation
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -54,7 +53,7 @@ class Servo:
         feeds: bool = True,
         zeroes: bool = True,
     ) -> None:
-        self._world, self._script, self._limit, self._zeroes = world, script, limit, zeroes
+        self._world, self._script, self._limit = world, script, limit
         beside = np.zeros((world.fingers, 3)) if offsets is None else offsets
         self._centers = script.centers + script.drift[:, None, None] * beside
         normal_forces = np.einsum("tni,tni->tn", script.forces, script.normals)
@@ -63,15 +62,19 @@ class Servo:
             along, normal_forces = 0 * along, normal_forces * (1 - script.holds)
         self._along = along + world.model.dof_damping[6] * script.velocities()
         self._normal_forces = normal_forces
-        radius = world.model.geom_size[-1, 0]
-        self._turning = world.settings.turning * world.settings.stiffness * radius**2
+        self._turning = world.settings.turning * world.settings.stiffness * world.radius**2
+        self._R_WO = Rotation.from_quat(script.places[:, [4, 5, 6, 3]]).as_matrix()
+        is_new = np.diff(script.stage) != 0
+        starts = (np.diff(script.holds, axis=0) > 0).any(axis=1)
+        self._may_zero = zeroes & np.concatenate([[False], is_new | starts])
         self._error = np.zeros(3)
         self._zero_O = np.zeros((world.fingers, 3))
 
     @property
     def zero_O(self) -> Matrix:
         """[n, 3] where the fingers' places are zeroed to, turning with the object [m]."""
-        return self._zero_O.copy()
+        zero_O: Matrix = self._zero_O.copy()
+        return zero_O
 
     @zero_O.setter
     def zero_O(self, value: Matrix) -> None:
@@ -81,19 +84,18 @@ class Servo:
         """Sets the forces of the fingers for moment i."""
         world, script = self._world, self._script
         stiffness, normals = world.settings.stiffness, script.normals[i]
-        R_WO = frames.from_quaternion(script.places[i, 3:])[:3, :3]
-        if self._zeroes and i > 0:
-            self._zero(i, R_WO)
-        pull = stiffness * (self._centers[i] + self._zero_O @ R_WO.T - world.centers)
+        if self._may_zero[i]:
+            self._zero(i, self._R_WO[i])
+        qpos = world.data.qpos[7:].reshape(-1, 7)
+        pull = stiffness * (self._centers[i] + self._zero_O @ self._R_WO[i].T - qpos[:, :3])
         along_normal = (pull * normals).sum(axis=1)
-        held = np.clip(along_normal + self._normal_forces[i], -self._limit, self._limit)
+        held = (along_normal + self._normal_forces[i]).clip(-self._limit, self._limit)
         pushed = np.where(script.holds[i] > 0, held, self._normal_forces[i])
         force = pull + self._along[i] + (pushed - along_normal)[:, None] * normals
         applied = world.data.qfrc_applied[6:].reshape(-1, 6)
         applied[:, :3] = force
-        places = world.data.qpos[7:].reshape(-1, 7)
         for finger in range(world.fingers):
-            mujoco.mju_subQuat(self._error, script.places[i, 3:], places[finger, 3:])
+            mujoco.mju_subQuat(self._error, script.places[i, 3:], qpos[finger, 3:])
             applied[finger, 3:] = self._turning * self._error
 
     def _zero(self, i: int, R_WO: Matrix) -> None:
@@ -101,8 +103,6 @@ class Servo:
         script = self._script
         is_new = script.stage[i] != script.stage[i - 1]
         starts = script.holds[i] > script.holds[i - 1]
-        if not is_new and not starts.any():
-            return
         off = (self._world.centers - self._centers[i]) @ R_WO
         if is_new and script.names[script.stage[i - 1]] in LOADING:
             self._zero_O = off

@@ -78,7 +78,7 @@ class Execution:
             settings.fell,
             settings.lost_seconds,
         )
-        self.measures: dict[str, float] = {"lift_reach": self.program.raised}
+        self.measures = {"lift_reach": self.program.raised}
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         _set_joints(model, self.data, plan, self.program.positions[0], self._addresses)
@@ -96,8 +96,8 @@ class Execution:
             np.array(times), np.array(positions), np.array(poses), fingers, list(names)
         )
 
-    def run(self) -> None:
-        """To the end of the hold, or until the object has fallen."""
+    def run(self, until: str = HOLD) -> None:
+        """To the end of a phase, or until the object has fallen."""
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
@@ -115,6 +115,8 @@ class Execution:
                 self._rows.append((data.time, q, self.judge.pose(data), name))
             if step in ends:
                 self._end_of(ends[step])
+                if ends[step] == until:
+                    return
 
     def _end_of(self, phase: str) -> None:
         if phase == "slide":
@@ -174,8 +176,8 @@ class Execution:
         if "not_grasped" in self.judge.failures:
             return
         if not self.judge.holds(self.data) or creep > self.settings.kept:
-            self.judge.note("not_grasped" if phase == RAISE and lifted < 0.02 else "dropped")
-        elif lifted < 0.9 * self.settings.lift_height:
+            self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
+        elif lifted < self.settings.kept_height:
             self.judge.note("dropped")
 
 

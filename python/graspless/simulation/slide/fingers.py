@@ -52,7 +52,7 @@ def add_flexing_fingers(
         X_HT = X_HF if name == SLIDING else _MIRROR @ X_HF @ np.diag([-1.0, 1.0, 1.0, 1.0])
         X_LT = np.linalg.inv(robot.pose(link, q)) @ X_WH @ X_HT
         flex = _add_flexure(spec, name, link, X_LT, hand, settings)
-        X_XL: Matrix = np.linalg.inv(_behind(X_LT, hand.flexure_length))
+        X_XL = np.asarray(np.linalg.inv(_behind(X_LT, hand.flexure_length)), dtype=float)
         _move_shapes(spec.body(link), flex, X_XL)
         for geom in flex.geoms:
             geom.contype, geom.conaffinity = bits[name].contype, bits[name].conaffinity

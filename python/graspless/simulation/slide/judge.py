@@ -67,7 +67,7 @@ class Judge:
         if len(a) and not self._allowed[a, b].all():
             self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
         if phase == "slide":
-            self._watch_tip(data, a, b)
+            self._watch_tip(data)
         if phase in _BEFORE_GRASP and self.tilt(data) > self.tipped:
             self.note("tipped")
         if data.xpos[self._body][2] < self._lowest:
@@ -113,14 +113,18 @@ class Judge:
             bodies = [model.body(model.geom_bodyid[g]).name for g in geoms]
             self.touched = bodies[0], bodies[1]
 
-    def _watch_tip(self, data: Any, a: Any, b: Any) -> None:
+    def tip_force(self, data: Any) -> float:
+        """Of the pad on the object, along the contacts' normals [N]."""
         force, of_contact = 0.0, np.zeros(6)
         kinds = self._kind[data.contact.geom]
         pads = ((kinds == self._pad) | (kinds == self._object)).all(axis=1)
         for i in np.flatnonzero(pads):
             mujoco.mj_contactForce(self.scene.model, data, i, of_contact)
-            force += of_contact[0]
-        self.forces.append(force)
-        self._lost = 0.0 if force > 0 else self._lost + self.interval
+            force += float(of_contact[0])
+        return force
+
+    def _watch_tip(self, data: Any) -> None:
+        self.forces.append(self.tip_force(data))
+        self._lost = 0.0 if self.forces[-1] > 0 else self._lost + self.interval
         if self._lost > self.lost_seconds:
             self.note("tip_lost")

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 SQUEEZE, RAISE, HOLD = "squeeze", "raise", "hold"
 _WAYPOINTS = 21  # of the straight lift
+_JUMP = 0.3  # a joint that moves by more between them has left its branch [rad or m]
+_TURNS = (0.0, 0.05, -0.05, 0.1, -0.1)  # of the hand between them, tried in turn [rad]
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: 
 
     still = max(1, round(settings.pause / timestep))
     for i, name in enumerate(list(names)):
-        values = _stretch(trajectory, i, timestep)
+        values = stretch(trajectory, i, timestep)
         append(values, name)
         if name in ("press", "slide"):
             append(np.repeat(values[-1:], still, axis=0), name)
@@ -87,7 +89,7 @@ def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: 
     return Program(positions, velocities, np.concatenate(phases), names, raised)
 
 
-def _stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:
+def stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:
     """[N, dof] a segment's positions at even times."""
     own = trajectory.segment_index == index
     times, positions = trajectory.times[own], trajectory.positions[own]
@@ -114,17 +116,31 @@ def _squeeze(plan: Plan, travel: float) -> Matrix:
 
 
 def straight_lift(plan: Plan, q: Matrix, height: float) -> tuple[Matrix, float]:
-    """[N, dof] the hand straight up from q, unturned, and how high that goes [m]."""
+    """[N, dof] the hand straight up from q, and how high that goes [m].
+
+    It does not turn, but about the vertical where a joint is at its limit.
+    """
     problem = plan.task.problem
     hand = problem.hand
     ik = robot.Ik(problem.robot, hand.grasp_frame, hand.arm)
     X_WH = np.array(problem.robot.pose(hand.grasp_frame, q))
-    path = [q]
     steps = np.linspace(0, height, _WAYPOINTS)
+    path, yaw = [q], 0.0
     for up in steps[1:]:
-        found = ik.solve_near(frames.translation([0, 0, up]) @ X_WH, path[-1])
-        if found is None or np.abs(found - path[-1]).max() > 0.3:
+        for turn in _TURNS:
+            found = ik.solve_near(_raised(X_WH, up, yaw + turn), path[-1])
+            if found is not None and np.abs(found - path[-1]).max() < _JUMP:
+                path.append(np.array(found))
+                yaw += turn
+                break
+        else:
             break
-        path.append(np.array(found))
     raised = float(steps[len(path) - 1])
     return np.array(path if len(path) > 1 else [q, q]), raised
+
+
+def _raised(X_WH: Matrix, up: float, yaw: float) -> Matrix:
+    """A pose of the hand higher [m], and turned about the vertical through its origin [rad]."""
+    X_WR = frames.planar(0.0, 0.0, yaw) @ X_WH
+    X_WR[:3, 3] = X_WH[:3, 3] + [0.0, 0.0, up]
+    return X_WR

@@ -11,13 +11,16 @@ import numpy as np
 
 from ... import frames
 from ..carry.model import Object
-from ..shapes import PlanarPose, Pose
+from ..shapes import Pose
+from ..slide.build import outline
 from ..slide.resolve import support_pose
+from ..source import at
+from .lying import lying
 
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ..source import Location
-    from .stages import StageSource
+    from .stages import Stage, StageSource
 
 MUST_NOT = "must not be given: a stage starts where the one before it ended"
 
@@ -52,11 +55,14 @@ class State:
         All joints [rad or m]; None where fingertips have no arm.
     held : Held or None
         None where the hand has let go.
+    corners : array [N, 3] or None
+        Of the object's convex hull in the world, where a planner knows it by its faces.
     """
 
     X_WO: Matrix
     q: Matrix | None
     held: Held | None
+    corners: Matrix | None = None
 
 
 def hold_place(stage: StageSource) -> None:
@@ -85,12 +91,17 @@ def _starts(data: dict[str, Any]) -> list[Location]:
     return [*places, ("motion", "lattice", "start"), ("motion", "goal", "start")]
 
 
-def start_at(fields: Any, state: State) -> Any:
-    """The fields of a stage that starts where another has ended."""
-    changes: dict[str, Any] = {"slide": _slide, "fingertip": _fingertip, "clasp": _clasp}
-    if fields.kind == "carry":
+def start_at(stage: Stage, state: State) -> Any:
+    """The fields of a stage that starts where another ended; raises TaskError where it cannot."""
+    fields = stage.fields
+    if stage.kind == "carry":
         return _carry(fields, state)
-    return fields.model_copy(update=_robot(fields, state) | changes[fields.kind](fields, state))
+    if stage.kind == "slide":
+        with at(stage.source, "object"):
+            changes = _slide(fields, state)
+    else:
+        changes = _clasp(fields, state) if stage.kind == "clasp" else _fingertip(fields, state)
+    return fields.model_copy(update=_robot(fields, state) | changes)
 
 
 def _robot(fields: Any, state: State) -> dict[str, Any]:
@@ -100,10 +111,15 @@ def _robot(fields: Any, state: State) -> dict[str, Any]:
 
 
 def _slide(fields: Any, state: State) -> dict[str, Any]:
-    X_SO = np.linalg.inv(support_pose(fields.support)) @ state.X_WO
-    yaw = float(np.arctan2(X_SO[1, 0], X_SO[0, 0]))
-    pose = PlanarPose(x=float(X_SO[0, 3]), y=float(X_SO[1, 3]), yaw=yaw)
-    return {"object": fields.object.model_copy(update={"pose": pose})}
+    """The outline is laid where the object lies: each planner has a frame of its own for it."""
+    thing = fields.object
+    assert state.corners is not None  # only fingertips let go of what they move
+    if thing.cloud is not None or thing.points is not None:
+        raise ValueError("an outline is needed to find where it lies")
+    X_SW = np.linalg.inv(support_pose(fields.support))
+    corners_S = state.corners @ X_SW[:3, :3].T + X_SW[:3, 3]
+    pose = lying(corners_S, thing.scale * outline(thing), thing.thickness)
+    return {"object": thing.model_copy(update={"pose": pose})}
 
 
 def _clasp(fields: Any, state: State) -> dict[str, Any]:

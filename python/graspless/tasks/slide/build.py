@@ -102,10 +102,10 @@ def build_object(thing: model.Object, source: Source) -> slide.Object:
             points = np.array(thing.points, dtype=float).reshape(-1, 3)
             built = slide.Object.from_cloud(thing.name, points, thing.thickness or 0.0)
         else:
-            outline = geometry.Polygon(_outline(thing), "the outline")
+            polygon = geometry.Polygon(outline(thing), "the outline")
             spacing = {} if thing.spacing is None else {"spacing": thing.spacing}
             built = slide.Object.from_polygon(
-                thing.name, outline, thing.thickness or 0.0, **spacing
+                thing.name, polygon, thing.thickness or 0.0, **spacing
             )
         if thing.scale != 1:
             built = built.scaled(thing.scale)
@@ -127,12 +127,12 @@ def build_object(thing: model.Object, source: Source) -> slide.Object:
 def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:
     given = support.model_dump(include={"slab", "band_width", "friction"}, exclude_none=True)
     with at(source, "support", _outline_field(support, source, "support")):
-        polygon = geometry.Polygon(_outline(support), "the support")
+        polygon = geometry.Polygon(outline(support), "the support")
     with at(source, "support"):
         return slide.Support(polygon, X_WS, **given)
 
 
-def _outline(shape: model.Object | model.Support) -> frames.Matrix:
+def outline(shape: model.Object | model.Support) -> frames.Matrix:
     """[N, 2] vertices of the polygon, rectangle or circle that is given."""
     if shape.polygon is not None:
         return np.array(shape.polygon, dtype=float)

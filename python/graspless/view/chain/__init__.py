@@ -6,9 +6,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ...kinds import part
+
 if TYPE_CHECKING:
     from ...plans.chain import Plan
-    from ..replay import Stage
+    from ...simulation import Recording
+    from ..replay import Stage as AnyStage
 
 
 def draw(plan: Plan) -> bytes:
@@ -18,8 +21,15 @@ def draw(plan: Plan) -> bytes:
     return draw(plan)
 
 
-def set_stage(server: Any, plan: Plan) -> Stage:
-    """The scene of a replay on a viser server."""
+def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> AnyStage:
+    """The scene of a replay on a viser server, of the plan or of what became of it; that has the
+    first stage's scene.
+    """
+    if recording is not None:
+        first: AnyStage = part("view", plan.stages[0].kind).set_stage(
+            server, plan.stages[0], recording
+        )
+        return first
     from .replay import Stage
 
     return Stage(server, plan)

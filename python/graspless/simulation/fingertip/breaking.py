@@ -18,7 +18,7 @@ from ..variation import Variation
 from .execute import corner_error
 from .script import Script, blended, joined, moving, still
 from .servo import Servo
-from .world import OBJECT, World, build_world
+from .world import build_world
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -34,9 +34,10 @@ class Breaking:
     segment, row : int
         Which.
     smallest : float
-        Factor of `direction` that breaks the motion [N], to a fiftieth; inf: none that was tried.
+        Factor of `direction` that breaks the motion [N], to a fiftieth; where none did, the
+        greatest that was tried.
     direction : int
-        Of the task's disturbance directions: that of the smallest.
+        Of the task's disturbance directions: that of the smallest; -1: none broke it.
     stability, compliant_stability : float
         What the plan says of the row [N].
     """
@@ -112,10 +113,14 @@ class Disturbed:
         scale = wrench_scale(problem.object.mass, problem.object.inertia)
         directions = np.asarray(plan.task.options.disturbance_directions)
         self._wrenches_O = np.linalg.solve(scale, directions.T).T
-        self._body = self._world.model.body(OBJECT).id
         self._start = round(settings.begin / self._world.model.opt.timestep)
         self._state = self._settled()
         self._undisturbed = self._run(np.zeros(6), None)
+
+    def wrench_O(self, direction: int) -> Matrix:
+        """[6] of 1 N along one of the task's directions."""
+        wrench_O: Matrix = self._wrenches_O[direction]
+        return wrench_O
 
     def breaks(self, wrench_O: Matrix) -> bool:
         """Whether a wrench about the centre of mass, in O [N, N m], moves a corner too far."""
@@ -135,7 +140,7 @@ class Disturbed:
                     best = middle
                 else:
                     holds = middle
-        return (best if direction >= 0 else float("inf")), direction
+        return best, direction
 
     def _settled(self) -> Matrix:
         """The world's state just before the wrench comes."""
@@ -160,11 +165,7 @@ class Disturbed:
         places: list[Matrix] = []
         for i in range(self._start, len(self._script)):
             since = self._script.times[i] - settings.begin
-            R_WO = world.data.xmat[self._body].reshape(3, 3)
-            share = min(1.0, since / settings.rise_seconds)
-            world.data.xfrc_applied[self._body] = share * np.concatenate(
-                [R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]]
-            )
+            world.push(min(1.0, since / settings.rise_seconds) * wrench_O)
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
             if i % settings.every != 0:
@@ -218,4 +219,4 @@ def slow_poses(plan: Plan, segment: Segment, row: int, times: Matrix, settings: 
     )
 
 
-__all__ = ["Break", "Breaking", "World", "break_test", "disturb"]
+__all__ = ["Break", "Breaking", "Disturbed", "break_test", "disturb"]

@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A chain, executed in one go: a slide, and where the hand takes the object then.
+
+The carries stand where a slide alone is lifted by 10 cm. Stages of other chains are executed one by
+one, each as a plan of its own.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import timing
+from ..errors import TaskError
+from .results import Trial
+from .settings import Slide
+from .slide import FAILURES, Execution
+from .slide import MEASURES as SLIDE_MEASURES
+from .slide.program import HOLD, RAISE, SQUEEZE, Program, stretch
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..plans import Plan as AnyPlan
+    from ..plans.chain import Plan
+    from .results import Recording
+    from .variation import Variation
+
+MEASURES = {
+    **{name: text for name, text in SLIDE_MEASURES.items() if not name.startswith("lift")},
+    "kept": "1 where the hand had the object at the end, as it took it",
+    "carried": "how far the hand took the object, from squeeze to hold [m]",
+    "carry_error": "between that motion of the object and the plan's [m]",
+}
+
+
+def run(
+    plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
+) -> Trial:
+    """Executes a plan that is solved; `settings` are for tests."""
+    kinds = [stage.kind for stage in plan.stages]
+    if kinds[0] != "slide" or set(kinds[1:]) - {"carry"}:
+        what = f"a chain of {', '.join(kinds)} is not executed in one go (a slide and carries are)"
+        raise TaskError(f"{what}; simulate its stages: plan.stages[k]")
+    start = time.perf_counter()
+    execution = _Carried(plan, variation, settings or Slide())
+    if record:
+        execution.record()
+    execution.run()
+    return Trial(
+        variation,
+        tuple(execution.judge.failures),
+        execution.measures,
+        time.perf_counter() - start,
+        _with_plan(execution.recording(), plan) if record else None,
+    )
+
+
+def _with_plan(recording: Recording, plan: Plan) -> Recording:
+    """The recording with where the plan has the object: at the slide's end, then in the hand."""
+    slide, *carries = plan.stages
+    poses = np.repeat(slide.segments[-1].object_poses[-1:], len(recording.times), axis=0)
+    after = np.isin(recording.names, (RAISE, HOLD))
+    if after.any():
+        begin = float(recording.times[after][0])
+        for stage in carries:
+            trajectory = timing.time(stage)
+            rows = after & (recording.times >= begin)
+            poses[rows] = trajectory.at(recording.times[rows] - begin).object_poses
+            begin += trajectory.duration
+    return dataclasses.replace(recording, planned_poses=poses)
+
+
+class _Carried(Execution):
+    """A slide whose lift is the plan's own carries."""
+
+    def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
+        slide: Any = plan.stages[0]
+        super().__init__(slide, variation, settings)
+        self.measures = {"slid": 0.0, "kept": 0.0}
+        carries = plan.stages[1:]
+        self.program = with_carries(self.program, carries, self.timestep)
+        first, last = (
+            stage.segments[0].object_poses[row]
+            for stage, row in ((carries[0], 0), (carries[-1], -1))
+        )
+        self._asked: Matrix = last[:3, 3] - first[:3, 3]
+
+    def _end_of(self, phase: str) -> None:
+        super()._end_of(phase)
+        if phase == SQUEEZE:
+            self._from = self.judge.pose(self.data)[:3, 3]
+
+    def _measure_lift(self, phase: str) -> None:
+        moved = self.judge.pose(self.data)[:3, 3] - self._from
+        creep = float(np.linalg.norm(self._in_hand() - self._held))
+        error = float(np.linalg.norm(moved - self._asked))
+        self.measures |= {
+            "carried": float(np.linalg.norm(moved)),
+            "carry_error": error,
+            "creep": creep,
+        }
+        if "not_grasped" in self.judge.failures:
+            return
+        if not self.judge.holds(self.data) or max(creep, error) > self.settings.kept:
+            self.judge.note("dropped")
+        self.measures["kept"] = float(phase == HOLD and "dropped" not in self.judge.failures)
+
+
+def with_carries(program: Program, carries: list[AnyPlan], timestep: float) -> Program:
+    """The program of a slide with the motions of carries for its lift.
+
+    Parameters
+    ----------
+    program : Program
+    carries : list of plans
+        Of kind carry.
+    timestep : float
+        [s].
+    """
+    begin, hold = program.last(SQUEEZE) + 1, program.names.index(HOLD)
+    moved = [stretch(timing.time(stage), 0, timestep) for stage in carries]
+    squeeze = program.positions[begin - 1] - moved[0][0]
+    raised = np.concatenate(moved) + squeeze
+    count = int(np.count_nonzero(program.phase == hold))
+    held = np.repeat(raised[-1:], count, axis=0)
+    positions = np.concatenate([program.positions[:begin], raised, held])
+    phases = [len(raised) * [program.names.index(RAISE)], count * [hold]]
+    return dataclasses.replace(
+        program,
+        positions=positions,
+        velocities=np.gradient(positions, timestep, axis=0),
+        phase=np.concatenate([program.phase[:begin], *phases]),
+    )
+
+
+__all__ = ["FAILURES", "MEASURES", "run"]

@@ -1,0 +1,201 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fingertip plans in the physics engine, against laws and with what must make them fail."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+
+import graspless
+from graspless import _data, frames
+from graspless.bench import physics_fingertip
+from graspless.bench.fingertip_grid import CASES
+from graspless.simulation.fingertip import FAILURES, MEASURES, SPREAD, carry_out, measure, run
+from graspless.simulation.fingertip.breaking import Disturbed, disturb
+from graspless.simulation.fingertip.execute import contact_forces
+from graspless.simulation.fingertip.program import way_round
+from graspless.simulation.fingertip.world import build_world
+from graspless.simulation.settings import Break
+from graspless.simulation.variation import Variation
+from graspless.tasks import read_task, task_from_dict
+
+SLIDE = """\
+kind: fingertip
+object: {box: [0.05, 0.10, 0.05], mass: 1.0}
+motion: {slide: {translation: [0.02, 0, 0], segments: 4}}
+options: {locations_per_side: 5}
+"""
+LEANING = """\
+kind: fingertip
+object: {box: [0.05, 0.08, 0.03], mass: 0.5, com: [0.004, -0.006, 0.003]}
+motion: {slide: {translation: [0.02, 0, 0]}}
+"""
+
+
+def _case(name):
+    return graspless.plan(task_from_dict(physics_fingertip.scaled(CASES[name]), name))
+
+
+@pytest.fixture(scope="module")
+def slide():
+    return graspless.plan(read_task(SLIDE, "slide.yaml"))
+
+
+@pytest.fixture(scope="module")
+def tumble():
+    """Case c of the paper, a unit of length a centimetre: a pinch on both sides."""
+    return _case("c")
+
+
+@pytest.fixture(scope="module")
+def trial_of_tumble(tumble):
+    return run(tumble, Variation(), record=True)
+
+
+def _floating(X_WO):
+    world = build_world(read_task(LEANING, "leaning.yaml").problem, Variation())
+    world.model.opt.gravity[:] = 0
+    world.place(X_WO, [[0, 0, 2], [0, 0, 3]])
+    return world
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_a_force_accelerates_a_free_object_by_newton(axis):
+    X_WO = frames.translation([0, 0, 1]) @ frames.from_rpy([0.3, -0.8, 1.9])
+    world, thing = _floating(X_WO), read_task(LEANING, "leaning.yaml").problem.object
+    force_O = 2.0 * np.eye(3)[axis]
+    world.push(np.concatenate([force_O, np.zeros(3)]))
+    mujoco.mj_step(world.model, world.data, 50)
+    v = world.data.qvel[:3]  # of O, in the world; no torque about the centre of mass: no turning
+    t = world.data.time
+    np.testing.assert_allclose(v, X_WO[:3, :3] @ force_O * t / thing.mass, atol=1e-9)
+    np.testing.assert_allclose(world.data.qvel[3:6], 0, atol=1e-9)
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_a_torque_turns_a_free_object_about_its_own_axes_by_euler(axis):
+    X_WO = frames.translation([0, 0, 1]) @ frames.from_rpy([-1.1, 0.4, 0.7])
+    world, thing = _floating(X_WO), read_task(LEANING, "leaning.yaml").problem.object
+    torque_O = 1e-3 * np.eye(3)[axis]
+    world.push(np.concatenate([np.zeros(3), torque_O]))
+    steps = 20
+    mujoco.mj_step(world.model, world.data, steps)
+    omega_O = np.linalg.solve(thing.inertia, torque_O) * world.data.time
+    np.testing.assert_allclose(world.data.qvel[3:6], omega_O, rtol=0.02, atol=1e-3)
+
+
+def test_the_floor_bears_the_weight():
+    world = _floating(frames.translation([0, 0, 0.015]))
+    world.model.opt.gravity[2] = -9.8
+    for _ in range(300):  # fingertips are weightless, and nothing tells them to move
+        mujoco.mj_step(world.model, world.data)
+    planes, fingers = contact_forces(world)
+    assert planes == pytest.approx(0.5 * 9.8, rel=1e-3)
+    assert not fingers.any()
+
+
+def test_a_slide_and_a_tumble_go_as_planned(slide, trial_of_tumble):
+    for trial in (run(slide, Variation()), trial_of_tumble):
+        assert trial, trial.failures
+        assert trial.measures.keys() == MEASURES.keys()
+        assert trial.measures["vertex_error"] < 6e-4
+        assert trial.measures["floor_lost"] == 0
+
+
+def test_nominal_forces_are_what_the_fingers_press_with(slide):
+    _, script, log = carry_out(slide, Variation())
+    moves = np.array([script.names[k] == "slide" for k in script.stage[log.moments]])
+    nominal = np.einsum("ni,ni->n", slide.segments[0].nominal_forces[0], slide.segments[0].normals[0])
+    np.testing.assert_allclose(np.array(log.pressed)[moves].mean(axis=0), nominal, rtol=0.05)
+
+
+def test_without_nominal_forces_the_pinch_slips(tumble, trial_of_tumble):
+    seen = measure(*carry_out(tumble, Variation(), feeds=False))
+    assert seen["vertex_error"] > 10 * trial_of_tumble.measures["vertex_error"]
+    assert seen["vertex_error"] > 0.003
+
+
+def test_without_friction_the_pinch_fails(tumble):
+    trial = run(tumble, Variation(friction=0.05))
+    assert "off" in trial.failures
+    assert set(trial.failures) <= FAILURES.keys()
+
+
+def test_trials_repeat_and_vary_what_they_say(slide):
+    first, again = (graspless.simulate(slide, trials=2, seed=4) for _ in range(2))
+    assert [t.measures for t in first.trials] == [t.measures for t in again.trials]
+    nominal, varied = first.trials
+    assert nominal.measures["vertex_error"] != varied.measures["vertex_error"]
+    assert varied.variation.mass == 1
+    assert np.hypot(varied.variation.x, varied.variation.y) <= SPREAD.position
+
+
+def test_a_recording_has_the_object_and_the_fingers(tumble, trial_of_tumble):
+    recording = trial_of_tumble.recording
+    count = len(recording.times)
+    assert recording.positions.shape == (count, 0)
+    assert recording.object_poses.shape == (count, 4, 4)
+    assert recording.fingers.shape == (count, 2, 3)
+    assert {"touch", "load", "tumble", "rest"} == set(recording.names)
+    turned = recording.object_poses[0][:3, :3].T @ recording.object_poses[-1][:3, :3]
+    np.testing.assert_allclose(turned, frames.from_rpy([0, np.pi / 2, 0])[:3, :3], atol=5e-3)
+    assert len(graspless.simulate(tumble).trials) == 1
+
+
+def test_a_finger_that_regrasps_leaves_the_object_and_comes_to_its_new_place():
+    plan = _case("d")
+    finger = plan.segments[1].finger
+    _, script, log = carry_out(plan, Variation())
+    names = np.array([script.names[k] for k in script.stage[log.moments]])
+    away = np.flatnonzero(names == "regrasp")
+    pressed = np.array(log.pressed)
+    assert not pressed[away[len(away) // 4 : -len(away) // 4], finger].any()
+    assert pressed[away, 1 - finger].min() > 1.0
+    assert pressed[names == "tumble"].min() > 0
+    assert max(log.errors) < 1e-3
+
+
+def test_a_way_round_stays_out_of_the_ball_between_its_ends():
+    n, m = np.array([0.0, 0, -1]), np.array([1.0, 0, 0])
+    way = way_round(np.array([0, 0, 0.06]), n, np.array([-0.04, 0, 0.01]), m, np.zeros(3), 0.1)
+    np.testing.assert_allclose(np.linalg.norm(way[1:-1], axis=1), 0.1)
+    np.testing.assert_allclose(way[1] - way[0], -n * np.linalg.norm(way[1] - way[0]), atol=1e-12)
+    np.testing.assert_allclose(way[-2] - way[-1], -m * np.linalg.norm(way[-2] - way[-1]), atol=1e-12)
+
+
+def test_small_disturbances_are_withstood_and_large_ones_break(tumble):
+    row = 42
+    z = tumble.segments[0].stability[row]
+    found = disturb(tumble, (0, row))
+    assert 0.3 * z < found["smallest"] < 3 * z
+    assert found["ratio"] == found["smallest"] / z
+    trial = Disturbed(tumble, tumble.segments[0], row, Break())
+    wrench_O = trial.wrench_O(found["direction"])
+    assert trial.breaks(1.05 * found["smallest"] * wrench_O)
+    assert not trial.breaks(0.9 * found["smallest"] * wrench_O)
+    assert not trial.breaks(np.zeros(6))
+
+
+def test_a_row_that_is_not_there_is_refused(slide):
+    with pytest.raises(graspless.TaskError, match=r"row: \(0, 99\): the plan has no such"):
+        disturb(slide, (0, 99))
+
+
+def test_bench_tasks_repeat_and_case_a_is_the_papers():
+    few, many = physics_fingertip.physics_tasks(5), physics_fingertip.physics_tasks(6)
+    assert [task.to_dict() for task in few] == [task.to_dict() for task in many[:5]]
+    assert graspless.plan(few[0]).cost == pytest.approx(10.016453262 * physics_fingertip.UNIT)
+
+
+def test_an_arm_carries_a_plan_out():
+    plan = graspless.plan(_data.directory("examples") / "12_t42_tumble.yaml")
+    trial = run(plan, Variation(), record=True)
+    assert trial, trial.failures
+    assert trial.measures["vertex_error"] < 6e-4
+    recording = trial.recording
+    assert recording.positions.shape == (len(recording.times), len(plan.joint_names))
+    np.testing.assert_allclose(recording.positions[0], plan.task.arm.q_home, atol=1e-3)
+    X_WO, X_WO_end = recording.object_poses[-1], plan.segments[-1].X_WO[-1]
+    np.testing.assert_allclose(X_WO, X_WO_end, atol=2e-3)

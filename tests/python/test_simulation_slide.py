@@ -1,0 +1,199 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slides in MuJoCo: laws that the engine's model must keep, and controls that must fail."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import mujoco
+import numpy as np
+import pytest
+
+import graspless
+from graspless import _data, frames, geometry
+from graspless.simulation.settings import Slide
+from graspless.simulation.slide import FAILURES, MEASURES, Execution, overhang
+from graspless.simulation.slide.program import straight_lift
+from graspless.simulation.slide.scene import build_scene
+from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
+from graspless.simulation.variation import Variation
+
+CARD = _data.directory("examples") / "01_slide_card.yaml"
+
+
+@pytest.fixture(scope="module")
+def plan():
+    found = graspless.plan(CARD)
+    assert found
+    return found
+
+
+@pytest.fixture(scope="module")
+def nominal(plan):
+    return graspless.simulate(plan, record=True).trials[0]
+
+
+def changed(plan, **fields):
+    """The same motion for a problem with other fields: what the planner did not know."""
+    problem = plan.task.problem
+    given = {
+        name: getattr(problem, name)
+        for name in ("robot", "hand", "object", "support", "X_WO_start", "q_home", "obstacles")
+    }
+    task = dataclasses.replace(plan.task, problem=type(problem)(**given | fields))
+    return type(plan)(plan.fields, task)
+
+
+def test_a_card_is_slid_and_lifted(nominal):
+    assert nominal
+    assert nominal.measures["position_error"] < 0.005
+    assert nominal.measures["angle_error"] < np.radians(5)
+    assert nominal.measures["lift_height"] > 0.09
+    assert set(nominal.measures) == set(MEASURES)
+
+
+def test_the_recording_has_a_row_of_everything_a_moment(plan, nominal):
+    recording = nominal.recording
+    n = len(recording.times)
+    assert np.all(np.diff(recording.times) > 0)
+    assert recording.positions.shape == (n, len(plan.joint_names))
+    assert recording.object_poses.shape == (n, 4, 4)
+    assert recording.fingers.shape == (n, 0, 3)
+    assert len(recording.names) == n
+    assert list(dict.fromkeys(recording.names)) == [
+        *(segment.name for segment in plan.segments), "squeeze", "raise", "hold"
+    ]  # fmt: skip
+    rise = recording.object_poses[-1, 2, 3] - recording.object_poses[0, 2, 3]
+    assert rise == pytest.approx(nominal.measures["lift_height"], abs=0.005)
+
+
+def test_the_same_trial_gives_the_same_bits(plan, nominal):
+    again = Execution(plan, Variation(), Slide())
+    again.run("slide")
+    for name in ("position_error", "angle_error", "mean_force"):
+        assert again.measures[name] == nominal.measures[name]
+
+
+def test_an_object_at_rest_stays_and_weighs_what_it_weighs(plan):
+    execution = Execution(plan, Variation(mass=1.2), Slide())
+    execution.run("approach")
+    model, data = execution.scene.model, execution.data
+    moved = execution.judge.pose(data)[:3, 3] - plan.task.problem.X_WO_start[:3, 3]
+    assert np.abs(moved).max() < 2e-4
+    assert np.abs(data.joint("object").qvel).max() < 1e-4
+    force, lifting = np.zeros(6), 0.0
+    for i in range(data.ncon):
+        mujoco.mj_contactForce(model, data, i, force)
+        lifting += force[0]
+    weight = 1.2 * plan.task.problem.object.mass * 9.81
+    assert lifting == pytest.approx(weight, rel=1e-3)
+
+
+def test_a_pressed_finger_bends_by_the_depth_of_its_tip(plan):
+    execution = Execution(plan, Variation(), Slide())
+    execution.run("press")
+    data, problem = execution.data, plan.task.problem
+    tip = data.body(problem.hand.fingertip)
+    pitch = np.arcsin(-tip.xmat.reshape(3, 3)[2, 2])
+    # The pad's centre is lowered no further than its radius above the object's top.
+    top = problem.object.thickness + problem.support.X_WS[2, 3]
+    L, r = problem.hand.flexure_length, problem.hand.tip_radius
+    hinge = tip.xpos[2] + L * np.sin(pitch)
+    bent = np.arcsin((hinge - top - r) / (L - r))
+    angle = abs(float(data.joint("sliding finger").qpos[0]))
+    assert angle == pytest.approx(pitch - bent, abs=0.02)
+    force = execution.judge.tip_force(data)
+    assert force * (L - r) * np.cos(bent) == pytest.approx(4.6 * angle, rel=0.35)  # and friction
+
+
+def test_variations_reach_the_model(plan):
+    plain = build_scene(plan, Variation()).model
+    varied = Variation(friction=0.7, mass=1.2, x=0.003, yaw=0.02, timestep=1.25)
+    scene = build_scene(plan, varied)
+    model = scene.model
+    assert model.opt.timestep == pytest.approx(1.25 * plain.opt.timestep)
+    assert model.body("object").mass == pytest.approx(1.2 * plain.body("object").mass)
+    assert model.body("object").inertia == pytest.approx(1.2 * plain.body("object").inertia)
+    assert model.pair_friction[:, :2] == pytest.approx(0.7 * plain.pair_friction[:, :2])
+    X_OO = np.linalg.inv(plan.task.problem.X_WO_start) @ scene.X_WO
+    assert np.linalg.norm(X_OO[:3, 3]) == pytest.approx(0.003)
+    assert np.arctan2(X_OO[1, 0], X_OO[0, 0]) == pytest.approx(0.02)
+
+
+def test_a_slippery_pad_leaves_the_object_behind(plan):
+    hand = plan.task.problem.hand
+    hand.pad_friction = 0.5 * plan.task.problem.support.friction
+    execution = Execution(changed(plan, hand=hand), Variation(), Slide())
+    execution.run("slide")
+    assert "off_target" in execution.judge.failures
+    goal, start = plan.X_WO_goal[:3, 3], plan.task.problem.X_WO_start[:3, 3]
+    # The finger runs over the object for its own length at least.
+    assert execution.measures["position_error"] > 0.3 * np.linalg.norm(goal - start)
+
+
+def test_another_goal_than_the_plans_is_missed(plan):
+    row = list(plan.fields.X_WO_goal)
+    row[0] += 0.02
+    other = type(plan)(plan.fields.model_copy(update={"X_WO_goal": row}), plan.task)
+    execution = Execution(other, Variation(), Slide())
+    execution.run("slide")
+    assert execution.judge.failures == ["off_target"]
+    assert execution.measures["position_error"] == pytest.approx(0.02, abs=0.005)
+
+
+def test_an_object_over_the_edge_falls(plan):
+    execution = Execution(plan, Variation(x=-0.32), Slide())
+    execution.run("press")
+    assert "fell" in execution.judge.failures
+    assert "position_error" not in execution.measures
+
+
+def test_what_stands_in_the_way_is_hit(plan):
+    X_WO = np.array(plan.segments[2].object_poses[len(plan.segments[2]) // 2])
+    box = geometry.PlacedShape(geometry.Box(np.array([0.02, 0.02, 0.04])))
+    obstacle = graspless.slide.Obstacle("post", [box], frames.translation(X_WO[:3, 3]))
+    execution = Execution(changed(plan, obstacles=[obstacle]), Variation(), Slide())
+    execution.run("slide")
+    assert "hit" in execution.judge.failures
+    assert set(FAILURES) >= set(execution.judge.failures)
+
+
+def test_the_lift_is_straight_and_as_high_as_asked(plan):
+    problem = plan.task.problem
+    q = plan.segments[-1].positions[-1]
+    path, raised = straight_lift(plan, q, 0.1)
+    assert raised == pytest.approx(0.1)
+    poses = np.array([problem.robot.pose(problem.hand.grasp_frame, row) for row in path])
+    assert poses[-1, 2, 3] - poses[0, 2, 3] == pytest.approx(0.1, abs=1e-6)
+    poses[:, 2, 3] = poses[0, 2, 3]
+    assert poses == pytest.approx(np.broadcast_to(poses[0], poses.shape), abs=1e-6)
+
+
+def test_overhang_is_how_far_the_outline_is_outside(plan):
+    problem = plan.task.problem
+    assert overhang(plan, np.array(problem.X_WO_start)) == 0
+    assert overhang(plan, plan.X_WO_goal) == pytest.approx(plan.overhang, abs=0.008)
+
+
+def test_the_inertia_of_a_plate():
+    a, b, t, m = 0.12, 0.08, 0.003, 0.05
+    outline = geometry.Polygon(np.array([[0, 0], [a, 0], [a, b], [0, b]]) + [0.3, -0.2])
+    expected = m / 12 * np.diag([b**2 + t**2, a**2 + t**2, a**2 + b**2])
+    assert plate_inertia(outline, t, m) == pytest.approx(expected)
+    angles = np.linspace(0, 2 * np.pi, 400, endpoint=False)
+    disc = geometry.Polygon(0.05 * np.column_stack([np.cos(angles), np.sin(angles)]))
+    assert plate_inertia(disc, t, m)[2, 2] == pytest.approx(m * 0.05**2 / 2, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["square", "circle", "triangle", "crescent", "irregular"])
+def test_feet_resist_turning_as_an_even_pressure_does(name):
+    from graspless.bench.shapes import outline_of
+
+    outline = geometry.Polygon(outline_of(name))
+    feet, dense = even_points(outline, 60), even_points(outline, 4000)
+    assert 45 <= len(feet) <= 75
+    radius = [np.linalg.norm(p - dense.mean(axis=0), axis=1).mean() for p in (feet, dense)]
+    assert radius[0] == pytest.approx(radius[1], rel=0.05)
+    rim = points_along(outline, 0.01)
+    assert np.linalg.norm(np.diff(rim, axis=0), axis=1).max() < 0.01 + 1e-9

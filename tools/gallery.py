@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws docs/gallery.md with a picture of every example, and docs/planners.gif.
+
+python tools/gallery.py [NAME...]     only these pictures, and the page
+"""
+
+from __future__ import annotations
+
+import io
+import pathlib
+import runpy
+import sys
+import tempfile
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from PIL import Image
+
+import graspless
+from graspless import frames, view
+from graspless.view import raster
+from graspless.view.raster import Camera
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+ROOT = pathlib.Path(__file__).parents[1]
+EXAMPLES, DOCS = ROOT / "examples", ROOT / "docs"
+WIDTH = 960  # of a picture at most [pixels]
+LARGEST = 120_000  # bytes of a picture
+COLORS = (200, 100, 50, 25)  # of a palette, as many as fit
+
+HEAD = """\
+# Gallery
+
+Every example of [examples/](../examples), planned with its own seed. `tools/gallery.py` draws this
+page.
+"""
+ENTRY = """
+## {name}
+
+{about}
+
+    {shell}
+
+```python
+{python}
+```
+
+![{name}](gallery/{name}.png)
+"""
+
+
+def names() -> list[str]:
+    """The numbered examples, by number."""
+    found = {path.stem for path in EXAMPLES.iterdir() if path.suffix in (".yaml", ".py")}
+    return sorted(name for name in found if name[:2].isdigit())
+
+
+def entry(name: str) -> str:
+    """What the page says of an example: what it shows, and how it is run."""
+    task, script = EXAMPLES / f"{name}.yaml", EXAMPLES / f"{name}.py"
+    if task.is_file():
+        lines = task.read_text(encoding="utf-8").splitlines()
+        about = next(line[2:] for line in lines if line.startswith("# ") and "SPDX" not in line)
+        shell = f"graspless plan examples/{task.name} --png plan.png --html plan.html"
+        python = f'plan = graspless.plan("examples/{task.name}")'
+        if script.is_file():
+            python += f"  # or, without a task file: examples/{script.name}"
+    else:
+        about = script.read_text(encoding="utf-8").split('"""')[1].splitlines()[0]
+        shell, python = SCRIPTS[name]
+    return ENTRY.format(name=name, about=about, shell=shell, python=python)
+
+
+def picture(name: str) -> Image.Image:
+    """The picture of an example."""
+    if not (EXAMPLES / f"{name}.yaml").is_file():
+        return PICTURES[name](name)
+    plan = graspless.plan(EXAMPLES / f"{name}.yaml")
+    assert plan, f"{name}: {plan.reason}"
+    return _drawn(lambda path: view.write_png(plan, path))
+
+
+def _loops(name: str) -> Image.Image:
+    """What the script of the loops draws."""
+
+    def write(path: pathlib.Path) -> None:
+        given, sys.argv = sys.argv, [name, str(path)]
+        try:
+            runpy.run_path(str(EXAMPLES / f"{name}.py"))
+        finally:
+            sys.argv = given
+
+    return _drawn(write)
+
+
+def _many(name: str) -> Image.Image:
+    """Cards of a batch where they start, with the ways of the fingertip."""
+    from graspless.view.slide import bodies
+    from graspless.view.slide.film import film
+
+    with tempfile.TemporaryDirectory() as folder:
+        given, sys.argv = sys.argv, [name, folder, "8"]
+        try:
+            runpy.run_path(str(EXAMPLES / f"{name}.py"))
+        except SystemExit:
+            pass
+        finally:
+            sys.argv = given
+        plans: list[Any] = [graspless.plan(path) for path in sorted(pathlib.Path(folder).iterdir())]
+    assert all(plans)
+    table, X_WS = plans[0].task, np.asarray(plans[0].task.problem.support.X_WS)
+    placed = [(bodies.table_body(table), X_WS)]
+    for k, plan in enumerate(plans):  # each on those before it, where they would overlap
+        X_WO = frames.translation([0, 0, 0.002 * k]) @ np.asarray(plan.task.problem.X_WO_start)
+        placed.append((bodies.object_body(plan.task), X_WO))
+        placed.append((bodies.trail_body(film(plan)), np.eye(4)))
+    corners = placed[0][0].parts[0].vertices @ X_WS[:3, :3].T + X_WS[:3, 3]
+    middle = corners.mean(axis=0)
+    shape = (WIDTH, 560)
+    camera = Camera(middle + [1.0, -1.6, 1.8], middle).fitted(corners, *shape)
+    return to_image(raster.render(placed, camera, *shape))
+
+
+def _drawn(write: Callable[[pathlib.Path], None]) -> Image.Image:
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "a.png")
+        write(path)
+        return Image.open(io.BytesIO(path.read_bytes())).convert("RGB")
+
+
+def to_image(rgba: Any) -> Image.Image:
+    """A rendered picture on white."""
+    rgb = rgba[..., :3] * rgba[..., 3:] + 1 - rgba[..., 3:]
+    return Image.fromarray(np.round(255 * rgb).astype(np.uint8))
+
+
+def shrunk(drawn: Image.Image) -> bytes:
+    """The picture as a PNG that is not too large, with as many colours as fit."""
+    height = round(drawn.height * WIDTH / drawn.width)
+    small = drawn.resize((WIDTH, height), Image.Resampling.LANCZOS)
+    for count in COLORS:
+        written = io.BytesIO()
+        palette = small.quantize(count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+        palette.save(written, "png", optimize=True)
+        if written.tell() <= LARGEST:
+            break
+    return written.getvalue()
+
+
+def write_page() -> None:
+    """Writes docs/gallery.md."""
+    (DOCS / "gallery.md").write_text(HEAD + "".join(entry(name) for name in names()))
+
+
+PICTURES = {"18_shortest_loops": _loops, "22_many_tasks": _many}
+SCRIPTS = {
+    "18_shortest_loops": (
+        "graspless loops examples/05_point_cloud.ply --png loops.png",
+        "loops = graspless.geometry.shortest_loops(points)  # examples/18_shortest_loops.py",
+    ),
+    "22_many_tasks": (
+        "python examples/22_many_tasks.py tasks 1000 && graspless batch tasks -o plans --jobs 2",
+        'summary = graspless.batch("tasks", "plans", jobs=2)  # examples/22_many_tasks.py',
+    ),
+}
+
+
+def main(asked: list[str]) -> None:
+    """Draws what is asked for, or all."""
+    (DOCS / "gallery").mkdir(exist_ok=True)
+    for name in asked or names():
+        data = shrunk(picture(name))
+        (DOCS / "gallery" / f"{name}.png").write_bytes(data)
+        print(f"{name}: {len(data) // 1000} kB", flush=True)
+    write_page()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
