@@ -157,7 +157,8 @@ class Execution:
     @contextmanager
     def locked(self) -> Iterator[None]:
         """The hand's motors as strong as it takes to stay where they are, and its gears rigid."""
-        model = self.world.model
+        model, data = self.world.model, self.world.data
+        data.ctrl[self._fingers] = self.world.positions[self._fingers]
         joints = model.actuator_trnid[self._fingers, 0]
         gears = np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT)
         arrays = (
