@@ -548,3 +548,21 @@ def test_outline_turns_least():
     ring = np.concatenate([np.column_stack([square, np.full(4, z)]) for z in (0, 0.01)])
     turned = ring @ frames.from_rpy([0, 0, 1.4])[:3, :3].T
     assert lying.lying(turned, square, 0.01).yaw == pytest.approx(1.4 - np.pi / 2, abs=1e-9)
+
+
+def test_camera_of_a_chain_sees_what_each_stage_shows():
+    pytest.importorskip("viser")
+    from graspless.view.chain import replay
+    from graspless.view.raster import Camera
+
+    cameras = [
+        Camera(np.array([2.0, 1, 1]), np.array([0.5, 0, 0.2]), 0.3),
+        Camera(np.array([1.0, 2, 1]), np.array([0.7, 0.3, 0.1]), 0.2),
+    ]
+    view = replay.common(cameras)
+    targets = view.project(np.array([c.target for c in cameras]), 400, 300)
+    assert (targets[:, :2] > 0).all()
+    assert (targets[:, :2] < [400, 300]).all()
+    ahead, first = view.target - view.eye, cameras[0].target - cameras[0].eye
+    assert np.abs(np.cross(ahead, first)).max() < 1e-9
+    assert replay.common(cameras[:1]).angle == pytest.approx(0.3 / 1.08)
