@@ -26,6 +26,9 @@ class Here:
         future.set_result(work(given))
         return future
 
+    def look(self):
+        pass
+
     def close(self, at_once=False):
         pass
 
@@ -60,3 +63,7 @@ def unlucky(path):
 
 def fails(number):
     raise ArithmeticError(f"{number} is wrong")
+
+
+def sleeps(seconds):
+    time.sleep(seconds)

@@ -3,6 +3,7 @@
 """Many tasks: none is lost, none is done twice, and none stops the others."""
 
 import contextlib
+import importlib
 import json
 import os
 import pathlib
@@ -17,6 +18,7 @@ import batch_common
 import graspless
 from graspless import TaskError, batches
 from graspless.batches import manifest, names, pools, work
+from graspless.batches.cli import bar
 from graspless.batches.spread import spread
 from graspless.batches.summary import Summary
 from tasks_common import GOOD, changed, run, without_clock
@@ -210,6 +212,20 @@ def _start(folder, output, *flags):
     )
 
 
+def test_progress_only_at_a_terminal(here, capsys, monkeypatch):
+    with bar("planning") as progress:
+        assert progress is None
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setenv("TERM", "xterm")
+    with bar("planning") as progress:
+        progress(1, 2)
+        progress(2, 2)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "planning" in err
+    assert "2/2" in err
+
+
 def test_interrupted_and_resumed(tasks, tmp_path):
     folder, output = tasks(*(f"card_{i:03}" for i in range(80))), tmp_path / "out"
     process = _start(folder, output, "--jobs", "2")
@@ -326,23 +342,27 @@ def test_quantiles_are_tasks_times():
 @pytest.fixture(scope="module")
 def cluster():
     distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
-    ) as started:
-        yield started.scheduler_address
+    dask = pytest.importorskip("dask")
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),  # one death says enough
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as started,
+    ):
+        yield started
 
 
 def test_two_dask_workers(cluster, tasks, tmp_path):
     folder, output = tasks("a", "b", "c", "d"), tmp_path / "out"
     (folder / "bad.yaml").write_text("kind: nothing")
-    summary = graspless.batch(folder, output, dask=cluster)
+    summary = graspless.batch(folder, output, dask=cluster.scheduler_address)
     assert (summary.held, summary.tasks, summary.jobs) == (4, 5, 2)
     assert "bad.yaml:1: kind: nothing" in rows_of(output)["bad"]["reason"]
     for name in "ad":
         plan = graspless.load_plan(output / f"{name}.plan.json")
         assert without_clock(plan) == without_clock(graspless.plan(folder / f"{name}.yaml"))
     assert graspless.batch(folder, output).kept == 4  # the same tasks, wherever they are planned
-    assert graspless.batch(folder, output, dask=cluster).kept == 4
+    assert graspless.batch(folder, output, dask=cluster.scheduler_address).kept == 4
 
 
 def test_dask_workers_see_no_files_of_ours(tasks, tmp_path):
@@ -359,11 +379,23 @@ def test_dask_workers_see_no_files_of_ours(tasks, tmp_path):
     assert away.row["hash"] == direct.row["hash"]
 
 
-@pytest.mark.slow
 def test_a_dask_worker_that_dies(cluster, tasks, tmp_path):
     folder, output = tasks("a", "b", "killer"), tmp_path / "out"
     runner = batches._Run(names.find(folder), output, {})
-    with pools.opened(1, cluster) as pool:
+    with pools.opened(1, cluster.scheduler_address) as pool:
         summary = runner.carry_out(pool, batch_common.dangerous)
     statuses = {row["name"]: row["status"] for row in summary.rows}
     assert statuses == {"a": "solved", "b": "solved", "killer": "crashed"}
+
+
+@pytest.mark.slow
+def test_a_dask_cluster_without_workers(cluster, monkeypatch):
+    spreading = importlib.import_module("graspless.batches.spread")
+    monkeypatch.setattr(spreading, "LOOK_SECONDS", 0.1)
+    monkeypatch.setattr(pools.Cluster, "lonely_seconds", 0.5)
+    with (
+        pytest.raises(TaskError, match=r"dask: no workers for \d s; what is done is kept"),
+        pools.opened(1, cluster.scheduler_address) as pool,
+    ):
+        cluster.scale(0)
+        list(spread(batch_common.sleeps, [60.0], pool, lambda *_: None))

@@ -3,6 +3,7 @@
 """The bench of plans in a physics engine, without one: rows, tables, and the page they make."""
 
 import contextlib
+import importlib
 import json
 import sys
 import types
@@ -149,6 +150,8 @@ def test_a_share_never_looks_better_than_it_is():
 
 
 def test_interrupted_and_resumed(engine, tmp_path, monkeypatch):
+    spreading = importlib.import_module("graspless.batches.spread")
+    monkeypatch.setattr(spreading, "LARGEST_CHUNK", 1)  # what is in hand when it ends is lost
     log = tmp_path / "physics_slide.rows"
     grid = physics.Grid("slide", runs=4, trials=2)
     measured = []
@@ -185,6 +188,9 @@ def test_an_error_or_a_dead_worker_is_a_complaint(engine, monkeypatch):
     monkeypatch.setattr("graspless.plans.plan", broken)
     run = physics.run(physics.Grid("slide", runs=1))
     assert run.complaints == ["000 card 0: RuntimeError: no such thing"]
+    totals = physics_tables.totals(run.rows)
+    assert (totals["lost"], totals["not_planned"]) == (1, {})
+    assert "1 lost to an error" in physics_report._counts(totals)
     query = physics_work.Query("a", {}, 1, 1)
     lost = physics_work.unknown(query, "crashed", "")
     assert physics._lost(query, "SIGSEGV\nmore", 2.0) == lost | {

@@ -136,8 +136,7 @@ class _Run:
             pool.close(at_once=True)
             work.sweep(self.output)
         except CancelledError:
-            told = "the scheduler has gone; what is done is kept, and the same call goes on"
-            raise TaskError(f"dask: {told}") from None
+            raise TaskError(pools.GONE.format("the scheduler has gone")) from None
         return self._summarize(pool.workers, time.monotonic() - start)
 
     def _jobs(self, pool: pools.Pool) -> Iterator[Job]:

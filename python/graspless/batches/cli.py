@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import logging
 import shlex
 import sys
 from typing import TYPE_CHECKING, Any
@@ -62,6 +63,8 @@ def add_parser(commands: Any) -> None:
 def _batch(options: argparse.Namespace) -> int:
     from . import batch
 
+    if options.dask is not None:
+        _quiet_dask()
     with bar("planning") as progress:
         summary = batch(
             options.tasks,
@@ -80,6 +83,14 @@ def _batch(options: argparse.Namespace) -> int:
         print(f"interrupted; this goes on: {command}", file=sys.stderr)
         return INTERRUPTED
     return FOUND if summary else NOT_FOUND
+
+
+def _quiet_dask() -> None:
+    """What goes wrong is ours to say, in a line; Dask would add tracebacks."""
+    with contextlib.suppress(ImportError):
+        import distributed  # noqa: F401  which sets the levels of its loggers
+    for name in ("distributed", "distributed.client", "tornado.application"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
 @contextlib.contextmanager

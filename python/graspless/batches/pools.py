@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import signal
+import time
 from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
@@ -19,6 +20,7 @@ Result = TypeVar("Result")
 Crashes = tuple[type[BaseException], ...]
 
 CONNECT_SECONDS = 10.0  # to a Dask scheduler, and until it has a worker
+GONE = "dask: {}; what is done is kept, and the same call goes on"
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
@@ -42,6 +44,9 @@ class Pool(Protocol):
 
     def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
         """Has something done; `work` must be importable there."""
+
+    def look(self) -> None:
+        """Now and then, while nothing comes back: raises TaskError when nothing can."""
 
     def restart(self) -> None:
         """After a crash, which may have taken all jobs with it."""
@@ -72,6 +77,9 @@ class Processes:
             future: Future[Result] = self._executor.submit(work, given)
         return future
 
+    def look(self) -> None:  # what breaks, breaks its futures
+        pass
+
     def restart(self) -> None:
         self.close(at_once=True)
         self._executor = self._make(self.workers, env=ONE_THREAD)
@@ -84,6 +92,7 @@ class Cluster:
     """The workers of a Dask scheduler, as many as there are at the beginning."""
 
     is_elsewhere = True
+    lonely_seconds = 60.0  # without a worker, until it is given up
 
     def __init__(self, address: str, seconds: float = CONNECT_SECONDS) -> None:
         try:
@@ -104,6 +113,7 @@ class Cluster:
             self._client.close()
             raise
         self._executor = self._client.get_executor(pure=False)
+        self._seen = time.monotonic()  # when there was a worker
 
     def _meet(self, address: str, seconds: float) -> None:
         try:
@@ -122,6 +132,18 @@ class Cluster:
     def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
         future: Future[Result] = self._executor.submit(work, given)
         return future
+
+    def look(self) -> None:
+        try:
+            threads = self._client.nthreads()
+        except OSError:
+            raise TaskError(GONE.format("the scheduler has gone")) from None
+        now = time.monotonic()
+        if threads:
+            self._seen = now
+        elif now - self._seen > self.lonely_seconds:
+            what = f"no workers for {now - self._seen:.0f} s"
+            raise TaskError(GONE.format(what))
 
     def restart(self) -> None:  # nannies do
         pass

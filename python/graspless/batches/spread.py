@@ -11,7 +11,7 @@ from itertools import chain, islice
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
+    from collections.abc import Callable, Collection, Iterable, Iterator
     from concurrent.futures import Future
 
     from .pools import Pool
@@ -21,6 +21,7 @@ Result = TypeVar("Result")
 
 CHUNK_SECONDS = 0.1  # of work sent at once: short work is not to wait for its messages
 LARGEST_CHUNK = 16
+LOOK_SECONDS = 5.0  # between looks whether there are workers at all
 
 
 def spread(
@@ -52,7 +53,9 @@ def spread(
     for item in together.suspects:
         start = time.monotonic()
         try:
-            result = pool.submit(work, item).result()
+            future = pool.submit(work, item)
+            _wait([future], pool, FIRST_COMPLETED)
+            result = future.result()
         except pool.crashes as error:
             pool.restart()
             result = lost(item, str(error), time.monotonic() - start)
@@ -81,7 +84,7 @@ class _Together(Generic[Given, Result]):
     def results(self) -> Iterator[Result]:
         """Waits for some; after a crash for all, before workers are started anew."""
         when = ALL_COMPLETED if self._is_broken else FIRST_COMPLETED
-        for future in wait(self._running, return_when=when).done:
+        for future in _wait(self._running, self._pool, when):
             items = self._running.pop(future)
             try:
                 results, seconds = future.result()
@@ -102,6 +105,15 @@ class _Together(Generic[Given, Result]):
         except self._pool.crashes:  # it broke since; nobody has begun these
             self._items = chain(items, self._items)
             self._is_broken = True
+
+
+def _wait(futures: Collection[Future[Result]], pool: Pool, when: str) -> set[Future[Result]]:
+    """Those that are done; raises what the pool raises when it cannot go on."""
+    while True:
+        done, left = wait(futures, LOOK_SECONDS, when)
+        if not left or (done and when == FIRST_COMPLETED):
+            return done
+        pool.look()
 
 
 def _each(work: Callable[[Given], Result], items: list[Given]) -> tuple[list[Result], float]:

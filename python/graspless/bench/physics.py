@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..batches import manifest, pools
 from ..batches.spread import spread
 from ..errors import TaskError
-from . import physics_work
+from . import physics_tables, physics_work
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -94,7 +94,7 @@ class Run:
     def complaints(self) -> list[str]:
         """Plans that fail their check, workers that died, and errors."""
         found = [f"{row['name']}: {fault}" for row in self.rows for fault in row["faults"]]
-        died = [row for row in self.rows if row["status"] in ("crashed", "failed")]
+        died = [row for row in self.rows if row["status"] in physics_tables.LOST]
         return found + [f"{row['name']}: {row['reason']}" for row in died]
 
 

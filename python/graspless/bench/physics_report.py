@@ -83,7 +83,7 @@ def write_page(directory: Path) -> None:
 
 def _tables(result: Row) -> dict[str, tables.Table]:
     asked = {"asked": tables.claims(result)}
-    if result["totals"]["disturbed"]:
+    if result["part"].endswith("_disturb"):
         return asked | {"disturbance": tables.disturbances(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
 
@@ -106,6 +106,7 @@ def _counts(totals: Row) -> str:
     missing = ", ".join(f"{name} {count}" for name, count in totals["not_planned"].items())
     parts += [f"not planned: {missing}"] if missing else []
     parts += [f"{totals['failed_checks']} that fail their check"] if totals["failed_checks"] else []
+    parts += [f"{totals['lost']} lost to an error"] if totals["lost"] else []
     if totals["nominal"]:
         parts.append(f"{totals['nominal_held']} of {totals['nominal']} held as planned")
     if totals["varied"]:

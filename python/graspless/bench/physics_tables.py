@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     Table = tuple[list[Row], list[Column]]  # named rows, and the columns to show
 
 UNITS = {"m": (1e3, "mm"), "rad": (180 / np.pi, "deg")}  # as people read them
+LOST = ("crashed", "failed")  # an error, and nothing is known of the plan
+KNOWN = ("solved", *LOST)
 MEANING = "what it is"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
@@ -37,7 +39,8 @@ def totals(rows: list[Row]) -> Row:
     return {
         "tasks": len(rows),
         "planned": sum(row["status"] == "solved" for row in rows),
-        "not_planned": dict(Counter(r["status"] for r in rows if r["status"] != "solved")),
+        "not_planned": dict(Counter(r["status"] for r in rows if r["status"] not in KNOWN)),
+        "lost": sum(row["status"] in LOST for row in rows),
         "failed_checks": sum(bool(row["faults"]) for row in rows),
         "nominal": len(nominal),
         "nominal_held": sum(not case["failures"] for case in nominal),
