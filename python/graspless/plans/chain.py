@@ -149,8 +149,9 @@ def _add(found: _Found, stage: Stage, task: Task, budget: planning.Budget) -> bo
     except TaskError as error:
         what = f"cannot start where '{task.problem.stages[len(found.stages) - 1].name}' ended"
         return found.fail("not_joined", f"{stage.name}: {what}: {error}")
+    # The chain's seconds, not what is left of them: the same plan shall be the same file.
     given = given.with_changes(
-        seconds=budget.seconds, iterations=budget.iterations, seed=budget.seed
+        seconds=task.budget.seconds, iterations=budget.iterations, seed=budget.seed
     )
     plan = from_core(plan_kind(stage.kind).search(given, budget), given)
     found.stages.append(plan)

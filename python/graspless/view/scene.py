@@ -18,31 +18,40 @@ if TYPE_CHECKING:
     from .raster import Camera
 
 DIM = 0.82  # viser's lights are bright
+FIELD = 1.08  # of what a camera must see, to leave a margin
 
 
 def look(server: Any, view: Camera) -> None:
     """Where the viewer stands at first."""
     server.initial_camera.position = tuple(view.eye)
     server.initial_camera.look_at = tuple(view.target)
-    server.initial_camera.fov = 1.08 * view.angle
+    server.initial_camera.fov = FIELD * view.angle
 
 
 class Captions:
     """One line of text, like a subtitle."""
 
     def __init__(self, layers: Layers, view: Camera, first: str) -> None:
-        reach = np.linalg.norm(view.target - view.eye)
-        at = tuple(view.target - 0.88 * reach * np.tan(view.angle / 2) * view.axes()[1])
         layers.add("caption")
         self.label = layers.scene.add_label(
-            "/caption/text", first, position=at, font_screen_scale=1.6
+            "/caption/text", first, position=_below(view), font_screen_scale=1.6
         )
         self.shown = first
+
+    def place(self, view: Camera) -> None:
+        """Moves it to where another camera looks."""
+        self.label.position = _below(view)
 
     def show(self, text: str) -> None:
         """Shows another text."""
         if text != self.shown:
             self.label.text = self.shown = text
+
+
+def _below(view: Camera) -> tuple[float, ...]:
+    """Where a subtitle is in the world."""
+    reach = np.linalg.norm(view.target - view.eye)
+    return tuple(view.target - 0.88 * reach * np.tan(view.angle / 2) * view.axes()[1])
 
 
 class Layers:

@@ -7,12 +7,17 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ...kinds import part
-from ..scene import Layers, plain
+from ..raster import Camera
+from ..scene import FIELD, Layers, look, plain
 
 if TYPE_CHECKING:
     from ...plans.chain import Plan
-    from ..replay import Stage as AnyStage
+
+
+NEARER = 0.8  # a scene does not fill the ball around it
 
 
 class Stage:
@@ -21,16 +26,21 @@ class Stage:
     def __init__(self, server: Any, plan: Plan) -> None:
         self.layers = Layers(server.scene)
         self.corners: list[Any] = []
-        self.stages: list[AnyStage] = []
+        self.stages: list[Any] = []
+        seen: list[Any] = []  # where each stage would look from
         for k, (name, stage) in enumerate(zip(plan.names, plan.stages, strict=True)):
             corner = f"{k + 1} {plain(name)}"
             frame = server.scene.add_frame(f"/{corner}", show_axes=False, visible=k == 0)
-            camera = server.initial_camera if k == 0 else SimpleNamespace()
-            within = SimpleNamespace(scene=Corner(server.scene, corner), initial_camera=camera)
+            seen.append(SimpleNamespace())
+            within = SimpleNamespace(scene=Corner(server.scene, corner), initial_camera=seen[-1])
             self.corners.append(frame)
             self.stages.append(part("view", stage.kind).set_stage(within, stage))
             for layer, handle in self.stages[-1].layers.handles.items():
                 self.layers.handles[f"{corner}: {layer}"] = handle
+        view = common([Camera(np.array(c.position), np.array(c.look_at), c.fov) for c in seen])
+        look(server, view)
+        for shown in self.stages:
+            shown.captions.place(view)
         self.rows = sum(stage.rows for stage in self.stages)
         self.at = 0
 
@@ -46,6 +56,19 @@ class Stage:
             self.corners[k].visible = True
             self.at = k
         self.stages[k].show(row)
+
+
+def common(cameras: list[Camera]) -> Camera:
+    """Sees what each of them sees: all that is around their targets, from the side of the first."""
+    radii = [np.linalg.norm(c.eye - c.target) * np.tan(c.angle / 2) for c in cameras]
+    middle = np.mean([c.target for c in cameras], axis=0)
+    far = NEARER * max(
+        float(np.linalg.norm(c.target - middle) + radius)
+        for c, radius in zip(cameras, radii, strict=True)
+    )
+    first = cameras[0]
+    toward = (first.eye - first.target) / np.linalg.norm(first.eye - first.target)
+    return Camera(middle + far / np.tan(first.angle / 2) * toward, middle, first.angle / FIELD)
 
 
 class Corner:
