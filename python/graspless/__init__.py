@@ -8,8 +8,8 @@
 >>> assert plan and not graspless.check(plan)  # doctest: +SKIP
 >>> plan.save("plan.json")  # doctest: +SKIP
 
-`graspless.slide`, `graspless.fingertip` and `graspless.clasp` have the planners themselves, for
-problems that are made in Python.
+`graspless.slide`, `graspless.fingertip`, `graspless.clasp` and `graspless.carry` have the planners
+themselves, for problems that are made in Python.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from . import (
+        carry,
         clasp,
         collision,
         fingertip,
@@ -47,6 +48,7 @@ __all__ = [
     "Trajectory",
     "__version__",
     "batch",
+    "carry",
     "check",
     "clasp",
     "collision",

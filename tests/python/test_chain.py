@@ -11,6 +11,8 @@ import pytest
 import graspless
 from graspless import _data, frames
 from graspless.plans.chain_state import begins, ends
+from graspless.simulation import simulation_kind
+from graspless.tasks.chain import lying
 from tasks_common import fault, reread, run, without_clock
 
 EXAMPLES = _data.directory("examples")
@@ -206,7 +208,7 @@ def test_where_a_stage_cannot_start(write):
             "kind: slide}",
             "kind: slide, object: {name: tile}}",
             10,
-            r"stages\[0\].object.name: tile: the chain's object is 'card'",
+            r"stages\[0\].object.name: tile: the chain's object has card",
         ),
         (
             "kind: carry, line: {direction: [0, 0, 2], distance: 0.1}",
@@ -433,7 +435,8 @@ def test_simulated_hand_takes_the_object_where_the_plan_says(lift):
     assert trial, trial.failures
     assert trial.measures["carried"] == pytest.approx(0.1, abs=0.003)
     assert trial.measures["carry_error"] < 0.003
-    assert "lift_height" not in trial.measures
+    assert trial.measures["slid"] == trial.measures["kept"] == 1
+    assert set(trial.measures) == set(simulation_kind("chain").MEASURES)
 
 
 def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_path):
@@ -448,9 +451,100 @@ def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_p
     plan = reread(document, tmp_path / "plan.json")
     trial = graspless.simulate(plan).trials[0]
     assert not trial
+    assert trial.measures["kept"] == 0
 
 
 def test_chain_that_is_not_executed_in_one_go(tumble):
     pytest.importorskip("mujoco")
     with pytest.raises(graspless.TaskError, match="fingertip, fingertip is not executed in one go"):
         graspless.simulate(tumble)
+
+
+TILE = (EXAMPLES / "23_tumble_slide_lift.yaml").read_text()
+
+
+@pytest.fixture(scope="module")
+def tile():
+    return graspless.plan(EXAMPLES / "23_tumble_slide_lift.yaml")
+
+
+def test_arm_goes_on_with_what_the_fingertips_left(tile):
+    assert tile, tile.reason
+    assert graspless.check(tile) == []
+    assert [join.how for join in tile.fields.joins] == ["arm", "held"]
+    first, second, _ = tile.stages
+    q = first.joint_segments[-1].positions[-1]
+    assert np.abs(q - second.segments[0].positions[0]).max() < 1e-9
+
+
+def test_object_is_one_body_in_all_frames(tile):
+    """A box and its outline are the same corners, and in time nothing jumps."""
+    first, second, third = tile.stages
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    X_W1, X_W2 = first.segments[-1].X_WO[-1], second.segments[0].object_poses[0]
+    box = (corners / 2 * [0.02, 0.08, 0.10]) @ X_W1[:3, :3].T + X_W1[:3, 3]
+    plate = (corners / 2 * [0.10, 0.08, 0.02] + [0, 0, 0.01]) @ X_W2[:3, :3].T + X_W2[:3, 3]
+    apart = np.linalg.norm(box[:, None] - plate[None], axis=2)
+    assert apart.min(axis=0).max() < 1e-9
+    assert apart.min(axis=1).max() < 1e-9
+    poses = graspless.time(tile).object_poses
+    assert np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1).max() < 2e-3
+    assert np.abs(np.diff(poses[:, :3, :3], axis=0)).max() < 0.02
+    end = third.segments[-1].object_poses[-1] @ np.linalg.inv(tile.object_frames[2])
+    assert np.abs(poses[-1] - end).max() < 1e-9
+
+
+def test_stage_has_the_mass_of_the_chain(tile, write):
+    assert tile.stages[1].task.problem.object.mass == 0.15
+    said = fault(write(changed("thickness: 0.02}", "thickness: 0.02, mass: 1}", TILE)))
+    assert "stages[1].object.mass: 1: the chain's object has 0.15" in said
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("thickness: 0.02}", "thickness: 0.021}", "is 0.02 m high as it lies; thickness is 0.021"),
+        ("size: [0.10, 0.08]}", "size: [0.10, 0.07]}", "has another outline seen from above"),
+        ("height: 0.0}", "height: -0.01}", "lies 0.01 m over the support"),
+    ],
+)
+def test_outline_of_another_object(write, old, new, words):
+    plan = graspless.plan(write(changed(old, new, TILE)))
+    assert plan.status == "not_joined"
+    assert plan.reason.startswith("slide: cannot start where 'tumble' ended: ")
+    assert f"stages[1].object: {words}" in plan.reason
+
+
+def test_check_finds_an_object_that_lies_elsewhere(tile, tmp_path):
+    document = json.loads(tile.to_json())
+    document["stages"][1]["task"]["object"]["pose"]["yaw"] += 0.01
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert "stage 1 'slide': object.pose.yaw is not what the chain's task says" in faults
+    document = json.loads(tile.to_json())
+    for segment in document["stages"][1]["segments"]:
+        for pose in segment["object_poses"]:
+            pose[1] += 1e-4
+    faults = graspless.check(reread(document, tmp_path / "plan.json"))
+    assert any("stage 1 'slide': the object starts 0.0001 m" in fault for fault in faults)
+
+
+def test_outline_is_laid_where_its_corners_are():
+    rng = np.random.default_rng(3)
+    for _ in range(50):
+        outline = lying.convex_hull(rng.normal(size=(8, 2)) * 0.1)
+        x, y, yaw = rng.uniform(-1, 1, 3)
+        X_SO = frames.planar(x, y, yaw)
+        ring = np.concatenate(
+            [np.column_stack([outline, np.full(len(outline), z)]) for z in (0, 0.02)]
+        )
+        corners_S = ring @ X_SO[:3, :3].T + X_SO[:3, 3]
+        pose = lying.lying(rng.permutation(corners_S), rng.permutation(outline), 0.02)
+        assert (pose.x, pose.y, pose.yaw) == pytest.approx((x, y, yaw), abs=1e-7)
+
+
+def test_outline_turns_least():
+    """Of the four ways in which a square lies on itself."""
+    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * 0.05
+    ring = np.concatenate([np.column_stack([square, np.full(4, z)]) for z in (0, 0.01)])
+    turned = ring @ frames.from_rpy([0, 0, 1.4])[:3, :3].T
+    assert lying.lying(turned, square, 0.01).yaw == pytest.approx(1.4 - np.pi / 2, abs=1e-9)

@@ -16,6 +16,7 @@ from graspless import clasp, geometry
 from graspless.bench.physics_clasp import physics_tasks
 from graspless.simulation.clasp import FAILURES, MEASURES, run, surface
 from graspless.simulation.clasp.model import make_world
+from graspless.simulation.robots import set_positions
 from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation
 from graspless.tasks import read_task
@@ -52,6 +53,27 @@ def test_the_hand_goes_through_the_hole_as_planned(trial):
     # The parts of the purse leave its hole open, or the fingers would have pushed it away.
     assert trial.measures["moved_before"] < 1e-4
     assert trial.measures["linking"] > 0.5
+
+
+def test_the_solid_purse_is_held_as_its_skin_is(plan, trial):
+    solid = run(plan, Variation(), settings=SHORT, solids=clasp.sample_object("purse"))
+    assert solid.failures == ()
+    # Cloud and solid are a fraction of the cloud's spacing apart, and so is where it ends.
+    names = ("moved_before", "linking", "held")
+    for name in names:
+        assert solid.measures[name] == pytest.approx(trial.measures[name], abs=0.02), name
+
+
+def test_contacts_have_the_friction_that_is_asked_for(plan):
+    world = make_world(plan.task, Variation(friction=1.2), Clasp())
+    robot = plan.task.problem.robot
+    set_positions(world.model, world.data, robot, plan.segments[-1].positions[-1])
+    world.data.qpos[-7:-4] += [0.0, 0.0, -0.03]  # onto a finger
+    mujoco.mj_forward(world.model, world.data)
+    contacts = [c for c in world.data.contact if min(c.geom) < 0]
+    assert contacts
+    for contact in contacts:
+        assert contact.friction[0] == pytest.approx(1.2 * Clasp().friction)
 
 
 def _without_closing(document):

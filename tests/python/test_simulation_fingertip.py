@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import frames
+from graspless import _data, frames
 from graspless.bench import physics_fingertip
 from graspless.bench.fingertip_grid import CASES
 from graspless.simulation.fingertip import FAILURES, MEASURES, SPREAD, carry_out, measure, run
-from graspless.simulation.fingertip.disturb import Disturbed, disturb
+from graspless.simulation.fingertip.breaking import Disturbed, disturb
 from graspless.simulation.fingertip.execute import contact_forces
 from graspless.simulation.fingertip.program import way_round
 from graspless.simulation.fingertip.world import build_world
@@ -187,3 +187,15 @@ def test_bench_tasks_repeat_and_case_a_is_the_papers():
     few, many = physics_fingertip.physics_tasks(5), physics_fingertip.physics_tasks(6)
     assert [task.to_dict() for task in few] == [task.to_dict() for task in many[:5]]
     assert graspless.plan(few[0]).cost == pytest.approx(10.016453262 * physics_fingertip.UNIT)
+
+
+def test_an_arm_carries_a_plan_out():
+    plan = graspless.plan(_data.directory("examples") / "12_t42_tumble.yaml")
+    trial = run(plan, Variation(), record=True)
+    assert trial, trial.failures
+    assert trial.measures["vertex_error"] < 6e-4
+    recording = trial.recording
+    assert recording.positions.shape == (len(recording.times), len(plan.joint_names))
+    np.testing.assert_allclose(recording.positions[0], plan.task.arm.q_home, atol=1e-3)
+    X_WO, X_WO_end = recording.object_poses[-1], plan.segments[-1].X_WO[-1]
+    np.testing.assert_allclose(X_WO, X_WO_end, atol=2e-3)

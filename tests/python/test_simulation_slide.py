@@ -47,7 +47,6 @@ def changed(plan, **fields):
 
 def test_a_card_is_slid_and_lifted(nominal):
     assert nominal
-    assert nominal.measures["slid"] == nominal.measures["lifted"] == 1
     assert nominal.measures["position_error"] < 0.005
     assert nominal.measures["angle_error"] < np.radians(5)
     assert nominal.measures["lift_height"] > 0.09
@@ -147,7 +146,7 @@ def test_an_object_over_the_edge_falls(plan):
     execution = Execution(plan, Variation(x=-0.32), Slide())
     execution.run("press")
     assert "fell" in execution.judge.failures
-    assert execution.measures["slid"] == 0
+    assert "position_error" not in execution.measures
 
 
 def test_what_stands_in_the_way_is_hit(plan):

@@ -15,7 +15,7 @@ from tasks_common import GOOD, last_positions, recording
 
 pytest.importorskip("viser")
 
-from graspless.view import clock, film_stage, replay  # noqa: E402
+from graspless.view import clock, film, film_stage, replay  # noqa: E402
 
 TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
 LAYERS = {
@@ -124,6 +124,26 @@ def test_recording_is_shown_beside_the_plan(plan, tmp_path):
     np.testing.assert_allclose(apart, off, atol=4e-6)
     assert told(messages)[0].endswith(": 0.0 mm, 0.0° from the plan")
     assert told(messages)[-1].endswith(": 5.0 mm, 0.0° from the plan")
+
+
+def test_recording_without_the_plans_poses_is_told_of_by_segment(plan, tmp_path):
+    pytest.importorskip("toppra")
+    if plan.kind == "fingertip":  # its recordings say them
+        return
+    timed = graspless.time(plan)
+    after = timed.times[-1] + np.array([0.1, 0.2])
+    poses = np.concatenate([timed.object_poses, timed.object_poses[-1:].repeat(2, axis=0)])
+    poses[-2:, 2, 3] += 0.1  # lifted, which no segment does
+    positions = np.concatenate([timed.positions, timed.positions[-1:].repeat(2, axis=0)])
+    times = np.concatenate([timed.times, after])
+    names = [*timed.names, "raise", "raise"]
+    happened = Recording(times, positions, poses, np.empty((len(times), 0, 3)), names)
+    shown = film.recorded(plan, happened)
+    np.testing.assert_allclose(shown.planned_poses[:-2], poses[:-2], atol=2e-4)
+    np.testing.assert_allclose(shown.planned_poses[-1], poses[-3], atol=1e-9)
+    texts = told(replayed(plan, tmp_path, happened)[0]["messages"])
+    assert texts[-1] == "raise"
+    assert "from the plan" in texts[-2]
 
 
 def test_distance_from_the_plan_is_that_of_the_center():

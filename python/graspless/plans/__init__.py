@@ -69,7 +69,7 @@ class Plan:
 
     @property
     def kind(self) -> str:
-        """Which planner made it: slide, fingertip or clasp."""
+        """Which planner made it: slide, fingertip, clasp or carry; chain: one for each stage."""
         return str(self.fields.kind)
 
     @property

@@ -7,7 +7,10 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ..errors import TaskError
 from ..tasks import task_from_dict
@@ -15,10 +18,11 @@ from ..tasks.chain import start_at
 from . import Plan as AnyPlan
 from . import from_core, plan_kind
 from .chain_model import ChainPlanFile
-from .chain_state import ends, join
+from .chain_state import begins, ends, join
 
 if TYPE_CHECKING:
     from .. import planning
+    from ..frames import Matrix
     from ..tasks import Task
     from ..tasks.chain import Stage
 
@@ -44,6 +48,20 @@ class Plan(AnyPlan):
                 fields.task.model_dump(mode="json", exclude_none=True), f"stages[{i}]: task"
             )
             found.append(plan_kind(fields.kind).Plan(fields, task))
+        return found
+
+    @cached_property
+    def object_frames(self) -> list[Matrix]:
+        """[4, 4] of each stage: its object's frame in that of the first stage's object. They differ
+        where a slide follows fingertips, which have a frame of their own for the same object.
+        """
+        found = [np.eye(4)]
+        for before, stage in pairwise(self.stages):
+            both = before.kind == "fingertip" and stage.kind == "slide"
+            X_OO = (
+                np.linalg.inv(ends(before).X_WO) @ begins(stage)[1] if both and stage else np.eye(4)
+            )
+            found.append(found[-1] @ X_OO)
         return found
 
     @cached_property

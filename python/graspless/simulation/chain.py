@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 MEASURES = {
     **{name: text for name, text in SLIDE_MEASURES.items() if not name.startswith("lift")},
+    "kept": "1 where the hand had the object at the end, as it took it",
     "carried": "how far the hand took the object, from squeeze to hold [m]",
     "carry_error": "between that motion of the object and the plan's [m]",
 }
@@ -79,7 +80,7 @@ class _Carried(Execution):
     def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
         slide: Any = plan.stages[0]
         super().__init__(slide, variation, settings)
-        del self.measures["lift_reach"]
+        self.measures = {"slid": 0.0, "kept": 0.0}
         carries = plan.stages[1:]
         self.program = with_carries(self.program, carries, self.timestep)
         first, last = (
@@ -106,6 +107,7 @@ class _Carried(Execution):
             return
         if not self.judge.holds(self.data) or max(creep, error) > self.settings.kept:
             self.judge.note("dropped")
+        self.measures["kept"] = float(phase == HOLD and "dropped" not in self.judge.failures)
 
 
 def with_carries(program: Program, carries: list[AnyPlan], timestep: float) -> Program:

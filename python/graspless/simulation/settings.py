@@ -59,6 +59,7 @@ class Fingertip:
     damping_ratio: float = 1.0
     turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
     speed: float = 0.005  # of an object that slides; faster, MuJoCo lifts it off the floor [m/s]
+    arm_speed: float = 0.01  # the same, carried by an arm [m/s]
     approach: float = 0.002  # from where a finger comes to the surface [m]
     load_seconds: float = 0.3  # to touch, and from one set of forces to the next [s]
     rest_seconds: float = 0.2  # at the end [s]

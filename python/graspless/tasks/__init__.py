@@ -55,11 +55,11 @@ class Task:
 
     Attributes
     ----------
-    fields : SlideTask, FingertipTask or ClaspTask
+    fields : SlideTask, FingertipTask, ClaspTask, CarryTask or ChainTask
         The whole task; no file but meshes is needed beside it.
-    problem : slide.Problem, fingertip.Problem or clasp.Problem
+    problem : slide.Problem, fingertip.Problem, clasp.Problem, carry.Problem or chain.Problem
         What is given.
-    options : slide.Options, fingertip.Options or clasp.Options
+    options : slide.Options, fingertip.Options, clasp.Options, carry.Options or chain.model.Options
         How to search.
     budget : planning.Budget
         Time and randomness.
@@ -76,7 +76,7 @@ class Task:
 
     @property
     def kind(self) -> str:
-        """Which planner it is for: slide, fingertip or clasp."""
+        """Which planner it is for: slide, fingertip, clasp or carry; chain: several."""
         return str(self.fields.kind)
 
     @property

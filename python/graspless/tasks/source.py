@@ -101,7 +101,7 @@ class Source:
         if kind == "missing":
             return self.message(place, "missing")
         if kind == "model_type" or kind == "dict_type":
-            fields = sorted(_fields_at(model, fault["loc"]))
+            fields = sorted(_fields_at(model, fault["loc"])) if kind == "model_type" else []
             names = f" with some of: {', '.join(fields)}" if fields else ""
             value = self._look_up(place)[0]
             shown = f"{_shorten(value)}: " if isinstance(value, list) else ""

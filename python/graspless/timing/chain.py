@@ -4,7 +4,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from ..kinds import part
 from .trajectory import concatenated
@@ -24,6 +27,10 @@ def robot(plan: Plan, fingers: bool) -> Robot | None:
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """The plan in time."""
+    """The plan in time; the object's poses are those of the first stage's object."""
     stages = [part("timing", stage.kind).trajectory(stage, settings) for stage in plan.stages]
-    return concatenated(plan, stages, settings.pause)
+    of_first = [
+        dataclasses.replace(stage, object_poses=stage.object_poses @ np.linalg.inv(X_OO))
+        for stage, X_OO in zip(stages, plan.object_frames, strict=True)
+    ]
+    return concatenated(plan, of_first, settings.pause)

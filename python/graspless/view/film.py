@@ -41,6 +41,8 @@ class Film:
         Where a plan wants the object, of a film of what happened.
     pace : float, optional
         How much faster it runs than what it shows; None where that has no times.
+    compared : set of str
+        Names of rows in which the object is where `planned_poses` says, if all goes well.
     """
 
     plan: Any
@@ -50,6 +52,7 @@ class Film:
     names: list[str]
     planned_poses: Matrix | None = None
     pace: float | None = None
+    compared: frozenset[str] = frozenset()
 
     @cached_property
     def link_poses(self) -> Matrix:
@@ -143,6 +146,7 @@ def recorded(plan: Plan, recording: Recording) -> Film:
     """What happened in a simulation, at its own pace if that is not too slow to watch."""
     times = np.asarray(recording.times, dtype=float)
     pace = pace_of(float(times[-1]))
+    given = recording.planned_poses is not None
     return Film(
         plan,
         times / pace,
@@ -151,17 +155,34 @@ def recorded(plan: Plan, recording: Recording) -> Film:
         list(recording.names),
         planned_poses(plan, recording),
         pace,
+        frozenset(recording.names if given else [segment.name for segment in plan.segments]),
     )
 
 
 def planned_poses(plan: Plan, recording: Recording) -> Matrix:
-    """[N, 4, 4] where the plan wants the object at each moment; where the recording does not say,
-    at its last place.
+    """[N, 4, 4] where the plan wants the object at each moment.
+
+    Where the recording does not say: in a stretch of a segment's name as the timed plan has it from
+    the segment's start, in any other where the last segment left it.
     """
     if recording.planned_poses is not None:
         return np.asarray(recording.planned_poses, dtype=float)
-    last = [segment for segment in plan.segments if len(segment)][-1].object_poses[-1]
-    return np.repeat(last[None], len(recording.times), axis=0)
+    times, names = np.asarray(recording.times, dtype=float), np.array(recording.names)
+    segments = {s.name: (k, s) for k, s in enumerate(plan.segments) if len(s)}
+    found = np.repeat(next(iter(segments.values()))[1].object_poses[:1], len(times), axis=0)
+    clock = clock_of(plan)
+    for name, (k, segment) in segments.items():
+        rows = np.flatnonzero(names == name)
+        if not len(rows):
+            continue
+        here, rest = slice(rows[0], rows[-1] + 1), slice(rows[-1] + 1, None)
+        found[here] = found[rest] = segment.object_poses[-1]
+        if clock is not None:
+            trajectory = clock.trajectory
+            began = trajectory.times[trajectory.segment_index == k]
+            elapsed = np.minimum(times[here] - times[rows[0]], began[-1] - began[0])
+            found[here] = trajectory.at(began[0] + elapsed).object_poses
+    return found
 
 
 def spread(shown: Film, most: int = 60) -> list[int]:

@@ -56,6 +56,8 @@ class FilmStage:
             return self.shown.names
         return [
             f"{name}: {apart(planned[row], self.shown.object_poses[row], self.center)}"
+            if name in self.shown.compared
+            else name
             for row, name in enumerate(self.shown.names)
         ]
 

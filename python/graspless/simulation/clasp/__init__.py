@@ -42,7 +42,8 @@ FAILURES = {
 
 MEASURES = {
     "moved_before": "how far the object moved before the hand closed [m]",
-    "moved_by_closing": "how far the object had moved when the hand was closed [m]",
+    "moved_by_closing": "how far it had moved when the hand was closed as planned [m]",
+    "moved_by_grip": "how far it had moved when the motors had had enough [m]",
     "linking": "virtual linking of the closed hand, the least of all fingers",
     "grip": "torque of the joint of the hand that presses hardest when closed, of its greatest",
     "held": "sequences of random wrenches that the closed hand held",
@@ -112,10 +113,10 @@ def _close(execution: Execution, trajectory: Trajectory) -> dict[str, float]:
     execution.settle(execution.world.settings.lead)
     moved = execution.follow(trajectory)
     torque = execution.grip()
-    far = float(np.linalg.norm(execution.surface() - resting, axis=1).max())
     return {
         "moved_before": moved.get("reach", 0.0),
-        "moved_by_closing": far,
+        "moved_by_closing": moved.get("close", 0.0),
+        "moved_by_grip": execution.moved(resting),
         "linking": execution.judge.linking(),
         "grip": float(torque.max()),
     }

@@ -76,8 +76,8 @@ class Execution:
             self.run("settle")
 
     def follow(self, trajectory: Trajectory) -> dict[str, float]:
-        """The arm and the hand as planned; how far the object had moved at the end of each
-        segment, at most [m].
+        """The arm and the hand as planned; how far the object was from where it stood, at most,
+        by segment [m].
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
@@ -88,8 +88,7 @@ class Execution:
         resting = self.surface()
         for i in range(0, len(moments), self._steps):
             self.run(names[i], commands[i : i + self._steps])
-            far = float(np.linalg.norm(self.surface() - resting, axis=1).max())
-            moved[names[i]] = max(far, moved.get(names[i], 0.0))
+            moved[names[i]] = max(self.moved(resting), moved.get(names[i], 0.0))
         return moved
 
     def surface(self) -> Matrix:
@@ -97,6 +96,10 @@ class Execution:
         X_WO = self.world.object_pose
         points: Matrix = self.world.points_O @ X_WO[:3, :3].T + X_WO[:3, 3]
         return points
+
+    def moved(self, resting: Matrix) -> float:
+        """The most that a point of the object is from where it was [m]."""
+        return float(np.linalg.norm(self.surface() - resting, axis=1).max())
 
     def grip(self) -> Matrix:
         """Every joint of the hand closes on while its motor is below the torque of the grip; each

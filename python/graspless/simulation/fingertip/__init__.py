@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fingertip plans in MuJoCo: spheres under position or force control, as the plan says.
+"""Fingertip plans in MuJoCo: spheres under position or force control, as the plan says, or an arm.
 
 Trials vary friction by 10 % and the fingers' places by 0.1 mm: `x` and `y` of a variation say
 where the first finger is beside its place; the others are beside theirs as far, in directions
-evenly round.
+evenly round. With an arm the object is beside its place.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from ... import frames
 from ...timing import time as timed
 from ..results import Recording, Trial
 from ..settings import Fingertip, Spread
+from .arm import carry_out_by_arm
+from .breaking import disturb
 from .execute import Log, execute
 from .program import program
 from .servo import Servo
@@ -51,9 +53,10 @@ LOST = 0.01  # [m]
 
 
 def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
-    """Executes a plan that is solved, by bare fingertips."""
+    """Executes a plan that is solved, by its arm or, without one, by bare fingertips."""
     start = time.perf_counter()
-    world, script, log = carry_out(plan, variation)
+    by = carry_out_by_arm if plan.joint_segments else carry_out
+    world, script, log = by(plan, variation)
     measures = measure(world, script, log)
     settings = world.settings
     return Trial(
@@ -68,7 +71,8 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
 def carry_out(
     plan: Plan, variation: Variation, *, feeds: bool = True, zeroes: bool = True
 ) -> tuple[World, Script, Log]:
-    """The world in the end, what the fingers were told at each of its steps, and what was seen.
+    """By bare fingertips: the world in the end, what the fingers were told at each of its steps,
+    and what was seen.
 
     `feeds` and `zeroes` are the servos' own.
     """
@@ -137,8 +141,12 @@ def recording(script: Script, log: Log) -> Recording:
     """What moved."""
     return Recording(
         times=script.times[log.moments],
-        positions=np.zeros((len(log.moments), 0)),
+        positions=np.array(log.joints),
         object_poses=np.array([frames.from_row(place.tolist()) for place in log.places]),
         fingers=np.array(log.centers),
         names=[script.names[k] for k in script.stage[log.moments]],
+        planned_poses=np.array([frames.from_row(p) for p in script.places[log.moments].tolist()]),
     )
+
+
+__all__ = ["FAILURES", "MEASURES", "SPREAD", "carry_out", "carry_out_by_arm", "disturb", "run"]

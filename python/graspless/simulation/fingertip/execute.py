@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import mujoco
 import numpy as np
@@ -15,7 +15,6 @@ from ... import frames
 if TYPE_CHECKING:
     from ...frames import Matrix
     from .script import Script
-    from .servo import Servo
     from .world import World
 
 
@@ -31,6 +30,8 @@ class Log:
         Of the object.
     centers : list of array [n, 3]
         Of the fingertips [m].
+    joints : list of array [dof]
+        Of the arm [rad or m].
     errors : list of float
         How far the object's worst corner is from where it is to be [m].
     floor : list of float
@@ -42,12 +43,20 @@ class Log:
     moments: list[int] = field(default_factory=list)
     places: list[Matrix] = field(default_factory=list)
     centers: list[Matrix] = field(default_factory=list)
+    joints: list[Matrix] = field(default_factory=list)
     errors: list[float] = field(default_factory=list)
     floor: list[float] = field(default_factory=list)
     pressed: list[Matrix] = field(default_factory=list)
 
 
-def execute(world: World, script: Script, servo: Servo, *, every: int = 10) -> Log:
+class Commands(Protocol):
+    """What moves the fingers."""
+
+    def command(self, i: int) -> None:
+        """Sets the engine's controls for moment i."""
+
+
+def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -> Log:
     """Plays a script, a moment a step, from its first moment on; stops when all is lost.
 
     Parameters
@@ -56,7 +65,7 @@ def execute(world: World, script: Script, servo: Servo, *, every: int = 10) -> L
         The object and the fingers are put to where the script begins.
     script : Script
         At even times, a time step of the world's apart.
-    servo : Servo
+    servo : Commands
         Of this world and script.
     every : int
         Steps between looks.
@@ -82,6 +91,7 @@ def look(world: World, script: Script, i: int, log: Log) -> None:
     log.moments.append(i)
     log.places.append(world.object_qpos.copy())
     log.centers.append(world.centers.copy())
+    log.joints.append(world.joint_positions.copy())
     log.errors.append(corner_error(world.hull, world.object_qpos, script.places[i]))
     floor, pressed = contact_forces(world)
     log.floor.append(floor)
@@ -98,10 +108,9 @@ def corner_error(hull: Matrix, place: Matrix, wanted: Matrix) -> float:
 def contact_forces(world: World) -> tuple[float, Matrix]:
     """Normal forces on the object: of all planes together, and of each finger [N]."""
     planes, fingers, force = 0.0, np.zeros(world.fingers), np.zeros(6)
-    first = world.model.ngeom - world.fingers  # the fingertips' geoms are the last ones
     for k, geoms in enumerate(world.data.contact.geom):
         mujoco.mj_contactForce(world.model, world.data, k, force)
-        finger = max(geoms) - first
+        finger = max(world.finger_of_geom.get(geom, -1) for geom in geoms)
         if finger < 0:
             planes += force[0]
         else:

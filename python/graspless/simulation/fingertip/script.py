@@ -44,6 +44,8 @@ class Script:
         1 where the object slides without turning over.
     stage : array [T]
         Which of `names`.
+    joints : array [T, dof]
+        Of the arm; no columns for bare fingertips [rad or m].
     names : list of str
         touch, load, the segments' names, rest.
     """
@@ -57,6 +59,7 @@ class Script:
     drift: Matrix
     slides: Matrix
     stage: NDArray[np.int64]
+    joints: Matrix
     names: list[str]
 
     def __len__(self) -> int:
@@ -82,7 +85,8 @@ class Script:
         places[:, 3:] /= np.linalg.norm(places[:, 3:], axis=1, keepdims=True)
         return Script(
             times, places, mix(self.centers), mix(self.normals), mix(self.forces),
-            self.holds[after], mix(self.drift), self.slides[after], self.stage[after], self.names,
+            self.holds[after], mix(self.drift), self.slides[after], self.stage[after],
+            mix(self.joints), self.names,
         )  # fmt: skip
 
     def velocities(self) -> Matrix:
@@ -151,6 +155,7 @@ def moving(
         drift=np.asarray(rows / max(count - 1, 1), dtype=float),
         slides=np.full(len(times), float(segment.name in ("slide", "turn"))),
         stage=np.zeros(len(times), dtype=np.int64),
+        joints=np.zeros((len(times), 0)),
         names=[segment.name],
     )
 

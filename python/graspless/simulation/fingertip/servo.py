@@ -62,8 +62,7 @@ class Servo:
             along, normal_forces = 0 * along, normal_forces * (1 - script.holds)
         self._along = along + world.model.dof_damping[6] * script.velocities()
         self._normal_forces = normal_forces
-        radius = world.model.geom_size[-1, 0]
-        self._turning = world.settings.turning * world.settings.stiffness * radius**2
+        self._turning = world.settings.turning * world.settings.stiffness * world.radius**2
         self._R_WO = Rotation.from_quat(script.places[:, [4, 5, 6, 3]]).as_matrix()
         is_new = np.diff(script.stage) != 0
         starts = (np.diff(script.holds, axis=0) > 0).any(axis=1)

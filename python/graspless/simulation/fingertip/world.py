@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -15,6 +16,8 @@ from ..robots import apply
 from ..settings import Fingertip, Solver
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ... import fingertip
     from ...frames import Matrix
     from ..variation import Variation
@@ -30,23 +33,37 @@ class World:
     ----------
     model, data : mujoco.MjModel, mujoco.MjData
     settings : settings.Fingertip
-    hull : array [N, 3]
-        Corners of the object in O [m].
-    fingers, planes : int
-        How many.
+    problem : fingertip.Problem
+    finger_of_geom : dict
+        Which finger each of the fingers' geoms belongs to.
     """
 
     model: Any
     data: Any
     settings: Fingertip
-    hull: Matrix
-    fingers: int
-    planes: int
+    problem: fingertip.Problem
+    finger_of_geom: dict[int, int]
 
-    @property
+    @cached_property
+    def hull(self) -> Matrix:
+        """[N, 3] corners of the object in O [m]."""
+        return np.array(self.problem.object.hull)
+
+    @cached_property
+    def fingers(self) -> int:
+        """How many."""
+        return self.problem.fingers.count
+
+    @cached_property
+    def radius(self) -> float:
+        """Of the fingertips [m]."""
+        return self.problem.fingers.radius
+
+    @cached_property
     def object_qpos(self) -> Matrix:
         """[7] place [m] and quaternion of the object; a view."""
-        qpos: Matrix = self.data.qpos[:7]
+        at = self.model.jnt_qposadr[self.model.body(OBJECT).jntadr[0]]
+        qpos: Matrix = self.data.qpos[at : at + 7]
         return qpos
 
     @property
@@ -59,6 +76,11 @@ class World:
         """[n, 3] of the fingertips [m]."""
         centers: Matrix = self.data.qpos[7:].reshape(-1, 7)[:, :3]
         return centers
+
+    @property
+    def joint_positions(self) -> Matrix:
+        """[0] of an arm: there is none."""
+        return np.zeros(0)
 
     def place(self, X_WO: Matrix, centers: Matrix) -> None:
         """Puts all where it is told, at rest; fingertips are turned as the object is."""
@@ -74,9 +96,14 @@ class World:
         R_WO = frames.from_quaternion(self.object_qpos[3:])[:3, :3]
         self.data.xfrc_applied[body] = np.concatenate([R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]])
 
+    def stiffen(self) -> None:
+        """Gives all contacts the parameters of what sticks."""
+        s = self.settings
+        self.model.pair_solref[:], self.model.pair_solimp[:] = s.stick_solref, s.stick_solimp
+
     def soften(self, *, slides: bool) -> None:
         """Gives contacts with planes the parameters for an object that slides, or that does not."""
-        s, planes = self.settings, slice(0, self.planes)
+        s, planes = self.settings, slice(0, len(self.problem.planes))
         self.model.pair_solref[planes] = s.slide_solref if slides else s.stick_solref
         self.model.pair_solimp[planes] = s.slide_solimp if slides else s.stick_solimp
 
@@ -92,21 +119,33 @@ def build_world(
     settings = settings or Fingertip()
     spec = mujoco.MjSpec()
     apply(spec, Solver(timestep=settings.timestep * variation.timestep))
+    names = [f"{FINGER}{i}" for i in range(problem.fingers.count)]
+    add_scene(spec, problem, variation)
+    for name in names:
+        _add_finger(spec, name, problem.fingers.radius, settings)
+    add_finger_pairs(spec, problem, variation, names)
+    model = spec.compile()
+    finger_of_geom = {model.geom(name).id: i for i, name in enumerate(names)}
+    world = World(model, mujoco.MjData(model), settings, problem, finger_of_geom)
+    world.stiffen()
+    return world
+
+
+def add_scene(spec: Any, problem: fingertip.Problem, variation: Variation) -> None:
+    """Planes, and the object that may touch them."""
     spec.option.gravity = problem.gravity_W
     _add_object(spec, problem.object, variation.mass)
     for i, plane in enumerate(problem.planes):
         _add_plane(spec, plane, f"{PLANE}{i}")
-        _add_pair(spec, f"{PLANE}{i}", np.mean(problem.friction) * variation.friction)
-    for i in range(problem.fingers.count):
-        _add_finger(spec, f"{FINGER}{i}", problem.fingers.radius, settings)
-        friction = np.mean(problem.fingers.friction) * variation.friction
-        _add_pair(spec, f"{FINGER}{i}", friction)
-    model = spec.compile()
-    model.pair_solref[:], model.pair_solimp[:] = settings.stick_solref, settings.stick_solimp
-    hull, fingers, planes = problem.object.hull, problem.fingers.count, len(problem.planes)
-    world = World(model, mujoco.MjData(model), settings, np.array(hull), fingers, planes)
-    world.soften(slides=False)
-    return world
+        _add_pair(spec, f"{PLANE}{i}", float(np.mean(problem.friction)) * variation.friction)
+
+
+def add_finger_pairs(
+    spec: Any, problem: fingertip.Problem, variation: Variation, names: Sequence[str]
+) -> None:
+    """Contact of fingers' geoms with the object; after that with the planes."""
+    for name in names:
+        _add_pair(spec, name, float(np.mean(problem.fingers.friction)) * variation.friction)
 
 
 def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> None:

@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 MEASURES = {
-    "slid": "1 where the object came to where the plan says and lay there until it was grasped",
-    "lifted": "1 where it was lifted and held",
     "position_error": "of the object at the end of the slide, against the plan's [m]",
     "angle_error": "of the object at the end of the slide, against the plan's [rad]",
     "overhang": "how far the object sticks out at the end of the slide [m]",
@@ -80,7 +78,7 @@ class Execution:
             settings.fell,
             settings.lost_seconds,
         )
-        self.measures = {"slid": 0.0, "lifted": 0.0, "lift_reach": self.program.raised}
+        self.measures = {"lift_reach": self.program.raised}
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         _set_joints(model, self.data, plan, self.program.positions[0], self._addresses)
@@ -128,7 +126,6 @@ class Execution:
         elif phase == "close":
             X_WO = self.judge.pose(self.data)
             self.measures["shift_by_lift"] = float(np.linalg.norm((X_WO - self._slid)[:3, 3]))
-            self.measures["slid"] = float(not self.judge.failures)
         elif phase == SQUEEZE:
             self._held = self._in_hand()
             self._low = float(self.data.xpos[self.scene.model.body("object").id][2])
@@ -178,13 +175,10 @@ class Execution:
         self.measures |= {"lift_height": lifted, "creep": creep}
         if "not_grasped" in self.judge.failures:
             return
-        self.measures["lifted"] = float(phase == HOLD)
         if not self.judge.holds(self.data) or creep > self.settings.kept:
             self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
         elif lifted < self.settings.kept_height:
             self.judge.note("dropped")
-        if {"not_grasped", "dropped"} & set(self.judge.failures):
-            self.measures["lifted"] = 0.0
 
 
 def overhang(plan: Plan, X_WO: Matrix) -> float:

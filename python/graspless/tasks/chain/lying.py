@@ -64,7 +64,8 @@ def _fitted(own: Matrix, seen: Matrix) -> tuple[float, PlanarPose]:
 
 def convex_hull(points: Matrix) -> Matrix:
     """[K, 2] corners of the convex hull, counter-clockwise, none within `SAME` of its edges."""
-    ordered = np.unique(np.round(points, 9), axis=0)
+    _, first = np.unique(np.round(points, 9), axis=0, return_index=True)
+    ordered = points[first]
     ring = np.array(_half(ordered)[:-1] + _half(ordered[::-1])[:-1])
     before, after = np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0)
     along = after - before

@@ -163,13 +163,17 @@ def _kind(stage: StageSource) -> str:
 
 
 def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:
-    """Raises TaskError where a stage has another object than the chain."""
+    """Raises TaskError where a stage has another object than the chain; fills in name and mass."""
     own, common = stage.data.get("object"), shared.get("object")
     if not isinstance(own, dict) or not isinstance(common, dict):
         return
-    name = common.get("name", "object")
-    if own.setdefault("name", name) != name:
-        raise stage.error(("object", "name"), f"the chain's object is '{name}'")
+    fields = part("tasks", _kind(stage)).Fields.model_fields["object"].annotation.model_fields
+    named = {"name": common.get("name", "object")}
+    if "mass" in common and "mass" in fields:
+        named["mass"] = common["mass"]
+    for key, value in named.items():
+        if own.setdefault(key, value) != value:
+            raise stage.error(("object", key), f"the chain's object has {value}")
 
 
 def _absolute(value: Any, directory: Path, key: str = "") -> Any:

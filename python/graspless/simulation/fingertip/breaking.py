@@ -34,9 +34,10 @@ class Breaking:
     segment, row : int
         Which.
     smallest : float
-        Factor of `direction` that breaks the motion [N], to a fiftieth; inf: none that was tried.
+        Factor of `direction` that breaks the motion [N], to a fiftieth; where none did, the
+        greatest that was tried.
     direction : int
-        Of the task's disturbance directions: that of the smallest.
+        Of the task's disturbance directions: that of the smallest; -1: none broke it.
     stability, compliant_stability : float
         What the plan says of the row [N].
     """
@@ -139,7 +140,7 @@ class Disturbed:
                     best = middle
                 else:
                     holds = middle
-        return (best if direction >= 0 else float("inf")), direction
+        return best, direction
 
     def _settled(self) -> Matrix:
         """The world's state just before the wrench comes."""

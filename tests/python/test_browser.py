@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Replays and the viewer in a browser, used as a user does: slider, play, and layers."""
+
+import contextlib
+import signal
+import socket
+import subprocess
+import sys
+
+import pytest
+
+import graspless
+from browser_common import (
+    click_slider,
+    errors,
+    find,
+    open_page,
+    requests,
+    shown,
+    start_browser,
+    until,
+    until_moved,
+    until_same,
+    value,
+)  # fmt: skip
+from clasp_common import PURSE
+from fingertip_common import PUSH
+from graspless import view
+from graspless.tasks import read_task
+from tasks_common import GOOD
+
+pytest.importorskip("viser")
+
+TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
+LAYERS = {"slide": "robot", "fingertip": "object", "clasp": "object"}  # that cover much
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory):
+    driver = start_browser(tmp_path_factory.mktemp("profile"))
+    yield driver
+    driver.quit()
+
+
+@pytest.fixture(scope="module", params=TASKS)
+def plan(request):
+    plan = graspless.plan(read_task(TASKS[request.param], "task.yaml"))
+    assert plan, plan.reason
+    return plan
+
+
+def test_replay_is_used_in_a_browser(driver, plan, tmp_path):
+    view.write_html(plan, tmp_path / "a.html")
+    driver.set_window_size(420, 400)
+    open_page(driver, (tmp_path / "a.html").as_uri())
+    assert driver.title == f"graspless: {plan.task.problem.object.name}, solved"
+    click_slider(driver, 0.02)  # which ends the play
+    first = click_slider(driver, 0.02)
+    start = shown(driver)
+    assert click_slider(driver, 0.5) > first
+    until_moved(driver, start)
+    assert click_slider(driver, 0.02) == first  # back
+    until_same(driver, start)
+
+    find(driver, "[aria-label='Show scene tree']").click()
+    click_slider(driver, 0.02)
+    beside = shown(driver)
+    click_eye(driver, LAYERS[plan.kind])
+    until_moved(driver, beside)
+    hidden = shown(driver)
+    click_slider(driver, 0.5)
+    shown(driver)
+    click_slider(driver, 0.02)
+    until_same(driver, hidden)  # it stays hidden
+    click_eye(driver, LAYERS[plan.kind])
+    find(driver, "[aria-label='Hide scene tree']").click()
+    click_slider(driver, 0.02)
+    until_same(driver, start)
+
+    find(driver, "button[data-variant='subtle'][data-size='md']").click()
+    until("play", lambda: value(driver) > first + 0.2)
+    until_moved(driver, start)
+    assert errors(driver) == []
+    assert [
+        url for url in requests(driver) if not url.startswith(("file:", "data:", "blob:"))
+    ] == []
+
+
+@contextlib.contextmanager
+def served(plan, folder):
+    """The address of `graspless view PLAN`."""
+    plan.save(folder / "plan.json")
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    command = [sys.executable, "-m", "graspless", "view", str(folder / "plan.json")]
+    with subprocess.Popen(
+        [*command, "--port", str(port)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            assert str(port) in process.stdout.readline()
+            yield f"http://localhost:{port}/"
+        finally:
+            process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+    assert "Traceback" not in err
+
+
+def test_viewer_is_used_in_a_browser(driver, plan, tmp_path):
+    driver.set_window_size(760, 420)  # room beside the panel
+    with served(plan, tmp_path) as address:
+        open_page(driver, address)
+        click_box(driver, "play")
+        click_slider(driver, 0.02)
+        start = shown(driver)
+        click_slider(driver, 0.5)
+        until_moved(driver, start)
+        click_slider(driver, 0.02)
+        until_same(driver, start)
+        click_box(driver, LAYERS[plan.kind])
+        until_moved(driver, start)
+        click_box(driver, LAYERS[plan.kind])
+        until_same(driver, start)
+        click_box(driver, "play")
+        until_moved(driver, start)
+        assert errors(driver) == []
+        asked = requests(driver)
+        own = (address, address.replace("http", "ws"), "data:", "blob:")
+        assert [url for url in asked if not url.startswith(own)] == []
+
+
+def click_eye(driver, layer):
+    """Clicks the eye of a layer in the scene tree, and leaves it: its name is shown till then."""
+    find(driver, f"[data-scene-node='/{layer}'] svg[style*='1.5em']").click()
+    click_slider(driver, 0.02)
+
+
+def click_box(driver, name):
+    """Clicks the box beside a name."""
+    path = f"//label[normalize-space()='{name}']/following::input[@type='checkbox'][1]"
+    until(name, lambda: driver.find_elements("xpath", path))[0].click()
