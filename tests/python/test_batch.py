@@ -398,4 +398,6 @@ def test_a_dask_cluster_without_workers(cluster, monkeypatch):
         pools.opened(1, cluster.scheduler_address) as pool,
     ):
         cluster.scale(0)
+        while pool._client.nthreads():
+            time.sleep(0.05)
         list(spread(batch_common.sleeps, [60.0], pool, lambda *_: None))
