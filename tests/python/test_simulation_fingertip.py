@@ -204,3 +204,17 @@ def test_an_arm_carries_a_plan_out():
     np.testing.assert_allclose(recording.positions[0], plan.task.arm.q_home, atol=1e-3)
     X_WO, X_WO_end = recording.object_poses[-1], plan.segments[-1].X_WO[-1]
     np.testing.assert_allclose(X_WO, X_WO_end, atol=2e-3)
+
+
+def test_a_finger_reaches_into_a_notch():
+    """In the corner of the bracket, inside of its hull: both walls are felt, by their normals."""
+    world = build_world(
+        graspless.load_task(_data.directory("examples") / "09_l_shape.yaml").problem, Variation()
+    )
+    at = 0.03 + world.radius - 1e-5  # the notch is x, y > 0.03
+    X_WO = frames.translation([0, 0, 1])
+    world.place(X_WO, [[at, at, 1.02], [5, 5, 5]])
+    normals = {tuple(np.round(np.abs(contact.frame[:3]), 6)) for contact in world.data.contact}
+    assert normals == {(1, 0, 0), (0, 1, 0)}
+    world.place(X_WO, [[at + 1e-3, at + 1e-3, 1.02], [5, 5, 5]])
+    assert world.data.ncon == 0

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ...frames import Matrix
     from ..variation import Variation
 
+SKIN = 0.2  # how thick the surface of an object is that is not convex, in fingertips' radii
 PLANE, OBJECT, FINGER = "plane", "object", "finger"
 
 
@@ -113,8 +114,8 @@ def build_world(
 ) -> World:
     """A world for a problem, friction and mass varied; nothing has its place yet.
 
-    Only what the planner lets touch can touch: the object with planes and fingertips. The object
-    is its convex hull.
+    Only what the planner lets touch can touch: the object's hull with planes, its surface with
+    fingertips.
     """
     settings = settings or Fingertip()
     spec = mujoco.MjSpec()
@@ -134,7 +135,9 @@ def build_world(
 def add_scene(spec: Any, problem: fingertip.Problem, variation: Variation) -> None:
     """Planes, and the object that may touch them."""
     spec.option.gravity = problem.gravity_W
-    _add_object(spec, problem.object, variation.mass)
+    body = _add_object(spec, problem.object, variation.mass)
+    if not problem.object.is_convex:
+        _add_skin(spec, body, problem.object, SKIN * problem.fingers.radius)
     for i, plane in enumerate(problem.planes):
         _add_plane(spec, plane, f"{PLANE}{i}")
         _add_pair(spec, f"{PLANE}{i}", float(np.mean(problem.friction)) * variation.friction)
@@ -144,11 +147,16 @@ def add_finger_pairs(
     spec: Any, problem: fingertip.Problem, variation: Variation, names: Sequence[str]
 ) -> None:
     """Contact of fingers' geoms with the object; after that with the planes."""
+    friction = float(np.mean(problem.fingers.friction)) * variation.friction
+    surface = [OBJECT]
+    if not problem.object.is_convex:
+        surface = [f"{OBJECT} {i}" for i in range(len(problem.object.mesh.triangles))]
     for name in names:
-        _add_pair(spec, name, float(np.mean(problem.fingers.friction)) * variation.friction)
+        for part in surface:
+            _add_pair(spec, name, friction, part)
 
 
-def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> None:
+def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> Any:
     body = spec.worldbody.add_body(name=OBJECT)
     body.add_freejoint()
     body.explicitinertial, body.mass, body.ipos = True, thing.mass * factor, thing.com
@@ -162,6 +170,21 @@ def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> None:
         geom.type, geom.size, geom.pos = mujoco.mjtGeom.mjGEOM_BOX, size / 2, center
     else:
         geom.type, geom.meshname = mujoco.mjtGeom.mjGEOM_MESH, "hull"
+    return body
+
+
+def _add_skin(spec: Any, body: Any, thing: fingertip.Object, depth: float) -> None:
+    """A prism under every triangle of the surface: together they are not convex."""
+    for i, triangle in enumerate(np.asarray(thing.mesh.triangles)):
+        corners = np.asarray(thing.mesh.vertices)[triangle]
+        out = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        inner = corners - depth * out / np.linalg.norm(out)
+        name = f"{OBJECT} {i}"
+        spec.add_mesh(name=name, uservert=np.concatenate([corners, inner]).ravel())
+        body.add_geom(
+            name=name, type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name,
+            contype=0, conaffinity=0, mass=0,
+        )  # fmt: skip
 
 
 def _box_size(hull: Matrix) -> Matrix | None:
@@ -198,6 +221,6 @@ def _add_finger(spec: Any, name: str, radius: float, settings: Fingertip) -> Non
     )  # fmt: skip
 
 
-def _add_pair(spec: Any, name: str, friction: float) -> None:
+def _add_pair(spec: Any, name: str, friction: float, part: str = OBJECT) -> None:
     """Contact with the object; MuJoCo would else take the larger coefficient of two."""
-    spec.add_pair(geomname1=name, geomname2=OBJECT, condim=3, friction=[friction] * 5)
+    spec.add_pair(geomname1=name, geomname2=part, condim=3, friction=[friction] * 5)
