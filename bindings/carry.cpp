@@ -6,6 +6,7 @@
 
 #include "conversions.hpp"
 #include "planning.hpp"
+#include "segments.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -86,42 +87,6 @@ void bind_options(py::module_& m) {
                     "Largest joint step between checked configurations [rad]."});
 }
 
-void bind_segment(py::module_& m) {
-  py::class_<Segment>(
-      m, "Segment", "A stretch of motion: rows follow each other by at most 0.05 rad in any joint.")
-      .def(py::init([](const std::string& name, const Array& positions, const Array& object_poses) {
-             Segment segment{name, to_configurations(positions, "positions"),
-                             to_poses(object_poses, "object_poses")};
-             if (segment.positions.size() != segment.object_poses.size()) {
-               throw std::invalid_argument(
-                   "segment '" + name + "' has " + std::to_string(segment.positions.size()) +
-                   " positions but " + std::to_string(segment.object_poses.size()) +
-                   " object_poses");
-             }
-             return segment;
-           }),
-           py::arg("name"), py::arg("positions"), py::arg("object_poses"),
-           "positions: (N, dof) [rad or m]. object_poses: (N, 4, 4) poses of the object in the "
-           "world.")
-      .def_readonly("name", &Segment::name, "carry.")
-      .def_property_readonly(
-          "positions",
-          [](const Segment& self) {
-            return from_configurations(self.positions,
-                                       self.positions.empty() ? 0 : self.positions.front().size());
-          },
-          "(N, dof) all joints [rad or m].")
-      .def_property_readonly(
-          "object_poses", [](const Segment& self) { return from_poses(self.object_poses); },
-          "(N, 4, 4) pose of the object in the world at each row.")
-      .def(
-          "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")
-      .def("__repr__", [](const Segment& self) {
-        return "<Segment '" + self.name + "' of " + std::to_string(self.positions.size()) +
-               " rows>";
-      });
-}
-
 void bind_statistics(py::module_& m) {
   py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
   bind_fields(statistics, "Any field by keyword; the others are zero.",
@@ -173,7 +138,7 @@ void bind_plan(py::module_& m) {
 void bind_carry(py::module_ m) {
   bind_problem(m);
   bind_options(m);
-  bind_segment(m);
+  bind_motion_segment<Segment>(m, "carry.");
   bind_statistics(m);
   bind_plan(m);
   bind_front_door<Problem, Options, Plan>(

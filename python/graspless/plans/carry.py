@@ -4,43 +4,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from .. import carry, frames
+from .. import carry
 from . import Plan as AnyPlan
 from .carry_model import CarryPlanFile
-from .joints import poses, positions, to_rows
+from .joints import Segment, segment_documents, segments
 
 if TYPE_CHECKING:
     from .. import planning
-    from ..frames import Matrix
     from ..tasks import Task
 
 File = CarryPlanFile
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A stretch of motion.
-
-    Attributes
-    ----------
-    name : str
-        carry.
-    positions : array [N, dof]
-        All joints [rad or m].
-    object_poses : array [N, 4, 4]
-        X_WO at each row.
-    """
-
-    name: str
-    positions: Matrix
-    object_poses: Matrix
-
-    def __len__(self) -> int:
-        return len(self.positions)
 
 
 class Plan(AnyPlan):
@@ -61,11 +37,7 @@ class Plan(AnyPlan):
     @cached_property
     def segments(self) -> list[Segment]:
         """Stretches of motion, in order."""
-        dof = len(self.joint_names)
-        return [
-            Segment(s.name, positions(s.positions, dof), poses(s.object_poses))
-            for s in self.fields.segments
-        ]
+        return segments(self.fields)
 
     def to_core(self) -> carry.Plan:
         """The planner's own type."""
@@ -93,12 +65,5 @@ def document(found: carry.Plan, task: Task) -> dict[str, Any]:
     return {
         "joint_names": list(found.joint_names),
         "reached": float(found.reached),
-        "segments": [
-            {
-                "name": segment.name,
-                "positions": to_rows(segment.positions),
-                "object_poses": [frames.to_row(X_WO) for X_WO in segment.object_poses],
-            }
-            for segment in found.segments
-        ],
+        "segments": segment_documents(found),
     }

@@ -4,7 +4,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +18,49 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..frames import Matrix
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A stretch of motion.
+
+    Attributes
+    ----------
+    name : str
+        What goes on.
+    positions : array [N, dof]
+        All joints [rad or m].
+    object_poses : array [N, 4, 4]
+        X_WO at each row.
+    """
+
+    name: str
+    positions: Matrix
+    object_poses: Matrix
+
+    def __len__(self) -> int:
+        return len(self.positions)
+
+
+def segments(fields: Any) -> list[Segment]:
+    """The segments of a plan file with joint_names."""
+    dof = len(fields.joint_names)
+    return [
+        Segment(segment.name, positions(segment.positions, dof), poses(segment.object_poses))
+        for segment in fields.segments
+    ]
+
+
+def segment_documents(found: Any) -> list[dict[str, Any]]:
+    """The segments that a planner found, as they stand in a plan file."""
+    return [
+        {
+            "name": segment.name,
+            "positions": to_rows(segment.positions),
+            "object_poses": [frames.to_row(X_WO) for X_WO in segment.object_poses],
+        }
+        for segment in found.segments
+    ]
 
 
 def positions(rows: Sequence[Sequence[float]], dof: int) -> Matrix:

@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from .. import frames, slide
 from . import Plan as AnyPlan
-from .joints import poses, positions, to_rows
+from .joints import Segment, segment_documents, segments
 from .slide_model import SlidePlanFile
 
 if TYPE_CHECKING:
@@ -19,28 +18,6 @@ if TYPE_CHECKING:
     from ..tasks import Task
 
 File = SlidePlanFile
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A stretch of motion.
-
-    Attributes
-    ----------
-    name : str
-        approach, press, slide, lift, reach, grasp or close.
-    positions : array [N, dof]
-        All joints [rad or m].
-    object_poses : array [N, 4, 4]
-        X_WO at each row.
-    """
-
-    name: str
-    positions: Matrix
-    object_poses: Matrix
-
-    def __len__(self) -> int:
-        return len(self.positions)
 
 
 class Plan(AnyPlan):
@@ -71,15 +48,7 @@ class Plan(AnyPlan):
     @cached_property
     def segments(self) -> list[Segment]:
         """Stretches of motion, in order."""
-        dof = len(self.fields.joint_names)
-        return [
-            Segment(
-                segment.name,
-                positions(segment.positions, dof),
-                poses(segment.object_poses),
-            )
-            for segment in self.fields.segments
-        ]
+        return segments(self.fields)
 
     @property
     def warnings(self) -> list[str]:
@@ -120,13 +89,6 @@ def document(found: slide.Plan, task: Task) -> dict[str, Any]:
         "overhang": float(found.overhang),
         "X_WO_goal": frames.to_row(found.X_WO_goal),
         "X_WH_grasp": frames.to_row(found.X_WH_grasp),
-        "segments": [
-            {
-                "name": segment.name,
-                "positions": to_rows(segment.positions),
-                "object_poses": [frames.to_row(X_WO) for X_WO in segment.object_poses],
-            }
-            for segment in found.segments
-        ],
+        "segments": segment_documents(found),
         "warnings": list(found.warnings),
     }
