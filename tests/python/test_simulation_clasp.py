@@ -65,7 +65,9 @@ def test_the_solid_purse_is_held_as_its_skin_is(plan, trial):
 
 
 def test_contacts_have_the_friction_that_is_asked_for(plan):
-    world = make_world(plan.task, Variation(friction=1.2), Clasp())
+    world = make_world(plan.task, Variation(friction=1.2, support_friction=0.8), Clasp())
+    stand = world.model.pair_friction[:, 0]
+    assert stand == pytest.approx(0.8 * Clasp().stand_friction)
     robot = plan.task.problem.robot
     set_positions(world.model, world.data, robot, plan.segments[-1].positions[-1])
     world.data.qpos[-7:-4] += [0.0, 0.0, -0.03]  # onto a finger
