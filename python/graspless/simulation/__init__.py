@@ -87,7 +87,10 @@ def simulation_kind(name: str) -> SimulationKind:
         kind: SimulationKind = part("simulation", name)
     except ImportError as error:
         if error.name == f"{__name__}.{name}":
-            raise TaskError(f"{name} plans are not simulated alone") from None
+            raise TaskError(
+                f"a {name} is not simulated alone: plan a chain of a slide and what is carried "
+                "after it, and simulate that plan"
+            ) from None
         raise TaskError(f"needs {error.name}: pip install 'graspless[sim]'") from None
     return kind
 

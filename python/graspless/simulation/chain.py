@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A chain, executed in one go: a slide, and where the hand takes the object then.
 
-The carries stand where a slide alone is lifted by 10 cm. Stages of other chains are executed one by
-one, each as a plan of its own.
+The carries stand where a slide alone is lifted by 10 cm; a chain of one slide is that slide. Other
+chains are not executed.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from .results import Trial
 from .settings import Slide
 from .slide import FAILURES, Execution
 from .slide import MEASURES as SLIDE_MEASURES
+from .slide import run as run_slide
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, stretch
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from .variation import Variation
 
 MEASURES = {
-    **{name: text for name, text in SLIDE_MEASURES.items() if not name.startswith("lift")},
+    **SLIDE_MEASURES,  # of the lift: where nothing is carried
     "kept": "1 where the hand had the object at the end, as it took it",
     "carried": "how far the hand took the object, from squeeze to hold [m]",
     "carry_error": "between that motion of the object and the plan's [m]",
@@ -41,10 +42,15 @@ def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
     """Executes a plan that is solved; `settings` are for tests."""
-    kinds = [stage.kind for stage in plan.stages]
-    if kinds[0] != "slide" or set(kinds[1:]) - {"carry"}:
-        what = f"a chain of {', '.join(kinds)} is not executed in one go (a slide and carries are)"
-        raise TaskError(f"{what}; simulate its stages: plan.stages[k]")
+    first, *others = kinds = [stage.kind for stage in plan.stages]
+    if first != "slide" or set(others) - {"carry"}:
+        raise TaskError(
+            f"a chain of {', '.join(kinds)} is not simulated (a slide, or a slide and the carries "
+            "after it, is): plan its stages as tasks of their own, and simulate those plans"
+        )
+    if not others:
+        slide: Any = plan.stages[0]
+        return run_slide(slide, variation, record=record, settings=settings)
     start = time.perf_counter()
     execution = _Carried(plan, variation, settings or Slide())
     if record:
@@ -79,8 +85,8 @@ class _Carried(Execution):
 
     def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
         slide: Any = plan.stages[0]
-        super().__init__(slide, variation, settings)
-        self.measures = {"slid": 0.0, "kept": 0.0}
+        super().__init__(slide, variation, settings, _obstacles(plan.stages))
+        self.measures = {"kept": 0.0}
         carries = plan.stages[1:]
         self.program = with_carries(self.program, carries, self.timestep)
         first, last = (
@@ -88,11 +94,17 @@ class _Carried(Execution):
             for stage, row in ((carries[0], 0), (carries[-1], -1))
         )
         self._asked: Matrix = last[:3, 3] - first[:3, 3]
+        self._lowest = min(
+            float(segment.object_poses[:, 2, 3].min())
+            for stage in carries
+            for segment in stage.segments
+        )
 
     def _end_of(self, phase: str) -> None:
         super()._end_of(phase)
         if phase == SQUEEZE:
             self._from = self.judge.pose(self.data)[:3, 3]
+            self.judge.lowest = min(self.judge.lowest, self._lowest - self.settings.fell)
 
     def _measure_lift(self, phase: str) -> None:
         moved = self.judge.pose(self.data)[:3, 3] - self._from
@@ -108,6 +120,20 @@ class _Carried(Execution):
         if not self.judge.holds(self.data) or max(creep, error) > self.settings.kept:
             self.judge.note("dropped")
         self.measures["kept"] = float(phase == HOLD and "dropped" not in self.judge.failures)
+
+
+def _obstacles(stages: list[Any]) -> list[Any]:
+    """Of all stages, each once; not a carry's support, which the scene has as its table."""
+    found: list[Any] = []
+    known: list[Any] = []
+    for stage in stages:
+        given = stage.task.fields.obstacles or []
+        # A carry's support comes after what its task gives.
+        for fields, obstacle in zip(given, stage.task.problem.obstacles, strict=False):
+            if fields not in known:
+                known.append(fields)
+                found.append(obstacle)
+    return found
 
 
 def with_carries(program: Program, carries: list[AnyPlan], timestep: float) -> Program:

@@ -20,6 +20,8 @@ from .program import HOLD, RAISE, SQUEEZE, Program, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ...frames import Matrix
     from ...plans.slide import Plan
     from ..variation import Variation
@@ -63,9 +65,15 @@ def run(
 class Execution:
     """A model in motion, and what is noted of it."""
 
-    def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
+    def __init__(
+        self,
+        plan: Plan,
+        variation: Variation,
+        settings: Slide,
+        obstacles: Sequence[Any] | None = None,
+    ) -> None:
         self.plan, self.variation, self.settings = plan, variation, settings
-        self.scene: Scene = build_scene(plan, variation, settings)
+        self.scene: Scene = build_scene(plan, variation, settings, obstacles)
         model = self.scene.model
         self.data = mujoco.MjData(model)
         self.timestep = float(model.opt.timestep)

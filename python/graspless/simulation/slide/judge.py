@@ -42,6 +42,7 @@ class Judge:
     failures: list[str] = field(default_factory=list)
     forces: list[float] = field(default_factory=list)  # of the tip while it slides [N]
     touched: tuple[str, str] | None = None  # what hit what
+    lowest: float = field(init=False)  # where the object has not fallen yet [m]
     _lost: float = 0.0
 
     def __post_init__(self) -> None:
@@ -59,7 +60,7 @@ class Judge:
         self._pad, self._object = code[PAD], code[OBJECT]
         self._fingers = code[SLIDING], code[OTHER]
         self._body = model.body(OBJECT).id
-        self._lowest = self.scene.X_WO[2, 3] - self.fell
+        self.lowest = self.scene.X_WO[2, 3] - self.fell
 
     def look(self, data: Any, phase: str) -> None:
         """Notes what went wrong."""
@@ -70,7 +71,7 @@ class Judge:
             self._watch_tip(data)
         if phase in _BEFORE_GRASP and self.tilt(data) > self.tipped:
             self.note("tipped")
-        if data.xpos[self._body][2] < self._lowest:
+        if data.xpos[self._body][2] < self.lowest:
             self.note("fell" if phase not in ("raise", "hold") else "dropped")
 
     def note(self, failure: str) -> None:

@@ -24,6 +24,8 @@ from .fingers import OTHER, PAD, SLIDING, Bits, add_flexing_fingers
 from .shapes import add_prism, even_points, plate_inertia, points_along
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ...frames import Matrix
     from ...plans.slide import Plan
     from ..variation import Variation
@@ -50,8 +52,13 @@ class Scene:
     groups: dict[str, Any]  # indices of geoms by what they are
 
 
-def build_scene(plan: Plan, variation: Variation, settings: Slide | None = None) -> Scene:
-    """The model of a plan's own task, varied."""
+def build_scene(
+    plan: Plan,
+    variation: Variation,
+    settings: Slide | None = None,
+    obstacles: Sequence[Any] | None = None,
+) -> Scene:
+    """The model of a plan's own task, varied; `obstacles` instead of the task's."""
     settings = settings or Slide()
     problem = plan.task.problem
     spec = robot_spec(problem.robot, plan.task.fields.robot)
@@ -61,8 +68,8 @@ def build_scene(plan: Plan, variation: Variation, settings: Slide | None = None)
     add_flexing_fingers(spec, problem, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
     X_WO = varied_start(problem, variation)
     _add_table(spec, plan, settings)
-    for obstacle in problem.obstacles:
-        _add_obstacle(spec, obstacle)
+    for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
+        _add_obstacle(spec, obstacle, f"{OBSTACLE}{i} {obstacle.name}")
     _add_object(spec, problem.object, X_WO, variation.mass, settings)
     _add_pairs(spec, problem, settings, variation)
     for geom in spec.geoms:
@@ -104,9 +111,8 @@ def _edge_points(plan: Plan, settings: Slide) -> Matrix:
     return near
 
 
-def _add_obstacle(spec: Any, obstacle: Any) -> None:
+def _add_obstacle(spec: Any, obstacle: Any, name: str) -> None:
     X_WB = np.array(obstacle.X_WB)
-    name = f"{OBSTACLE} {obstacle.name}"
     body = spec.worldbody.add_body(name=name, pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB))
     for i, placed in enumerate(obstacle.shapes):
         _mark(add_placed(spec, body, placed, name=f"{name} {i}"), OBSTACLE)
