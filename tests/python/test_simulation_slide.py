@@ -178,6 +178,14 @@ def test_the_lift_is_straight_and_as_high_as_asked(plan):
     assert poses == pytest.approx(np.broadcast_to(poses[0], poses.shape), abs=1e-6)
 
 
+def test_an_arm_that_cannot_rise_does_not_drop_the_object(plan, monkeypatch):
+    short = "graspless.simulation.slide.program.straight_lift"
+    monkeypatch.setattr(short, lambda plan, q, height: straight_lift(plan, q, height / 2))
+    trial = graspless.simulate(plan).trials[0]
+    assert trial.failures == ("out_of_reach",)
+    assert trial.measures["lift_reach"] == pytest.approx(0.05)
+
+
 def test_overhang_is_how_far_the_outline_is_outside(plan):
     problem = plan.task.problem
     assert overhang(plan, np.array(problem.X_WO_start)) == 0

@@ -91,7 +91,7 @@ def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> 
     return Claim(f"vertices within {limit:g} mm", of, holds, must, goal)
 
 
-_LIFTED = _without("fell", "not_grasped", "dropped")
+_LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")

@@ -186,7 +186,8 @@ class Execution:
         if not self.judge.holds(self.data) or creep > self.settings.kept:
             self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
         elif lifted < self.settings.kept_height:
-            self.judge.note("dropped")
+            can = self.program.raised >= self.settings.kept_height
+            self.judge.note("dropped" if can else "out_of_reach")
 
 
 def overhang(plan: Plan, X_WO: Matrix) -> float:

@@ -26,6 +26,7 @@ FAILURES = {
     "hit": "something touched what it must not",
     "not_grasped": "the hand closed, and left the object behind",
     "dropped": "the hand lifted the object, and lost it",
+    "out_of_reach": "held, but the arm cannot lift straight up as high as asked",
 }
 _BEFORE_GRASP = ("approach", "press", "slide", "lift", "reach", "grasp")
 
