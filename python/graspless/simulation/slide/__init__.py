@@ -12,7 +12,7 @@ import numpy as np
 
 from ... import timing
 from ..results import Recording, Trial
-from ..robots import joint_addresses
+from ..robots import joint_addresses, set_positions
 from ..settings import Servo, Slide
 from .fingers import PAD, SLIDING
 from .judge import FAILURES, Judge
@@ -89,7 +89,7 @@ class Execution:
         self.measures = {"lift_reach": self.program.raised}
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
-        _set_joints(model, self.data, plan, self.program.positions[0], self._addresses)
+        set_positions(model, self.data, plan.task.problem.robot, self.program.positions[0])
 
     def record(self) -> None:
         """Keeps what moves from now on."""
@@ -196,17 +196,6 @@ def overhang(plan: Plan, X_WO: Matrix) -> float:
     X_SO = np.linalg.inv(support.X_WS) @ X_WO
     corners = np.array(thing.outline.vertices) @ X_SO[:2, :2].T + X_SO[:2, 3]
     return max(0.0, max(-float(support.polygon.depth(corner)) for corner in corners))
-
-
-def _set_joints(model: Any, data: Any, plan: Plan, q: Matrix, addresses: Any) -> None:
-    """The robot at rest at q, mimic joints with theirs."""
-    data.qpos[addresses] = q
-    for equality in range(model.neq):
-        follower, leader = model.eq_obj1id[equality], model.eq_obj2id[equality]
-        offset, factor = model.eq_data[equality][:2]
-        followed = data.qpos[model.jnt_qposadr[leader]]
-        data.qpos[model.jnt_qposadr[follower]] = offset + factor * followed
-    mujoco.mj_forward(model, data)
 
 
 __all__ = ["FAILURES", "MEASURES", "run"]
