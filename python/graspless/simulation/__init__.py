@@ -3,7 +3,7 @@
 """Plans in an independent physics engine: MuJoCo executes them and the object is the judge.
 
 The engine reads the task anew: the robot by its own URDF reader, the object from its shape and
-mass. Nothing of the planners or of check() is used; `settings` has every parameter.
+mass. Nothing of the planners or of check() is used; `settings` has the parameters.
 """
 
 from __future__ import annotations

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from ..robot import Robot
     from ..tasks.robots import Robot as RobotFields
 
-_MIMIC = (0.99, 0.999)  # impedance of the constraint between a joint and the one that it follows
-
 
 def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) -> Any:
     """The world with the robot alone: an mujoco.MjSpec.
@@ -36,6 +34,7 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
     servo : Servo, optional
         Of all joints.
     """
+    servo = servo or Servo()
     spec = mujoco.MjSpec.from_string(_with_compiler(fields))
     apply(spec)
     names = list(robot.frame_names)
@@ -47,10 +46,10 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
     for i, j in sorted(robot.ignored_pairs):
         spec.add_exclude(bodyname1=names[i], bodyname2=names[j])
     for name, effort in zip(robot.joint_names, robot.max_effort, strict=True):
-        _add_servo(spec, name, float(effort), servo or Servo())
+        _add_servo(spec, name, float(effort), servo)
     for equality in spec.equalities:  # mimic joints: a light follower would yield to a touch
         spec.joint(equality.name1).armature = spec.joint(equality.name2).armature
-        equality.solimp[:2] = _MIMIC
+        equality.solimp[:2] = servo.mimic_solimp
     return spec
 
 

@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every parameter of the physics engine, with where it comes from. Nothing else has one."""
+"""Parameters of the physics engine and of its judges, with where each comes from.
+
+"A choice" has no source. How often something is looked at, recorded or sampled stands where it is.
+"""
 
 from __future__ import annotations
 
@@ -27,6 +30,8 @@ class Servo:
     bandwidth: float = 100.0  # sqrt(stiffness / inertia) [rad/s]: sets the rotor's inertia
     damping_ratio: float = 1.0
     effort: float = 50.0  # of a joint whose URDF has none [Nm or N]
+    mimic_solimp: tuple[float, float] = (0.99, 0.999)  # impedance of the constraint between a joint
+    # and the one that it follows: a choice, stiffer than MuJoCo's 0.9 and 0.95
 
 
 @dataclass(frozen=True)
@@ -92,14 +97,21 @@ class Clasp:
     mass: float = 1.0  # of an object whose task says none, a bag's [kg]
     friction: float = 0.6  # hand on object: rubber pads on plastics or leather, 0.5 to 0.8
     stand_friction: float = 0.5  # object on floor
+    spin_friction: float = 0.005  # about the normal [m]: MuJoCo's own, as the next; a contact of
+    roll_friction: float = 0.0001  # three dimensions has neither [m]
     skin: float = 0.0005  # half thickness of the surface [m]: little against a cloud's spacing
+    obstacle_skin: float = 0.0005  # the same of an obstacle's mesh
     stiffness_time: float = 0.01  # solref of the surface [s]: half MuJoCo's, 5 time steps
     foot_depth: float = 0.01  # what is lower than this above the lowest point is a foot [m]
+    foot_radius: float = 0.002  # a choice: near a point [m]
     lead: float = 0.3  # the object comes to rest before the arm moves [s]
     hit: float = 0.005  # what moves an object farther before the hand closes knocked it [m]
     grip_effort: float = 0.5  # of a joint's greatest: where it stops closing
     grip_rate: float = 0.5  # [rad/s]: a sixth of the SDH's greatest
     grip_seconds: float = 3.0  # at most
+    grip_still: int = 10  # looks without a motion of the hand: it has closed; a choice
+    locked_torque: float = 1e3  # of motors that nothing turns, in their own; a choice, as the next
+    locked_stiffness: float = 10.0  # in their own
     force: float = 15.0  # of a random wrench [N]; notes of the feasibility study, as the next four
     torque: float = 1.0  # about the centre of mass [Nm]
     hold: float = 0.1  # until the wrench is drawn anew [s]
@@ -127,6 +139,8 @@ class Slide:
     foot_radius: float = 0.001  # [m]
     rim_rise: float = 0.0001  # how far the outline's own feet are above the others [m]
     rim_spacing: float = 0.01  # of points along outline and edge [m]
+    link_mass: float = 1e-3  # left to a link whose finger turns on a flexure [kg]; a choice:
+    link_inertia: float = 1e-6  # next to none, but MuJoCo asks for some [kg m^2]
     flexure_damping_ratio: float = 0.7  # of the finger on its flexure
     pad_points: int = 5  # of the line contact: the torsion of a line evenly pressed
     pad_softness: float = 0.008  # half length of the patch on which a closed pad lies [m]: what

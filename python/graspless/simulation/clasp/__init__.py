@@ -97,7 +97,7 @@ def run(
         failures.append("forced_open")
     execution.set_back(closed)
     execution.recorder = recorder
-    direction_W = _direction(problem.pull_W, judge)
+    direction_W = _pull_direction(problem.pull_W, judge)
     measures["pull"] = execution.pull(direction_W)
     if measures["pull"] < settings.pull_needed:
         failures.append("pulled_out")
@@ -175,7 +175,7 @@ def _opened(execution: Execution, seeds: list[list[int]], direction_W: Matrix) -
     return measures | {"open_held": float(held)}
 
 
-def _direction(pull_W: Matrix | None, judge: Judge) -> Matrix:
+def _pull_direction(pull_W: Matrix | None, judge: Judge) -> Matrix:
     """Of the force on the object: it drags behind a hand that pulls it, else out of the hand."""
     if pull_W is None:
         return judge.forward()

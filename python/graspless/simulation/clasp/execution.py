@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from .model import World
 
 LOOK = 0.02  # between two looks of the judge, and two rows of a recording [s]
-_LOCKED, _STIFFER = 1e3, 10.0  # times the motors' own torque, and stiffness
-_STILL = 10  # looks without a motion of the hand: it is closed
 
 
 @dataclass
@@ -120,7 +118,7 @@ class Execution:
             command = commands[-1]
             self.run("grip", commands)
             still = 0 if goes.any() else still + 1
-            if still > _STILL:
+            if still > settings.grip_still:
                 break
         return self.effort()
 
@@ -146,8 +144,9 @@ class Execution:
         most, reach = _looks(settings.seconds), self.judge.reach()
         for look in range(most):
             if look % _looks(settings.hold) == 0:
-                wrench = [settings.force * _direction(random), settings.torque * _direction(random)]
-                self.world.data.xfrc_applied[body] = np.concatenate(wrench)
+                force = settings.force * _any_direction(random)
+                torque = settings.torque * _any_direction(random)
+                self.world.data.xfrc_applied[body] = np.concatenate([force, torque])
             self.run("shake")
             if self.judge.distance() > reach:
                 break
@@ -157,7 +156,7 @@ class Execution:
     @contextmanager
     def locked(self) -> Iterator[None]:
         """The hand's motors as strong as it takes to stay where they are, and its gears rigid."""
-        model, data = self.world.model, self.world.data
+        model, data, settings = self.world.model, self.world.data, self.world.settings
         data.ctrl[self._fingers] = self.world.positions[self._fingers]
         joints = model.actuator_trnid[self._fingers, 0]
         gears = np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT)
@@ -169,11 +168,12 @@ class Execution:
             model.eq_solref,
         )
         kept = [array.copy() for array in arrays]
-        model.actuator_forcerange[self._fingers] *= _LOCKED
-        model.jnt_actfrcrange[joints] *= _LOCKED
-        model.actuator_gainprm[self._fingers, 0] *= _STIFFER
-        model.actuator_biasprm[self._fingers, 1] *= _STIFFER
-        model.actuator_biasprm[self._fingers, 2] *= np.sqrt(_STIFFER)  # critically damped still
+        model.actuator_forcerange[self._fingers] *= settings.locked_torque
+        model.jnt_actfrcrange[joints] *= settings.locked_torque
+        model.actuator_gainprm[self._fingers, 0] *= settings.locked_stiffness
+        model.actuator_biasprm[self._fingers, 1] *= settings.locked_stiffness
+        # Critically damped still.
+        model.actuator_biasprm[self._fingers, 2] *= np.sqrt(settings.locked_stiffness)
         model.eq_solref[gears] = [2 * model.opt.timestep, 1.0]  # as stiff as can be
         try:
             yield
@@ -216,7 +216,7 @@ def _looks(seconds: float) -> int:
     return max(1, round(seconds / LOOK))
 
 
-def _direction(random: np.random.Generator) -> Matrix:
+def _any_direction(random: np.random.Generator) -> Matrix:
     vector = random.normal(size=3)
     unit: Matrix = vector / np.linalg.norm(vector)
     return unit

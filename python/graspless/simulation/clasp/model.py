@@ -100,7 +100,8 @@ def make_world(
     for geom in spec.geoms:
         geom.contype, geom.conaffinity = _ROBOT_BIT, _ROBOT_BIT | OBJECT_BIT
     for obstacle in problem.obstacles:
-        add_obstacle(spec, obstacle, contype=_ROBOT_BIT, conaffinity=_ROBOT_BIT)
+        skin = settings.obstacle_skin
+        add_obstacle(spec, obstacle, skin, contype=_ROBOT_BIT, conaffinity=_ROBOT_BIT)
     X_WO = _moved(np.asarray(problem.X_WO), variation)
     surface = problem.object.loops.complex
     mass = task.fields.object.mass or settings.mass

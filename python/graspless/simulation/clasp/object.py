@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 OBJECT, STAND = "graspless_object", "graspless_stand"
 OBJECT_BIT = 2  # of what collides
-_FOOT = 0.002  # radius: a point's contact [m]
 
 
 def add_object(
@@ -46,11 +45,12 @@ def add_object(
     body.explicitinertial, body.mass, body.ipos = True, mass, points.mean(axis=0)
     moments = mass * surface.inertia(points)
     body.fullinertia = moments[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    spin, roll = settings.spin_friction, settings.roll_friction
     touch = {
         "contype": OBJECT_BIT,
         "conaffinity": OBJECT_BIT,
         "condim": 3,
-        "friction": [variation.friction * settings.friction, 0.005, 0.0001],
+        "friction": [variation.friction * settings.friction, spin, roll],
         "solref": [settings.stiffness_time, 1.0],
         "priority": 1,  # its friction is that of the pair
     }
@@ -60,7 +60,9 @@ def add_object(
         add_placed(spec, body, placed, **touch)
     standing = surface.feet(points @ X_WO[:3, :3].T + X_WO[:3, 3], settings.foot_depth)
     _add_hold(spec, is_active=standing is None)
-    _add_stand(spec, body, X_WO, standing, variation.support_friction * settings.stand_friction)
+    sliding = variation.support_friction * settings.stand_friction
+    friction = [sliding, sliding, spin, roll, roll]
+    _add_stand(spec, body, X_WO, standing, settings.foot_radius, friction)
 
 
 def _add_skin(spec: Any, cloud: geometry.Complex, radius: float, touch: dict[str, Any]) -> None:
@@ -85,7 +87,12 @@ def _add_hold(spec: Any, *, is_active: bool) -> None:
 
 
 def _add_stand(
-    spec: Any, body: Any, X_WO: Matrix, standing: Matrix | None, friction: float
+    spec: Any,
+    body: Any,
+    X_WO: Matrix,
+    standing: Matrix | None,
+    radius: float,
+    friction: list[float],
 ) -> None:
     """A level plane under small feet. Nothing else touches it: the planner knows of no floor."""
     height = 0.0 if standing is None else standing[:, 2].min()
@@ -94,12 +101,12 @@ def _add_stand(
     plane = {"type": mujoco.mjtGeom.mjGEOM_PLANE, "size": [1, 1, 1]}
     stand.add_geom(name=STAND, contype=0, conaffinity=0, **plane)
     for i, p_W in enumerate(() if standing is None else standing):
-        p_O = X_WO[:3, :3].T @ (np.array([*p_W[:2], height + _FOOT]) - X_WO[:3, 3])
+        p_O = X_WO[:3, :3].T @ (np.array([*p_W[:2], height + radius]) - X_WO[:3, 3])
         name = f"{OBJECT}_{i}"
-        body.add_geom(name=name, size=[_FOOT, 0, 0], pos=p_O, contype=0, conaffinity=0, mass=0)
+        body.add_geom(name=name, size=[radius, 0, 0], pos=p_O, contype=0, conaffinity=0, mass=0)
         spec.add_pair(
             geomname1=name,
             geomname2=STAND,
             condim=3,
-            friction=[friction, friction, 0.005, 0.0001, 0.0001],
+            friction=friction,
         )

@@ -15,29 +15,29 @@ from ..shapes import add_placed
 if TYPE_CHECKING:
     from ...frames import Matrix
 
-_SKIN = 0.0005  # half thickness of a mesh [m]
 
-
-def add_obstacle(spec: Any, obstacle: Any, **touch: Any) -> None:
-    """Fixes a clasp.Obstacle to the world; `touch` is how its geoms collide."""
+def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
+    """Fixes a clasp.Obstacle to the world: `skin` is half the thickness of a mesh [m], `touch` how
+    its geoms collide.
+    """
     for i, placed in enumerate(obstacle.shapes):
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)
         if isinstance(placed.shape, geometry.Mesh):
-            _add_surface(spec, f"{obstacle.name}_{i}", placed.shape, X_WG, touch)
+            _add_surface(spec, f"{obstacle.name}_{i}", placed.shape, X_WG, skin, touch)
         else:
             fixed = geometry.PlacedShape(placed.shape, X_WG)
             add_placed(spec, spec.worldbody, fixed, **touch)
 
 
 def _add_surface(
-    spec: Any, name: str, mesh: geometry.Mesh, X_WG: Matrix, touch: dict[str, Any]
+    spec: Any, name: str, mesh: geometry.Mesh, X_WG: Matrix, skin: float, touch: dict[str, Any]
 ) -> None:
     """A mesh as it is: MuJoCo would fill it to its convex hull."""
     vertices = np.asarray(mesh.vertices) @ X_WG[:3, :3].T + X_WG[:3, 3]
     spec.add_flex(
         name=name,
         dim=2,
-        radius=_SKIN,
+        radius=skin,
         vertbody=["world"],
         vert=vertices.ravel().tolist(),
         elem=np.asarray(mesh.triangles).ravel().tolist(),

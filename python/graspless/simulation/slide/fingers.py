@@ -91,7 +91,7 @@ def _add_flexure(
     mass, own = float(body.mass), float(np.max(body.fullinertia[:3]))
     flex.mass, flex.ipos, flex.inertia = mass, p_XC, [own, own, own]
     flex.explicitinertial = True
-    body.mass, body.fullinertia = 1e-3, [1e-6, 1e-6, 1e-6, 0, 0, 0]
+    body.mass, body.fullinertia = settings.link_mass, [*3 * [settings.link_inertia], 0, 0, 0]
     inertia = own + mass * float(p_XC[1] ** 2 + p_XC[2] ** 2)
     k = hand.flexure_stiffness
     joint = flex.add_joint(name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[1, 0, 0])
