@@ -27,13 +27,21 @@ def test_first_trial_is_nominal_and_the_others_do_not_depend_on_how_many_there_a
 def test_variations_stay_within_the_spread_and_use_it():
     spread = Spread()
     drawn = variations(400, 1)[1:]
-    assert all(abs(v.friction - 1) <= spread.friction for v in drawn)
-    assert max(abs(v.friction - 1) for v in drawn) > 0.9 * spread.friction
+    for name in ("friction", "support_friction"):
+        factors = [getattr(v, name) for v in drawn]
+        assert max(abs(factor - 1) for factor in factors) <= spread.friction
+        assert max(abs(factor - 1) for factor in factors) > 0.9 * spread.friction
     assert all(np.hypot(v.x, v.y) <= spread.position for v in drawn)
     assert max(np.hypot(v.x, v.y) for v in drawn) > 0.9 * spread.position
     assert all(abs(v.yaw) <= spread.angle and abs(v.mass - 1) <= spread.mass for v in drawn)
     assert Variation().is_nominal
     assert not any(v.is_nominal for v in drawn)
+
+
+def test_robot_and_support_have_frictions_of_their_own():
+    drawn = variations(400, 1)[1:]
+    both = np.array([(v.friction, v.support_friction) for v in drawn])
+    assert abs(np.corrcoef(both.T)[0, 1]) < 0.15
 
 
 def _robot(task):

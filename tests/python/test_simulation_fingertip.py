@@ -119,6 +119,16 @@ def test_without_nominal_forces_the_pinch_slips(tumble, trial_of_tumble):
     assert seen["vertex_error"] > 0.003
 
 
+def test_planes_have_the_supports_friction_and_fingers_the_robots(tumble):
+    problem, varied = tumble.task.problem, Variation(friction=0.9, support_friction=1.1)
+    model = build_world(problem, varied).model
+    planes = len(problem.planes)
+    friction = 1.1 * np.mean(problem.friction)
+    assert model.pair_friction[:planes, 0] == pytest.approx(friction)
+    friction = 0.9 * np.mean(problem.fingers.friction)
+    assert model.pair_friction[planes:, 0] == pytest.approx(friction)
+
+
 def test_without_friction_the_pinch_fails(tumble):
     trial = run(tumble, Variation(friction=0.05))
     assert "off" in trial.failures

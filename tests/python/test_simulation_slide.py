@@ -14,6 +14,7 @@ import graspless
 from graspless import _data, frames, geometry
 from graspless.simulation.settings import Slide
 from graspless.simulation.slide import FAILURES, MEASURES, Execution, overhang
+from graspless.simulation.slide.fingers import PAD
 from graspless.simulation.slide.program import straight_lift
 from graspless.simulation.slide.scene import build_scene
 from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
@@ -109,13 +110,20 @@ def test_a_pressed_finger_bends_by_the_depth_of_its_tip(plan):
 
 def test_variations_reach_the_model(plan):
     plain = build_scene(plan, Variation()).model
-    varied = Variation(friction=0.7, mass=1.2, x=0.003, yaw=0.02, timestep=1.25)
+    varied = Variation(
+        friction=0.7, support_friction=1.3, mass=1.2, x=0.003, yaw=0.02, timestep=1.25
+    )
     scene = build_scene(plan, varied)
     model = scene.model
     assert model.opt.timestep == pytest.approx(1.25 * plain.opt.timestep)
     assert model.body("object").mass == pytest.approx(1.2 * plain.body("object").mass)
     assert model.body("object").inertia == pytest.approx(1.2 * plain.body("object").inertia)
-    assert model.pair_friction[:, :2] == pytest.approx(0.7 * plain.pair_friction[:, :2])
+    for pair in range(model.npair):
+        geoms = model.pair_geom1[pair], model.pair_geom2[pair]
+        factor = 0.7 if any(model.geom(g).name.startswith(PAD) for g in geoms) else 1.3
+        assert model.pair_friction[pair, :2] == pytest.approx(
+            factor * plain.pair_friction[pair, :2]
+        )
     X_OO = np.linalg.inv(plan.task.problem.X_WO_start) @ scene.X_WO
     assert np.linalg.norm(X_OO[:3, 3]) == pytest.approx(0.003)
     assert np.arctan2(X_OO[1, 0], X_OO[0, 0]) == pytest.approx(0.02)

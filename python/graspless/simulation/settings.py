@@ -33,7 +33,7 @@ class Servo:
 class Spread:
     """Half widths of what trials vary."""
 
-    friction: float = 0.3  # of its value
+    friction: float = 0.3  # of its value; what the robot touches and what supports, each its own
     mass: float = 0.2  # of its value
     position: float = 0.003  # of the object [m]
     angle: float = 0.0349  # of the object, 2 degrees [rad]

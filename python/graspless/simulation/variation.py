@@ -22,7 +22,10 @@ class Variation:
     Attributes
     ----------
     friction : float
-        Factor of every coefficient.
+        Factor of the coefficients of what the robot touches.
+    support_friction : float
+        Factor of those of what the object lies or stands on; how far it turns with the finger that
+        slides it depends on the ratio of both.
     mass : float
         Factor of the object's mass and inertia.
     x, y : float
@@ -34,6 +37,7 @@ class Variation:
     """
 
     friction: float = 1.0
+    support_friction: float = 1.0
     mass: float = 1.0
     x: float = 0.0
     y: float = 0.0
@@ -55,8 +59,10 @@ def draw(random: Generator, spread: Spread | None = None) -> Variation:
     spread = spread or Spread()
     friction, mass, timestep, turn = random.uniform(-1, 1, 4)
     far, way = np.sqrt(random.uniform()) * spread.position, random.uniform(-np.pi, np.pi)
+    support = random.uniform(-1, 1)
     return Variation(
         friction=1 + spread.friction * friction,
+        support_friction=1 + spread.friction * support,
         mass=1 + spread.mass * mass,
         x=float(far * np.cos(way)),
         y=float(far * np.sin(way)),

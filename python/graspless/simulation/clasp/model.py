@@ -103,8 +103,8 @@ def make_world(
         add_obstacle(spec, obstacle, contype=_ROBOT_BIT, conaffinity=_ROBOT_BIT)
     X_WO = _moved(np.asarray(problem.X_WO), variation)
     surface = problem.object.loops.complex
-    mass = variation.mass * (task.fields.object.mass or settings.mass)
-    add_object(spec, surface, solids, X_WO, mass, variation.friction, settings)
+    mass = task.fields.object.mass or settings.mass
+    add_object(spec, surface, solids, X_WO, mass, variation, settings)
     model = spec.compile()
     data = mujoco.MjData(model)
     joints = joint_addresses(model, problem.robot)

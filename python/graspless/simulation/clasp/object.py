@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ... import geometry
     from ...frames import Matrix
     from ..settings import Clasp
+    from ..variation import Variation
 
 OBJECT, STAND = "graspless_object", "graspless_stand"
 OBJECT_BIT = 2  # of what collides
@@ -31,16 +32,17 @@ def add_object(
     solids: Sequence[geometry.PlacedShape] | None,
     X_WO: Matrix,
     mass: float,
-    friction: float,
+    variation: Variation,
     settings: Clasp,
 ) -> None:
     """A free body with the skin of K_d, or made of solids; on feet if it can stand, else held.
 
-    `friction` is a factor of all coefficients.
+    `mass` is the one before it is varied [kg].
     """
     points = np.asarray(cloud.points)
     body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
     body.add_freejoint(name=OBJECT)
+    mass *= variation.mass
     body.explicitinertial, body.mass, body.ipos = True, mass, points.mean(axis=0)
     moments = mass * surface.inertia(points)
     body.fullinertia = moments[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
@@ -48,7 +50,7 @@ def add_object(
         "contype": OBJECT_BIT,
         "conaffinity": OBJECT_BIT,
         "condim": 3,
-        "friction": [friction * settings.friction, 0.005, 0.0001],
+        "friction": [variation.friction * settings.friction, 0.005, 0.0001],
         "solref": [settings.stiffness_time, 1.0],
         "priority": 1,  # its friction is that of the pair
     }
@@ -58,7 +60,7 @@ def add_object(
         add_placed(spec, body, placed, **touch)
     standing = surface.feet(points @ X_WO[:3, :3].T + X_WO[:3, 3], settings.foot_depth)
     _add_hold(spec, is_active=standing is None)
-    _add_stand(spec, body, X_WO, standing, friction * settings.stand_friction)
+    _add_stand(spec, body, X_WO, standing, variation.support_friction * settings.stand_friction)
 
 
 def _add_skin(spec: Any, cloud: geometry.Complex, radius: float, touch: dict[str, Any]) -> None:

@@ -138,9 +138,10 @@ def add_scene(spec: Any, problem: fingertip.Problem, variation: Variation) -> No
     body = _add_object(spec, problem.object, variation.mass)
     if not problem.object.is_convex:
         _add_skin(spec, body, problem.object, SKIN * problem.fingers.radius)
+    friction = float(np.mean(problem.friction)) * variation.support_friction
     for i, plane in enumerate(problem.planes):
         _add_plane(spec, plane, f"{PLANE}{i}")
-        _add_pair(spec, f"{PLANE}{i}", float(np.mean(problem.friction)) * variation.friction)
+        _add_pair(spec, f"{PLANE}{i}", friction)
 
 
 def add_finger_pairs(

@@ -64,7 +64,7 @@ def build_scene(plan: Plan, variation: Variation, settings: Slide | None = None)
     for obstacle in problem.obstacles:
         _add_obstacle(spec, obstacle)
     _add_object(spec, problem.object, X_WO, variation.mass, settings)
-    _add_pairs(spec, problem, settings, variation.friction)
+    _add_pairs(spec, problem, settings, variation)
     for geom in spec.geoms:
         if geom.priority == 1:
             geom.friction = [variation.friction * geom.friction[0], *geom.friction[1:]]
@@ -141,19 +141,19 @@ def _mark(geom: Any, what: str) -> None:
     geom.contype, geom.conaffinity = _BITS[what].contype, _BITS[what].conaffinity
 
 
-def _add_pairs(spec: Any, problem: Any, settings: Slide, factor: float) -> None:
+def _add_pairs(spec: Any, problem: Any, settings: Slide, variation: Variation) -> None:
     """What slides on what, with one friction a pair."""
     names = [geom.name for geom in spec.geoms]
     of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
     parts = [n for n in names if n.startswith(OBJECT)]
     table = {
-        "friction": _coulomb(problem.support.friction * factor),
+        "friction": _coulomb(problem.support.friction * variation.support_friction),
         "solref": [settings.table_solref, 1.0],
         "solreffriction": [settings.table_slip, 1.0],
         "solimp": [*settings.table_solimp, 0.5, 2.0],
     }
     tip = {
-        "friction": _coulomb(problem.hand.pad_friction * factor),
+        "friction": _coulomb(problem.hand.pad_friction * variation.friction),
         "solref": [settings.tip_solref, 1.0],
     }
     for one, other, given in (
