@@ -3,12 +3,13 @@
 """The command `graspless simulate`: flags, exit codes and what is printed, the engine stubbed."""
 
 import json
+from pathlib import Path
 
 import pytest
 
 import graspless
 from graspless import _data
-from graspless.simulation import Trial
+from graspless.simulation import Trial, simulation_kind
 from tasks_common import run
 
 
@@ -100,3 +101,10 @@ def test_the_engine_itself_writes_a_replay(plan_file, capsys, tmp_path):
     assert code == 0
     assert f"written: {page}" in out
     assert 0.5e6 < page.stat().st_size < 2e6
+
+
+@pytest.mark.parametrize("kind", ["slide", "fingertip", "clasp", "chain"])
+def test_the_documentation_names_every_failure_and_measure(kind):
+    page = (Path(__file__).parents[2] / "docs" / "simulate.md").read_text()
+    module = simulation_kind(kind)
+    assert [name for name in (*module.FAILURES, *module.MEASURES) if f"`{name}`" not in page] == []

@@ -68,7 +68,8 @@ void warn_of_torsion(const Problem& problem, Plan& plan) {
   std::ostringstream out;
   if (slide.allowed == 0) {
     out << "the pad cannot drag the object: its friction (hand.pad_friction "
-        << problem.hand.pad_friction << ") is less than what holds the object back (support.friction "
+        << problem.hand.pad_friction
+        << ") is less than what holds the object back (support.friction "
         << problem.support.friction() << ", object.mass " << problem.object.mass() << " kg)";
     plan.warnings.push_back(out.str());
     return;
