@@ -73,18 +73,19 @@ void bind_problem(py::module_& m) {
 
 void bind_options(py::module_& m) {
   py::class_<Options> options(m, "Options", "How to search.");
-  bind_fields(options, "Any field by keyword; the others keep their defaults.",
-              Field{"step", &Options::step, "Along the way, between poses looked at [m]."},
-              Field{"tolerance", &Options::tolerance,
-                    "How far the object's origin may leave the straight way [m]."},
-              Field{"angle_tolerance", &Options::angle_tolerance,
-                    "How far the object may turn off it [rad]."},
-              Field{"max_twist", &Options::max_twist,
-                    "How far hand and object may turn about the line of the way [rad]."},
-              Field{"contact_depth", &Options::contact_depth,
-                    "How far the object may reach into what it rests on [m]."},
-              Field{"resolution", &Options::resolution,
-                    "Largest joint step between checked configurations [rad]."});
+  bind_fields(
+      options, "Any field by keyword; the others keep their defaults.",
+      Field{"step", &Options::step, "Along the way, between poses looked at [m]."},
+      Field{"tolerance", &Options::tolerance,
+            "How far the object's origin may leave the straight way [m]."},
+      Field{"angle_tolerance", &Options::angle_tolerance,
+            "How far the object may turn off it [rad]."},
+      Field{"max_twist", &Options::max_twist,
+            "How far hand and object may turn about the line of the way, at its end too [rad]."},
+      Field{"contact_depth", &Options::contact_depth,
+            "How far the object may reach into what it rests on [m]."},
+      Field{"resolution", &Options::resolution,
+            "Largest joint step between checked configurations [rad]."});
 }
 
 void bind_statistics(py::module_& m) {

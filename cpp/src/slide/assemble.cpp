@@ -64,8 +64,16 @@ void warn_of_torsion(const Problem& problem, Plan& plan) {
   constexpr double kDegree = 0.017453292519943295, kMost = 2;  // lag that is worth a word [deg]
   const Turning slide = turning(problem, plan);
   const double lag = slide.lag / kDegree;
-  if (lag < kMost) return;
+  if (lag < kMost && slide.allowed > 0) return;
   std::ostringstream out;
+  if (slide.allowed == 0) {
+    out << "the pad cannot drag the object: its friction (hand.pad_friction "
+        << problem.hand.pad_friction
+        << ") is less than what holds the object back (support.friction "
+        << problem.support.friction() << ", object.mass " << problem.object.mass() << " kg)";
+    plan.warnings.push_back(out.str());
+    return;
+  }
   out << std::setprecision(2) << "the slide turns by up to " << slide.most / kDegree / 100
       << " deg/cm, and the pad turns the object with it only up to "
       << slide.allowed / kDegree / 100 << ": it may stay behind by " << lag

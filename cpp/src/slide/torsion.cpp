@@ -61,7 +61,10 @@ Turning turning(const Problem& problem, const Plan& plan) {
   Turning found;
   const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
                                   [](const Segment& segment) { return segment.name == "slide"; });
-  if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) return found;
+  if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) {
+    found.allowed = std::numeric_limits<double>::infinity();
+    return found;
+  }
   found.allowed = std::numeric_limits<double>::infinity();
   Moment before = moment(problem, slide->positions.front(), slide->object_poses.front());
   for (std::size_t row = 1; row < slide->positions.size(); ++row) {

@@ -126,7 +126,7 @@ CLAIMS: dict[str, list[Claim]] = {
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
         Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
-        Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED, 0.95, 1.0),
+        Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
         Claim("holds", VARIED, _CLASPED),
         Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
         Claim("the open hand loses it", VARIED, _LOST_OPEN),

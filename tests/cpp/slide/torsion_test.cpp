@@ -107,6 +107,14 @@ TEST(Torsion, AFingerWithoutAModelPromisesNothing) {
   EXPECT_EQ(turning(rigid, Plan{}).lag, 0);
 }
 
+TEST(Torsion, APadThatCannotDragTheObjectIsWarnedOf) {
+  const Problem problem = with(3, 0.03);
+  const Plan plan = slide::plan(problem);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan.warnings.size(), 1u);
+  EXPECT_NE(plan.warnings.front().find("cannot drag"), std::string::npos);
+}
+
 TEST(Torsion, APlanThatTurnsFastIsWarnedOf) {
   int warned = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {

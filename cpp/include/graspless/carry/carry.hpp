@@ -48,7 +48,8 @@ struct Options {
   double step = 0.005;            ///< along the way, between poses of the object looked at [m]
   double tolerance = 5e-4;        ///< how far O may leave the straight way [m]
   double angle_tolerance = 2e-3;  ///< how far the object may turn off it [rad]
-  double max_twist = 0;           ///< how far hand and object may turn about the way [rad]
+  double max_twist = 0;           ///< how far hand and object may turn about the way,
+                                  ///< at its end too [rad]
   double contact_depth = 1e-3;    ///< how far the object may reach into what it rests on [m]
   double resolution = 0.01;       ///< largest joint step between checked configurations [rad]
 };

@@ -28,8 +28,8 @@ struct Turning {
   double lag = 0;      ///< the angle by which the object may stay behind in all [rad]
 };
 
-/// Of the plan's slide; zeros without one, or where the hand's finger does not flex and so has no
-/// known press.
+/// Of the plan's slide; where there is none, or the hand's finger does not flex and so has no known
+/// press, everything is allowed.
 GRASPLESS_API Turning turning(const Problem& problem, const Plan& plan);
 
 }  // namespace graspless::slide

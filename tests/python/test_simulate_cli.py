@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless simulate`: flags, exit codes and what is printed, the engine stubbed."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+import graspless
+from graspless import _data
+from graspless.simulation import Trial, simulation_kind
+from tasks_common import run
+
+
+@pytest.fixture(scope="module")
+def plan_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("plan") / "plan.json"
+    graspless.plan(_data.directory("examples") / "01_slide_card.yaml").save(path)
+    return str(path)
+
+
+@pytest.fixture
+def engine(monkeypatch):
+    """Trials that hold as planned and drop the object when friction is low; what was asked."""
+    asked = []
+
+    def execute(plan, variation, *, record=False):
+        asked.append((variation, record))
+        failed = ("dropped",) if variation.friction < 1 else ()
+        measures = {"position_error": 0.001 * len(asked), "overhang": 0.04}
+        return Trial(variation, failed, measures, 0.5)
+
+    monkeypatch.setattr("graspless.simulation.slide.run", execute)
+    return asked
+
+
+def test_one_trial_is_as_planned(plan_file, engine, capsys):
+    code, out, err = run(capsys, "simulate", plan_file)
+    assert (code, err) == (0, "")
+    assert out.startswith("1 of 1 trial held, seed 0\n")
+    assert [(v.is_nominal, record) for v, record in engine] == [(True, False)]
+    assert "position_error" in out
+    assert "median" not in out
+
+
+def test_trials_that_fail_are_named_and_counted(plan_file, engine, capsys):
+    code, out, _ = run(capsys, "simulate", plan_file, "--trials", "9", "--seed", "3")
+    failed = sum(variation.friction < 1 for variation, _ in engine)
+    assert 0 < failed < 9
+    assert code == 1
+    assert out.startswith(f"{9 - failed} of 9 trials held, seed 3\n")
+    assert f"dropped in {failed} trial" in out
+    assert "median" in out
+
+
+def test_json_is_all_that_is_printed(plan_file, engine, capsys):
+    code, out, _ = run(capsys, "simulate", plan_file, "--trials", "9", "--json")
+    printed = json.loads(out)
+    assert code == (0 if printed["held"] == 9 else 1)
+    assert printed["trials"] == len(printed["rows"]) == 9
+    assert printed["failures"]["dropped"] == 9 - printed["held"]
+    assert printed["rows"][0]["variation"]["friction"] == 1
+    assert printed["rows"][0]["measures"]["overhang"] == 0.04
+
+
+def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):
+    code, _, err = run(capsys, "simulate", plan_file, "--html", str(tmp_path / "no" / "x.html"))
+    assert code == 2
+    assert "there is no folder" in err
+    assert not engine
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (["--trials", "0"], "trials: 0: should be at least 1"),
+        (["--seed", "-1"], "seed: -1: should not be negative"),
+        (["--disturb"], "--disturb: slide plans promise no stability"),
+    ],
+)
+def test_bad_flags_are_named(plan_file, engine, capsys, flags, said):
+    code, _, err = run(capsys, "simulate", plan_file, *flags)
+    assert code == 2
+    assert said in err
+    assert not engine
+
+
+def test_a_plan_that_was_not_found_is_refused(capsys, tmp_path):
+    path = tmp_path / "none.json"
+    graspless.plan(_data.directory("examples") / "01_slide_card.yaml", iterations=0).save(path)
+    code, _, err = run(capsys, "simulate", str(path))
+    assert code == 2
+    assert "not solved: nothing to simulate" in err
+
+
+@pytest.mark.slow
+def test_the_engine_itself_writes_a_replay(plan_file, capsys, tmp_path):
+    page = tmp_path / "page.html"
+    code, out, _ = run(capsys, "simulate", plan_file, "--html", str(page))
+    assert code == 0
+    assert f"written: {page}" in out
+    assert 0.5e6 < page.stat().st_size < 2e6
+
+
+@pytest.mark.parametrize("kind", ["slide", "fingertip", "clasp", "chain"])
+def test_the_documentation_names_every_failure_and_measure(kind):
+    page = (Path(__file__).parents[2] / "docs" / "simulate.md").read_text()
+    module = simulation_kind(kind)
+    assert [name for name in (*module.FAILURES, *module.MEASURES) if f"`{name}`" not in page] == []
