@@ -12,7 +12,16 @@ import graspless
 from graspless import _data, frames
 from graspless.bench import physics_fingertip
 from graspless.bench.fingertip_grid import CASES
-from graspless.simulation.fingertip import FAILURES, MEASURES, SPREAD, carry_out, measure, run
+from graspless.report import simulation as simulation_report
+from graspless.simulation.fingertip import (
+    FAILURES,
+    MEASURES,
+    SPREAD,
+    breaking,
+    carry_out,
+    measure,
+    run,
+)
 from graspless.simulation.fingertip.breaking import Disturbed, disturb
 from graspless.simulation.fingertip.execute import contact_forces
 from graspless.simulation.fingertip.program import way_round
@@ -181,6 +190,40 @@ def test_small_disturbances_are_withstood_and_large_ones_break(tumble):
     assert not trial.breaks(0.9 * found["smallest"] * wrench_O, 1e-3)
     assert not trial.breaks(np.zeros(6), 1e-3)
     assert found["lost"] >= found["smallest"]
+
+
+def test_what_nothing_breaks_is_not_said_to_break(slide, monkeypatch):
+    monkeypatch.setattr(Disturbed, "breaks", lambda *_: False)
+    found = disturb(slide)
+    assert found["direction"] == -1
+    assert found["smallest"] is found["ratio"] is found["compliant_ratio"] is None
+    assert found["tried"] == 3 * found["z"]
+    text = simulation_report.as_text(graspless.simulate(slide), found)
+    assert f"nothing up to {found['tried']:.3g} N breaks it" in text
+
+
+def test_a_motion_that_does_not_hold_breaks_at_nothing(tumble, monkeypatch):
+    def slippery(problem, variation, settings, friction_at):
+        return build_world(problem, Variation(friction=0.05), settings, friction_at=friction_at)
+
+    monkeypatch.setattr(breaking, "build_world", slippery)
+    found = disturb(tumble)
+    assert (found["smallest"], found["ratio"], found["direction"]) == (0, 0, -1)
+    assert found["undisturbed"] > 1e-3
+    assert "undisturbed at the weakest" in simulation_report._disturbance(found)
+
+
+def test_friction_known_as_an_interval_breaks_at_its_lower_end(monkeypatch):
+    intervals = "friction: [0.4, 0.6]\nfingers: {friction: [0.5, 0.7]}\n"
+    plan = graspless.plan(read_task(SLIDE + intervals, "slide.yaml"))
+    worlds = []
+    monkeypatch.setattr(
+        breaking, "build_world", lambda *a, **k: worlds.append(build_world(*a, **k)) or worlds[-1]
+    )
+    Disturbed(plan, plan.segments[0], 0, Break())
+    np.testing.assert_allclose(worlds[0].model.pair_friction[:, 0], [0.4, 0.5, 0.5])
+    middle = build_world(plan.task.problem, Variation())
+    np.testing.assert_allclose(middle.model.pair_friction[:, 0], [0.5, 0.6, 0.6])
 
 
 def test_a_row_that_is_not_there_is_refused(slide):

@@ -16,11 +16,13 @@ from ..robots import apply
 from ..settings import Fingertip, Solver
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from ... import fingertip
     from ...frames import Matrix
     from ..variation import Variation
+
+    FrictionAt = Callable[[Iterable[float]], float]
 
 SKIN = 0.2  # how thick the surface of an object is that is not convex, in fingertips' radii
 PLANE, OBJECT, FINGER = "plane", "object", "finger"
@@ -109,22 +111,31 @@ class World:
         self.model.pair_solimp[planes] = s.slide_solimp if slides else s.stick_solimp
 
 
+def middle(interval: Iterable[float]) -> float:
+    """Of an interval of friction."""
+    return float(np.mean(list(interval)))
+
+
 def build_world(
-    problem: fingertip.Problem, variation: Variation, settings: Fingertip | None = None
+    problem: fingertip.Problem,
+    variation: Variation,
+    settings: Fingertip | None = None,
+    *,
+    friction_at: FrictionAt = middle,
 ) -> World:
     """A world for a problem, friction and mass varied; nothing has its place yet.
 
     Only what the planner lets touch can touch: the object's hull with planes, its surface with
-    fingertips.
+    fingertips. `friction_at` says which of an interval of friction is taken.
     """
     settings = settings or Fingertip()
     spec = mujoco.MjSpec()
     apply(spec, Solver(timestep=settings.timestep * variation.timestep))
     names = [f"{FINGER}{i}" for i in range(problem.fingers.count)]
-    add_scene(spec, problem, variation)
+    add_scene(spec, problem, variation, friction_at)
     for name in names:
         _add_finger(spec, name, problem.fingers.radius, settings)
-    add_finger_pairs(spec, problem, variation, names)
+    add_finger_pairs(spec, problem, variation, names, friction_at)
     model = spec.compile()
     finger_of_geom = {model.geom(name).id: i for i, name in enumerate(names)}
     world = World(model, mujoco.MjData(model), settings, problem, finger_of_geom)
@@ -132,22 +143,32 @@ def build_world(
     return world
 
 
-def add_scene(spec: Any, problem: fingertip.Problem, variation: Variation) -> None:
+def add_scene(
+    spec: Any,
+    problem: fingertip.Problem,
+    variation: Variation,
+    friction_at: FrictionAt = middle,
+) -> None:
     """Planes, and the object that may touch them."""
     spec.option.gravity = problem.gravity_W
     body = _add_object(spec, problem.object, variation.mass)
     if not problem.object.is_convex:
         _add_skin(spec, body, problem.object, SKIN * problem.fingers.radius)
+    friction = friction_at(problem.friction) * variation.friction
     for i, plane in enumerate(problem.planes):
         _add_plane(spec, plane, f"{PLANE}{i}")
-        _add_pair(spec, f"{PLANE}{i}", float(np.mean(problem.friction)) * variation.friction)
+        _add_pair(spec, f"{PLANE}{i}", friction)
 
 
 def add_finger_pairs(
-    spec: Any, problem: fingertip.Problem, variation: Variation, names: Sequence[str]
+    spec: Any,
+    problem: fingertip.Problem,
+    variation: Variation,
+    names: Sequence[str],
+    friction_at: FrictionAt = middle,
 ) -> None:
     """Contact of fingers' geoms with the object; after that with the planes."""
-    friction = float(np.mean(problem.fingers.friction)) * variation.friction
+    friction = friction_at(problem.fingers.friction) * variation.friction
     surface = [OBJECT]
     if not problem.object.is_convex:
         surface = [f"{OBJECT} {i}" for i in range(len(problem.object.mesh.triangles))]
