@@ -19,6 +19,7 @@ from graspless.simulation.fingertip import (
     SPREAD,
     breaking,
     carry_out,
+    judge,
     measure,
     run,
 )
@@ -132,6 +133,12 @@ def test_without_friction_the_pinch_fails(tumble):
     trial = run(tumble, Variation(friction=0.05))
     assert "off" in trial.failures
     assert set(trial.failures) <= FAILURES.keys()
+
+
+def test_what_is_not_a_number_fails():
+    measures = dict.fromkeys(MEASURES, 0.0)
+    assert judge(measures, 1e-3) == ()
+    assert judge(dict.fromkeys(MEASURES, np.nan), 1e-3) == ("lost", "off", "slipped", "chatter")
 
 
 def test_trials_repeat_and_vary_what_they_say(slide):

@@ -127,14 +127,14 @@ def finger_slips(world: World, script: Script, log: Log) -> Matrix:
 
 
 def judge(measures: dict[str, float], tolerance: float) -> tuple[str, ...]:
-    """Names out of FAILURES."""
-    found = {
-        "lost": measures["vertex_error"] > LOST,
-        "off": measures["vertex_error"] > tolerance,
-        "slipped": measures["slip"] > 1e-3,
-        "chatter": measures["floor_lost"] > 0.05,
+    """Names out of FAILURES; what is not a number is within no limit."""
+    holds = {
+        "lost": measures["vertex_error"] <= LOST,
+        "off": measures["vertex_error"] <= tolerance,
+        "slipped": measures["slip"] <= 1e-3,
+        "chatter": measures["floor_lost"] <= 0.05,
     }
-    return tuple(name for name, is_so in found.items() if is_so)
+    return tuple(name for name, is_so in holds.items() if not is_so)
 
 
 def recording(script: Script, log: Log) -> Recording:
