@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import copy
+
 import mujoco
 import numpy as np
 import pytest
@@ -23,8 +25,9 @@ from graspless.simulation.fingertip import (
     measure,
     run,
 )
+from graspless.simulation.fingertip.arm import build_arm_world
 from graspless.simulation.fingertip.breaking import Disturbed, disturb
-from graspless.simulation.fingertip.execute import contact_forces
+from graspless.simulation.fingertip.execute import contact_forces, hit_depth
 from graspless.simulation.fingertip.program import way_round
 from graspless.simulation.fingertip.world import build_world
 from graspless.simulation.settings import Break
@@ -138,7 +141,39 @@ def test_without_friction_the_pinch_fails(tumble):
 def test_what_is_not_a_number_fails():
     measures = dict.fromkeys(MEASURES, 0.0)
     assert judge(measures, 1e-3) == ()
-    assert judge(dict.fromkeys(MEASURES, np.nan), 1e-3) == ("lost", "off", "slipped", "chatter")
+    assert judge(dict.fromkeys(MEASURES, np.nan), 1e-3) == (
+        "lost",
+        "off",
+        "hit",
+        "slipped",
+        "chatter",
+    )
+
+
+def test_a_post_in_the_way_is_hit(slide):
+    """A plan that knows nothing of the post, in a world that has it."""
+    tip, n = slide.segments[0].fingers[0, 0], slide.segments[0].normals[0, 0]
+    at = slide.segments[0].X_WO[0][:3, 3] + tip - 2 * slide.task.problem.fingers.radius * n
+    post = (
+        f"obstacles: [{{name: post, box: [0.01, 0.01, 0.01], pose: {{position: {at.tolist()}}}}}]\n"
+    )
+    hitting = copy.copy(slide)
+    hitting.__dict__["task"] = read_task(SLIDE + post, "post.yaml")
+    seen = measure(*carry_out(hitting, Variation()))
+    assert seen["hit"] > 0
+    assert "hit" in judge(seen, 1e-3)
+
+
+def test_an_arm_in_a_plane_or_in_the_object_hits():
+    task = graspless.load_task(_data.directory("examples") / "12_t42_tumble.yaml")
+    plan = graspless.plan(task)
+    world = build_arm_world(plan, Variation())
+    place, q = np.array(frames.to_row(plan.segments[0].X_WO[0])), plan.task.arm.q_home
+    world.stand(place, q)
+    assert hit_depth(world) == 0
+    elbow = world.data.xpos[world.model.body("wam_link_4").id]
+    world.stand(np.array([*elbow, 1, 0, 0, 0]), q)
+    assert hit_depth(world) > 0
 
 
 def test_trials_repeat_and_vary_what_they_say(slide):

@@ -61,7 +61,7 @@ class ArmWorld(World):
 
 
 def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
-    """The task's robot with planes and object; fingers may touch the object, and nothing else."""
+    """The task's robot with planes, obstacles and object, which only fingers are to touch."""
     problem, arm, settings = plan.task.problem, plan.task.arm, Fingertip()
     spec = robot_spec(arm.robot, plan.task.fields.robot)
     apply(spec, Solver(timestep=settings.timestep * variation.timestep))

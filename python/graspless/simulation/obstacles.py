@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import geometry
-from ..shapes import add_placed
+from .. import geometry
+from .shapes import add_placed
 
 if TYPE_CHECKING:
-    from ...frames import Matrix
+    from ..frames import Matrix
 
 _SKIN = 0.0005  # half thickness of a mesh [m]
 
 
 def add_obstacle(spec: Any, obstacle: Any, **touch: Any) -> None:
-    """Fixes a clasp.Obstacle to the world; `touch` is how its geoms collide."""
+    """Fixes a problem's obstacle to the world; `touch` is how its geoms collide."""
     for i, placed in enumerate(obstacle.shapes):
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)
         if isinstance(placed.shape, geometry.Mesh):
