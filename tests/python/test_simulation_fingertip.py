@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import replace
+from types import SimpleNamespace
 
 import mujoco
 import numpy as np
@@ -25,7 +27,7 @@ from graspless.simulation.fingertip import (
     measure,
     run,
 )
-from graspless.simulation.fingertip.arm import build_arm_world
+from graspless.simulation.fingertip.arm import ArmServo, arm_program, build_arm_world
 from graspless.simulation.fingertip.breaking import Disturbed, disturb
 from graspless.simulation.fingertip.execute import contact_forces, hit_depth
 from graspless.simulation.fingertip.program import way_round
@@ -164,6 +166,26 @@ def test_a_post_in_the_way_is_hit(slide):
     assert "hit" in judge(seen, 1e-3)
 
 
+def test_an_arm_pushes_with_no_more_than_its_motors_give():
+    plan = graspless.plan(_data.directory("examples") / "12_t42_tumble.yaml")
+    world = build_arm_world(plan, Variation())
+    script = arm_program(plan, world.settings)
+    script = script.at(np.arange(0, script.duration, 0.01))
+    i = int(np.argmax(np.abs(script.forces).sum(axis=(1, 2))))
+    world.stand(script.places[i], script.joints[i])
+    given = {}
+    for factor in (1, 1e4):
+        ArmServo(world, replace(script, forces=factor * script.forces)).command(i)
+        mujoco.mj_forward(world.model, world.data)
+        given[factor] = (
+            world.data.qfrc_actuator[world.joints] + world.data.qfrc_applied[world.joints]
+        )
+    assert np.abs(given[1]).max() > 0.1
+    effort = plan.task.arm.robot.max_effort
+    np.testing.assert_array_less(np.abs(given[1e4]), effort * (1 + 1e-9))
+    assert np.isclose(np.abs(given[1e4]), effort).any()
+
+
 def test_an_arm_in_a_plane_or_in_the_object_hits():
     task = graspless.load_task(_data.directory("examples") / "12_t42_tumble.yaml")
     plan = graspless.plan(task)
@@ -253,6 +275,15 @@ def test_a_motion_that_does_not_hold_breaks_at_nothing(tumble, monkeypatch):
     assert (found["smallest"], found["ratio"], found["direction"]) == (0, 0, -1)
     assert found["undisturbed"] > 1e-3
     assert "undisturbed at the weakest" in simulation_report._disturbance(found)
+
+
+def test_a_disturbance_of_a_plan_with_an_arm_says_that_fingertips_held(slide):
+    found = graspless.simulate(slide)
+    disturbed = {"segment": 0, "row": 1, "smallest": 1, "ratio": 0.5, "z": 2, "compliant": 2}
+    assert "bare fingertips" not in simulation_report.as_text(found, disturbed)
+    plan = SimpleNamespace(kind="fingertip", joint_segments=[object()])
+    of_arm = replace(found, plan=plan)
+    assert "held by bare fingertips" in simulation_report.as_text(of_arm, disturbed)
 
 
 def test_friction_known_as_an_interval_breaks_at_its_lower_end(monkeypatch):

@@ -25,6 +25,8 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     lines += [f"  {line}" for line in _table(found.trials, kind.MEASURES)]
     if disturbed is not None:
         lines.append(f"  {_disturbance(disturbed)}")
+        if getattr(found.plan, "joint_segments", None):
+            lines.append("  (held by bare fingertips: the arm is not disturbed)")
     seconds = sum(trial.seconds for trial in found.trials)
     lines.append(f"  computed in {seconds:.1f} s")
     return "\n".join(lines)

@@ -4,7 +4,7 @@
 
 Trials vary friction by 10 % and the fingers' places by 0.1 mm: `x` and `y` of a variation say
 where the first finger is beside its place; the others are beside theirs as far, in directions
-evenly round. With an arm the object is beside its place.
+evenly round. With an arm the object is beside its place. No mass is varied.
 """
 
 from __future__ import annotations
