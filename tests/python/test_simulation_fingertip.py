@@ -4,6 +4,10 @@
 
 from __future__ import annotations
 
+import copy
+from dataclasses import replace
+from types import SimpleNamespace
+
 import mujoco
 import numpy as np
 import pytest
@@ -12,9 +16,20 @@ import graspless
 from graspless import _data, frames
 from graspless.bench import physics_fingertip
 from graspless.bench.fingertip_grid import CASES
-from graspless.simulation.fingertip import FAILURES, MEASURES, SPREAD, carry_out, measure, run
+from graspless.report import simulation as simulation_report
+from graspless.simulation.fingertip import (
+    FAILURES,
+    MEASURES,
+    SPREAD,
+    breaking,
+    carry_out,
+    judge,
+    measure,
+    run,
+)
+from graspless.simulation.fingertip.arm import ArmServo, arm_program, build_arm_world
 from graspless.simulation.fingertip.breaking import Disturbed, disturb
-from graspless.simulation.fingertip.execute import contact_forces
+from graspless.simulation.fingertip.execute import contact_forces, hit_depth
 from graspless.simulation.fingertip.program import way_round
 from graspless.simulation.fingertip.world import build_world
 from graspless.simulation.settings import Break
@@ -135,6 +150,64 @@ def test_without_friction_the_pinch_fails(tumble):
     assert set(trial.failures) <= FAILURES.keys()
 
 
+def test_what_is_not_a_number_fails():
+    measures = dict.fromkeys(MEASURES, 0.0)
+    assert judge(measures, 1e-3) == ()
+    assert judge(dict.fromkeys(MEASURES, np.nan), 1e-3) == (
+        "lost",
+        "off",
+        "hit",
+        "slipped",
+        "chatter",
+    )
+
+
+def test_a_post_in_the_way_is_hit(slide):
+    """A plan that knows nothing of the post, in a world that has it."""
+    tip, n = slide.segments[0].fingers[0, 0], slide.segments[0].normals[0, 0]
+    at = slide.segments[0].X_WO[0][:3, 3] + tip - 2 * slide.task.problem.fingers.radius * n
+    post = (
+        f"obstacles: [{{name: post, box: [0.01, 0.01, 0.01], pose: {{position: {at.tolist()}}}}}]\n"
+    )
+    hitting = copy.copy(slide)
+    hitting.__dict__["task"] = read_task(SLIDE + post, "post.yaml")
+    seen = measure(*carry_out(hitting, Variation()))
+    assert seen["hit"] > 0
+    assert "hit" in judge(seen, 1e-3)
+
+
+def test_an_arm_pushes_with_no_more_than_its_motors_give():
+    plan = graspless.plan(_data.directory("examples") / "12_t42_tumble.yaml")
+    world = build_arm_world(plan, Variation())
+    script = arm_program(plan, world.settings)
+    script = script.at(np.arange(0, script.duration, 0.01))
+    i = int(np.argmax(np.abs(script.forces).sum(axis=(1, 2))))
+    world.stand(script.places[i], script.joints[i])
+    given = {}
+    for factor in (1, 1e4):
+        ArmServo(world, replace(script, forces=factor * script.forces)).command(i)
+        mujoco.mj_forward(world.model, world.data)
+        given[factor] = (
+            world.data.qfrc_actuator[world.joints] + world.data.qfrc_applied[world.joints]
+        )
+    assert np.abs(given[1]).max() > 0.1
+    effort = plan.task.arm.robot.max_effort
+    np.testing.assert_array_less(np.abs(given[1e4]), effort * (1 + 1e-9))
+    assert np.isclose(np.abs(given[1e4]), effort).any()
+
+
+def test_an_arm_in_a_plane_or_in_the_object_hits():
+    task = graspless.load_task(_data.directory("examples") / "12_t42_tumble.yaml")
+    plan = graspless.plan(task)
+    world = build_arm_world(plan, Variation())
+    place, q = np.array(frames.to_row(plan.segments[0].X_WO[0])), plan.task.arm.q_home
+    world.stand(place, q)
+    assert hit_depth(world) == 0
+    elbow = world.data.xpos[world.model.body("wam_link_4").id]
+    world.stand(np.array([*elbow, 1, 0, 0, 0]), q)
+    assert hit_depth(world) > 0
+
+
 def test_trials_repeat_and_vary_what_they_say(slide):
     first, again = (graspless.simulate(slide, trials=2, seed=4) for _ in range(2))
     assert [t.measures for t in first.trials] == [t.measures for t in again.trials]
@@ -191,6 +264,49 @@ def test_small_disturbances_are_withstood_and_large_ones_break(tumble):
     assert not trial.breaks(0.9 * found["smallest"] * wrench_O, 1e-3)
     assert not trial.breaks(np.zeros(6), 1e-3)
     assert found["lost"] >= found["smallest"]
+
+
+def test_what_nothing_breaks_is_not_said_to_break(slide, monkeypatch):
+    monkeypatch.setattr(Disturbed, "breaks", lambda *_: False)
+    found = disturb(slide)
+    assert found["direction"] == -1
+    assert found["smallest"] is found["ratio"] is found["compliant_ratio"] is None
+    assert found["tried"] == 3 * found["z"]
+    text = simulation_report.as_text(graspless.simulate(slide), found)
+    assert f"nothing up to {found['tried']:.3g} N breaks it" in text
+
+
+def test_a_motion_that_does_not_hold_breaks_at_nothing(tumble, monkeypatch):
+    def slippery(problem, variation, settings, friction_at):
+        return build_world(problem, Variation(friction=0.05), settings, friction_at=friction_at)
+
+    monkeypatch.setattr(breaking, "build_world", slippery)
+    found = disturb(tumble)
+    assert (found["smallest"], found["ratio"], found["direction"]) == (0, 0, -1)
+    assert found["undisturbed"] > 1e-3
+    assert "undisturbed at the weakest" in simulation_report._disturbance(found)
+
+
+def test_a_disturbance_of_a_plan_with_an_arm_says_that_fingertips_held(slide):
+    found = graspless.simulate(slide)
+    disturbed = {"segment": 0, "row": 1, "smallest": 1, "ratio": 0.5, "z": 2, "compliant": 2}
+    assert "bare fingertips" not in simulation_report.as_text(found, disturbed)
+    plan = SimpleNamespace(kind="fingertip", joint_segments=[object()])
+    of_arm = replace(found, plan=plan)
+    assert "held by bare fingertips" in simulation_report.as_text(of_arm, disturbed)
+
+
+def test_friction_known_as_an_interval_breaks_at_its_lower_end(monkeypatch):
+    intervals = "friction: [0.4, 0.6]\nfingers: {friction: [0.5, 0.7]}\n"
+    plan = graspless.plan(read_task(SLIDE + intervals, "slide.yaml"))
+    worlds = []
+    monkeypatch.setattr(
+        breaking, "build_world", lambda *a, **k: worlds.append(build_world(*a, **k)) or worlds[-1]
+    )
+    Disturbed(plan, plan.segments[0], 0, Break())
+    np.testing.assert_allclose(worlds[0].model.pair_friction[:, 0], [0.4, 0.5, 0.5])
+    middle = build_world(plan.task.problem, Variation())
+    np.testing.assert_allclose(middle.model.pair_friction[:, 0], [0.5, 0.6, 0.6])
 
 
 def test_a_row_that_is_not_there_is_refused(slide):

@@ -25,6 +25,8 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     lines += [f"  {line}" for line in _table(found.trials, kind.MEASURES)]
     if disturbed is not None:
         lines.append(f"  {_disturbance(disturbed)}")
+        if getattr(found.plan, "joint_segments", None):
+            lines.append("  (held by bare fingertips: the arm is not disturbed)")
     seconds = sum(trial.seconds for trial in found.trials)
     lines.append(f"  computed in {seconds:.1f} s")
     return "\n".join(lines)
@@ -57,8 +59,12 @@ def _figure(value: float | None) -> str:
 
 
 def _disturbance(found: dict[str, Any]) -> str:
-    where = f"segment {found['segment']}, row {found['row']}"
-    return (
-        f"breaks at {found['smallest']:.3g} N at the weakest place ({where}): {found['ratio']:.2f} "
-        f"of z = {found['z']:.3g} N; compliant index {found['compliant']:.3g} N"
-    )
+    where = f"at the weakest place (segment {found['segment']}, row {found['row']})"
+    promised = f"z = {found['z']:.3g} N; compliant index {found['compliant']:.3g} N"
+    if found["smallest"] is None:
+        return f"nothing up to {found['tried']:.3g} N breaks it {where}: {promised}"
+    if found["smallest"] == 0:
+        off = found["undisturbed"]
+        far = "" if off is None else f" by {1e3 * off:.2g} mm"
+        return f"leaves its place{far} undisturbed {where}: {promised}"
+    return f"breaks at {found['smallest']:.3g} N {where}: {found['ratio']:.2f} of {promised}"

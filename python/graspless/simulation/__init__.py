@@ -53,6 +53,8 @@ def simulate(
         One that is solved.
     trials : int
         The first is nominal; the others vary friction, mass, the object's place and the time step.
+        Of fingertip plans: friction by 10 %, the fingers' places (with an arm the object's) by
+        0.1 mm, and the time step, but no mass.
     seed : int
         Of these variations.
     record : bool

@@ -19,8 +19,9 @@ def add_parser(commands: Any) -> None:
         "simulate",
         help="execute a plan in a physics engine",
         description="Executes a plan in MuJoCo and judges the object. The first trial is as "
-        "planned; the others vary friction, mass, the object's place and the time step. Exit 1 "
-        "when a trial failed.",
+        "planned; the others vary friction, mass, the object's place and the time step; of "
+        "fingertip plans friction by 10 %, the fingers' places (with an arm the object's) by "
+        "0.1 mm, and the time step, no mass. Exit 1 when a trial failed.",
     )
     parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     parser.add_argument("--trials", type=int, default=1, metavar="N", help="(%(default)s)")
@@ -31,7 +32,8 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         "--disturb",
         action="store_true",
-        help="of a fingertip plan: also the least disturbance that breaks its weakest row (slow)",
+        help="of a fingertip plan: also the least disturbance that breaks its weakest row (slow); "
+        "held by bare fingertips, whether or not the plan has an arm",
     )
     parser.add_argument("--json", action="store_true", help="print the trials as JSON")
     parser.set_defaults(run=_run)

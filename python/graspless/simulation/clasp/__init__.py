@@ -82,7 +82,7 @@ def run(
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
     failures: list[str] = []
     measures = _close(execution, timed(plan))
-    if measures["moved_before"] > settings.hit:
+    if not measures["moved_before"] <= settings.hit:
         failures.append("hit")
     if measures["linking"] == 0:
         failures.append("not_closed")

@@ -148,7 +148,7 @@ class Execution:
                 torque = settings.torque * _any_direction(random)
                 self.world.data.xfrc_applied[body] = np.concatenate([force, torque])
             self.run("shake")
-            if self.judge.distance() > reach:
+            if not self.judge.distance() <= reach:
                 break
         self.world.data.xfrc_applied[body] = 0.0
         return look + 1 == most and self.judge.linked() > 0
@@ -191,7 +191,7 @@ class Execution:
         while force < settings.pull_most:
             self.world.data.xfrc_applied[body, :3] = force * direction_W
             self.run("pull")
-            if self.judge.distance() > reach or not self.judge.linked():
+            if not (self.judge.distance() <= reach and self.judge.linked()):
                 break
             force += settings.pull_rate * step
         self.world.data.xfrc_applied[body] = 0.0

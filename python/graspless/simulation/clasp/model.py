@@ -11,10 +11,10 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..obstacles import add_obstacle
 from ..robots import joint_addresses, robot_spec, set_positions
 from ..settings import Clasp, Solver
 from .object import OBJECT, OBJECT_BIT, STAND, add_object
-from .obstacles import add_obstacle
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -4,7 +4,7 @@
 
 Trials vary friction by 10 % and the fingers' places by 0.1 mm: `x` and `y` of a variation say
 where the first finger is beside its place; the others are beside theirs as far, in directions
-evenly round. With an arm the object is beside its place.
+evenly round. With an arm the object is beside its place. No mass is varied.
 """
 
 from __future__ import annotations
@@ -37,6 +37,7 @@ SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0, timestep=0.25)
 FAILURES = {
     "off": "a corner of the object was farther from its place than is allowed: 1 mm, 1.5 mm varied",
     "lost": "a corner of the object was more than 1 cm from its place",
+    "hit": "something touched an obstacle, or the robot a plane or, not by a fingertip, the object",
     "slipped": "a fingertip slipped by more than 1 mm on the object",
     "chatter": "while the object slid, the floor's force was zero for more than 5 % of the time",
 }
@@ -45,6 +46,7 @@ MEASURES = {
     "vertex_error": "how far the object's worst corner was from its place, at worst [m]",
     "vertex_error_end": "the same at the end [m]",
     "slip": "how far a fingertip was from its place on the object, at worst [m]",
+    "hit": "how deep something was in what it is not to touch, at worst [m]",
     "floor_lost": "share of the time of slides and turns without any force of floor and walls",
     "duration": "of the motion [s]",
 }
@@ -105,6 +107,7 @@ def measure(world: World, script: Script, log: Log) -> dict[str, float]:
     return {
         "vertex_error": float(np.max(log.errors)),
         "vertex_error_end": float(log.errors[-1]),
+        "hit": float(np.max(log.hits)),
         "slip": float(np.max(slips[moves & touches.any(axis=1)], initial=0.0)),
         "floor_lost": float(floor_lost.mean()) if floor_lost.size else 0.0,
         "duration": script.duration,
@@ -127,14 +130,15 @@ def finger_slips(world: World, script: Script, log: Log) -> Matrix:
 
 
 def judge(measures: dict[str, float], tolerance: float) -> tuple[str, ...]:
-    """Names out of FAILURES."""
-    found = {
-        "lost": measures["vertex_error"] > LOST,
-        "off": measures["vertex_error"] > tolerance,
-        "slipped": measures["slip"] > 1e-3,
-        "chatter": measures["floor_lost"] > 0.05,
+    """Names out of FAILURES; what is not a number is within no limit."""
+    holds = {
+        "lost": measures["vertex_error"] <= LOST,
+        "off": measures["vertex_error"] <= tolerance,
+        "hit": measures["hit"] <= 0,
+        "slipped": measures["slip"] <= 1e-3,
+        "chatter": measures["floor_lost"] <= 0.05,
     }
-    return tuple(name for name, is_so in found.items() if is_so)
+    return tuple(name for name, is_so in holds.items() if not is_so)
 
 
 def recording(script: Script, log: Log) -> Recording:

@@ -61,7 +61,7 @@ class ArmWorld(World):
 
 
 def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
-    """The task's robot with planes and object; fingers may touch the object, and nothing else."""
+    """The task's robot with planes, obstacles and object, which only fingers are to touch."""
     problem, arm, settings = plan.task.problem, plan.task.arm, Fingertip()
     spec = robot_spec(arm.robot, plan.task.fields.robot)
     apply(spec, Solver(timestep=settings.timestep * variation.timestep))
@@ -159,13 +159,15 @@ class ArmServo:
     """Moves a robot's joints as a script says, moment by moment.
 
     Every joint is under position control, with the nominal forces of the fingers fed forward by
-    its Jacobian. The joints that move one fingertip alone give up their stiffness while it is in
-    force control. As in Servo, places are zeroed when the fingers have come to their forces.
+    its Jacobian; both together stay within the motors' greatest effort. The joints that move one
+    fingertip alone give up their stiffness while it is in force control. As in Servo, places are
+    zeroed when the fingers have come to their forces.
     """
 
     def __init__(self, world: ArmWorld, script: Script) -> None:
         self._world, self._script = world, script
         actuators = world.model.actuator_gainprm[:, 0], world.model.actuator_biasprm[:, 2]
+        self._stiffness = actuators[0]
         lead = -actuators[1] / actuators[0]  # so that damping does not lag behind
         steps = np.diff(script.joints, axis=0) / np.diff(script.times)[:, None]
         self._joints = script.joints + lead * np.concatenate([steps, steps[-1:]])
@@ -186,8 +188,8 @@ class ArmServo:
             if script.holds[i, finger] == 0:
                 free = self._own[finger]
                 places[free] = world.data.qpos[world.joints[free]]
-        world.data.ctrl[:] = places
-        world.data.qfrc_applied[world.joints] = torques
+        # As a place, not as qfrc_applied: that would come on top of what the motors can give.
+        world.data.ctrl[:] = places + torques / self._stiffness
 
     def _jacobian(self, finger: int, normal: Matrix) -> Matrix:
         """[3, dof] of where a fingertip touches, in W."""

@@ -34,12 +34,16 @@ class Breaking:
     segment, row : int
         Which.
     smallest : float
-        Factor of `direction` that breaks the motion [N], to a fiftieth; where none did, the
-        greatest that was tried.
+        Factor of `direction` that breaks the motion [N], to a fiftieth; inf: none did, up to
+        `tried`; 0: the motion does not even hold without.
     direction : int
-        Of the task's disturbance directions: that of the smallest; -1: none broke it.
+        Of the task's disturbance directions: that of the smallest; -1: it was none of them.
     lost : float
         As `smallest`, of what moves a corner 5 mm off: more than the fingers' springs give.
+    tried : float
+        The greatest factor that was tried [N].
+    undisturbed : float
+        How far a corner was from its planned place without any wrench, at worst [m].
     stability, compliant_stability : float
         What the plan says of the row [N].
     """
@@ -49,23 +53,32 @@ class Breaking:
     smallest: float
     direction: int
     lost: float
+    tried: float
+    undisturbed: float
     stability: float
     compliant_stability: float
 
     def as_dict(self) -> dict[str, Any]:
-        """By name, with ratios."""
+        """By name, with ratios; None where nothing broke it, which JSON has no number for."""
+        z, compliant = self.stability, max(self.compliant_stability, 1e-12)
         return {
             "segment": self.segment,
             "row": self.row,
-            "smallest": self.smallest,
+            "smallest": _finite(self.smallest),
             "direction": self.direction,
-            "lost": self.lost,
+            "lost": _finite(self.lost),
+            "tried": self.tried,
+            "undisturbed": _finite(self.undisturbed),
             "z": self.stability,
             "compliant": self.compliant_stability,
-            "ratio": self.smallest / self.stability,
-            "lost_ratio": self.lost / self.stability,
-            "compliant_ratio": self.smallest / max(self.compliant_stability, 1e-12),
+            "ratio": _finite(self.smallest / z),
+            "lost_ratio": _finite(self.lost / z),
+            "compliant_ratio": _finite(self.smallest / compliant),
         }
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
 
 
 def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
@@ -79,7 +92,10 @@ def break_test(
     """Wrenches along the task's directions grow until one moves a corner 1 mm off; and 5 mm.
 
     The object begins at rest a little before the row, held by the fingers' nominal forces, and
-    moves slowly past it, while the wrench comes and stays.
+    moves slowly past it, while the wrench comes and stays. Where friction is an interval, that of
+    fingers and planes is its lower end: z never falls as the fingers' and sticking contacts' cones
+    grow. Along sliding contacts the least z may be at another coefficient of the planes, which is
+    not looked for.
 
     Parameters
     ----------
@@ -102,7 +118,10 @@ def break_test(
     trial = Disturbed(plan, segment, i, settings)
     smallest, direction = trial.smallest(z, settings.distance)
     lost, _ = trial.smallest(z, settings.lost_distance)
-    return Breaking(s, i, smallest, direction, lost, z, float(segment.compliant_stability[i]))
+    return Breaking(
+        s, i, smallest, direction, lost, settings.largest * z, trial.undisturbed,
+        z, float(segment.compliant_stability[i]),
+    )  # fmt: skip
 
 
 class Disturbed:
@@ -110,7 +129,7 @@ class Disturbed:
 
     def __init__(self, plan: Plan, segment: Segment, row: int, settings: Break) -> None:
         problem, self._settings = plan.task.problem, settings
-        self._world = build_world(problem, Variation(), Fingertip())
+        self._world = build_world(problem, Variation(), Fingertip(), friction_at=min)
         self._world.soften(slides=segment.name in ("slide", "turn"))
         self._script = passing(plan, segment, row, settings).at(
             np.arange(0, settings.until, self._world.model.opt.timestep)
@@ -124,6 +143,16 @@ class Disturbed:
         self._state = self._settled()
         self._undisturbed = self._run(np.zeros(6))
 
+    @property
+    def undisturbed(self) -> float:
+        """How far a corner is from its planned place without any wrench, at worst [m]."""
+        moments = range(self._start, len(self._script))
+        looked_at = [i for i in moments if i % self._settings.every == 0]
+        return max(
+            corner_error(self._world.hull, place, self._script.places[i])
+            for i, place in zip(looked_at, self._undisturbed, strict=True)
+        )
+
     def wrench_O(self, direction: int) -> Matrix:
         """[6] of 1 N along one of the task's directions."""
         wrench_O: Matrix = self._wrenches_O[direction]
@@ -134,7 +163,12 @@ class Disturbed:
         return len(self._run(wrench_O, distance)) < len(self._undisturbed)
 
     def smallest(self, z: float, distance: float) -> tuple[float, int]:
-        """Factor [N] and number of the direction of the smallest wrench that does."""
+        """Factor [N] and number of the direction of the smallest wrench that does.
+
+        0 and -1: it goes so far from its planned place without any; inf and -1: none does.
+        """
+        if not self.undisturbed < distance:
+            return 0.0, -1
         best, direction = self._settings.largest * z, -1
         for k, wrench_O in enumerate(self._wrenches_O):
             if not self.breaks(best * wrench_O, distance):
@@ -147,7 +181,7 @@ class Disturbed:
                     best = middle
                 else:
                     holds = middle
-        return best, direction
+        return (best if direction >= 0 else np.inf), direction
 
     def _settled(self) -> Matrix:
         """The world's state just before the wrench comes."""

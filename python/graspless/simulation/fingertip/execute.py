@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from .world import FINGER, OBJECT, OBSTACLE, PLANE
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -38,6 +39,8 @@ class Log:
         Normal force of all planes on the object [N].
     pressed : list of array [n]
         Normal forces of the fingers [N].
+    hits : list of float
+        How deep something is in what it is not to touch, see `hit_depth` [m].
     """
 
     moments: list[int] = field(default_factory=list)
@@ -47,6 +50,7 @@ class Log:
     errors: list[float] = field(default_factory=list)
     floor: list[float] = field(default_factory=list)
     pressed: list[Matrix] = field(default_factory=list)
+    hits: list[float] = field(default_factory=list)
 
 
 class Commands(Protocol):
@@ -96,6 +100,7 @@ def look(world: World, script: Script, i: int, log: Log) -> None:
     floor, pressed = contact_forces(world)
     log.floor.append(floor)
     log.pressed.append(pressed)
+    log.hits.append(hit_depth(world))
 
 
 def corner_error(hull: Matrix, place: Matrix, wanted: Matrix) -> float:
@@ -109,10 +114,25 @@ def contact_forces(world: World) -> tuple[float, Matrix]:
     """Normal forces on the object: of all planes together, and of each finger [N]."""
     planes, fingers, force = 0.0, np.zeros(world.fingers), np.zeros(6)
     for k, geoms in enumerate(world.data.contact.geom):
+        kinds = set(world.kinds[geoms])
+        if kinds not in ({OBJECT, PLANE}, {OBJECT, FINGER}):
+            continue
         mujoco.mj_contactForce(world.model, world.data, k, force)
-        finger = max(world.finger_of_geom.get(geom, -1) for geom in geoms)
-        if finger < 0:
+        if PLANE in kinds:
             planes += force[0]
         else:
-            fingers[finger] += force[0]
+            fingers[max(world.finger_of_geom.get(geom, -1) for geom in geoms)] += force[0]
     return planes, fingers
+
+
+def hit_depth(world: World) -> float:
+    """How deep something is in what it is not to touch; 0 where nothing is [m].
+
+    That is anything in an obstacle, the robot in a plane, and what is no fingertip in the object.
+    """
+    touching = world.data.contact.dist < 0
+    kinds = world.kinds[world.data.contact.geom[touching]]
+    of_object, of_plane = (kinds == OBJECT).any(axis=1), (kinds == PLANE).any(axis=1)
+    of_finger = (kinds == FINGER).any(axis=1)
+    meant = np.where(of_object, of_plane | of_finger, ~of_plane) & (kinds != OBSTACLE).all(axis=1)
+    return float(np.max(-world.data.contact.dist[touching][~meant], initial=0.0))

@@ -12,18 +12,31 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..obstacles import add_obstacle
 from ..robots import apply
 from ..settings import Fingertip, Solver
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Iterable, Sequence
+
+    from numpy.typing import NDArray
 
     from ... import fingertip
     from ...frames import Matrix
     from ..variation import Variation
 
+    FrictionAt = Callable[[Iterable[float]], float]
+
 SKIN = 0.2  # how thick the surface of an object is that is not convex, in fingertips' radii
-PLANE, OBJECT, FINGER = "plane", "object", "finger"
+PLANE, OBJECT, FINGER, OBSTACLE = "plane", "object", "finger", "obstacle"
+
+# Bits of contact. What the plan lets touch does so in pairs that are named; the rest is a hit.
+_ROBOT, _OBSTACLE = 1, 2  # a URDF's geoms have MuJoCo's own bit, on either side
+_PLANE_TOUCHES = {"contype": _ROBOT, "conaffinity": 0}
+_OBJECT_TOUCHES = {"contype": _ROBOT, "conaffinity": _OBSTACLE}
+_FINGER_TOUCHES = {"contype": 0, "conaffinity": _OBSTACLE}
+_OBSTACLE_TOUCHES = {"contype": _ROBOT | _OBSTACLE, "conaffinity": 0}
+_NOTHING = {"contype": 0, "conaffinity": 0}
 
 
 @dataclass(frozen=True)
@@ -49,6 +62,22 @@ class World:
     def hull(self) -> Matrix:
         """[N, 3] corners of the object in O [m]."""
         return np.array(self.problem.object.hull)
+
+    @cached_property
+    def kinds(self) -> NDArray[np.str_]:
+        """[G + 1] what each geom is: object, plane, finger, robot or obstacle.
+
+        The last is what MuJoCo numbers -1, no geom: a mesh that is an obstacle.
+        """
+        model = self.model
+        found = np.full(model.ngeom + 1, "robot", dtype="<U8")
+        body, is_plane = model.geom_bodyid, model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE
+        found[:-1][body == 0] = OBSTACLE
+        found[:-1][is_plane] = PLANE
+        found[:-1][body == model.body(OBJECT).id] = OBJECT
+        found[list(self.finger_of_geom)] = FINGER
+        found[-1] = OBSTACLE
+        return found
 
     @cached_property
     def fingers(self) -> int:
@@ -109,22 +138,32 @@ class World:
         self.model.pair_solimp[planes] = s.slide_solimp if slides else s.stick_solimp
 
 
+def middle(interval: Iterable[float]) -> float:
+    """Of an interval of friction."""
+    return float(np.mean(list(interval)))
+
+
 def build_world(
-    problem: fingertip.Problem, variation: Variation, settings: Fingertip | None = None
+    problem: fingertip.Problem,
+    variation: Variation,
+    settings: Fingertip | None = None,
+    *,
+    friction_at: FrictionAt = middle,
 ) -> World:
     """A world for a problem, friction and mass varied; nothing has its place yet.
 
-    Only what the planner lets touch can touch: the object's hull with planes, its surface with
-    fingertips.
+    Of these only what the planner lets touch can touch: the object's hull with planes, its surface
+    with fingertips. Obstacles stop both. `friction_at` says what is taken of friction's
+    interval.
     """
     settings = settings or Fingertip()
     spec = mujoco.MjSpec()
     apply(spec, Solver(timestep=settings.timestep * variation.timestep))
     names = [f"{FINGER}{i}" for i in range(problem.fingers.count)]
-    add_scene(spec, problem, variation)
+    add_scene(spec, problem, variation, friction_at)
     for name in names:
         _add_finger(spec, name, problem.fingers.radius, settings)
-    add_finger_pairs(spec, problem, variation, names)
+    add_finger_pairs(spec, problem, variation, names, friction_at)
     model = spec.compile()
     finger_of_geom = {model.geom(name).id: i for i, name in enumerate(names)}
     world = World(model, mujoco.MjData(model), settings, problem, finger_of_geom)
@@ -132,23 +171,34 @@ def build_world(
     return world
 
 
-def add_scene(spec: Any, problem: fingertip.Problem, variation: Variation) -> None:
-    """Planes, and the object that may touch them."""
+def add_scene(
+    spec: Any,
+    problem: fingertip.Problem,
+    variation: Variation,
+    friction_at: FrictionAt = middle,
+) -> None:
+    """Planes, the object that may touch them, and obstacles."""
     spec.option.gravity = problem.gravity_W
     body = _add_object(spec, problem.object, variation.mass)
     if not problem.object.is_convex:
         _add_skin(spec, body, problem.object, SKIN * problem.fingers.radius)
-    friction = float(np.mean(problem.friction)) * variation.support_friction
+    for obstacle in problem.obstacles:
+        add_obstacle(spec, obstacle, Fingertip().obstacle_skin, **_OBSTACLE_TOUCHES)
+    friction = friction_at(problem.friction) * variation.support_friction
     for i, plane in enumerate(problem.planes):
         _add_plane(spec, plane, f"{PLANE}{i}")
         _add_pair(spec, f"{PLANE}{i}", friction)
 
 
 def add_finger_pairs(
-    spec: Any, problem: fingertip.Problem, variation: Variation, names: Sequence[str]
+    spec: Any,
+    problem: fingertip.Problem,
+    variation: Variation,
+    names: Sequence[str],
+    friction_at: FrictionAt = middle,
 ) -> None:
     """Contact of fingers' geoms with the object; after that with the planes."""
-    friction = float(np.mean(problem.fingers.friction)) * variation.friction
+    friction = friction_at(problem.fingers.friction) * variation.friction
     surface = [OBJECT]
     if not problem.object.is_convex:
         surface = [f"{OBJECT} {i}" for i in range(len(problem.object.mesh.triangles))]
@@ -165,7 +215,8 @@ def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> Any:
     body.fullinertia = [*np.diag(inertia), inertia[0, 1], inertia[0, 2], inertia[1, 2]]
     spec.add_mesh(name="hull", uservert=np.asarray(thing.hull).ravel())
     size = _box_size(np.asarray(thing.hull))
-    geom = body.add_geom(name=OBJECT, contype=0, conaffinity=0, mass=0)
+    touches = _OBJECT_TOUCHES if thing.is_convex else _NOTHING
+    geom = body.add_geom(name=OBJECT, mass=0, **touches)
     if size is not None:
         center = (thing.hull.max(axis=0) + thing.hull.min(axis=0)) / 2
         geom.type, geom.size, geom.pos = mujoco.mjtGeom.mjGEOM_BOX, size / 2, center
@@ -183,8 +234,7 @@ def _add_skin(spec: Any, body: Any, thing: fingertip.Object, depth: float) -> No
         name = f"{OBJECT} {i}"
         spec.add_mesh(name=name, uservert=np.concatenate([corners, inner]).ravel())
         body.add_geom(
-            name=name, type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name,
-            contype=0, conaffinity=0, mass=0,
+            name=name, type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, mass=0, **_OBJECT_TOUCHES,
         )  # fmt: skip
 
 
@@ -201,7 +251,7 @@ def _add_plane(spec: Any, plane: fingertip.Plane, name: str) -> None:
     mujoco.mju_quatZ2Vec(quaternion, normal)
     spec.worldbody.add_geom(
         name=name, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[1, 1, 0.1],
-        pos=plane.offset * normal, quat=quaternion, contype=0, conaffinity=0,
+        pos=plane.offset * normal, quat=quaternion, **_PLANE_TOUCHES,
     )  # fmt: skip
 
 
@@ -217,8 +267,8 @@ def _add_finger(spec: Any, name: str, radius: float, settings: Fingertip) -> Non
     body.explicitinertial, body.mass = True, settings.mass
     body.inertia = [settings.mass * share] * 3
     body.add_geom(
-        name=name, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[radius, 0, 0],
-        contype=0, conaffinity=0, mass=0,
+        name=name, type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[radius, 0, 0], mass=0,
+        **_FINGER_TOUCHES,
     )  # fmt: skip
 
 

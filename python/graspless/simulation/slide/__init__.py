@@ -157,7 +157,7 @@ class Execution:
         }
         nominal, varied = self.settings.off_target, self.settings.off_target_varied
         allowed = nominal if self.variation.is_nominal else varied
-        if position > allowed[0] or angle > allowed[1]:
+        if not (position <= allowed[0] and angle <= allowed[1]):  # nor where it is not a number
             self.judge.note("off_target")
 
     def _let_finger_grasp(self) -> None:
@@ -183,9 +183,9 @@ class Execution:
         self.measures |= {"lift_height": lifted, "creep": creep}
         if "not_grasped" in self.judge.failures:
             return
-        if not self.judge.holds(self.data) or creep > self.settings.kept:
+        if not (self.judge.holds(self.data) and creep <= self.settings.kept):
             self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
-        elif lifted < self.settings.kept_height:
+        elif not lifted >= self.settings.kept_height:
             can = self.program.raised >= self.settings.kept_height
             self.judge.note("dropped" if can else "out_of_reach")
 

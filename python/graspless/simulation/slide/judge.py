@@ -70,9 +70,9 @@ class Judge:
             self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
         if phase == "slide":
             self._watch_tip(data)
-        if phase in _BEFORE_GRASP and self.tilt(data) > self.tipped:
+        if phase in _BEFORE_GRASP and not self.tilt(data) <= self.tipped:
             self.note("tipped")
-        if data.xpos[self._body][2] < self.lowest:
+        if not data.xpos[self._body][2] >= self.lowest:
             self.note("fell" if phase not in ("raise", "hold") else "dropped")
 
     def note(self, failure: str) -> None:

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import geometry
-from ..shapes import add_placed
+from .. import geometry
+from .shapes import add_placed
 
 if TYPE_CHECKING:
-    from ...frames import Matrix
+    from ..frames import Matrix
 
 
 def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
-    """Fixes a clasp.Obstacle to the world: `skin` is half the thickness of a mesh [m], `touch` how
-    its geoms collide.
+    """Fixes a problem's obstacle to the world: `skin` is half the thickness of a mesh [m], `touch`
+    how its geoms collide.
     """
     for i, placed in enumerate(obstacle.shapes):
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)
