@@ -62,7 +62,7 @@ class Fingertip:
     mass: float = 0.1  # of a fingertip, and of what moves with it [kg]
     stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
     damping_ratio: float = 1.0
-    obstacle_skin: float = 0.0005  # half thickness of the surface of an obstacle's mesh [m]: a choice
+    obstacle_skin: float = 0.0005  # half thickness of an obstacle's mesh [m]: a choice
     turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
     speed: float = 0.005  # of an object that slides; faster, MuJoCo lifts it off the floor [m/s]
     arm_speed: float = 0.01  # the same, carried by an arm [m/s]
