@@ -74,8 +74,8 @@ def time(
     Raises
     ------
     TaskError
-        The plan is not solved, the robot is another one, a limit is not positive, or toppra is
-        not installed.
+        The plan is not solved, the robot is another one, a limit is not positive or so small that
+        a motion has more than 1e6 moments, or toppra is not installed.
     """
     from . import settings as defaults
 
