@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import files
 from ..errors import TaskError
+from ..simulation import require_mujoco
 from ..timing import time
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ..timing import Trajectory
 
 FORMATS = {
-    "ros": "trajectory_msgs/JointTrajectory as YAML, for ros2 topic pub",
+    "ros": "trajectory_msgs/JointTrajectory as YAML, for ros2 topic pub --yaml-file",
     "mcap": "ROS 2 messages in an MCAP file, or a rosbag2 folder",
     "csv": "a table, one row a moment",
     "mujoco": "MJCF of the task with keyframes",
@@ -82,6 +83,8 @@ def export(
 
 def _writer(to: str) -> Format:
     try:
+        if to == "mujoco":
+            require_mujoco()
         writer: Format = importlib.import_module(f".{to}", __name__)
     except ImportError as error:
         extra = {"mcap": "ros", "mujoco": "sim"}.get(to, "timing")
