@@ -20,6 +20,8 @@ from graspless import TaskError, cli, frames
 from graspless.exports import FORMATS
 from graspless.exports.fingers import contacts
 from graspless.exports.json_model import TrajectoryFile
+from graspless.tasks import read_task
+from tasks_common import changed
 from timing_common import planned
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -275,6 +277,53 @@ def test_mujoco_object_and_obstacles_have_the_task_s_shape(tmp_path):
     above = np.array([0.65, -0.3, 0.5])  # beside the card
     assert mujoco.mj_ray(model, data, above, down, None, 1, -1, geoms) == pytest.approx(0.5)
     assert geoms[0] == table
+
+
+L_SHAPE = """\
+  polygon: [[-0.05, -0.05], [0.05, -0.05], [0.05, -0.02], [-0.02, -0.02], [-0.02, 0.05], [-0.05, 0.05]]
+  com: [-0.01, -0.02]
+  mass: 0.2
+"""
+BAR = """\
+kind: carry
+robot: {urdf: wam_t42}
+frame: grasp
+object: {slide: {rectangle: {size: [0.1, 0.02]}, thickness: 0.008, com: [0.03, 0], mass: 0.2}}
+pose: {position: [0.55, 0, 0.25]}
+offset: [0, 0.05, 0]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "com"),
+    [
+        (changed("  rectangle: {size: [0.10, 0.08]}\n", L_SHAPE), [-0.01, -0.02, 0.002]),
+        (BAR, [0.03, 0, 0.004]),
+    ],
+    ids=["an L", "a carry"],
+)
+def test_mujoco_object_weighs_what_the_task_says(tmp_path, text, com):
+    """An L's parts are not as heavy as each other, and its centre of mass may be elsewhere."""
+    task = read_task(text, "task.yaml")
+    plan = graspless.plan(task)
+    assert plan, plan.reason
+    graspless.export(plan, tmp_path / "plan.xml", "mujoco", rate=RATE)
+    model, _ = loaded(tmp_path / "plan.xml")
+    body = model.body("object")
+    np.testing.assert_allclose(body.ipos, com, atol=1e-7)
+    assert body.mass[0] == pytest.approx(0.2)
+    mesh = trimesh.creation.box((0.1, 0.02, 0.008))
+    if task.kind == "slide":
+        mesh = prism(task.problem.object.outline, task.problem.object.thickness)
+    mesh.density = 0.2 / mesh.volume
+    moments = np.linalg.eigvalsh(mesh.moment_inertia)  # as trimesh has them
+    np.testing.assert_allclose(np.sort(body.inertia), moments, rtol=1e-4)
+
+
+def prism(outline, thickness):
+    corners = [np.asarray(part.vertices) for part in outline.convex_parts()]
+    points = [np.vstack([np.c_[p, np.full(len(p), z)] for z in (0, thickness)]) for p in corners]
+    return trimesh.util.concatenate([trimesh.convex.convex_hull(p) for p in points])
 
 
 def test_mujoco_file_needs_no_other(tmp_path):
