@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""trajectory_msgs/JointTrajectory as `ros2 topic pub` reads it."""
+"""trajectory_msgs/JointTrajectory as `ros2 topic pub --yaml-file` reads it."""
 
 from __future__ import annotations
 
