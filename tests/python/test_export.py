@@ -3,9 +3,11 @@
 """What is exported is read back by other programs' readers, and is the trajectory."""
 
 import csv
+import dataclasses
 import importlib.util
 import json
 import pathlib
+import re
 
 import mujoco
 import numpy as np
@@ -213,6 +215,46 @@ def test_from_the_command_line(tmp_path, capsys):
     bad = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), "--rate", "-1"]
     assert cli.main(bad) == 2
     assert "rate: -1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))
+def test_text_goes_to_stdout(tmp_path, monkeypatch, capsys, to):
+    monkeypatch.chdir(tmp_path)
+    planned("clasp").save("plan.json")
+    command = ["export", "plan.json", "--to", to, "--rate", "20", "-o"]
+    assert cli.main([*command, "-"]) == 0
+    out, err = capsys.readouterr()
+    assert cli.main([*command, "file"]) == 0
+    assert out == (tmp_path / "file").read_text()
+    assert err.splitlines()[1] == capsys.readouterr().out.splitlines()[1]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "plan.json"]
+
+
+def test_what_is_binary_needs_a_file(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    planned("clasp").save("plan.json")
+    assert cli.main(["export", "plan.json", "--to", "mcap", "-o", "-"]) == 2
+    assert "to: mcap: is not text: should have a file" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["plan.json"]
+
+
+@pytest.mark.parametrize("to", ["csv", "json", "ros"])
+def test_nothing_is_minus_nothing(to):
+    trajectory = graspless.time(planned("slide"), rate=RATE)
+    zeros = dataclasses.replace(trajectory, velocities=np.full_like(trajectory.velocities, -0.0))
+    assert np.signbit(zeros.velocities).all()
+    module = importlib.import_module(f"graspless.exports.{to}")
+    assert not re.search(r"-0\.0(?![\de])", module.text(zeros))
+
+
+def test_an_import_error_without_a_name(tmp_path, monkeypatch):
+    def broken(*given):
+        raise ImportError("libzstd.so.1: cannot open shared object file")
+
+    plan, export = planned("push"), graspless.export
+    monkeypatch.setattr("graspless.exports.importlib.import_module", broken)
+    with pytest.raises(TaskError, match=r"needs libzstd.so.1: cannot .*graspless\[ros\]"):
+        export(plan, tmp_path / "a.mcap", "mcap")
 
 
 @pytest.mark.parametrize("name", ["slide", "clasp", "carried", "lifted"])

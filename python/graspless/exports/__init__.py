@@ -72,8 +72,6 @@ def export(
         There is no such format, the plan cannot be timed or has not what the format needs, or the
         file cannot be written.
     """
-    if to not in FORMATS:
-        raise TaskError(f"to: {to}: no such format (one of: {', '.join(FORMATS)})")
     writer = _writer(to)
     files.check_writable(path)
     trajectory = time(plan, robot, rate=rate, **limits)
@@ -81,14 +79,27 @@ def export(
     return trajectory
 
 
+def text(
+    plan: Plan, to: str, *, rate: float | None = None, robot: Robot | None = None, **limits: Any
+) -> tuple[Trajectory, str]:
+    """What `export` would write, of a format that is text: a trajectory, and the file's content."""
+    if to == "mcap":
+        raise TaskError(f"to: {to}: is not text: should have a file")
+    writer: Any = _writer(to)
+    trajectory = time(plan, robot, rate=rate, **limits)
+    return trajectory, writer.text(trajectory)
+
+
 def _writer(to: str) -> Format:
+    if to not in FORMATS:
+        raise TaskError(f"to: {to}: no such format (one of: {', '.join(FORMATS)})")
     try:
         if to == "mujoco":
             require_mujoco()
         writer: Format = importlib.import_module(f".{to}", __name__)
     except ImportError as error:
         extra = {"mcap": "ros", "mujoco": "sim"}.get(to, "timing")
-        raise TaskError(f"needs {error.name}: pip install 'graspless[{extra}]'") from None
+        raise TaskError(f"needs {error.name or error}: pip install 'graspless[{extra}]'") from None
     return writer
 
 

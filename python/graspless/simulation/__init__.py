@@ -91,7 +91,7 @@ def simulation_kind(name: str) -> SimulationKind:
     except ImportError as error:
         if error.name == f"{__name__}.{name}":
             raise TaskError(f"{name} plans are not simulated alone") from None
-        raise TaskError(f"needs {error.name}: pip install 'graspless[sim]'") from None
+        raise TaskError(f"needs {error.name or error}: pip install 'graspless[sim]'") from None
     return kind
 
 

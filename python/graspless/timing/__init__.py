@@ -105,7 +105,7 @@ def _kind(name: str) -> TimingKind:
     try:
         kind: TimingKind = part("timing", name)
     except ImportError as error:
-        raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
+        raise TaskError(f"needs {error.name or error}: pip install 'graspless[timing]'") from None
     return kind
 
 
