@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A headless browser, and how to use a replay's page in it as a user does."""
 
+import importlib
 import io
 import json
 import os
@@ -32,17 +33,34 @@ const step = () => (left-- ? requestAnimationFrame(step) : done()); step();"""
 MOVED, SAME = 0.01, 0.0005  # parts of the picture
 
 
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+DRIVERS = ("chromedriver", "chromium.chromedriver")  # Ubuntu's snap has the second
+
+
+def missing(why):
+    """Skips, or fails where tests in a browser must run."""
+    if os.environ.get("GRASPLESS_REQUIRE_BROWSER"):
+        pytest.fail(why)
+    pytest.skip(why, allow_module_level=True)
+
+
+def needed(module):
+    """A module that these tests need; see `missing`."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        missing(f"no {module}: {error}")
+
+
 def start_browser(profile):
-    """A driver of Chromium without a window; without one skips, or fails where it must be there."""
-    names = ("chromium", "chromium-browser", "google-chrome")
-    binary = next(filter(None, map(shutil.which, names)), None)
-    chromedriver = shutil.which("chromedriver")
+    """A driver of Chromium without a window; see `missing`."""
+    binary, chromedriver = (
+        next(filter(None, map(shutil.which, names)), None) for names in (BROWSERS, DRIVERS)
+    )
     if binary is None or chromedriver is None:
-        why = "no Chromium with chromedriver: see tools/apt-packages-test.txt"
-        if os.environ.get("GRASPLESS_REQUIRE_BROWSER"):
-            pytest.fail(why)
-        pytest.skip(why)
-    webdriver = pytest.importorskip("selenium.webdriver")
+        absent = "chromedriver" if binary else "Chromium or Chrome"
+        missing(f"no {absent}: see tools/apt-packages-test.txt")
+    webdriver = needed("selenium.webdriver")
     options = webdriver.ChromeOptions()
     options.binary_location = binary
     for flag in (*FLAGS, f"--user-data-dir={profile}"):

@@ -274,6 +274,33 @@ def test_a_row_that_was_cut_short_is_none(here, tasks, tmp_path):
     assert len(path.read_text().splitlines()) == 2
 
 
+def test_a_damaged_plan_is_planned_again(here, tasks, tmp_path):
+    folder, output = tasks("a", "b"), tmp_path / "out"
+    graspless.batch(folder, output)
+    path = output / "a.plan.json"
+    whole = path.read_text()
+    path.write_text(whole[: len(whole) // 2])
+    assert graspless.batch(folder, output).kept == 1
+    assert graspless.check(path) == []
+
+
+@pytest.mark.parametrize(
+    "foreign", [{"status": None}, {"plan": 5}, {"name": ["a"]}, {"faults": "none"}, {"holds": 1}]
+)
+def test_a_row_of_another_make_is_none(here, tasks, tmp_path, foreign):
+    folder, output = tasks("a", "b"), tmp_path / "out"
+    graspless.batch(folder, output)
+    path = output / "batch.jsonl"
+    first, second = map(json.loads, path.read_text().splitlines())
+    first |= foreign
+    path.write_text("".join(json.dumps(row) + "\n" for row in (first, second)))
+    assert graspless.batch(folder, output).kept == 1
+    del second["holds"]
+    path.write_text(json.dumps(second) + "\n")
+    assert graspless.batch(folder, output).kept == 0
+    assert list(rows_of(output)) == ["a", "b"]
+
+
 def test_two_batches_in_one_folder(here, tasks, tmp_path):
     folder, output = tasks("a"), tmp_path / "out"
     output.mkdir()

@@ -3,6 +3,7 @@
 """Replays and the viewer in a browser, used as a user does: slider, play, and layers."""
 
 import contextlib
+import shutil
 import signal
 import socket
 import subprocess
@@ -12,9 +13,12 @@ import pytest
 
 import graspless
 from browser_common import (
+    BROWSERS,
+    DRIVERS,
     click_slider,
     errors,
     find,
+    needed,
     open_page,
     requests,
     shown,
@@ -30,7 +34,7 @@ from graspless import view
 from graspless.tasks import read_task
 from tasks_common import GOOD
 
-pytest.importorskip("viser")
+needed("viser")
 pytestmark = pytest.mark.slow
 
 TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
@@ -138,3 +142,15 @@ def click_box(driver, name):
     """Clicks the box beside a name."""
     path = f"//label[normalize-space()='{name}']/following::input[@type='checkbox'][1]"
     until(name, lambda: driver.find_elements("xpath", path))[0].click()
+
+
+@pytest.mark.parametrize("absent", ["chromedriver", "Chromium or Chrome", "selenium.webdriver"])
+@pytest.mark.parametrize("required", ["", "1"])
+def test_what_is_missing_skips_or_fails(monkeypatch, tmp_path, absent, required):
+    gone = {"chromedriver": DRIVERS, "Chromium or Chrome": BROWSERS}.get(absent, ())
+    monkeypatch.setattr(shutil, "which", lambda name: None if name in gone else f"/bin/{name}")
+    monkeypatch.setitem(sys.modules, "selenium.webdriver", None)
+    monkeypatch.setenv("GRASPLESS_REQUIRE_BROWSER", required)
+    outcome = pytest.fail.Exception if required else pytest.skip.Exception
+    with pytest.raises(outcome, match=f"no {absent}"):
+        start_browser(tmp_path)

@@ -409,6 +409,20 @@ def test_picture_has_those_of_the_stages_below_each_other(lift, tmp_path, monkey
     assert (picture[20:, 20:] == 1).all()
 
 
+def test_chain_without_a_stage_is_drawn_as_it_starts(write, tmp_path):
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("viser")
+    from graspless import view
+    from tasks_common import read_png
+
+    plan = graspless.plan(write(LIFT), seconds=1e-9)
+    assert plan.stages == []
+    view.write_png(plan, tmp_path / "plan.png")
+    assert read_png(tmp_path / "plan.png").std() > 0
+    view.write_html(plan, tmp_path / "plan.html")
+    assert "<title>graspless: card, out_of_time</title>" in (tmp_path / "plan.html").read_text()
+
+
 def test_picture_of_a_carry_shows_the_object_rise(lift, tmp_path):
     pytest.importorskip("matplotlib")
     from graspless import view

@@ -3,9 +3,11 @@
 """What is exported is read back by other programs' readers, and is the trajectory."""
 
 import csv
+import dataclasses
 import importlib.util
 import json
 import pathlib
+import re
 
 import mujoco
 import numpy as np
@@ -20,6 +22,8 @@ from graspless import TaskError, cli, frames
 from graspless.exports import FORMATS
 from graspless.exports.fingers import contacts
 from graspless.exports.json_model import TrajectoryFile
+from graspless.tasks import read_task
+from tasks_common import changed
 from timing_common import planned
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -213,6 +217,46 @@ def test_from_the_command_line(tmp_path, capsys):
     assert "rate: -1" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))
+def test_text_goes_to_stdout(tmp_path, monkeypatch, capsys, to):
+    monkeypatch.chdir(tmp_path)
+    planned("clasp").save("plan.json")
+    command = ["export", "plan.json", "--to", to, "--rate", "20", "-o"]
+    assert cli.main([*command, "-"]) == 0
+    out, err = capsys.readouterr()
+    assert cli.main([*command, "file"]) == 0
+    assert out == (tmp_path / "file").read_text()
+    assert err.splitlines()[1] == capsys.readouterr().out.splitlines()[1]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "plan.json"]
+
+
+def test_what_is_binary_needs_a_file(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    planned("clasp").save("plan.json")
+    assert cli.main(["export", "plan.json", "--to", "mcap", "-o", "-"]) == 2
+    assert "to: mcap: is not text: should have a file" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["plan.json"]
+
+
+@pytest.mark.parametrize("to", ["csv", "json", "ros"])
+def test_nothing_is_minus_nothing(to):
+    trajectory = graspless.time(planned("slide"), rate=RATE)
+    zeros = dataclasses.replace(trajectory, velocities=np.full_like(trajectory.velocities, -0.0))
+    assert np.signbit(zeros.velocities).all()
+    module = importlib.import_module(f"graspless.exports.{to}")
+    assert not re.search(r"-0\.0(?![\de])", module.text(zeros))
+
+
+def test_an_import_error_without_a_name(tmp_path, monkeypatch):
+    def broken(*given):
+        raise ImportError("libzstd.so.1: cannot open shared object file")
+
+    plan, export = planned("push"), graspless.export
+    monkeypatch.setattr("graspless.exports.importlib.import_module", broken)
+    with pytest.raises(TaskError, match=r"needs libzstd.so.1: cannot .*graspless\[ros\]"):
+        export(plan, tmp_path / "a.mcap", "mcap")
+
+
 @pytest.mark.parametrize("name", ["slide", "clasp", "carried", "lifted"])
 def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.xml", "mujoco")
@@ -275,6 +319,53 @@ def test_mujoco_object_and_obstacles_have_the_task_s_shape(tmp_path):
     above = np.array([0.65, -0.3, 0.5])  # beside the card
     assert mujoco.mj_ray(model, data, above, down, None, 1, -1, geoms) == pytest.approx(0.5)
     assert geoms[0] == table
+
+
+L_SHAPE = """\
+  polygon: [[-0.05, -0.05], [0.05, -0.05], [0.05, -0.02], [-0.02, -0.02], [-0.02, 0.05], [-0.05, 0.05]]
+  com: [-0.01, -0.02]
+  mass: 0.2
+"""
+BAR = """\
+kind: carry
+robot: {urdf: wam_t42}
+frame: grasp
+object: {slide: {rectangle: {size: [0.1, 0.02]}, thickness: 0.008, com: [0.03, 0], mass: 0.2}}
+pose: {position: [0.55, 0, 0.25]}
+offset: [0, 0.05, 0]
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "com"),
+    [
+        (changed("  rectangle: {size: [0.10, 0.08]}\n", L_SHAPE), [-0.01, -0.02, 0.002]),
+        (BAR, [0.03, 0, 0.004]),
+    ],
+    ids=["an L", "a carry"],
+)
+def test_mujoco_object_weighs_what_the_task_says(tmp_path, text, com):
+    """An L's parts are not as heavy as each other, and its centre of mass may be elsewhere."""
+    task = read_task(text, "task.yaml")
+    plan = graspless.plan(task)
+    assert plan, plan.reason
+    graspless.export(plan, tmp_path / "plan.xml", "mujoco", rate=RATE)
+    model, _ = loaded(tmp_path / "plan.xml")
+    body = model.body("object")
+    np.testing.assert_allclose(body.ipos, com, atol=1e-7)
+    assert body.mass[0] == pytest.approx(0.2)
+    mesh = trimesh.creation.box((0.1, 0.02, 0.008))
+    if task.kind == "slide":
+        mesh = prism(task.problem.object.outline, task.problem.object.thickness)
+    mesh.density = 0.2 / mesh.volume
+    moments = np.linalg.eigvalsh(mesh.moment_inertia)  # as trimesh has them
+    np.testing.assert_allclose(np.sort(body.inertia), moments, rtol=1e-4)
+
+
+def prism(outline, thickness):
+    corners = [np.asarray(part.vertices) for part in outline.convex_parts()]
+    points = [np.vstack([np.c_[p, np.full(len(p), z)] for z in (0, thickness)]) for p in corners]
+    return trimesh.util.concatenate([trimesh.convex.convex_hull(p) for p in points])
 
 
 def test_mujoco_file_needs_no_other(tmp_path):

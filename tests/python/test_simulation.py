@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import _data
+from graspless import TaskError, _data
 from graspless.simulation.robots import joint_addresses, robot_spec
 from graspless.simulation.settings import Spread
 from graspless.simulation.variation import Variation, variations
@@ -94,3 +94,13 @@ def test_what_cannot_be_simulated_is_refused():
         graspless.simulate(plan, trials=0)
     with pytest.raises(graspless.TaskError, match="seed: -1: should not be negative"):
         graspless.simulate(plan, seed=-1)
+
+
+def test_an_older_mujoco_is_told(monkeypatch, tmp_path):
+    plan = graspless.plan(graspless.load_task(_data.directory("examples") / "06_push_block.yaml"))
+    monkeypatch.setattr(mujoco, "__version__", "3.3.0")
+    words = r"needs mujoco>=4.0, 3.3.0 is installed: pip install 'graspless\[sim\]'"
+    with pytest.raises(TaskError, match=words):
+        graspless.simulate(plan)
+    with pytest.raises(TaskError, match=words):
+        graspless.export(plan, tmp_path / "plan.xml", "mujoco")

@@ -358,6 +358,32 @@ def test_bad_settings_are_told(name, settings, words):
         assert word in str(caught.value)
 
 
+@pytest.mark.parametrize("name", ["slide", "push"])
+@pytest.mark.parametrize("value", [1e-9, 1e-300])
+@pytest.mark.parametrize("limit", ["max_velocity", "max_acceleration", "contact_speed"])
+def test_limits_that_would_fill_the_memory(name, limit, value):
+    with pytest.raises(TaskError, match=limit):
+        graspless.time(planned(name), **{limit: value})
+
+
+def test_a_rate_that_would_fill_the_memory():
+    with pytest.raises(TaskError, match=r"rate: 1e\+09: .* moments, more than 1e\+06"):
+        graspless.time(planned("push"), rate=1e9)
+
+
+def test_a_path_that_toppra_cannot_pass_is_no_fault_of_ours(monkeypatch):
+    """Nor of a viewer, which shows the rows without a clock."""
+    from graspless.timing import fastest
+    from graspless.view.clock import clock_of
+
+    monkeypatch.setattr(
+        fastest.TOPPRA, "compute_parameterization", lambda *given: (None, None, None)
+    )
+    with pytest.raises(TaskError, match="toppra found no motion"):
+        graspless.time(planned("push"))
+    assert clock_of(planned("push")) is None
+
+
 def test_another_robot():
     same = Robot.from_urdf_file(str(robot.builtin("wam_t42")))
     again = graspless.time(planned("slide"), same)

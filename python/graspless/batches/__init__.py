@@ -120,7 +120,8 @@ class _Run:
         self.manifest = output / manifest.NAME
         work.make_folder(output)
         files.check_writable(self.manifest)
-        self.before = manifest.read(self.manifest)
+        rows = manifest.read(self.manifest)
+        self.before = {name: row for name, row in rows.items() if work.is_row(row)}
         self.done: dict[str, Row] = {}
         self.kept = 0
 
@@ -142,18 +143,26 @@ class _Run:
     def _jobs(self, pool: pools.Pool) -> Iterator[Job]:
         patience = self.patience if pool.one_thread_each else None
         for entry in self.entries:
-            row = self.before.get(entry.name, {})
-            is_there = row.get("plan") and (self.output / row["plan"]).is_file()
-            known = row["hash"] if is_there else None
             job = work.Job(
                 entry.name,
                 str(entry.path),
                 self.changes,
-                known,
+                self._known(entry.name),
                 output=None if pool.is_elsewhere else str(self.output),
                 patience=patience,
             )
             yield work.inline(job) if pool.is_elsewhere else job
+
+    def _known(self, name: str) -> str | None:
+        """The hash of the task whose plan is there, as it was written."""
+        row = self.before.get(name)
+        if row is None or row["plan"] is None:
+            return None
+        try:
+            plan = (self.output / row["plan"]).read_bytes()
+        except OSError:
+            return None
+        return row["hash"] if work.sha256(plan) == row["plan_hash"] else None
 
     def _lost(self, job: Job, told: str, seconds: float) -> Outcome:
         codes = _exit_codes(told)

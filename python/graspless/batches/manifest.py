@@ -28,7 +28,7 @@ def read(path: Path, key: str = "name") -> dict[str, Row]:
     for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
         with contextlib.suppress(ValueError):
             row = json.loads(line)
-            if isinstance(row, dict) and key in row:
+            if isinstance(row, dict) and isinstance(row.get(key), str):
                 rows[row[key]] = row
     return rows
 

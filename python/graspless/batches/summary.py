@@ -24,8 +24,8 @@ class Summary:
     ----------
     rows : list of dict
         Of the tasks that are done, in order of their names: name, task (its file), hash, status,
-        reason, seconds (of planning), seed, plan (its file), holds, faults, warnings and
-        total_seconds (with reading and checking).
+        reason, seconds (of planning), seed, plan (its file), plan_hash (the file's sha256), holds,
+        faults, warnings and total_seconds (with reading and checking).
     tasks : int
         How many there are; more than rows where the batch was interrupted.
     kept : int

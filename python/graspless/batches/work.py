@@ -124,8 +124,20 @@ def inline(job: Job) -> Job:
 
 def hash_of(task: Task) -> str:
     """The same for tasks that say the same in the end, whatever files they are written in."""
-    text = json.dumps(task.to_dict(), sort_keys=True)
-    return hashlib.sha256(text.encode()).hexdigest()
+    return sha256(json.dumps(task.to_dict(), sort_keys=True).encode())
+
+
+def sha256(data: bytes) -> str:
+    """In hexadecimal digits."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def is_row(row: Row) -> bool:
+    """Whether a row of a manifest is as this version writes them, and not somebody else's."""
+    return all(
+        key in row and isinstance(row[key], (type(empty), *_MAY_BE.get(key, ())))
+        for key, empty in _empty_row().items()
+    )
 
 
 def _carry_out(job: Job) -> Outcome:
@@ -146,7 +158,8 @@ def _carry_out(job: Job) -> Outcome:
         "holds": bool(plan) and not faults,
         "faults": faults[:MOST_FAULTS],
     }
-    return Outcome(job.name, row, plan.to_json())
+    text = plan.to_json()
+    return Outcome(job.name, row | {"plan_hash": sha256(text.encode())}, text)
 
 
 def plan_file(name: str) -> str:
@@ -187,20 +200,36 @@ def _read(job: Job) -> Task:
 
 
 def _row(job: Job, digest: str | None, status: str, reason: str) -> Row:
+    said = {"name": job.name, "task": job.path, "hash": digest, "status": status, "reason": reason}
+    return _empty_row() | said
+
+
+def _empty_row() -> Row:
     return {
-        "name": job.name,
-        "task": job.path,
-        "hash": digest,
-        "status": status,
-        "reason": reason,
+        "name": "",
+        "task": "",
+        "hash": None,
+        "status": "",
+        "reason": "",
         "seconds": None,
         "seed": None,
         "plan": None,
+        "plan_hash": None,
         "holds": False,
         "faults": [],
         "warnings": [],
         "total_seconds": None,
     }
+
+
+_MAY_BE: dict[str, tuple[type, ...]] = {  # beside None
+    "hash": (str,),
+    "seconds": (int, float),
+    "seed": (int,),
+    "plan": (str,),
+    "plan_hash": (str,),
+    "total_seconds": (int, float),
+}
 
 
 @contextlib.contextmanager

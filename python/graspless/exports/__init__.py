@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import files
 from ..errors import TaskError
+from ..simulation import require_mujoco
 from ..timing import time
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ..timing import Trajectory
 
 FORMATS = {
-    "ros": "trajectory_msgs/JointTrajectory as YAML, for ros2 topic pub",
+    "ros": "trajectory_msgs/JointTrajectory as YAML, for ros2 topic pub --yaml-file",
     "mcap": "ROS 2 messages in an MCAP file, or a rosbag2 folder",
     "csv": "a table, one row a moment",
     "mujoco": "MJCF of the task with keyframes",
@@ -71,8 +72,6 @@ def export(
         There is no such format, the plan cannot be timed or has not what the format needs, or the
         file cannot be written.
     """
-    if to not in FORMATS:
-        raise TaskError(f"to: {to}: no such format (one of: {', '.join(FORMATS)})")
     writer = _writer(to)
     files.check_writable(path)
     trajectory = time(plan, robot, rate=rate, **limits)
@@ -80,12 +79,27 @@ def export(
     return trajectory
 
 
+def text(
+    plan: Plan, to: str, *, rate: float | None = None, robot: Robot | None = None, **limits: Any
+) -> tuple[Trajectory, str]:
+    """What `export` would write, of a format that is text: a trajectory, and the file's content."""
+    if to == "mcap":
+        raise TaskError(f"to: {to}: is not text: should have a file")
+    writer: Any = _writer(to)
+    trajectory = time(plan, robot, rate=rate, **limits)
+    return trajectory, writer.text(trajectory)
+
+
 def _writer(to: str) -> Format:
+    if to not in FORMATS:
+        raise TaskError(f"to: {to}: no such format (one of: {', '.join(FORMATS)})")
     try:
+        if to == "mujoco":
+            require_mujoco()
         writer: Format = importlib.import_module(f".{to}", __name__)
     except ImportError as error:
         extra = {"mcap": "ros", "mujoco": "sim"}.get(to, "timing")
-        raise TaskError(f"needs {error.name}: pip install 'graspless[{extra}]'") from None
+        raise TaskError(f"needs {error.name or error}: pip install 'graspless[{extra}]'") from None
     return writer
 
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Any
 
 from .._commands import FOUND, given_plan
@@ -24,7 +25,11 @@ def add_parser(commands: Any) -> None:
     parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     parser.add_argument("--to", required=True, choices=["ros", "mcap", "csv", "mujoco", "json"])
     parser.add_argument(
-        "-o", "--output", metavar="FILE", required=True, help="mcap: FILE.mcap, or a new folder"
+        "-o",
+        "--output",
+        metavar="FILE",
+        required=True,
+        help="mcap: FILE.mcap, or a new folder; of the others - for stdout",
     )
     for flag, unit, what in (
         ("--rate", "HZ", "moments a second (100)"),
@@ -40,17 +45,22 @@ def add_parser(commands: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import export
+    from . import export, text
 
-    limits = {
+    given = {
         "rate": options.rate,
         "max_velocity": options.velocity,
         "max_acceleration": options.acceleration,
         "contact_speed": options.contact_speed,
+        "fingers": options.fingers,
     }
-    trajectory = export(
-        given_plan(options.plan), options.output, options.to, fingers=options.fingers, **limits
-    )
-    print(f"written: {options.output}")
-    print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s")
+    plan, to_stdout = given_plan(options.plan), options.output == "-"
+    if to_stdout:
+        trajectory, written = text(plan, options.to, **given)
+        sys.stdout.write(written)
+    else:
+        trajectory = export(plan, options.output, options.to, **given)
+    told = sys.stderr if to_stdout else sys.stdout
+    print(f"written: {'stdout' if to_stdout else options.output}", file=told)
+    print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)
     return FOUND

@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import files, frames
 from .fingers import contacts
+from .numbers import plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -36,9 +37,14 @@ def header(trajectory: Trajectory, fingers: int) -> list[str]:
 
 def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes the file."""
+    files.write(path, text(trajectory))
+
+
+def text(trajectory: Trajectory) -> str:
+    """What the file holds."""
     points = contacts(trajectory)
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
+    written = io.StringIO()
+    table = csv.writer(written, lineterminator="\n")
     table.writerow(header(trajectory, points.shape[1]))
     for k, name in enumerate(trajectory.names):
         numbers = [
@@ -46,6 +52,6 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
             *trajectory.velocities[k],
             *frames.to_row(trajectory.object_poses[k]),
         ]
-        absent = ["" if np.isnan(value) else float(value) for value in points[k].ravel()]
-        table.writerow([float(trajectory.times[k]), name, *map(float, numbers), *absent])
-    files.write(path, text.getvalue())
+        touched = ["" if np.isnan(value) else value for value in plain(points[k].ravel())]
+        table.writerow([float(trajectory.times[k]), name, *plain(numbers), *touched])
+    return written.getvalue()

@@ -11,6 +11,7 @@ import numpy as np
 from .. import __version__, files, frames
 from .fingers import contacts
 from .json_model import TrajectoryFile
+from .numbers import plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,13 +21,18 @@ if TYPE_CHECKING:
 
 def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes the file."""
-    files.write(path, document(trajectory).model_dump_json() + "\n")
+    files.write(path, text(trajectory))
+
+
+def text(trajectory: Trajectory) -> str:
+    """What the file holds."""
+    return document(trajectory).model_dump_json() + "\n"
 
 
 def document(trajectory: Trajectory) -> TrajectoryFile:
-    """What the file holds."""
+    """That as the model has it."""
     points = [
-        [None if np.isnan(p).any() else p.tolist() for p in row] for row in contacts(trajectory)
+        [None if np.isnan(p).any() else plain(p) for p in row] for row in contacts(trajectory)
     ]
     return TrajectoryFile(
         format=1,
@@ -38,9 +44,9 @@ def document(trajectory: Trajectory) -> TrajectoryFile:
         times=trajectory.times.tolist(),
         segment_index=trajectory.segment_index.tolist(),
         rows=trajectory.rows.tolist(),
-        positions=trajectory.positions.tolist(),
-        velocities=trajectory.velocities.tolist(),
-        accelerations=trajectory.accelerations.tolist(),
-        object_poses=[frames.to_row(X_WO) for X_WO in trajectory.object_poses],
+        positions=plain(trajectory.positions),
+        velocities=plain(trajectory.velocities),
+        accelerations=plain(trajectory.accelerations),
+        object_poses=[plain(frames.to_row(X_WO)) for X_WO in trajectory.object_poses],
         fingers=points,
     )

@@ -15,7 +15,7 @@ import mujoco
 import numpy as np
 
 from .. import files, frames
-from ..simulation.robots import joint_addresses
+from ..simulation.robots import set_positions
 from .mujoco_scene import FINGER, OBJECT, build, first_stage
 
 if TYPE_CHECKING:
@@ -51,15 +51,12 @@ def text(trajectory: Trajectory) -> str:
 
 def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
     """[nq] with mimic joints where they follow to."""
-    qpos: Matrix = model.qpos0.copy()
+    data = mujoco.MjData(model)
     if robot is not None:
-        qpos[joint_addresses(model, robot)] = q
-        for i in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
-            mimic = model.jnt_qposadr[model.eq_obj1id[i]]
-            followed = model.jnt_qposadr[model.eq_obj2id[i]]
-            qpos[mimic] = np.polynomial.polynomial.polyval(qpos[followed], model.eq_data[i][:5])
+        set_positions(model, data, robot, q)
     place = model.joint(OBJECT).qposadr[0]
-    qpos[place : place + 7] = frames.to_row(X_WO)
+    data.qpos[place : place + 7] = frames.to_row(X_WO)
+    qpos: Matrix = data.qpos
     return qpos
 
 

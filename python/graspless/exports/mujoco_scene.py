@@ -15,6 +15,9 @@ from ..simulation.clasp.surface import inertia, skin
 from ..simulation.robots import apply, robot_spec
 from ..simulation.settings import Clasp
 from ..simulation.shapes import add_placed
+from ..simulation.slide.shapes import plate_inertia
+from ..tasks.slide.build import build_object as build_slide_object
+from ..tasks.source import Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -58,8 +61,9 @@ def first_stage(plan: Plan) -> Plan:
 def _slide(spec: Any, body: Any, task: Task) -> None:
     thing, support = task.problem.object, task.problem.support
     _add_fixed(spec, "table", support.shapes, support.X_WS)
+    _give_plate_inertia(body, thing)
     for i, placed in enumerate(thing.shapes):
-        _add_shape(spec, body, f"{OBJECT}_{i}", placed, mass=thing.mass / len(thing.shapes))
+        _add_shape(spec, body, f"{OBJECT}_{i}", placed, mass=0)
 
 
 def _fingertip(spec: Any, body: Any, task: Task) -> None:
@@ -86,8 +90,7 @@ def _clasp(spec: Any, body: Any, task: Task) -> None:
     surface = task.problem.object.loops.complex
     points = np.asarray(surface.points)
     settings = Clasp()
-    mass = task.fields.object.mass or settings.mass
-    _give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
+    _give_cloud_inertia(body, points, task.fields.object.mass)
     spec.add_flex(
         name=OBJECT,
         dim=2,
@@ -104,8 +107,16 @@ def _clasp(spec: Any, body: Any, task: Task) -> None:
 
 
 def _carry(spec: Any, body: Any, task: Task) -> None:
-    for i, placed in enumerate(task.problem.object.shapes):
-        _add_shape(spec, body, f"{OBJECT}_{i}", placed)
+    """A plate or a cloud weighs what it does elsewhere; a box has MuJoCo's default density."""
+    fields, shapes = task.fields.object, task.problem.object.shapes
+    if fields.slide is not None:
+        _give_plate_inertia(body, build_slide_object(fields.slide, Source("plan", {})))
+    elif fields.clasp is not None:
+        surface = np.asarray(shapes[0].shape.vertices)
+        _give_cloud_inertia(body, surface, fields.clasp.mass)
+    given = {"mass": 0} if body.explicitinertial else {}
+    for i, placed in enumerate(shapes):
+        _add_shape(spec, body, f"{OBJECT}_{i}", placed, **given)
 
 
 _SURROUNDINGS: dict[str, Callable[[Any, Any, Task], None]] = {
@@ -114,6 +125,18 @@ _SURROUNDINGS: dict[str, Callable[[Any, Any, Task], None]] = {
     "clasp": _clasp,
     "carry": _carry,
 }
+
+
+def _give_plate_inertia(body: Any, thing: Any) -> None:
+    """That of simulations: of even density, about a centre of mass that may be elsewhere."""
+    _give_inertia(
+        body, thing.mass, thing.com, plate_inertia(thing.outline, thing.thickness, thing.mass)
+    )
+
+
+def _give_cloud_inertia(body: Any, points: Matrix, mass: float | None) -> None:
+    mass = mass or Clasp().mass
+    _give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
 
 
 def _give_inertia(body: Any, mass: float, com: Matrix, moments: Matrix) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""trajectory_msgs/JointTrajectory as `ros2 topic pub` reads it."""
+"""trajectory_msgs/JointTrajectory as `ros2 topic pub --yaml-file` reads it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import yaml
 
 from .. import files
 from ..errors import TaskError
+from .numbers import plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -19,11 +20,16 @@ if TYPE_CHECKING:
 
 def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes the file."""
+    files.write(path, text(trajectory))
+
+
+def text(trajectory: Trajectory) -> str:
+    """What the file holds."""
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
-    text = yaml.dump(
+    written: str = yaml.dump(
         message(trajectory), Dumper=dumper, default_flow_style=None, sort_keys=False, width=1000
     )
-    files.write(path, text)
+    return written
 
 
 def message(trajectory: Trajectory) -> dict[str, Any]:
@@ -38,9 +44,9 @@ def message(trajectory: Trajectory) -> dict[str, Any]:
         "joint_names": list(trajectory.joint_names),
         "points": [
             {
-                "positions": trajectory.positions[k].tolist(),
-                "velocities": trajectory.velocities[k].tolist(),
-                "accelerations": trajectory.accelerations[k].tolist(),
+                "positions": plain(trajectory.positions[k]),
+                "velocities": plain(trajectory.velocities[k]),
+                "accelerations": plain(trajectory.accelerations[k]),
                 "effort": [],
                 "time_from_start": dict(zip(("sec", "nanosec"), seconds(t), strict=True)),
             }

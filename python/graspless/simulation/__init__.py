@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from ..plans import Plan
     from .settings import Spread
 
+OLDEST = 4  # version of MuJoCo that was tested; early 3.3 lacks parts of MjSpec
+
 
 class SimulationKind(Protocol):
     """What `simulation` needs of a kind."""
@@ -86,6 +88,7 @@ def simulate(
 def simulation_kind(name: str) -> SimulationKind:
     """What is a kind's own; raises TaskError without MuJoCo."""
     try:
+        require_mujoco()
         kind: SimulationKind = part("simulation", name)
     except ImportError as error:
         if error.name == f"{__name__}.{name}":
@@ -93,8 +96,19 @@ def simulation_kind(name: str) -> SimulationKind:
                 f"a {name} is not simulated alone: plan a chain of a slide and what is carried "
                 "after it, and simulate that plan"
             ) from None
-        raise TaskError(f"needs {error.name}: pip install 'graspless[sim]'") from None
+        raise TaskError(f"needs {error.name or error}: pip install 'graspless[sim]'") from None
     return kind
+
+
+def require_mujoco() -> None:
+    """Raises TaskError where an older MuJoCo is installed than was tested, ImportError without."""
+    import mujoco
+
+    version = str(mujoco.__version__)
+    if int(version.partition(".")[0]) < OLDEST:
+        raise TaskError(
+            f"needs mujoco>={OLDEST}.0, {version} is installed: pip install 'graspless[sim]'"
+        )
 
 
 __all__ = ["Recording", "Simulation", "Trial", "Variation", "simulate"]

@@ -74,8 +74,8 @@ def time(
     Raises
     ------
     TaskError
-        The plan is not solved, the robot is another one, a limit is not positive, or toppra is
-        not installed.
+        The plan is not solved, the robot is another one, a limit is not positive or so small that
+        a motion has more than 1e6 moments, or toppra is not installed.
     """
     from . import settings as defaults
 
@@ -105,7 +105,7 @@ def _kind(name: str) -> TimingKind:
     try:
         kind: TimingKind = part("timing", name)
     except ImportError as error:
-        raise TaskError(f"needs {error.name}: pip install 'graspless[timing]'") from None
+        raise TaskError(f"needs {error.name or error}: pip install 'graspless[timing]'") from None
     return kind
 
 

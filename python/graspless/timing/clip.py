@@ -9,12 +9,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..errors import TaskError
 from .fastest import fastest
 from .path import rounded, stretches
 
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .fastest import Limits, Motion
+
+MOST_MOMENTS = 1e6  # of a stretch: more fills the memory before it fills a file
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,12 @@ def joined(parts: list[Clip]) -> Clip:
 
 
 def _sampled(motion: Motion, row: int, rate: float) -> Clip:
+    if not motion.duration * rate <= MOST_MOMENTS:
+        raise TaskError(
+            f"rate: {rate:g}: a motion of {motion.duration:.3g} s has {motion.duration * rate:.3g} "
+            f"moments, more than {MOST_MOMENTS:.0e}: should be less, or max_velocity, "
+            "max_acceleration or contact_speed more"
+        )
     times = np.linspace(0.0, motion.duration, max(2, int(np.ceil(motion.duration * rate)) + 1))
     rows = row + motion.path.row(motion.at(times)[0])
     return Clip(times, rows, *motion.coordinates(times))

@@ -18,6 +18,8 @@ from toppra.constraint import (
 from toppra.interpolator import AbstractGeometricPath
 from toppra.parametrizer import ParametrizeConstAccel
 
+from ..errors import TaskError
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
@@ -33,6 +35,11 @@ FINAL_CHECKS = 24
 REFINEMENTS = 4  # of the grid, at most
 MARGIN = 1e-4  # for what lies between the moments that are looked at
 ACCEPTED = 0.01  # how much too fast before the grid is refined
+
+_NO_MOTION = (
+    "toppra found no motion along a path within max_velocity, max_acceleration and contact_speed: "
+    "they should be closer to their defaults"
+)
 
 
 @dataclass(frozen=True)
@@ -125,8 +132,11 @@ def _solved(path: Path, limits: Limits, grid: Matrix) -> tuple[Motion, Matrix]:
     result = TOPPRA(constraints, _Given(path), gridpoints=grid).compute_parameterization(0, 0)
     speeds = result[1]
     if speeds is None or not np.isfinite(speeds).all():
-        raise RuntimeError("toppra found no parametrisation of a path that comes to rest")
-    motion = Motion(path, ParametrizeConstAccel(_Arc(), grid, np.maximum(speeds, 0.0)), unit)
+        raise TaskError(_NO_MOTION)
+    with np.errstate(all="ignore"):  # speeds too small to divide by are told
+        motion = Motion(path, ParametrizeConstAccel(_Arc(), grid, np.maximum(speeds, 0.0)), unit)
+    if not np.isfinite(motion.duration):
+        raise TaskError(_NO_MOTION)
     return motion, _excess(motion, limits)
 
 
@@ -198,5 +208,6 @@ class _Pace(LinearConstraint):  # type: ignore[misc]
     def compute_constraint_params(self, path: Any, gridpoints: Matrix) -> tuple[Any, ...]:
         length = path.path.length
         pace = self.limits.pace(path.path, gridpoints * length) * length / self.unit
-        bounds = np.stack([np.zeros(len(pace)), 1 / np.maximum(pace, 1e-4) ** 2], axis=1)
+        slowest = np.clip(pace, 1e-4, 1e100)  # whose square is a number
+        bounds = np.stack([np.zeros(len(pace)), 1 / slowest**2], axis=1)
         return None, None, None, None, None, None, bounds

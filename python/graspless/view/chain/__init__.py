@@ -9,9 +9,12 @@ from typing import TYPE_CHECKING, Any
 from ...kinds import part
 
 if TYPE_CHECKING:
+    from ...plans import Plan as AnyPlan
     from ...plans.chain import Plan
     from ...simulation import Recording
     from ..replay import Stage as AnyStage
+
+NO_TIME = 1e-9  # for a planner to find anything: a plan without motion is drawn as it starts [s]
 
 
 def draw(plan: Plan) -> bytes:
@@ -33,3 +36,13 @@ def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> An
     from .replay import Stage
 
     return Stage(server, plan)
+
+
+def stages_of(plan: Plan) -> list[tuple[str, AnyPlan]]:
+    """Names and plans of the stages; of a chain that ended before the first, its start."""
+    if plan.stages:
+        return list(zip(plan.names, plan.stages, strict=True))
+    from ... import plans
+
+    problem = plan.task.problem
+    return [(problem.stages[0].name, plans.plan(problem.first, seconds=NO_TIME))]

@@ -8,6 +8,7 @@ import io
 from typing import TYPE_CHECKING
 
 from ...kinds import part
+from . import stages_of
 
 if TYPE_CHECKING:
     from ...plans.chain import Plan
@@ -17,7 +18,7 @@ def draw(plan: Plan) -> bytes:
     """The picture as the bytes of a PNG file."""
     from PIL import Image  # matplotlib needs it too
 
-    drawn = [part("view", stage.kind).draw(stage) for stage in plan.stages]
+    drawn = [part("view", stage.kind).draw(stage) for _, stage in stages_of(plan)]
     pictures = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in drawn]
     width = max(picture.width for picture in pictures)
     page = Image.new("RGB", (width, sum(picture.height for picture in pictures)), "white")

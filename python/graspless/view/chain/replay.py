@@ -12,6 +12,7 @@ import numpy as np
 from ...kinds import part
 from ..raster import Camera
 from ..scene import FIELD, Layers, look, plain
+from . import stages_of
 
 if TYPE_CHECKING:
     from ...plans.chain import Plan
@@ -28,7 +29,7 @@ class Stage:
         self.corners: list[Any] = []
         self.stages: list[Any] = []
         seen: list[Any] = []  # where each stage would look from
-        for k, (name, stage) in enumerate(zip(plan.names, plan.stages, strict=True)):
+        for k, (name, stage) in enumerate(stages_of(plan)):
             corner = f"{k + 1} {plain(name)}"
             frame = server.scene.add_frame(f"/{corner}", show_axes=False, visible=k == 0)
             seen.append(SimpleNamespace())
