@@ -64,6 +64,19 @@ def test_json_is_all_that_is_printed(plan_file, engine, capsys):
     assert printed["rows"][0]["measures"]["overhang"] == 0.04
 
 
+def test_python_takes_the_file_too(plan_file, engine):
+    held = graspless.simulate(plan_file, trials=2)
+    assert repr(held).startswith("<Simulation: ")
+    assert len(repr(held)) < 100
+    trajectory = graspless.time(plan_file)
+    assert repr(trajectory).startswith(f"<Trajectory of {len(trajectory)} moments, ")
+    for rate in (0, -1, float("nan"), "a"):
+        with pytest.raises(graspless.TaskError, match="rate"):
+            trajectory.sampled(rate)
+    with pytest.raises(graspless.TaskError, match="robot: wam_t42: should be a"):
+        graspless.time(plan_file, "wam_t42")
+
+
 def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):
     code, _, err = run(capsys, "simulate", plan_file, "--html", str(tmp_path / "no" / "x.html"))
     assert code == 2

@@ -85,8 +85,9 @@ def batch(
         raise TaskError(f"patience: {patience}: should be above 0")
     if any(value is not None for value in changes.values()):
         _check(changes)
-    run = _Run(names.find(tasks), Path(output), changes, patience, progress)
-    with pools.opened(jobs, dask) as pool:
+    found = names.find(tasks)
+    run = _Run(found, Path(output), changes, patience, progress)
+    with pools.opened(min(jobs, len(found)), dask) as pool:
         return run.carry_out(pool, work.carry_out)
 
 

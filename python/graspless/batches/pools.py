@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import signal
 import time
 from concurrent.futures import Future
@@ -101,10 +102,12 @@ class Cluster:
         except ImportError:
             raise TaskError("needs distributed: pip install 'graspless[cluster]'") from None
         self.crashes: Crashes = (KilledWorker,)
+        if not re.fullmatch(r"(\w+://)?[^/\s]+:\d+", address):
+            raise TaskError(f"dask: {address}: should be an address like tcp://host:8786")
         make: Any = distributed.Client
         try:
             self._client = make(address, timeout=seconds, set_as_default=False)
-        except (OSError, ValueError, TypeError) as error:
+        except (OSError, ValueError, TypeError, MemoryError) as error:  # of what else answers there
             reason = str(error) or type(error).__name__
             raise TaskError(f"dask: {address}: no scheduler there: {reason}") from None
         try:

@@ -36,7 +36,7 @@ class Format(Protocol):
 
 
 def export(
-    plan: Plan,
+    plan: Plan | str | Path,
     path: str | Path,
     to: str,
     *,
@@ -48,8 +48,8 @@ def export(
 
     Parameters
     ----------
-    plan : Plan
-        One that is solved.
+    plan : Plan, str or Path
+        One that is solved, or the file it stands in.
     path : str or Path
         The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
     to : str
@@ -80,7 +80,12 @@ def export(
 
 
 def text(
-    plan: Plan, to: str, *, rate: float | None = None, robot: Robot | None = None, **limits: Any
+    plan: Plan | str | Path,
+    to: str,
+    *,
+    rate: float | None = None,
+    robot: Robot | None = None,
+    **limits: Any,
 ) -> tuple[Trajectory, str]:
     """What `export` would write, of a format that is text: a trajectory, and the file's content."""
     if to == "mcap":

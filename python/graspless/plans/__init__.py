@@ -145,12 +145,16 @@ def check(plan: Plan | str | Path) -> list[str]:
     list of str
         What does not hold, by segment and row; empty when all does.
     """
-    if not isinstance(plan, Plan):
-        plan = load_plan(plan)
+    plan = as_plan(plan)
     if not plan:
         status = f"the plan's status is {plan.status}, not solved"
         return [f"nothing to check: {status}; reason: {plan.reason}"]
     return plan_kind(plan.kind).check(plan)
+
+
+def as_plan(plan: Plan | str | Path) -> Plan:
+    """A plan, or the one that stands in a file."""
+    return plan if isinstance(plan, Plan) else load_plan(plan)
 
 
 def load_plan(path: str | Path) -> Plan:

@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING, Protocol
 
 from ..errors import TaskError
 from ..kinds import part
+from ..plans import as_plan
 from .results import Recording, Simulation, Trial
 from .variation import Variation, variations
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from ..plans import Plan
     from .settings import Spread
@@ -40,7 +42,7 @@ class SimulationKind(Protocol):
 
 
 def simulate(
-    plan: Plan,
+    plan: Plan | str | Path,
     trials: int = 1,
     seed: int = 0,
     *,
@@ -51,8 +53,8 @@ def simulate(
 
     Parameters
     ----------
-    plan : Plan
-        One that is solved.
+    plan : Plan, str or Path
+        One that is solved, or the file it stands in.
     trials : int
         The first is nominal; the others vary friction, mass, the object's place and the time step.
         Of fingertip plans: friction by 10 %, the fingers' places (with an arm the object's) by
@@ -69,6 +71,7 @@ def simulate(
     TaskError
         The plan is not solved, trials is below 1, or MuJoCo is not installed.
     """
+    plan = as_plan(plan)
     if not plan:
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to simulate")
     if trials < 1:

@@ -91,6 +91,10 @@ class Simulation:
     def __bool__(self) -> bool:
         return all(self.trials)
 
+    def __repr__(self) -> str:
+        failed = ", ".join(f"{name} {times}" for name, times in self.failures.items())
+        return f"<Simulation: {self.held} of {len(self.trials)} held{failed and ': ' + failed}>"
+
     @property
     def held(self) -> int:
         """How many trials held."""

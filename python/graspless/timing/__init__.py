@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from ..errors import TaskError
 from ..kinds import part
+from ..plans import as_plan
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from ..plans import Plan
     from ..robot import Robot
     from .settings import PerJoint, Settings
@@ -27,7 +30,7 @@ class TimingKind(Protocol):
 
 
 def time(
-    plan: Plan,
+    plan: Plan | str | Path,
     robot: Robot | None = None,
     *,
     max_velocity: PerJoint | None = None,
@@ -50,8 +53,8 @@ def time(
 
     Parameters
     ----------
-    plan : Plan
-        One that is solved.
+    plan : Plan, str or Path
+        One that is solved, or the file it stands in.
     robot : Robot, optional
         Instead of the plan's own, with the same joints: for its limits.
     max_velocity : float or dict, optional
@@ -79,6 +82,7 @@ def time(
     """
     from . import settings as defaults
 
+    plan = as_plan(plan)
     if not plan and not (fingers and plan.status == "not_realized"):
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to time")
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
@@ -94,6 +98,8 @@ def time(
 
 
 def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:
+    if not hasattr(robot, "joint_names"):
+        raise TaskError(f"robot: {robot}: should be a graspless.robot.Robot")
     needed = [] if own is None else list(own.joint_names)
     if list(robot.joint_names) != needed:
         has, wants = ", ".join(robot.joint_names), ", ".join(needed) or "none"

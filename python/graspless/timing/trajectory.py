@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
+from .settings import require_positive
 
 if TYPE_CHECKING:
     from typing import Any
@@ -57,6 +58,10 @@ class Trajectory:
     accelerations: Matrix
     object_poses: Matrix
 
+    def __repr__(self) -> str:
+        what = ", ".join(dict.fromkeys(self.names))
+        return f"<Trajectory of {len(self)} moments, {self.duration:.2f} s: {what}>"
+
     def __len__(self) -> int:
         return len(self.times)
 
@@ -100,6 +105,7 @@ class Trajectory:
 
     def sampled(self, rate: float) -> Trajectory:
         """The moments at even times, `rate` a second, the last one at the end."""
+        require_positive("rate", rate)
         count = max(1, int(np.ceil(self.duration * rate - 1e-9)))
         return self.at(np.linspace(0.0, self.duration, count + 1))
 
