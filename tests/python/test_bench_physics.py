@@ -131,12 +131,17 @@ def test_limits(part, cases, held):
 
 def test_disturbances_against_the_index():
     def broken(z, ratio, compliant):
-        found = {"z": z, "ratio": ratio, "compliant_ratio": compliant, "smallest": 1.0}
+        smallest = None if ratio is None else ratio * z
+        found = {"z": z, "ratio": ratio, "compliant_ratio": compliant, "smallest": smallest}
         return rows_of(disturbed=found)
 
     rows = [broken(4, 0.8, 1.0), broken(6, 0.7, 1.2), broken(4, None, 0.9), broken(9, 0.69, None)]
     found, _ = physics_tables.claims({"part": "fingertip_disturb", "rows": rows})
-    assert [(c["held"], c["asked"]) for c in found] == [(3, 4), (1, 2), (3, 4)]
+    assert [(c["held"], c["asked"]) for c in found] == [(4, 4), (3, 4), (1, 2), (3, 4)]
+    rows[3] = broken(9, 0, 0)
+    found, _ = physics_tables.claims({"part": "fingertip_disturb", "rows": rows})
+    assert [(c["held"], c["asked"]) for c in found] == [(3, 4), (3, 4), (1, 2), (2, 4)]
+    rows[3] = broken(9, 0.69, None)
     shown, _ = physics_tables.disturbances({"rows": rows})
     assert shown[0]["count"] == 3
     assert shown[0]["min"] == 0.69

@@ -28,7 +28,7 @@ from graspless.simulation.fingertip import (
     run,
 )
 from graspless.simulation.fingertip.arm import ArmServo, arm_program, build_arm_world
-from graspless.simulation.fingertip.breaking import Disturbed, disturb
+from graspless.simulation.fingertip.breaking import Disturbed, disturb, passing
 from graspless.simulation.fingertip.execute import contact_forces, hit_depth
 from graspless.simulation.fingertip.program import way_round
 from graspless.simulation.fingertip.world import build_world
@@ -294,6 +294,16 @@ def test_a_disturbance_of_a_plan_with_an_arm_says_that_fingertips_held(slide):
     plan = SimpleNamespace(kind="fingertip", joint_segments=[object()])
     of_arm = replace(found, plan=plan)
     assert "held by bare fingertips" in simulation_report.as_text(of_arm, disturbed)
+
+
+def test_a_finger_that_regrasps_is_off_the_object_while_it_is_disturbed():
+    plan = _case("d")
+    regrasp = plan.segments[1]
+    script = passing(plan, regrasp, 0, Break())
+    far = np.linalg.norm(script.centers - script.places[:, None, :3], axis=2)
+    assert far[:, regrasp.finger].min() > 1
+    assert far[:, 1 - regrasp.finger].max() < 1
+    assert Disturbed(plan, regrasp, 0, Break()).undisturbed < 1e-3
 
 
 def test_friction_known_as_an_interval_breaks_at_its_lower_end(monkeypatch):

@@ -119,6 +119,7 @@ CLAIMS: dict[str, list[Claim]] = {
         _vertices(VARIED, 0.7, None, 0.99),
     ],
     "fingertip_disturb": [
+        Claim("holds while nothing disturbs it", DISTURBED, lambda case: case["smallest"] != 0),
         Claim("breaks at 0.7 z or more", DISTURBED, _ratio("ratio", 0.7), 0.95),
         Claim("at 0.9 z or more, where z < 5 N", DISTURBED, _ratio("ratio", 0.9, 5.0), None, 0.95),
         Claim("at the compliant index or more", DISTURBED, _COMPLIANT, None, 0.99),

@@ -220,6 +220,7 @@ class Disturbed:
         return places
 
 
+_AWAY = np.array([0.0, 0.0, 10.0])  # [m]
 _WHOLE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 
 
@@ -230,6 +231,7 @@ def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
     problem = plan.task.problem
     rows = np.full(len(times), float(row))
     move = moving(segment, times, rows, poses, problem.fingers.radius)
+    move.centers[:, ~segment.touches[0]] += _AWAY  # a finger that regrasps: else within the object
     nothing = still(move, 0, 0.0, "none")
     nothing.forces[:] = 0
     load = blended(nothing, move, settings.load_seconds)
