@@ -92,7 +92,7 @@ class Options:
     @property
     def max_twist(self) -> float:
         """
-        How far hand and object may turn about the line of the way [rad].
+        How far hand and object may turn about the line of the way, at its end too [rad].
         """
     @max_twist.setter
     def max_twist(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

@@ -94,7 +94,7 @@ def serve(plan: Plan, port: int = 8080) -> None:
 
 
 def _missing(error: ImportError) -> str:
-    return f"needs {error.name} to draw: pip install 'graspless[view]'"
+    return f"needs {error.name or error} to draw: pip install 'graspless[view]'"
 
 
 __all__ = ["serve", "write_html", "write_loops_png", "write_png"]
