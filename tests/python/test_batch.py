@@ -323,7 +323,7 @@ def test_two_batches_in_one_folder(here, tasks, tmp_path):
         (["--seed", "-1"], "seed: -1: should be greater than or equal to 0"),
         (["--time", "nan"], "seconds: nan: should be a finite number"),
         (["--dask", "tcp://127.0.0.1:9"], "dask: tcp://127.0.0.1:9: no scheduler there"),
-        (["--dask", "nowhere"], "dask: nowhere: no scheduler there"),
+        (["--dask", "nowhere"], "dask: nowhere: should be an address like"),
         (["--dask", "tcp://[::1"], "dask: tcp://[::1: should be an address like"),
     ],
 )

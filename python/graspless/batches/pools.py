@@ -102,7 +102,7 @@ class Cluster:
         except ImportError:
             raise TaskError("needs distributed: pip install 'graspless[cluster]'") from None
         self.crashes: Crashes = (KilledWorker,)
-        if not re.fullmatch(r"(\w+://)?[^/\s]+:\d+", address):
+        if not re.fullmatch(r"(\w+://)?(\[[\da-fA-F:.]+\]|[^/\s:\[\]]+):\d+", address):
             raise TaskError(f"dask: {address}: should be an address like tcp://host:8786")
         make: Any = distributed.Client
         try:
