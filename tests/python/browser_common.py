@@ -70,6 +70,9 @@ def start_browser(profile):
     driver = webdriver.Chrome(options=options, service=service)
     driver.set_page_load_timeout(PATIENCE)
     driver.set_script_timeout(PATIENCE)
+    driver.get("about:blank")  # away from the page of a new tab, which asks for much
+    for log in ("browser", "performance"):
+        driver.get_log(log)
     return driver
 
 
@@ -89,8 +92,6 @@ def find(driver, css):
 
 def open_page(driver, address):
     """Loads a replay or a viewer and takes the notice of slow drawing away."""
-    for log in ("browser", "performance"):
-        driver.get_log(log)
     driver.get(address + DPR)
     click_slider(driver, 0.02)  # which ends the play
     find(driver, ".mantine-Notification-closeButton").click()

@@ -41,9 +41,10 @@ TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
 LAYERS = {"slide": "robot", "fingertip": "object", "clasp": "robot"}  # that cover much
 
 
-@pytest.fixture(scope="module")
-def driver(tmp_path_factory):
-    driver = start_browser(tmp_path_factory.mktemp("profile"))
+@pytest.fixture
+def driver(tmp_path):
+    """A browser of each test's own: a page's workers outlive it and still log to its browser."""
+    driver = start_browser(tmp_path / "profile")
     yield driver
     driver.quit()
 
