@@ -90,23 +90,12 @@ void bind_options(py::module_& m) {
 
 void bind_statistics(py::module_& m) {
   py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_fields(statistics, "Any field by keyword; the others are zero.",
-              Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-              Field{"iterations", &Statistics::iterations, "Steps tried."},
-              Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
-              Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
-              Field{"refusals", &Statistics::refusals, "Why steps failed, and how often; a copy."});
-  statistics.def(
-      "as_dict",
-      [](const py::object& self) {
-        py::typing::Dict<py::str, py::object> result;
-        for (const char* name :
-             {"seconds", "iterations", "ik_calls", "collision_checks", "refusals"}) {
-          result[name] = self.attr(name);
-        }
-        return result;
-      },
-      "All fields by name.");
+  bind_statistics_fields(
+      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+      Field{"iterations", &Statistics::iterations, "Steps tried."},
+      Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
+      Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
+      Field{"refusals", &Statistics::refusals, "Why steps failed, and how often; a copy."});
 }
 
 void bind_plan(py::module_& m) {

@@ -294,9 +294,8 @@ void bind_tree(py::module_& m) {
 
 void bind_statistics(py::module_& m) {
   py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_fields(
-      statistics, "Any field by keyword; the others are zero.",
-      Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+  bind_statistics_fields(
+      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
       Field{"stability_seconds", &Statistics::stability_seconds,
             "Of these, in stability tests [s]."},
       Field{"cycles", &Statistics::cycles,
@@ -310,18 +309,6 @@ void bind_statistics(py::module_& m) {
       Field{"stability_tests", &Statistics::stability_tests, "Clasps tried to be pulled apart."},
       Field{"refusals", &Statistics::refusals,
             "Why targets, connections and clasps failed, and how often; a copy."});
-  statistics.def(
-      "as_dict",
-      [](const py::object& self) {
-        py::typing::Dict<py::str, py::object> result;
-        for (const char* name :
-             {"seconds", "stability_seconds", "cycles", "nodes", "restarts", "control_steps",
-              "collision_checks", "fcl_checks", "stability_tests", "refusals"}) {
-          result[name] = self.attr(name);
-        }
-        return result;
-      },
-      "All fields by name.");
 }
 
 void bind_plan(py::module_& m) {

@@ -160,4 +160,18 @@ void bind_fields(py::class_<Struct>& cls, const char* init_doc, Field<Struct, Va
   });
 }
 
+/// As bind_fields, of what a search counted: with as_dict(), in the order of the table.
+template <class Statistics, class... Values>
+void bind_statistics_fields(py::class_<Statistics>& cls, Field<Statistics, Values>... fields) {
+  bind_fields(cls, "Any field by keyword; the others are zero.", fields...);
+  cls.def(
+      "as_dict",
+      [names = std::vector<const char*>{fields.name...}](const py::object& self) {
+        py::typing::Dict<py::str, py::object> result;
+        for (const char* name : names) result[name] = self.attr(name);
+        return result;
+      },
+      "All fields by name.");
+}
+
 }  // namespace graspless::bindings

@@ -368,27 +368,16 @@ void bind_rows(py::module_& m) {
 
 void bind_statistics(py::module_& m) {
   py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_fields(statistics, "Any field by keyword; the others are zero.",
-              Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-              Field{"locations", &Statistics::locations, "Places where a fingertip may press."},
-              Field{"z_evaluations", &Statistics::z_evaluations, "Of Problem (6)."},
-              Field{"bounded_tests", &Statistics::bounded_tests, "Of Problem (5)."},
-              Field{"pivots", &Statistics::pivots, "Of the simplex."},
-              Field{"nodes", &Statistics::nodes, "Opened by the search."},
-              Field{"supports", &Statistics::supports, "Wrench functionals used as bounds."},
-              Field{"candidates", &Statistics::candidates, "Motions of the object tried (Goal)."},
-              Field{"memory", &Statistics::memory, "Of the search's tables, at most [bytes]."});
-  statistics.def(
-      "as_dict",
-      [](const py::object& self) {
-        py::typing::Dict<py::str, py::object> result;
-        for (const char* name : {"seconds", "locations", "z_evaluations", "bounded_tests", "pivots",
-                                 "nodes", "supports", "candidates", "memory"}) {
-          result[name] = self.attr(name);
-        }
-        return result;
-      },
-      "All fields by name.");
+  bind_statistics_fields(
+      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+      Field{"locations", &Statistics::locations, "Places where a fingertip may press."},
+      Field{"z_evaluations", &Statistics::z_evaluations, "Of Problem (6)."},
+      Field{"bounded_tests", &Statistics::bounded_tests, "Of Problem (5)."},
+      Field{"pivots", &Statistics::pivots, "Of the simplex."},
+      Field{"nodes", &Statistics::nodes, "Opened by the search."},
+      Field{"supports", &Statistics::supports, "Wrench functionals used as bounds."},
+      Field{"candidates", &Statistics::candidates, "Motions of the object tried (Goal)."},
+      Field{"memory", &Statistics::memory, "Of the search's tables, at most [bytes]."});
 
   py::class_<Relaxation> relaxation(m, "Relaxation", "What a failed search says of the way out.");
   bind_fields(relaxation, "Any field by keyword; the others keep their defaults.",

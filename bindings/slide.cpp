@@ -234,30 +234,18 @@ void bind_options(py::module_& m) {
 
 void bind_statistics(py::module_& m) {
   py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_fields(statistics, "Any field by keyword; the others are zero.",
-              Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-              Field{"iterations", &Statistics::iterations, "Rounds of the main loop."},
-              Field{"nodes", &Statistics::nodes, "In both forests."},
-              Field{"start_roots", &Statistics::start_roots, "Start contacts tried as roots."},
-              Field{"goal_roots", &Statistics::goal_roots, "Goal contacts tried as roots."},
-              Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
-              Field{"projections", &Statistics::projections, "Onto the contact constraint."},
-              Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
-              Field{"pairs", &Statistics::pairs, "Start-goal pairs validated."},
-              Field{"refusals", &Statistics::refusals,
-                    "Why roots and pairs were refused, and how often; a copy."});
-  statistics.def(
-      "as_dict",
-      [](const py::object& self) {
-        py::typing::Dict<py::str, py::object> result;
-        for (const char* name :
-             {"seconds", "iterations", "nodes", "start_roots", "goal_roots", "collision_checks",
-              "projections", "ik_calls", "pairs", "refusals"}) {
-          result[name] = self.attr(name);
-        }
-        return result;
-      },
-      "All fields by name.");
+  bind_statistics_fields(
+      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
+      Field{"iterations", &Statistics::iterations, "Rounds of the main loop."},
+      Field{"nodes", &Statistics::nodes, "In both forests."},
+      Field{"start_roots", &Statistics::start_roots, "Start contacts tried as roots."},
+      Field{"goal_roots", &Statistics::goal_roots, "Goal contacts tried as roots."},
+      Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
+      Field{"projections", &Statistics::projections, "Onto the contact constraint."},
+      Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
+      Field{"pairs", &Statistics::pairs, "Start-goal pairs validated."},
+      Field{"refusals", &Statistics::refusals,
+            "Why roots and pairs were refused, and how often; a copy."});
 }
 
 void bind_turning(py::module_& m) {

@@ -14,7 +14,7 @@ from .. import frames, geometry
 from ..simulation.clasp.surface import inertia, skin
 from ..simulation.robots import apply, robot_spec
 from ..simulation.settings import Clasp
-from ..simulation.shapes import add_placed
+from ..simulation.shapes import add_placed, add_plane, add_skin, give_inertia
 from ..simulation.slide.shapes import plate_inertia
 from ..tasks.slide.build import build_object as build_slide_object
 from ..tasks.source import Source
@@ -69,37 +69,19 @@ def _slide(spec: Any, body: Any, task: Task) -> None:
 def _fingertip(spec: Any, body: Any, task: Task) -> None:
     problem, thing = task.problem, task.problem.object
     friction = float(np.mean(problem.friction))
-    _give_inertia(body, thing.mass, thing.com, thing.inertia)
+    give_inertia(body, thing.mass, thing.com, thing.inertia)
     mesh = geometry.PlacedShape(thing.mesh)
     _add_shape(spec, body, OBJECT, mesh, mass=0, friction=[friction, 0.005, 0.0001])
     for plane in problem.planes:
-        turned = np.zeros(4)
-        mujoco.mju_quatZ2Vec(turned, np.asarray(plane.n_W))
-        spec.worldbody.add_geom(
-            name=plane.name,
-            type=mujoco.mjtGeom.mjGEOM_PLANE,
-            size=[1, 1, 0.1],
-            pos=plane.offset * np.asarray(plane.n_W),
-            quat=turned,
-            friction=[friction, 0.005, 0.0001],
-        )
+        add_plane(spec, plane, plane.name, friction=[friction, 0.005, 0.0001])
 
 
 def _clasp(spec: Any, body: Any, task: Task) -> None:
     """The cloud's surface as it is, so that its holes stay open; held where it is at first."""
     surface = task.problem.object.loops.complex
     points = np.asarray(surface.points)
-    settings = Clasp()
     _give_cloud_inertia(body, points, task.fields.object.mass)
-    spec.add_flex(
-        name=OBJECT,
-        dim=2,
-        radius=settings.skin,
-        vertbody=[OBJECT],
-        vert=points.ravel().tolist(),
-        elem=skin(surface).ravel().tolist(),
-        selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
-    )
+    add_skin(spec, OBJECT, OBJECT, points, skin(surface), Clasp().skin)
     X_WO = np.asarray(task.problem.X_WO)
     body.pos, body.quat = X_WO[:3, 3], frames.to_quaternion(X_WO)
     held = spec.add_equality(name=HELD, type=mujoco.mjtEq.mjEQ_WELD)
@@ -129,20 +111,14 @@ _SURROUNDINGS: dict[str, Callable[[Any, Any, Task], None]] = {
 
 def _give_plate_inertia(body: Any, thing: Any) -> None:
     """That of simulations: of even density, about a centre of mass that may be elsewhere."""
-    _give_inertia(
+    give_inertia(
         body, thing.mass, thing.com, plate_inertia(thing.outline, thing.thickness, thing.mass)
     )
 
 
 def _give_cloud_inertia(body: Any, points: Matrix, mass: float | None) -> None:
     mass = mass or Clasp().mass
-    _give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
-
-
-def _give_inertia(body: Any, mass: float, com: Matrix, moments: Matrix) -> None:
-    body.explicitinertial, body.mass, body.ipos = True, mass, com
-    J = np.asarray(moments)
-    body.fullinertia = [*np.diag(J), J[0, 1], J[0, 2], J[1, 2]]
+    give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
 
 
 def _add_fingers(spec: Any, fingers: Any) -> None:

@@ -4,16 +4,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import mujoco
 import numpy as np
 
 from .. import geometry
-from .shapes import add_placed
-
-if TYPE_CHECKING:
-    from ..frames import Matrix
+from .shapes import add_placed, add_skin
 
 
 def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
@@ -23,24 +19,9 @@ def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
     for i, placed in enumerate(obstacle.shapes):
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)
         if isinstance(placed.shape, geometry.Mesh):
-            _add_surface(spec, f"{obstacle.name}_{i}", placed.shape, X_WG, skin, touch)
+            p_W = np.asarray(placed.shape.vertices) @ X_WG[:3, :3].T + X_WG[:3, 3]
+            name, triangles = f"{obstacle.name}_{i}", placed.shape.triangles
+            add_skin(spec, name, "world", p_W, triangles, skin, **touch)
         else:
             fixed = geometry.PlacedShape(placed.shape, X_WG)
             add_placed(spec, spec.worldbody, fixed, **touch)
-
-
-def _add_surface(
-    spec: Any, name: str, mesh: geometry.Mesh, X_WG: Matrix, skin: float, touch: dict[str, Any]
-) -> None:
-    """A mesh as it is: MuJoCo would fill it to its convex hull."""
-    vertices = np.asarray(mesh.vertices) @ X_WG[:3, :3].T + X_WG[:3, 3]
-    spec.add_flex(
-        name=name,
-        dim=2,
-        radius=skin,
-        vertbody=["world"],
-        vert=vertices.ravel().tolist(),
-        elem=np.asarray(mesh.triangles).ravel().tolist(),
-        selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
-        **touch,
-    )

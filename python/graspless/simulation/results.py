@@ -8,7 +8,11 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..frames import Matrix
     from ..plans import Plan
     from .variation import Variation
@@ -40,6 +44,15 @@ class Recording:
     fingers: Matrix
     names: list[str]
     planned_poses: Matrix | None = None
+
+    @staticmethod
+    def of_arm(rows: Sequence[tuple[float, Matrix, Matrix, str]]) -> Recording:
+        """Of an arm's rows: time, positions, X_WO, name."""
+        times, positions, poses, names = zip(*rows, strict=True)
+        fingers = np.zeros((len(times), 0, 3))
+        return Recording(
+            np.array(times), np.array(positions), np.array(poses), fingers, list(names)
+        )
 
 
 @dataclass(frozen=True)

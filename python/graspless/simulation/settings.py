@@ -33,6 +33,11 @@ class Servo:
     mimic_solimp: tuple[float, float] = (0.99, 0.999)  # impedance of the constraint between a joint
     # and the one that it follows: a choice, stiffer than MuJoCo's 0.9 and 0.95
 
+    @property
+    def lag(self) -> float:
+        """By which it follows a steady motion unless the velocity is fed forward [s]."""
+        return 2 * self.damping_ratio / self.bandwidth
+
 
 @dataclass(frozen=True)
 class Spread:

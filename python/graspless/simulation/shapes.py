@@ -12,6 +12,8 @@ import numpy as np
 from .. import frames, geometry
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from ..frames import Matrix
 
 
@@ -30,6 +32,42 @@ def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any)
         return body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=size, **pose, **given)
     points = np.array(shape.vertices) @ X_BG[:3, :3].T + X_BG[:3, 3]
     return add_hull(spec, body, points, given)
+
+
+def give_inertia(body: Any, mass: float, com: ArrayLike, moments: ArrayLike) -> None:
+    """Mass [kg], centre of mass [3] [m] and moments of inertia about it [3, 3] [kg m^2], in the
+    body's frame, instead of what its geoms would give.
+    """
+    J = np.asarray(moments)
+    body.explicitinertial, body.mass, body.ipos = True, mass, com
+    body.fullinertia = [*np.diag(J), J[0, 1], J[0, 2], J[1, 2]]
+
+
+def add_skin(
+    spec: Any, name: str, body: str, p_B: Matrix, triangles: ArrayLike, radius: float, **touch: Any
+) -> None:
+    """A rigid surface of triangles over points [N, 3] of a body: MuJoCo would fill a mesh to its
+    convex hull. `radius` is half its thickness [m], `touch` how it collides.
+    """
+    spec.add_flex(
+        name=name,
+        dim=2,
+        radius=radius,
+        vertbody=[body],
+        vert=p_B.ravel().tolist(),
+        elem=np.asarray(triangles).ravel().tolist(),
+        selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
+        **touch,
+    )
+
+
+def add_plane(spec: Any, plane: Any, name: str, **given: Any) -> None:
+    """A fingertip.Plane, fixed to the world."""
+    normal, quaternion = np.asarray(plane.n_W), np.zeros(4)
+    mujoco.mju_quatZ2Vec(quaternion, normal)
+    pose = {"pos": plane.offset * normal, "quat": quaternion}
+    kind = mujoco.mjtGeom.mjGEOM_PLANE
+    spec.worldbody.add_geom(name=name, type=kind, size=[1, 1, 0.1], **pose, **given)
 
 
 def add_hull(spec: Any, body: Any, points: Matrix, given: dict[str, Any]) -> Any:

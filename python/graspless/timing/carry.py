@@ -6,23 +6,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..errors import TaskError
 from . import joints, paces
 from . import settings as defaults
+from .joints import robot
 
 if TYPE_CHECKING:
     from ..plans.carry import Plan
-    from ..robot import Robot
     from .settings import Settings
     from .trajectory import Trajectory
-
-
-def robot(plan: Plan, fingers: bool) -> Robot:
-    """That the plan was made for."""
-    if fingers:
-        raise TaskError(f"fingers: {fingers}: a {plan.kind} plan has no bare fingertips")
-    mine: Robot = plan.task.problem.robot
-    return mine
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
@@ -31,3 +22,6 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     speed = settings.speed(defaults.CONTACT_SPEED)
     slow = {"carry": [paces.frame_speed(settings.robot, plan.task.problem.frame, speed)]}
     return joints.trajectory(plan, plan.segments, slow, settings)
+
+
+__all__ = ["robot", "trajectory"]

@@ -6,23 +6,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..errors import TaskError
 from . import joints, paces
 from . import settings as defaults
+from .joints import robot
 
 if TYPE_CHECKING:
     from ..plans.clasp import Plan
-    from ..robot import Robot
     from .settings import Settings
     from .trajectory import Trajectory
-
-
-def robot(plan: Plan, fingers: bool) -> Robot:
-    """That the plan was made for."""
-    if fingers:
-        raise TaskError(f"fingers: {fingers}: a {plan.kind} plan has no bare fingertips")
-    mine: Robot = plan.task.problem.robot
-    return mine
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
@@ -30,3 +21,6 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     assert settings.robot is not None
     slow = {"close": [paces.link_speed(settings.robot, settings.speed(defaults.CONTACT_SPEED))]}
     return joints.trajectory(plan, plan.segments, slow, settings)
+
+
+__all__ = ["robot", "trajectory"]

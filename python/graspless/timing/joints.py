@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
+from ..errors import TaskError
 from . import settings as defaults
 from .clip import clip
 from .fastest import Limits
@@ -19,9 +20,18 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..plans import Plan
+    from ..robot import Robot
     from .fastest import Pace
     from .settings import Settings
     from .trajectory import Trajectory
+
+
+def robot(plan: Any, fingers: bool) -> Robot:
+    """That the plan was made for."""
+    if fingers:
+        raise TaskError(f"fingers: {fingers}: a {plan.kind} plan has no bare fingertips")
+    mine: Robot = plan.task.problem.robot
+    return mine
 
 
 def trajectory(

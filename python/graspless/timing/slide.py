@@ -6,26 +6,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..errors import TaskError
 from . import joints, paces
 from . import settings as defaults
+from .joints import robot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..plans.slide import Plan
-    from ..robot import Robot
     from .fastest import Pace
     from .settings import Settings
     from .trajectory import Trajectory
-
-
-def robot(plan: Plan, fingers: bool) -> Robot:
-    """That the plan was made for."""
-    if fingers:
-        raise TaskError(f"fingers: {fingers}: a {plan.kind} plan has no bare fingertips")
-    mine: Robot = plan.task.problem.robot
-    return mine
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
@@ -41,3 +32,6 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
         "close": [paces.link_speed(settings.robot, speed)],
     }
     return joints.trajectory(plan, plan.segments, slow, settings)
+
+
+__all__ = ["robot", "trajectory"]

@@ -133,7 +133,11 @@ def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) ->
 
 
 def timed(shown: Film) -> Film:
-    """The film of a plan at the pace of its robot, where that is known."""
+    """The film of a plan at the pace of its robot, where that is known; one that was recorded has
+    its own.
+    """
+    if shown.pace is not None:
+        return shown
     clock = clock_of(shown.plan)
     if clock is None:
         return shown

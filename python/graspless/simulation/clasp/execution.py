@@ -38,9 +38,7 @@ class Recorder:
 
     def recording(self) -> Recording:
         """All rows."""
-        times, positions, poses, names = zip(*self.rows, strict=True)
-        empty = np.zeros((len(times), 0, 3))
-        return Recording(np.array(times), np.array(positions), np.array(poses), empty, list(names))
+        return Recording.of_arm(self.rows)
 
 
 class Execution:
@@ -79,8 +77,7 @@ class Execution:
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
-        ahead = 2 * Servo().damping_ratio / Servo().bandwidth  # or the servos would lag by it
-        commands = moments.positions + ahead * moments.velocities
+        commands = moments.positions + Servo().lag * moments.velocities
         names = moments.names
         moved: dict[str, float] = {}
         resting = self.surface()

@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
-from ..shapes import add_placed
+from ..shapes import add_placed, add_skin, give_inertia
 from . import surface
 
 if TYPE_CHECKING:
@@ -42,9 +42,7 @@ def add_object(
     body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
     body.add_freejoint(name=OBJECT)
     mass *= variation.mass
-    body.explicitinertial, body.mass, body.ipos = True, mass, points.mean(axis=0)
-    moments = mass * surface.inertia(points)
-    body.fullinertia = moments[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    give_inertia(body, mass, points.mean(axis=0), mass * surface.inertia(points))
     spin, roll = settings.spin_friction, settings.roll_friction
     touch = {
         "contype": OBJECT_BIT,
@@ -55,7 +53,7 @@ def add_object(
         "priority": 1,  # its friction is that of the pair
     }
     if solids is None:
-        _add_skin(spec, cloud, settings.skin, touch)
+        add_skin(spec, OBJECT, OBJECT, points, surface.skin(cloud), settings.skin, **touch)
     for placed in solids or ():
         add_placed(spec, body, placed, **touch)
     standing = surface.feet(points @ X_WO[:3, :3].T + X_WO[:3, 3], settings.foot_depth)
@@ -63,20 +61,6 @@ def add_object(
     sliding = variation.support_friction * settings.stand_friction
     friction = [sliding, sliding, spin, roll, roll]
     _add_stand(spec, body, X_WO, standing, settings.foot_radius, friction)
-
-
-def _add_skin(spec: Any, cloud: geometry.Complex, radius: float, touch: dict[str, Any]) -> None:
-    """A rigid surface of triangles: MuJoCo would fill a mesh to its convex hull."""
-    spec.add_flex(
-        name=OBJECT,
-        dim=2,
-        radius=radius,
-        vertbody=[OBJECT],
-        vert=np.asarray(cloud.points).ravel().tolist(),
-        elem=surface.skin(cloud).ravel().tolist(),
-        selfcollide=mujoco.mjtFlexSelf.mjFLEXSELF_NONE,
-        **touch,
-    )
 
 
 def _add_hold(spec: Any, *, is_active: bool) -> None:

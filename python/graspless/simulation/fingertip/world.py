@@ -15,6 +15,7 @@ from ... import frames
 from ..obstacles import add_obstacle
 from ..robots import apply
 from ..settings import Fingertip, Solver
+from ..shapes import add_plane, give_inertia
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -186,7 +187,7 @@ def add_scene(
         add_obstacle(spec, obstacle, Fingertip().obstacle_skin, **_OBSTACLE_TOUCHES)
     friction = friction_at(problem.friction) * variation.support_friction
     for i, plane in enumerate(problem.planes):
-        _add_plane(spec, plane, f"{PLANE}{i}")
+        add_plane(spec, plane, f"{PLANE}{i}", **_PLANE_TOUCHES)
         _add_pair(spec, f"{PLANE}{i}", friction)
 
 
@@ -210,9 +211,7 @@ def add_finger_pairs(
 def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> Any:
     body = spec.worldbody.add_body(name=OBJECT)
     body.add_freejoint()
-    body.explicitinertial, body.mass, body.ipos = True, thing.mass * factor, thing.com
-    inertia = np.asarray(thing.inertia) * factor
-    body.fullinertia = [*np.diag(inertia), inertia[0, 1], inertia[0, 2], inertia[1, 2]]
+    give_inertia(body, thing.mass * factor, thing.com, np.asarray(thing.inertia) * factor)
     spec.add_mesh(name="hull", uservert=np.asarray(thing.hull).ravel())
     size = _box_size(np.asarray(thing.hull))
     touches = _OBJECT_TOUCHES if thing.is_convex else _NOTHING
@@ -243,16 +242,6 @@ def _box_size(hull: Matrix) -> Matrix | None:
     lower, upper = hull.min(axis=0), hull.max(axis=0)
     at_corner = np.minimum(np.abs(hull - lower), np.abs(hull - upper)).max() < 1e-9
     return upper - lower if len(hull) == 8 and at_corner else None
-
-
-def _add_plane(spec: Any, plane: fingertip.Plane, name: str) -> None:
-    normal = np.asarray(plane.n_W)
-    quaternion = np.zeros(4)
-    mujoco.mju_quatZ2Vec(quaternion, normal)
-    spec.worldbody.add_geom(
-        name=name, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[1, 1, 0.1],
-        pos=plane.offset * normal, quat=quaternion, **_PLANE_TOUCHES,
-    )  # fmt: skip
 
 
 def _add_finger(spec: Any, name: str, radius: float, settings: Fingertip) -> None:

@@ -97,20 +97,15 @@ class Execution:
 
     def recording(self) -> Recording:
         """What was kept."""
-        rows = self._rows or []
-        times, positions, poses, names = zip(*rows, strict=True)
-        fingers = np.zeros((len(rows), 0, 3))
-        return Recording(
-            np.array(times), np.array(positions), np.array(poses), fingers, list(names)
-        )
+        return Recording.of_arm(self._rows or [])
 
     def run(self, until: str = HOLD) -> None:
         """To the end of a phase, or until the object has fallen."""
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
-        ahead = Servo().damping_ratio * 2 / Servo().bandwidth
-        for step, command in enumerate(program.positions + ahead * program.velocities):
+        commands = program.positions + Servo().lag * program.velocities
+        for step, command in enumerate(commands):
             data.ctrl[:] = command
             mujoco.mj_step(model, data)
             name = program.names[program.phase[step]]

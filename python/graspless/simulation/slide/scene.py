@@ -19,7 +19,7 @@ import numpy as np
 from ... import frames
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
-from ..shapes import add_placed
+from ..shapes import add_placed, give_inertia
 from .fingers import OTHER, PAD, SLIDING, Bits, add_flexing_fingers
 from .shapes import add_prism, even_points, plate_inertia, points_along
 
@@ -120,12 +120,8 @@ def _add_obstacle(spec: Any, obstacle: Any, name: str) -> None:
 
 def _add_object(spec: Any, thing: Any, X_WO: Matrix, mass_factor: float, settings: Slide) -> None:
     mass = float(thing.mass) * mass_factor
-    body = spec.worldbody.add_body(
-        name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO), mass=mass, ipos=thing.com
-    )
-    J = plate_inertia(thing.outline, thing.thickness, mass)
-    body.fullinertia = [J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]]
-    body.explicitinertial = True
+    body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
+    give_inertia(body, mass, thing.com, plate_inertia(thing.outline, thing.thickness, mass))
     body.add_freejoint(name=OBJECT)
     for i, part in enumerate(thing.outline.convex_parts()):
         _mark(add_prism(spec, body, part, (0.0, thing.thickness), name=f"{OBJECT}{i}"), OBJECT)

@@ -23,7 +23,7 @@ class Stage(FilmStage):
     """The scene of a carry on a viser server."""
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
-        shown = timed(film(plan)) if recording is None else film(plan, recording)
+        shown = timed(film(plan, recording))
         scene = Scene(shown)
         super().__init__(server, shown, scene.object, camera(scene, spread(shown, 8), (4, 3)))
         for body, X_WB in scene.still:

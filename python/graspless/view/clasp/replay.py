@@ -27,7 +27,7 @@ class Stage(FilmStage):
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         self.plan = plan
-        self.film = shown = timed(film(plan)) if recording is None else film(plan, recording)
+        self.film = shown = timed(film(plan, recording))
         things = Scene(plan, shown)
         super().__init__(server, shown, things.object, camera(things, spread(shown, 8), (4, 3)))
         self._add_marks(things, shown.object_poses[0])

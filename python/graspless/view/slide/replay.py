@@ -24,7 +24,7 @@ class Stage(FilmStage):
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         planned = film(plan)
-        shown = timed(planned) if recording is None else film(plan, recording)
+        shown = timed(planned if recording is None else film(plan, recording))
         task = plan.task
         thing = bodies.object_body(task)
         # All of the way, not some moments of it.
