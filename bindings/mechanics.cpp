@@ -398,6 +398,24 @@ void bind_equilibrium(py::module_& m) {
       "The Equilibrium deepest inside all cones and limits; None when there is none.\n\n"
       "commanded_forces: (n,) [N], looked at for fingers in force control.");
   m.def(
+      "compliant_equilibrium",
+      [](const ContactSet& set, const std::vector<FingerMode>& modes, const Array& commanded_forces,
+         const Compliance& compliance, const MaybeArray& directions) {
+        const ContactSet unit = with_unit_normals(set);
+        const Eigen::VectorXd forces = to_vector(commanded_forces, "commanded_forces");
+        const Matrix6Xd l = to_directions(directions);
+        const Compliance springs = compliance;
+        const py::gil_scoped_release release;
+        return compliant_equilibrium(unit, modes, forces, springs, l);
+      },
+      py::arg("set"), py::arg("modes"), py::arg("commanded_forces"),
+      py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
+      py::arg("directions") = py::none(),
+      "The Equilibrium with room where springs at the contacts will ask for it, so that "
+      "compliant_stability() is large; None when there is none.\n\n"
+      "commanded_forces: (n,) [N], looked at for fingers in force control.\n"
+      "directions: (N, 6); disturbance_directions() unless given.");
+  m.def(
       "compliant_stability",
       [](const ContactSet& set, const std::vector<FingerMode>& modes, const Equilibrium& nominal,
          const Compliance& compliance, const MaybeArray& directions) {

@@ -88,9 +88,12 @@ def test_ties_go_to_force_on_the_finger_that_presses():
     )
 
 
-def test_nominal_forces_balance():
+@pytest.mark.parametrize(
+    "equilibrium", [mechanics.interior_equilibrium, mechanics.compliant_equilibrium]
+)
+def test_nominal_forces_balance(equilibrium):
     best = mechanics.best_control_modes(cuboid())
-    nominal = mechanics.interior_equilibrium(cuboid(), best.modes, best.stability.commanded_forces)
+    nominal = equilibrium(cuboid(), best.modes, best.stability.commanded_forces)
     forces = np.vstack([nominal.contact_forces_O, nominal.finger_forces_O])
     points = np.vstack([BOTTOM, [f.p_OC for f in cuboid().fingers]])
     np.testing.assert_allclose(forces.sum(axis=0), [0, 0, 9.8], atol=1e-9)
@@ -100,7 +103,18 @@ def test_nominal_forces_balance():
     assert 0 < springs < best.stability.z
     stiff = Compliance(environment_normal=100)
     assert mechanics.compliant_stability(cuboid(), best.modes, nominal, stiff) != springs
-    assert mechanics.interior_equilibrium(cuboid(fingers=[]), [], []) is None
+    assert equilibrium(cuboid(fingers=[]), [], []) is None
+
+
+def test_springs_withstand_more_with_room_where_they_ask_for_it():
+    best = mechanics.best_control_modes(cuboid())
+    forces = best.stability.commanded_forces
+    even = mechanics.interior_equilibrium(cuboid(), best.modes, forces)
+    asked = mechanics.compliant_equilibrium(cuboid(), best.modes, forces)
+    withstands = [
+        mechanics.compliant_stability(cuboid(), best.modes, nominal) for nominal in (even, asked)
+    ]
+    assert withstands[1] > 1.2 * withstands[0]
 
 
 def test_friction_intervals():

@@ -134,7 +134,8 @@ class Assembler {
     const mechanics::ContactSet set =
         contact_set(instants_[instant], locations_, problem_.fingers, at);
     const auto nominal =
-        mechanics::interior_equilibrium(set, best.modes, best.stability.commanded_forces);
+        mechanics::compliant_equilibrium(set, best.modes, best.stability.commanded_forces,
+                                         options_.compliance, options_.disturbance_directions);
     Row row;
     row.stability = best.stability.z;
     if (nominal) {

@@ -14,7 +14,7 @@
 /// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here. Of this
 /// room only public types and validate() are used. Shared with the planner: the public functions of
 /// mechanics (contact_patches, internal_force_is_bounded with the reference engine,
-/// interior_equilibrium, compliant_stability, holds_over_friction), collision and geometry.
+/// compliant_equilibrium, compliant_stability, holds_over_friction), collision and geometry.
 namespace graspless::fingertip::checking {
 
 using Faults = std::vector<std::string>;

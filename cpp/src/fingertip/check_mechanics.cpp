@@ -8,6 +8,7 @@
 #include "graspless/mechanics/contact_patch.hpp"
 
 #include "fingertip/check.hpp"
+#include "mechanics/cones.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {
@@ -102,8 +103,8 @@ Verdict Examination::judge(const Instant& instant) const {
         mechanics::holds_over_friction(instant.set, instant.modes, instant.commanded_forces, env,
                                        fingers, options_.min_stability, directions);
   }
-  const auto nominal =
-      mechanics::interior_equilibrium(instant.set, instant.modes, instant.commanded_forces);
+  const auto nominal = mechanics::compliant_equilibrium(
+      instant.set, instant.modes, instant.commanded_forces, options_.compliance, directions);
   if (nominal) {
     verdict.compliant_stability = mechanics::compliant_stability(
         instant.set, instant.modes, *nominal, options_.compliance, directions);
@@ -155,7 +156,9 @@ void Examination::check_nominal(std::size_t s, std::size_t r, const Instant& ins
                              " N along the normal, commanded " + figure(finger.commanded_force));
     }
   }
-  const auto margin = margin_of(instant, forces_O, same_force_);
+  Instant round = instant;
+  round.set = mechanics::with_round_cones(round.set);
+  const auto margin = margin_of(round, forces_O, same_force_);
   if (!margin) {
     fault(place(s, r), "nominal forces: out of cones or limits, or not in balance");
   } else if (row.nominal_margin > *margin + 2 * same_force_ || row.nominal_margin < 0) {

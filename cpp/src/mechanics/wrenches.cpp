@@ -6,6 +6,8 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/cones.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
@@ -26,15 +28,25 @@ Matrix6Xd wrenches(const ContactSet& set, const Eigen::Vector3d& p_OC,
   return generators;
 }
 
-Eigen::Matrix3Xd edges_of(const Contact& contact, int cone_edges) {
+}  // namespace
+
+Eigen::Matrix3Xd cone_of(const Contact& contact, int cone_edges) {
   const Eigen::Vector3d t = tangent(contact.n_O, contact.t_O);
   if (contact.mode == ContactMode::stick) {
     return friction_cone(contact.n_O, contact.friction, cone_edges, t);
   }
-  return (contact.n_O - contact.friction * t).normalized();  // c' of Eq. (1), against the motion
+  return (contact.n_O - contact.friction * t).normalized();
 }
 
-}  // namespace
+Eigen::Matrix3Xd cone_of(const Finger& finger, int cone_edges) {
+  return friction_cone(finger.n_O, finger.friction, cone_edges, tangent(finger.n_O, finger.t_O));
+}
+
+ContactSet with_round_cones(ContactSet set) {
+  constexpr int kRound = 12;
+  set.cone_edges *= (kRound + set.cone_edges - 1) / set.cone_edges;
+  return set;
+}
 
 EnvironmentWrenches environment_wrenches(const ContactSet& set) {
   Eigen::Index columns = 0;
@@ -45,7 +57,7 @@ EnvironmentWrenches environment_wrenches(const ContactSet& set) {
   environment.generators.resize(6, columns);
   Eigen::Index next = 0;
   for (const Contact& contact : set.contacts) {
-    const Matrix6Xd part = wrenches(set, contact.p_OC, edges_of(contact, set.cone_edges));
+    const Matrix6Xd part = wrenches(set, contact.p_OC, cone_of(contact, set.cone_edges));
     environment.generators.middleCols(next, part.cols()) = part;
     next += part.cols();
   }
@@ -55,8 +67,7 @@ EnvironmentWrenches environment_wrenches(const ContactSet& set) {
 
 FingerWrenches finger_wrenches(const ContactSet& set, int finger) {
   const Finger& f = set.fingers[static_cast<std::size_t>(finger)];
-  const Eigen::Matrix3Xd edges =
-      friction_cone(f.n_O, f.friction, set.cone_edges, tangent(f.n_O, f.t_O));
+  const Eigen::Matrix3Xd edges = cone_of(f, set.cone_edges);
   FingerWrenches wrench;
   wrench.generators = wrenches(set, f.p_OC, edges);
   wrench.normal = edges.transpose() * f.n_O;

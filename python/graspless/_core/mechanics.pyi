@@ -7,7 +7,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'best_control_modes', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'wrench_scale']
+__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'wrench_scale']
 class ContactMode(enum.Enum):
     """
     How the object moves at a contact.
@@ -534,6 +534,13 @@ def best_control_modes(set: ContactSet, *, previous: collections.abc.Sequence[Fi
 def best_control_modes(sets: collections.abc.Sequence[ContactSet], *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, engine: Engine = Engine.fast) -> list[ControlModes]:
     """
     The same for many contact sets.
+    """
+def compliant_equilibrium(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], compliance: Compliance = ..., *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> Equilibrium | None:
+    """
+    The Equilibrium with room where springs at the contacts will ask for it, so that compliant_stability() is large; None when there is none.
+    
+    commanded_forces: (n,) [N], looked at for fingers in force control.
+    directions: (N, 6); disturbance_directions() unless given.
     """
 def compliant_stability(set: ContactSet, modes: collections.abc.Sequence[FingerMode], nominal: Equilibrium, compliance: Compliance = ..., *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> float:
     """

@@ -48,7 +48,8 @@ class Builder {
         mechanics::best_control_modes(set, {}, options_.disturbance_directions);
     EXPECT_TRUE(best.found);
     const auto nominal =
-        mechanics::interior_equilibrium(set, best.modes, best.stability.commanded_forces);
+        mechanics::compliant_equilibrium(set, best.modes, best.stability.commanded_forces,
+                                         options_.compliance, options_.disturbance_directions);
     Row row;
     row.X_WO = X_WO;
     row.fingers = fingers;

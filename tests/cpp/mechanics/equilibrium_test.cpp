@@ -80,6 +80,88 @@ TEST(Equilibrium, BalancesWithinAllLimits) {
   EXPECT_GT(found_some, 50);
 }
 
+TEST(Equilibrium, ForSpringsBalancesWithinAllLimits) {
+  std::mt19937 rng(8);
+  int found_some = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const int fingers = 1 + trial % 4;
+    const ContactSet set = random_contact_set(&rng, 3 + trial % 4, fingers);
+    for (const auto& modes : all_modes(fingers)) {
+      const Eigen::VectorXd commanded = Eigen::VectorXd::Constant(fingers, 2);
+      const auto found = compliant_equilibrium(set, modes, commanded);
+      // Its cones hold those of the other: where there is one of these there is one of those.
+      EXPECT_TRUE(found || !interior_equilibrium(set, modes, commanded));
+      if (!found) continue;
+      ++found_some;
+      expect_holds(set, modes, commanded, *found);
+    }
+  }
+  EXPECT_GT(found_some, 50);
+}
+
+/// No other equilibrium is much better: forces drawn at random, and brought into balance by the
+/// least change, withstand less; those of equal margins do.
+TEST(Equilibrium, ForSpringsIsAboutTheBestForThem) {
+  const ContactSet set = resting_cuboid();
+  const std::vector<FingerMode> modes = {kPosition, kPosition};
+  const Eigen::Vector2d none(0, 0);
+  const Equilibrium best = *compliant_equilibrium(set, modes, none);
+  const double most = compliant_stability(set, modes, best);
+  EXPECT_GT(most, compliant_stability(set, modes, *interior_equilibrium(set, modes, none)));
+
+  const auto contacts = static_cast<Eigen::Index>(set.contacts.size());
+  const Eigen::Index parts = 3 * (contacts + 2);
+  Eigen::MatrixXd balance(6, parts);
+  for (Eigen::Index i = 0; i < parts; ++i) {
+    Equilibrium unit = best;
+    unit.contact_forces_O.setZero();
+    unit.finger_forces_O.setZero();
+    (i < 3 * contacts ? unit.contact_forces_O.data()[i]
+                      : unit.finger_forces_O.data()[i - 3 * contacts]) = 1;
+    balance.col(i) = residual(set, unit) - set.known_wrench_O;
+  }
+  const Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(parts, parts) -
+                                balance.completeOrthogonalDecomposition().pseudoInverse() * balance;
+  std::mt19937 rng(9);
+  std::normal_distribution<double> draw;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double size = std::pow(10.0, -trial % 5);
+    const Eigen::VectorXd step =
+        inner * Eigen::VectorXd::NullaryExpr(parts, [&] { return size * draw(rng); });
+    Equilibrium other = best;
+    other.contact_forces_O += Eigen::Map<const Eigen::Matrix3Xd>(step.data(), 3, contacts);
+    other.finger_forces_O += Eigen::Map<const Eigen::Matrix3Xd>(step.data() + 3 * contacts, 3, 2);
+    ASSERT_LT(residual(set, other).norm(), 1e-8);
+    EXPECT_LE(compliant_stability(set, modes, other), 1.1 * most);
+  }
+}
+
+TEST(Equilibrium, ForSpringsFollowsTheContactsContinuously) {
+  ContactSet set = resting_cuboid();
+  const std::vector<FingerMode> modes = {kForce, kPosition};
+  const Eigen::Vector2d commanded(3, 0);
+  const Equilibrium before = *compliant_equilibrium(set, modes, commanded);
+  for (Contact& contact : set.contacts) contact.p_OC.x() += 1e-7;
+  const Equilibrium after = *compliant_equilibrium(set, modes, commanded);
+  EXPECT_LT((after.contact_forces_O - before.contact_forces_O).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((after.finger_forces_O - before.finger_forces_O).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+/// Two points do not hold a turn about their line: no spring asks for anything.
+TEST(Equilibrium, WithoutSpringsThatHoldAllCountAlike) {
+  ContactSet set;
+  for (const double side : {-1.0, 1.0}) {
+    Finger finger;
+    finger.p_OC = Vector3d(side, 0, 0);
+    finger.n_O = Vector3d(-side, 0, 0);
+    set.fingers.push_back(finger);
+  }
+  const auto found = compliant_equilibrium(set, {kPosition, kPosition}, Eigen::Vector2d(0, 0));
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->margin, 0.1);
+  EXPECT_LT(residual(set, *found).norm(), 1e-10);
+}
+
 TEST(Equilibrium, ABodyAtRestSharesItsWeight) {
   ContactSet set = resting_cuboid();
   set.fingers.clear();

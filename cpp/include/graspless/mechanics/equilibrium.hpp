@@ -16,8 +16,8 @@ namespace graspless::mechanics {
 struct Equilibrium {
   Eigen::Matrix3Xd contact_forces_O;  ///< on the object, one a contact [N]
   Eigen::Matrix3Xd finger_forces_O;   ///< on the object, one a finger [N]
-  /// The least of all cone coefficients and of what is left to the limits of fingers in position
-  /// control [N].
+  /// The largest t such that all cone coefficients can be at least t, and t is left to the limits
+  /// of fingers in position control [N].
   double margin = 0;
 };
 
@@ -55,5 +55,17 @@ GRASPLESS_API double compliant_stability(const ContactSet& set,
                                          const Equilibrium& nominal,
                                          const Compliance& compliance = {},
                                          const Matrix6Xd& directions = disturbance_directions());
+
+/// As interior_equilibrium(), with the room where the springs of compliant_stability() will ask for
+/// it, so that this index is as large as can be: the cone of every contact moves inwards along the
+/// force that it had, by what a disturbance may take from it; the largest such disturbance that
+/// leaves an equilibrium is looked for, twice. (Commonly within a tenth of the best forces there
+/// are; a third below has been seen.) In cones of at least 12 edges, to which `margin` refers.
+/// Where the springs do not hold the object, or a contact has no friction, all coefficients count
+/// alike. Throws as those two.
+GRASPLESS_API std::optional<Equilibrium> compliant_equilibrium(
+    const ContactSet& set, const std::vector<FingerMode>& modes,
+    const Eigen::VectorXd& commanded_forces, const Compliance& compliance = {},
+    const Matrix6Xd& directions = disturbance_directions());
 
 }  // namespace graspless::mechanics
