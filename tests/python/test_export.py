@@ -18,8 +18,8 @@ from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
 import graspless
-from graspless import TaskError, cli, frames
-from graspless.exports import FORMATS
+from graspless import TaskError, cli, exports, frames
+from graspless.exports import ENDINGS, FORMATS
 from graspless.exports.fingers import contacts
 from graspless.exports.json_model import TrajectoryFile
 from graspless.tasks import read_task
@@ -178,6 +178,18 @@ def test_what_cannot_be_exported_is_told(tmp_path, name, to, words):
     with pytest.raises(TaskError, match=words):
         exported(name, tmp_path / "plan", to)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("to", FORMATS)
+def test_an_ending_of_another_format_is_refused(tmp_path, to):
+    for other in set(FORMATS) - {to}:
+        for ending in ENDINGS[other]:
+            own = re.escape(" or ".join(ENDINGS[to]))
+            with pytest.raises(TaskError, match=f"is the ending of {other}: should be {own}"):
+                exported("slide", tmp_path / f"plan{ending.upper()}", to)
+    assert not list(tmp_path.iterdir())
+    for ending in (*ENDINGS[to], "", ".of_2026"):
+        exports._check_ending(f"plan{ending}", to)
 
 
 @pytest.mark.parametrize("to", FORMATS)
