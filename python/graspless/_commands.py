@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from .errors import TaskError
 
 if TYPE_CHECKING:
+    import argparse
     from collections.abc import Callable, Iterator
 
     from .plans import Plan
@@ -61,6 +62,32 @@ def given_plan(path: str) -> Plan:
     from . import plans
 
     return plans.load_plan(path) if path != "-" else plans.read_plan(read_stdin(), "stdin")
+
+
+def add_unchecked(parser: argparse.ArgumentParser) -> None:
+    """The flag of commands whose plan is to hold."""
+    parser.add_argument(
+        "--unchecked", action="store_true", help="go on with a plan that graspless check refuses"
+    )
+
+
+def checked_plan(options: argparse.Namespace) -> Plan:
+    """The plan in a file, which may have been edited; raises TaskError unless it holds.
+
+    With --unchecked it need not. One without a solution is left to who is given it.
+    """
+    from . import plans, progress
+
+    plan = given_plan(options.plan)
+    if not plan or options.unchecked:
+        return plan
+    with progress.waiting("checking"):
+        faults = plans.check(plan)
+    if faults:
+        name = options.plan if options.plan != "-" else "stdin"
+        more = f" and {len(faults) - 1} more" if len(faults) > 1 else ""
+        raise TaskError(f"{name}: does not hold: {faults[0]}{more}; --unchecked goes on")
+    return plan
 
 
 def read_stdin() -> str:

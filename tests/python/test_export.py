@@ -23,7 +23,7 @@ from graspless.exports import ENDINGS, FORMATS
 from graspless.exports.fingers import contacts
 from graspless.exports.json_model import TrajectoryFile
 from graspless.tasks import read_task
-from tasks_common import changed
+from tasks_common import changed, edited
 from timing_common import planned
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -227,6 +227,19 @@ def test_from_the_command_line(tmp_path, capsys):
     bad = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), "--rate", "-1"]
     assert cli.main(bad) == 2
     assert "rate: -1" in capsys.readouterr().err
+
+
+def test_a_plan_that_does_not_hold_is_refused(tmp_path, capsys):
+    plan, out = edited(planned("clasp"), tmp_path / "edited.json"), tmp_path / "plan.csv"
+    command = ["export", plan, "--to", "csv", "--rate", "20", "-o", str(out)]
+    assert cli.main(command) == 2
+    err = capsys.readouterr().err
+    assert err.startswith(f"{plan}: does not hold: ")
+    assert graspless.check(plan)[0] in err
+    assert err.endswith("; --unchecked goes on\n")
+    assert not out.exists()
+    assert cli.main([*command, "--unchecked"]) == 0
+    assert out.exists()
 
 
 @pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))

@@ -10,7 +10,7 @@ import pytest
 import graspless
 from graspless import _data
 from graspless.simulation import Trial, simulation_kind
-from tasks_common import run
+from tasks_common import edited, run
 
 
 @pytest.fixture(scope="module")
@@ -52,6 +52,16 @@ def test_trials_that_fail_are_named_and_counted(plan_file, engine, capsys):
     assert out.startswith(f"{9 - failed} of 9 trials held, seed 3\n")
     assert f"dropped in {failed} trial" in out
     assert "median" in out
+
+
+def test_a_plan_that_does_not_hold_is_refused(plan_file, engine, capsys, tmp_path):
+    plan = edited(graspless.load_plan(plan_file), tmp_path / "edited.json")
+    code, out, err = run(capsys, "simulate", plan)
+    assert (code, out, engine) == (2, "", [])
+    assert err.startswith(f"{plan}: does not hold: ")
+    assert graspless.check(plan)[0] in err
+    code, out, err = run(capsys, "simulate", plan, "--unchecked")
+    assert (code, err, len(engine)) == (0, "", 1)
 
 
 def test_json_is_all_that_is_printed(plan_file, engine, capsys):

@@ -55,7 +55,7 @@ def export(
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in.
+        One that is solved, or the file it stands in. It is not checked: `check` does that.
     path : str or Path
         The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
         An ending of another format is refused.

@@ -7,7 +7,7 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from .._commands import FOUND, given_plan
+from .._commands import FOUND, add_unchecked, checked_plan
 
 if TYPE_CHECKING:
     import argparse
@@ -41,6 +41,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         "--fingers", action="store_true", help="the bare fingertips of a plan that has an arm"
     )
+    add_unchecked(parser)
     parser.set_defaults(run=_run)
 
 
@@ -54,7 +55,7 @@ def _run(options: argparse.Namespace) -> int:
         "contact_speed": options.contact_speed,
         "fingers": options.fingers,
     }
-    plan, to_stdout = given_plan(options.plan), options.output == "-"
+    plan, to_stdout = checked_plan(options), options.output == "-"
     if to_stdout:
         trajectory, written = text(plan, options.to, **given)
         sys.stdout.write(written)

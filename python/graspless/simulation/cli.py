@@ -7,7 +7,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-from .._commands import FOUND, NOT_FOUND, given_plan
+from .._commands import FOUND, NOT_FOUND, add_unchecked, checked_plan
 
 if TYPE_CHECKING:
     import argparse
@@ -35,6 +35,7 @@ def add_parser(commands: Any) -> None:
         help="of a fingertip plan: also the least disturbance that breaks its weakest row (slow); "
         "held by bare fingertips, whether or not the plan has an arm",
     )
+    add_unchecked(parser)
     parser.add_argument("--json", action="store_true", help="print the trials as JSON")
     parser.set_defaults(run=_run)
 
@@ -47,7 +48,7 @@ def _run(options: argparse.Namespace) -> int:
 
     if options.html is not None:
         files.check_writable(options.html)
-    plan = given_plan(options.plan)
+    plan = checked_plan(options)
     if options.disturb and plan.kind != "fingertip":
         raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
     with progress.waiting(f"simulating, {options.trials} trials"):

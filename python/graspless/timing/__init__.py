@@ -54,7 +54,7 @@ def time(
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in.
+        One that is solved, or the file it stands in. It is not checked: `check` does that.
     robot : Robot, optional
         Instead of the plan's own, with the same joints: for its limits.
     max_velocity : float or dict, optional
