@@ -242,6 +242,28 @@ def test_a_plan_that_does_not_hold_is_refused(tmp_path, capsys):
     assert out.exists()
 
 
+def test_limits_of_single_joints(tmp_path, capsys):
+    planned("slide").save(tmp_path / "plan.json")
+    command = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(tmp_path / "a.csv")]
+    of_two = ["--velocity", "wam_joint_1=0.1", "--velocity", "wam_joint_2=0.2"]
+    assert cli.main([*command, "--rate", "20", *of_two, "--acceleration", "wam_joint_1=2"]) == 0
+    limits = {"wam_joint_1": 0.1, "wam_joint_2": 0.2}
+    given = {"max_velocity": limits, "max_acceleration": {"wam_joint_1": 2.0}}
+    exported("slide", tmp_path / "b.csv", "csv", **given)
+    assert (tmp_path / "a.csv").read_text() == (tmp_path / "b.csv").read_text()
+    for bad, words in (
+        (["--velocity", "0.5", *of_two], "--velocity: should be one number, or one JOINT=V"),
+        ([*of_two, *of_two], "--velocity: should be one number, or one JOINT=V"),
+        (["--velocity", "elbow=1"], "max_velocity: elbow: no such joint (one of: wam_joint_1"),
+        (["--acceleration", "wam_joint_1=0"], "max_acceleration: wam_joint_1: 0.0: should be"),
+    ):
+        assert cli.main([*command, *bad]) == 2
+        assert words in capsys.readouterr().err
+    with pytest.raises(SystemExit, match="2"):
+        cli.main([*command, "--velocity", "wam_joint_1=fast"])
+    assert "--velocity: invalid limit value: 'wam_joint_1=fast'" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))
 def test_text_goes_to_stdout(tmp_path, monkeypatch, capsys, to):
     monkeypatch.chdir(tmp_path)
