@@ -314,6 +314,9 @@ def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
     names = [f"{i}_{segment.name}" for i, segment in enumerate(trajectory.segments)]
     assert [model.key(k).name for k in range(model.nkey)] == ["start", *names]
     assert [model.actuator(i).name for i in range(model.nu)] == list(robot.joint_names)
+    assert model.joint("object").id == model.njnt - 1
+    held = [model.equality(i).name for i in range(model.neq)]
+    assert ("object_held" in held) == (name == "clasp")
     for k in range(model.nkey):
         mujoco.mj_resetDataKeyframe(model, data, k)
         mujoco.mj_forward(model, data)
