@@ -75,6 +75,7 @@ def _limits(flag: str, given: list[tuple[str, float]] | None) -> float | dict[st
 
 
 def _run(options: argparse.Namespace) -> int:
+    from .. import progress
     from . import export, text
 
     given = {
@@ -85,11 +86,13 @@ def _run(options: argparse.Namespace) -> int:
         "fingers": options.fingers,
     }
     plan, to_stdout = checked_plan(options), options.output == "-"
+    with progress.waiting("timing and writing"):
+        if to_stdout:
+            trajectory, written = text(plan, options.to, **given)
+        else:
+            trajectory = export(plan, options.output, options.to, **given)
     if to_stdout:
-        trajectory, written = text(plan, options.to, **given)
         sys.stdout.write(written)
-    else:
-        trajectory = export(plan, options.output, options.to, **given)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
     print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)

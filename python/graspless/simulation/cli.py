@@ -43,6 +43,7 @@ def add_parser(commands: Any) -> None:
 def _run(options: argparse.Namespace) -> int:
     from .. import files, progress
     from ..errors import TaskError
+    from ..report import count
     from ..report import simulation as report
     from . import simulate
 
@@ -51,13 +52,14 @@ def _run(options: argparse.Namespace) -> int:
     plan = checked_plan(options)
     if options.disturb and plan.kind != "fingertip":
         raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
-    with progress.waiting(f"simulating, {options.trials} trials"):
+    with progress.waiting(f"simulating, {count(options.trials, 'trials')}"):
         found = simulate(plan, options.trials, options.seed, record=options.html is not None)
     disturbed = _disturb(plan) if options.disturb else None
     if options.html is not None:
         from .. import view
 
-        view.write_html(plan, options.html, recording=found.trials[0].recording)
+        with progress.waiting(f"drawing {options.html}"):
+            view.write_html(plan, options.html, recording=found.trials[0].recording)
     if options.json:
         print(json.dumps(found.as_dict() | ({"disturbed": disturbed} if disturbed else {})))
     else:
