@@ -23,6 +23,7 @@ from ._commands import (
     NOT_FOUND,
     given_plan,
     read_stdin,
+    terminable,
 )
 from ._loops import add_parser as _add_loops
 from .batches.cli import add_parser as _add_batch
@@ -44,11 +45,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     -------
     int
         0 found or holds, 1 not found or does not hold, 2 bad input or output that cannot be
-        written, 130 interrupted, 141 the reader of our output has gone.
+        written, 130 interrupted, 141 the reader of our output has gone, 143 terminated.
     """
     try:
         try:
-            return _run(arguments)
+            with terminable() as told:
+                return told(_run(arguments))
         finally:  # here, not while Python ends, where it would be a traceback
             if sys.stdout is not None:
                 sys.stdout.flush()

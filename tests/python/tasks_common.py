@@ -59,6 +59,16 @@ def reread(document, path):
     return graspless.load_plan(path)
 
 
+def edited(plan, path):
+    """A slide's or clasp's plan whose first joint jumps in the middle of its first segment."""
+    document = json.loads(plan.to_json())
+    rows = document["segments"][0]["positions"]
+    rows[len(rows) // 2][0] += 0.3
+    path.write_text(json.dumps(document))
+    assert graspless.check(path)
+    return str(path)
+
+
 def without_clock(plan):
     """What stands in a plan's file, but for how long it took."""
     document = json.loads(plan.to_json())

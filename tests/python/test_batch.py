@@ -265,6 +265,38 @@ def test_interrupted_and_resumed(tasks, tmp_path):
     assert list(output.rglob(".*")) == []
 
 
+def test_sigterm_leaves_no_worker_behind(tasks, tmp_path):
+    folder, output = tasks(*(f"card_{i:03}" for i in range(80))), tmp_path / "out"
+    process = _start(folder, output, "--jobs", "2")
+    deadline = time.monotonic() + 60
+    while len(rows_of(output)) < 5:
+        assert time.monotonic() < deadline
+        assert process.poll() is None
+        time.sleep(0.02)
+    assert len(_session(process.pid)) >= 3  # it, and its workers
+    for _ in range(2):  # as `timeout` does
+        process.send_signal(signal.SIGTERM)
+    _, err = process.communicate(timeout=30)
+    assert process.returncode == 143, err
+    assert err.startswith("interrupted; this goes on: graspless batch ")
+    deadline = time.monotonic() + 5
+    while left := _session(process.pid):
+        assert time.monotonic() < deadline, left
+        time.sleep(0.02)
+    assert list(output.rglob(".*")) == []
+
+
+def _session(leader):
+    """Processes of the session that `leader` began, but for those that only wait to be forgotten."""
+    found = []
+    for path in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            state, _, _, session = path.read_text().rpartition(")")[2].split()[:4]
+            if int(session) == leader and state != "Z":
+                found.append(path.parent.name)
+    return found
+
+
 def test_a_row_that_was_cut_short_is_none(here, tasks, tmp_path):
     folder, output = tasks("a", "b"), tmp_path / "out"
     graspless.batch(folder, output)

@@ -18,12 +18,12 @@ from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
 import graspless
-from graspless import TaskError, cli, frames
-from graspless.exports import FORMATS
+from graspless import TaskError, cli, exports, frames
+from graspless.exports import ENDINGS, FORMATS
 from graspless.exports.fingers import contacts
 from graspless.exports.json_model import TrajectoryFile
 from graspless.tasks import read_task
-from tasks_common import changed
+from tasks_common import changed, edited
 from timing_common import planned
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -181,6 +181,18 @@ def test_what_cannot_be_exported_is_told(tmp_path, name, to, words):
 
 
 @pytest.mark.parametrize("to", FORMATS)
+def test_an_ending_of_another_format_is_refused(tmp_path, to):
+    for other in set(FORMATS) - {to}:
+        for ending in ENDINGS[other]:
+            own = re.escape(" or ".join(ENDINGS[to]))
+            with pytest.raises(TaskError, match=f"is the ending of {other}: should be {own}"):
+                exported("slide", tmp_path / f"plan{ending.upper()}", to)
+    assert not list(tmp_path.iterdir())
+    for ending in (*ENDINGS[to], "", ".of_2026"):
+        exports._check_ending(f"plan{ending}", to)
+
+
+@pytest.mark.parametrize("to", FORMATS)
 def test_a_plan_without_solution_is_refused(tmp_path, to):
     unsolved = graspless.plan(planned("slide").task, iterations=0)
     with pytest.raises(TaskError, match="not solved"):
@@ -215,6 +227,41 @@ def test_from_the_command_line(tmp_path, capsys):
     bad = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), "--rate", "-1"]
     assert cli.main(bad) == 2
     assert "rate: -1" in capsys.readouterr().err
+
+
+def test_a_plan_that_does_not_hold_is_refused(tmp_path, capsys):
+    plan, out = edited(planned("clasp"), tmp_path / "edited.json"), tmp_path / "plan.csv"
+    command = ["export", plan, "--to", "csv", "--rate", "20", "-o", str(out)]
+    assert cli.main(command) == 2
+    err = capsys.readouterr().err
+    assert err.startswith(f"{plan}: does not hold: ")
+    assert graspless.check(plan)[0] in err
+    assert err.endswith("; --unchecked goes on\n")
+    assert not out.exists()
+    assert cli.main([*command, "--unchecked"]) == 0
+    assert out.exists()
+
+
+def test_limits_of_single_joints(tmp_path, capsys):
+    planned("slide").save(tmp_path / "plan.json")
+    command = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(tmp_path / "a.csv")]
+    of_two = ["--velocity", "wam_joint_1=0.1", "--velocity", "wam_joint_2=0.2"]
+    assert cli.main([*command, "--rate", "20", *of_two, "--acceleration", "wam_joint_1=2"]) == 0
+    limits = {"wam_joint_1": 0.1, "wam_joint_2": 0.2}
+    given = {"max_velocity": limits, "max_acceleration": {"wam_joint_1": 2.0}}
+    exported("slide", tmp_path / "b.csv", "csv", **given)
+    assert (tmp_path / "a.csv").read_text() == (tmp_path / "b.csv").read_text()
+    for bad, words in (
+        (["--velocity", "0.5", *of_two], "--velocity: should be one number, or one JOINT=V"),
+        ([*of_two, *of_two], "--velocity: should be one number, or one JOINT=V"),
+        (["--velocity", "elbow=1"], "max_velocity: elbow: no such joint (one of: wam_joint_1"),
+        (["--acceleration", "wam_joint_1=0"], "max_acceleration: wam_joint_1: 0.0: should be"),
+    ):
+        assert cli.main([*command, *bad]) == 2
+        assert words in capsys.readouterr().err
+    with pytest.raises(SystemExit, match="2"):
+        cli.main([*command, "--velocity", "wam_joint_1=fast"])
+    assert "--velocity: invalid limit value: 'wam_joint_1=fast'" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))
@@ -267,6 +314,9 @@ def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
     names = [f"{i}_{segment.name}" for i, segment in enumerate(trajectory.segments)]
     assert [model.key(k).name for k in range(model.nkey)] == ["start", *names]
     assert [model.actuator(i).name for i in range(model.nu)] == list(robot.joint_names)
+    assert model.joint("object").id == model.njnt - 1
+    held = [model.equality(i).name for i in range(model.neq)]
+    assert ("object_held" in held) == (name == "clasp")
     for k in range(model.nkey):
         mujoco.mj_resetDataKeyframe(model, data, k)
         mujoco.mj_forward(model, data)

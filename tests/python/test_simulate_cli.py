@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command `graspless simulate`: flags, exit codes and what is printed, the engine stubbed."""
 
+import contextlib
 import json
+import types
 from pathlib import Path
 
 import pytest
@@ -10,7 +12,7 @@ import pytest
 import graspless
 from graspless import _data
 from graspless.simulation import Trial, simulation_kind
-from tasks_common import run
+from tasks_common import edited, run
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +56,16 @@ def test_trials_that_fail_are_named_and_counted(plan_file, engine, capsys):
     assert "median" in out
 
 
+def test_a_plan_that_does_not_hold_is_refused(plan_file, engine, capsys, tmp_path):
+    plan = edited(graspless.load_plan(plan_file), tmp_path / "edited.json")
+    code, out, err = run(capsys, "simulate", plan)
+    assert (code, out, engine) == (2, "", [])
+    assert err.startswith(f"{plan}: does not hold: ")
+    assert graspless.check(plan)[0] in err
+    code, out, err = run(capsys, "simulate", plan, "--unchecked")
+    assert (code, err, len(engine)) == (0, "", 1)
+
+
 def test_json_is_all_that_is_printed(plan_file, engine, capsys):
     code, out, _ = run(capsys, "simulate", plan_file, "--trials", "9", "--json")
     printed = json.loads(out)
@@ -82,6 +94,35 @@ def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):
     assert code == 2
     assert "there is no folder" in err
     assert not engine
+
+
+def test_what_takes_long_is_told(plan_file, engine, capsys, monkeypatch, tmp_path):
+    from graspless.view import replay
+
+    told = []
+
+    def waiting(what):
+        told.append(what)
+        return contextlib.nullcontext()
+
+    def interrupt(seconds):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("graspless.progress.waiting", waiting)
+    monkeypatch.setattr("graspless.view.write_html", lambda *_, recording: None)
+    page = str(tmp_path / "page.html")
+    assert run(capsys, "simulate", plan_file, "--html", page)[0] == 0
+    assert told == ["checking", "simulating, 1 trial", f"drawing {page}"]
+    told.clear()
+    out = str(tmp_path / "plan.csv")
+    assert run(capsys, "export", plan_file, "--to", "csv", "-o", out)[0] == 0
+    assert told == ["checking", "timing and writing"]
+    told.clear()
+    monkeypatch.setattr(replay, "time", types.SimpleNamespace(sleep=interrupt))
+    code, out, _ = run(capsys, "view", plan_file, "--port", str(replay._free_port()))
+    assert code == 130
+    assert out.startswith("http://")
+    assert told == ["drawing"]
 
 
 @pytest.mark.parametrize(

@@ -59,21 +59,28 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals, b
   return out.str();
 }
 
+/// A pad can hold an object against the support's friction only so far.
+bool warn_of_drag(const Problem& problem, Plan& plan) {
+  constexpr double kTell = 10;  // a greater load has no meaning as a number
+  const double load = drag_load(problem, plan);
+  if (load <= 1) return false;
+  std::ostringstream out;
+  out << std::setprecision(2) << "the pad cannot drag the object: on the way it would have to hold "
+      << (load < kTell ? "" : "more than ") << std::min(load, kTell) << " times what it can ("
+      << std::setprecision(6) << "object.mass " << problem.object.mass() << " kg, support.friction "
+      << problem.support.friction() << ", hand.pad_friction " << problem.hand.pad_friction
+      << "); another seed may press nearer to the centre of mass";
+  plan.warnings.push_back(out.str());
+  return true;
+}
+
 /// Eq. (2) has the object turn with the finger; physics allows that to a pad only so far.
 void warn_of_torsion(const Problem& problem, Plan& plan) {
   constexpr double kDegree = 0.017453292519943295, kMost = 2;  // lag that is worth a word [deg]
   const Turning slide = turning(problem, plan);
   const double lag = slide.lag / kDegree;
-  if (lag < kMost && slide.allowed > 0) return;
+  if (lag < kMost) return;
   std::ostringstream out;
-  if (slide.allowed == 0) {
-    out << "the pad cannot drag the object: its friction (hand.pad_friction "
-        << problem.hand.pad_friction
-        << ") is less than what holds the object back (support.friction "
-        << problem.support.friction() << ", object.mass " << problem.object.mass() << " kg)";
-    plan.warnings.push_back(out.str());
-    return;
-  }
   out << std::setprecision(2) << "the slide turns by up to " << slide.most / kDegree / 100
       << " deg/cm, and the pad turns the object with it only up to "
       << slide.allowed / kDegree / 100 << ": it may stay behind by " << lag
@@ -113,7 +120,7 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   plan.X_WO_goal = X_WO_goal;
   plan.X_WH_grasp = handling.X_WH;
   plan.overhang = handling.placement.overhang;
-  warn_of_torsion(query.problem, plan);
+  if (!warn_of_drag(query.problem, plan)) warn_of_torsion(query.problem, plan);
 }
 
 std::string reason(const Plan& plan) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "slide/contact.hpp"
 
@@ -12,44 +13,82 @@ namespace graspless::slide {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
+constexpr double kWay = 1e-5;      // shorter ones have no direction [m]
 
 /// A row of the slide: what presses, and about where the object turns.
 struct Moment {
-  Eigen::Vector2d p_SC;  ///< centre of pressure [m]
+  Tip tip;               ///< as commanded
+  double depth;          ///< below the top face [m]
+  Eigen::Vector2d p_SM;  ///< centre of mass [m]
+  Eigen::Vector2d p_SC;  ///< centre of pressure of a finger that drags nothing [m]
   double yaw;            ///< of the object [rad]
   double radius;         ///< mean, of the object's points about the centre of pressure [m]
-  double press;          ///< [N]
 };
+
+double weight(const Problem& problem) { return problem.object.mass() * kGravity; }
 
 Moment moment(const Problem& problem, const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO) {
   const robot::Robot& robot = problem.robot;
   const Eigen::Isometry3d X_SW = problem.support.X_WS().inverse();
   const Tip pressing = tip(X_SW * robot.pose(robot.frame(problem.hand.fingertip), q));
   const Planar X_SO = planar(X_SW * X_WO);
-  const double press =
-      press_force(problem.hand, problem.object.thickness() - pressing.height, pressing.pitch);
-  const double weight = problem.object.mass() * kGravity;
+  const double depth = problem.object.thickness() - pressing.height;
+  const double press = press_force(problem.hand, depth, pressing.pitch);
+  const Eigen::Vector2d p_SM = X_SO * problem.object.com().head<2>().eval();
   const Eigen::Vector2d p_SC =
-      (press * pressing.position + weight * (X_SO * problem.object.com().head<2>().eval())) /
-      (press + weight);
+      (press * pressing.position + weight(problem) * p_SM) / (press + weight(problem));
   const Eigen::Vector2d p_OC = X_SO.inverse() * p_SC;
   const double radius = (problem.object.points().colwise() - p_OC).colwise().norm().mean();
-  return {p_SC, std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0)), radius, press};
+  return {pressing, depth, p_SM, p_SC, std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0)),
+          radius};
+}
+
+/// The plan's slide, row by row; nothing where its press is not known.
+std::vector<Moment> moments(const Problem& problem, const Plan& plan) {
+  const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
+                                  [](const Segment& segment) { return segment.name == "slide"; });
+  std::vector<Moment> found;
+  if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) return found;
+  for (std::size_t row = 0; row < slide->positions.size(); ++row)
+    found.push_back(moment(problem, slide->positions[row], slide->object_poses[row]));
+  return found;
+}
+
+/// While the object goes this way.
+double press_on(const Problem& problem, const Moment& at, const Eigen::Vector2d& way) {
+  const double along = way.norm() < kWay ? 0 : at.tip.heading.dot(way.normalized());
+  return dragging_force(problem.hand, at.depth, at.tip.pitch, along, problem.support.friction(),
+                        weight(problem));
+}
+
+/// mu_s (N + m g) / (mu_p N), also of an infinite press.
+double drag_ratio(const Problem& problem, double press) {
+  return problem.support.friction() / problem.hand.pad_friction * (1 + weight(problem) / press);
+}
+
+double flexed_pitch(const Hand& hand, double depth, double pitch) {
+  return std::asin(std::max(-1.0, std::sin(pitch) - depth / hand.flexure_length));
 }
 
 }  // namespace
 
 double press_force(const Hand& hand, double depth, double pitch) {
-  const double L = hand.flexure_length;
-  const double flexed = std::asin(std::max(-1.0, std::sin(pitch) - depth / L));
-  return std::max(0.0, hand.flexure_stiffness * (pitch - flexed) / (L * std::cos(flexed)));
+  const double flexed = flexed_pitch(hand, depth, pitch);
+  return std::max(
+      0.0, hand.flexure_stiffness * (pitch - flexed) / (hand.flexure_length * std::cos(flexed)));
+}
+
+double dragging_force(const Hand& hand, double depth, double pitch, double along, double friction,
+                      double weight) {
+  // Moments about the flexure: k (pitch - b') = L cos b' N - L sin b' along friction (N + weight).
+  const double lever = along * friction * std::tan(flexed_pitch(hand, depth, pitch));
+  if (lever >= 1) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, (press_force(hand, depth, pitch) + lever * weight) / (1 - lever));
 }
 
 double max_turn_per_length(const Problem& problem, double radius, double press) {
-  const double grip = problem.hand.pad_friction * press;
-  if (grip <= 0) return 0;
-  const double drag =
-      problem.support.friction() * (press + problem.object.mass() * kGravity) / grip;
+  if (press <= 0) return 0;
+  const double drag = drag_ratio(problem, press);
   const double R = drag * drag, lever = 4 * radius / problem.hand.pad_width;
   if (R >= 1) return 0;
   const double excess = R * lever * lever - 1;
@@ -57,25 +96,37 @@ double max_turn_per_length(const Problem& problem, double radius, double press) 
   return std::sqrt((1 - R) / excess) / radius;
 }
 
+double drag_load(const Problem& problem, const Plan& plan) {
+  const std::vector<Moment> rows = moments(problem, plan);
+  double most = 0;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const Moment& now = rows[row];
+    const Eigen::Vector2d way = now.p_SC - rows[row - 1].p_SC;
+    if (way.norm() < kWay) continue;
+    const double press = press_on(problem, now, way);
+    const Planar X_ST =
+        effective_tip(problem.hand, now.tip, problem.object.thickness(), rows.front().tip.pitch);
+    const Eigen::Vector2d p_TC = (now.p_SM - X_ST.translation()) / (1 + press / weight(problem));
+    const double e = way.normalized().dot(Eigen::Vector2d(p_TC.y(), -p_TC.x()));
+    const double w = problem.hand.pad_width / 4;
+    most = std::max(most, drag_ratio(problem, press) * std::hypot(1, e / w));
+  }
+  return most;
+}
+
 Turning turning(const Problem& problem, const Plan& plan) {
   Turning found;
-  const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
-                                  [](const Segment& segment) { return segment.name == "slide"; });
-  if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) {
-    found.allowed = std::numeric_limits<double>::infinity();
-    return found;
-  }
   found.allowed = std::numeric_limits<double>::infinity();
-  Moment before = moment(problem, slide->positions.front(), slide->object_poses.front());
-  for (std::size_t row = 1; row < slide->positions.size(); ++row) {
-    const Moment now = moment(problem, slide->positions[row], slide->object_poses[row]);
-    const double way = (now.p_SC - before.p_SC).norm();
+  const std::vector<Moment> rows = moments(problem, plan);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const Moment &before = rows[row - 1], &now = rows[row];
+    const Eigen::Vector2d step = now.p_SC - before.p_SC;
+    const double way = step.norm();
     const double turn = std::abs(std::remainder(now.yaw - before.yaw, 2 * std::acos(-1.0)));
-    const double allowed = max_turn_per_length(problem, now.radius, now.press);
+    const double allowed = max_turn_per_length(problem, now.radius, press_on(problem, now, step));
     if (way > 0) found.most = std::max(found.most, turn / way);
     found.allowed = std::min(found.allowed, allowed);
     if (std::isfinite(allowed)) found.lag += std::max(0.0, turn - allowed * way);
-    before = now;
   }
   return found;
 }

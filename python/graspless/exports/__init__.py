@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import importlib
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import files
@@ -13,8 +14,6 @@ from ..simulation import require_mujoco
 from ..timing import time
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from ..plans import Plan
     from ..robot import Robot
     from ..timing import Trajectory
@@ -25,6 +24,13 @@ FORMATS = {
     "csv": "a table, one row a moment",
     "mujoco": "MJCF of the task with keyframes",
     "json": "the trajectory, by trajectory.schema.json",
+}
+ENDINGS = {  # of files; any that is no other format's will do, too
+    "ros": (".yaml", ".yml"),
+    "mcap": (".mcap",),
+    "csv": (".csv",),
+    "mujoco": (".xml", ".mjcf"),
+    "json": (".json",),
 }
 
 
@@ -49,9 +55,10 @@ def export(
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in.
+        One that is solved, or the file it stands in. It is not checked: `check` does that.
     path : str or Path
         The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
+        An ending of another format is refused.
     to : str
         ros, mcap, csv, mujoco or json: see docs/export.md.
     rate : float, optional
@@ -69,11 +76,12 @@ def export(
     Raises
     ------
     TaskError
-        There is no such format, the plan cannot be timed or has not what the format needs, or the
-        file cannot be written.
+        There is no such format, the file's ending is another's, the plan cannot be timed or has
+        not what the format needs, or the file cannot be written.
     """
     writer = _writer(to)
     files.check_writable(path)
+    _check_ending(path, to)
     trajectory = time(plan, robot, rate=rate, **limits)
     writer.write(trajectory, path)
     return trajectory
@@ -93,6 +101,16 @@ def text(
     writer: Any = _writer(to)
     trajectory = time(plan, robot, rate=rate, **limits)
     return trajectory, writer.text(trajectory)
+
+
+def _check_ending(path: str | Path, to: str) -> None:
+    """Raises TaskError where a file's ending would tell of another format."""
+    suffix = Path(path).suffix.lower()
+    if suffix in ENDINGS[to] or not any(suffix in others for others in ENDINGS.values()):
+        return
+    other = next(name for name, endings in ENDINGS.items() if suffix in endings)
+    own = " or ".join(ENDINGS[to]) + (", or a folder's name" if to == "mcap" else "")
+    raise TaskError(f"{path}: {suffix} is the ending of {other}: should be {own} (to: {to})")
 
 
 def _writer(to: str) -> Format:

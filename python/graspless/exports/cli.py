@@ -7,7 +7,8 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from .._commands import FOUND, given_plan
+from .._commands import FOUND, add_unchecked, checked_plan
+from ..errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
@@ -31,35 +32,67 @@ def add_parser(commands: Any) -> None:
         required=True,
         help="mcap: FILE.mcap, or a new folder; of the others - for stdout",
     )
+    for flag, what in (
+        ("--velocity", "[rad/s, m/s]; the URDF's hold besides"),
+        ("--acceleration", "[rad/s^2, m/s^2] (5 and 1)"),
+    ):
+        parser.add_argument(
+            flag,
+            type=_limit,
+            action="append",
+            metavar="V",
+            help=f"of every joint at most {what}; JOINT=V: of that joint, may be repeated",
+        )
     for flag, unit, what in (
         ("--rate", "HZ", "moments a second (100)"),
-        ("--velocity", "V", "of every joint at most [rad/s, m/s]; the URDF's hold besides"),
-        ("--acceleration", "A", "of every joint at most [rad/s^2, m/s^2] (5 and 1)"),
         ("--contact-speed", "V", "of what touches [m/s] (0.05; fingertip plans 0.02)"),
     ):
         parser.add_argument(flag, type=float, metavar=unit, help=what)
     parser.add_argument(
         "--fingers", action="store_true", help="the bare fingertips of a plan that has an arm"
     )
+    add_unchecked(parser)
     parser.set_defaults(run=_run)
 
 
+def _limit(text: str) -> tuple[str, float]:
+    """Joint and limit; every joint's has no name."""
+    joint, _, value = text.rpartition("=")
+    return joint, float(value)
+
+
+_limit.__name__ = "limit"  # as argparse calls what it is not
+
+
+def _limits(flag: str, given: list[tuple[str, float]] | None) -> float | dict[str, float] | None:
+    """As `time` takes them."""
+    if given is None:
+        return None
+    limits = dict(given)
+    if len(limits) < len(given) or ("" in limits and len(limits) > 1):
+        raise TaskError(f"{flag}: should be one number, or one JOINT=V of each joint that is named")
+    return limits.get("", limits)
+
+
 def _run(options: argparse.Namespace) -> int:
+    from .. import progress
     from . import export, text
 
     given = {
         "rate": options.rate,
-        "max_velocity": options.velocity,
-        "max_acceleration": options.acceleration,
+        "max_velocity": _limits("--velocity", options.velocity),
+        "max_acceleration": _limits("--acceleration", options.acceleration),
         "contact_speed": options.contact_speed,
         "fingers": options.fingers,
     }
-    plan, to_stdout = given_plan(options.plan), options.output == "-"
+    plan, to_stdout = checked_plan(options), options.output == "-"
+    with progress.waiting("timing and writing"):
+        if to_stdout:
+            trajectory, written = text(plan, options.to, **given)
+        else:
+            trajectory = export(plan, options.output, options.to, **given)
     if to_stdout:
-        trajectory, written = text(plan, options.to, **given)
         sys.stdout.write(written)
-    else:
-        trajectory = export(plan, options.output, options.to, **given)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
     print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)

@@ -13,6 +13,7 @@ import numpy as np
 from .. import clasp, frames, geometry
 from . import Plan as AnyPlan
 from . import clasp_model as model
+from . import joints
 from .joints import poses, positions, to_rows
 
 if TYPE_CHECKING:
@@ -24,28 +25,16 @@ File = model.ClaspPlanFile
 
 
 @dataclass(frozen=True)
-class Segment:
-    """A stretch of motion.
+class Segment(joints.Segment):
+    """A stretch of motion: reach or close. The object stands still.
 
     Attributes
     ----------
-    name : str
-        reach or close.
-    positions : array [N, dof]
-        All joints [rad or m].
-    object_poses : array [N, 4, 4]
-        X_WO at each row, the same in all: the object stands still.
     virtual_linking : array [N, curves]
         Of every finger curve with the loop that is clasped: 0 not linked, 1 closed around it.
     """
 
-    name: str
-    positions: Matrix
-    object_poses: Matrix
     virtual_linking: Matrix
-
-    def __len__(self) -> int:
-        return len(self.positions)
 
 
 class Plan(AnyPlan):

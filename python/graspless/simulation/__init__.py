@@ -54,7 +54,7 @@ def simulate(
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in.
+        One that is solved, or the file it stands in. It is not checked: `check` does that.
     trials : int
         The first is nominal; the others vary friction, mass, the object's place and the time step.
         Of fingertip plans: friction by 10 %, the fingers' places (with an arm the object's) by

@@ -7,7 +7,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-from .._commands import FOUND, NOT_FOUND, given_plan
+from .._commands import FOUND, NOT_FOUND, add_unchecked, checked_plan
 
 if TYPE_CHECKING:
     import argparse
@@ -35,6 +35,7 @@ def add_parser(commands: Any) -> None:
         help="of a fingertip plan: also the least disturbance that breaks its weakest row (slow); "
         "held by bare fingertips, whether or not the plan has an arm",
     )
+    add_unchecked(parser)
     parser.add_argument("--json", action="store_true", help="print the trials as JSON")
     parser.set_defaults(run=_run)
 
@@ -42,21 +43,23 @@ def add_parser(commands: Any) -> None:
 def _run(options: argparse.Namespace) -> int:
     from .. import files, progress
     from ..errors import TaskError
+    from ..report import count
     from ..report import simulation as report
     from . import simulate
 
     if options.html is not None:
         files.check_writable(options.html)
-    plan = given_plan(options.plan)
+    plan = checked_plan(options)
     if options.disturb and plan.kind != "fingertip":
         raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
-    with progress.waiting(f"simulating, {options.trials} trials"):
+    with progress.waiting(f"simulating, {count(options.trials, 'trials')}"):
         found = simulate(plan, options.trials, options.seed, record=options.html is not None)
     disturbed = _disturb(plan) if options.disturb else None
     if options.html is not None:
         from .. import view
 
-        view.write_html(plan, options.html, recording=found.trials[0].recording)
+        with progress.waiting(f"drawing {options.html}"):
+            view.write_html(plan, options.html, recording=found.trials[0].recording)
     if options.json:
         print(json.dumps(found.as_dict() | ({"disturbed": disturbed} if disturbed else {})))
     else:

@@ -54,7 +54,7 @@ def time(
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in.
+        One that is solved, or the file it stands in. It is not checked: `check` does that.
     robot : Robot, optional
         Instead of the plan's own, with the same joints: for its limits.
     max_velocity : float or dict, optional
@@ -69,7 +69,8 @@ def time(
     rate : float, optional
         Moments a second that the trajectory has; between them it is linear. Default 100.
     pause : float, optional
-        Between segments, where contacts change [s]. Default 0.05.
+        Between segments, where contacts change [s]. Default 0.05. Above 0: the end of one segment
+        and the start of the next are moments of their own, and no two are at the same time.
     fingers : bool
         Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same, also
         where its status is not_realized.

@@ -98,18 +98,28 @@ class Film:
         )
 
 
-def film(plan: Plan, q: ArrayLike, X_WO: ArrayLike, speeds: dict[str, float]) -> Film:
-    """The plan's rows at a pace for watching; `timed` gives them the robot's.
+def film(
+    plan: Plan,
+    recording: Recording | None,
+    q: ArrayLike,
+    X_WO: ArrayLike,
+    speeds: dict[str, float],
+) -> Film:
+    """What was recorded, or the plan's rows at a pace for watching; `timed` gives them the robot's.
 
     Parameters
     ----------
     plan : Plan
         Of a kind whose segments have positions and object_poses.
+    recording : Recording or None
+        Of a simulation of the plan.
     q, X_WO : array [dof], array [4, 4]
         What a plan without motion shows.
     speeds : dict
         Of segments by name [rad/s].
     """
+    if recording is not None:
+        return recorded(plan, recording)
     segments = [segment for segment in plan.segments if len(segment)]
     if not segments:
         joints, pose = np.asarray(q, dtype=float), np.asarray(X_WO, dtype=float)

@@ -12,7 +12,7 @@ import time
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
-from .. import kinds
+from .. import kinds, progress
 from ..errors import TaskError
 
 if TYPE_CHECKING:
@@ -62,8 +62,9 @@ def serve(plan: Plan, port: int) -> None:
     """Serves the replay with a slider and a box a layer until Ctrl-C."""
     _check_port(port)  # before the work of drawing
     with _server(port) as server:
-        stage = _stage(server, plan, None)
-        stage.show(0)
+        with progress.waiting("drawing"):
+            stage = _stage(server, plan, None)
+            stage.show(0)
         playing = server.gui.add_checkbox("play", initial_value=True)
         last = (stage.rows - 1) / RATE
         now = server.gui.add_slider(

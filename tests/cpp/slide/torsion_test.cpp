@@ -65,6 +65,36 @@ TEST(Torsion, TheFingerPressesAsItsSpringSays) {
   EXPECT_NEAR(energy, hand.flexure_stiffness * bent * bent / 2, 1e-6);
 }
 
+TEST(Torsion, ADraggingFingerIsInBalanceAboutItsFlexure) {
+  const Hand hand;
+  std::mt19937_64 rng(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int lifted = 0, jammed = 0, balanced = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double depth = 0.02 * unit(rng), pitch = 0.5 + 0.5 * unit(rng);
+    const double along = 2 * unit(rng) - 1, friction = 1.5 * unit(rng), weight = 30 * unit(rng);
+    const double N = dragging_force(hand, depth, pitch, along, friction, weight);
+    const double L = hand.flexure_length, bent = std::asin(std::sin(pitch) - depth / L);
+    const Eigen::Vector2d tip(L * std::cos(bent), -L * std::sin(bent));
+    const auto torque = [&](double press) {  // of what acts on the tip, less the spring's
+      const Eigen::Vector2d force(-along * friction * (press + weight), press);
+      return tip.x() * force.y() - tip.y() * force.x() - hand.flexure_stiffness * (pitch - bent);
+    };
+    if (N == 0) {
+      EXPECT_GE(torque(0), 0);  // the pull alone bends it so far
+      ++lifted;
+    } else if (std::isinf(N)) {
+      EXPECT_LT(torque(1e9), 0);  // no press holds it
+      ++jammed;
+    } else {
+      EXPECT_NEAR(torque(N), 0, 1e-9 * (1 + N));
+      ++balanced;
+    }
+  }
+  EXPECT_GT(std::min({lifted, jammed, balanced}), 20);
+  EXPECT_EQ(dragging_force(hand, 0.015, 0.8, 0, 0.3, 10), press_force(hand, 0.015, 0.8));
+}
+
 /// A plan whose finger goes `way` along its heading and turns by `turn`, at a depth of 15 mm.
 Plan slide(const Problem& problem, double way, double turn) {
   Plan plan;
@@ -100,11 +130,30 @@ TEST(Torsion, AStraightSlideNeverLagsAndATurnOnTheSpotLagsByItself) {
   EXPECT_NEAR(turning(smooth, slide(smooth, 1e-4, 0.5)).lag, 0, 1e-9);
 }
 
+TEST(Torsion, TheLoadIsForceAndTorqueOfTheSupportAgainstThePads) {
+  for (const double mass : {0.05, 1.0}) {
+    for (const double aside : {0.0, 0.02}) {
+      for (const double way : {0.03, -0.03}) {
+        Problem p = with(0.3, 0.032);
+        p.object = p.object.with_mass(mass).with_com({0, aside, 0.0025});
+        const double along = way > 0 ? 1 : -1, weight = mass * 9.81;
+        const double N = dragging_force(p.hand, .015, .785, along, .3, weight);
+        const double force = .3 * (N + weight), torque = .3 * weight * aside;
+        const double grip = p.hand.pad_friction * N, w = .032 / 4;
+        const double load = std::hypot(force / grip, torque / (grip * w));
+        EXPECT_NEAR(drag_load(p, slide(p, way, 0)), load, 1e-3 * load);
+      }
+    }
+  }
+}
+
 TEST(Torsion, AFingerWithoutAModelPromisesNothing) {
   Problem rigid = with(0.6, 0.01);
   rigid.hand.finger_model = FingerModel::none;
   EXPECT_EQ(turning(rigid, slide(rigid, 1e-4, 0.5)).lag, 0);
   EXPECT_EQ(turning(rigid, Plan{}).lag, 0);
+  EXPECT_EQ(drag_load(rigid, slide(rigid, 0.1, 0)), 0);
+  EXPECT_EQ(drag_load(with(0.6, 0.01), Plan{}), 0);
 }
 
 TEST(Torsion, APadThatCannotDragTheObjectIsWarnedOf) {
@@ -113,6 +162,27 @@ TEST(Torsion, APadThatCannotDragTheObjectIsWarnedOf) {
   ASSERT_TRUE(plan);
   ASSERT_EQ(plan.warnings.size(), 1u);
   EXPECT_NE(plan.warnings.front().find("cannot drag"), std::string::npos);
+}
+
+TEST(Torsion, AnObjectTooHeavyForThePadIsWarnedOf) {
+  int warned = 0, quiet = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    for (const double mass : {0.05, 1.0, 3.0}) {
+      Problem problem = with(0.3, 0.032);
+      problem.object = problem.object.with_mass(mass);
+      planning::Budget budget;
+      budget.seed = seed;
+      const Plan plan = slide::plan(problem, {}, budget);
+      ASSERT_TRUE(plan);
+      const bool heavy = drag_load(problem, plan) > 1;
+      const bool told =
+          !plan.warnings.empty() && plan.warnings.front().find("cannot drag") != std::string::npos;
+      EXPECT_EQ(told, heavy);
+      EXPECT_FALSE(heavy && mass < 0.1);
+      (heavy ? warned : quiet) += 1;
+    }
+  }
+  EXPECT_GT(std::min(warned, quiet), 3);
 }
 
 TEST(Torsion, APlanThatTurnsFastIsWarnedOf) {
@@ -124,7 +194,7 @@ TEST(Torsion, APlanThatTurnsFastIsWarnedOf) {
     const Plan plan = slide::plan(problem, {}, budget);
     ASSERT_TRUE(plan);
     const bool lags = turning(problem, plan).lag > 2 * M_PI / 180;
-    EXPECT_EQ(plan.warnings.size(), lags ? 1u : 0u);
+    EXPECT_EQ(plan.warnings.size(), lags || drag_load(problem, plan) > 1 ? 1u : 0u);
     warned += lags;
   }
   EXPECT_GT(warned, 0);

@@ -19,7 +19,5 @@ def film(plan: Plan, recording: Recording | None = None) -> films.Film:
     """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
     start.
     """
-    if recording is not None:
-        return films.recorded(plan, recording)
     problem = plan.task.problem
-    return films.film(plan, problem.q_start, problem.object.X_WB, SPEEDS)
+    return films.film(plan, recording, problem.q_start, problem.object.X_WB, SPEEDS)
