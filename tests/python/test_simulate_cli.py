@@ -3,20 +3,23 @@
 """The command `graspless simulate`: flags, exit codes and what is printed, the engine stubbed."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
 
 import graspless
-from graspless import _data
+from graspless import _data, view
 from graspless.simulation import Trial, simulation_kind
 from tasks_common import run
+
+EXAMPLE = _data.directory("examples") / "01_slide_card.yaml"
 
 
 @pytest.fixture(scope="module")
 def plan_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("plan") / "plan.json"
-    graspless.plan(_data.directory("examples") / "01_slide_card.yaml").save(path)
+    graspless.plan(EXAMPLE).save(path)
     return str(path)
 
 
@@ -84,6 +87,26 @@ def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):
     assert not engine
 
 
+def test_without_viser_a_replay_is_refused_before_the_work(
+    plan_file, engine, capsys, tmp_path, monkeypatch
+):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    page = str(tmp_path / "x.html")
+    for command in (
+        ["simulate", plan_file, "--html", page],
+        ["plan", str(EXAMPLE), "-o", str(tmp_path / "plan.json"), "--html", page],
+        ["view", plan_file, "--html", page],
+        ["view", plan_file],
+    ):
+        code, out, err = run(capsys, *command)
+        assert (code, out) == (2, "")
+        assert err == "needs viser to draw: pip install 'graspless[view]'\n"
+    with pytest.raises(graspless.TaskError, match="needs viser"):
+        view.write_html(graspless.load_plan(plan_file), page)
+    assert not engine
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize(
     ("flags", "said"),
     [
@@ -101,7 +124,7 @@ def test_bad_flags_are_named(plan_file, engine, capsys, flags, said):
 
 def test_a_plan_that_was_not_found_is_refused(capsys, tmp_path):
     path = tmp_path / "none.json"
-    graspless.plan(_data.directory("examples") / "01_slide_card.yaml", iterations=0).save(path)
+    graspless.plan(EXAMPLE, iterations=0).save(path)
     code, _, err = run(capsys, "simulate", str(path))
     assert code == 2
     assert "not solved: nothing to simulate" in err
