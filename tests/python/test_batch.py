@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import time
+import unittest.mock
 
 import pytest
 
@@ -55,9 +56,11 @@ def rows_of(output):
 def test_names_stay_apart(tasks, tmp_path, monkeypatch):
     folder = tasks("a/card", "b/card", "plate")
     (folder / "plate.yml").write_text(GOOD)
-    (folder / "own.hand.yaml").write_text("arm: arm")
+    (folder / "card_1.5mm.yaml").write_text(GOOD)
+    for ending in ("hand.yaml", "clasp.yaml", "hand.yml", "clasp.yml"):
+        (folder / f"own.{ending}").write_text("arm: arm")
     (folder / "notes.txt").write_text("")
-    expected = ["a/card", "b/card", "plate.yaml", "plate.yml"]
+    expected = ["a/card", "b/card", "card_1.5mm", "plate.yaml", "plate.yml"]
     assert [entry.name for entry in names.find(folder)] == expected
     assert [entry.name for entry in names.find([folder, folder / "plate.yml"])] == expected
     monkeypatch.chdir(tmp_path)
@@ -224,6 +227,18 @@ def test_progress_only_at_a_terminal(here, capsys, monkeypatch):
     assert out == ""
     assert "planning" in err
     assert "2/2" in err
+
+
+def test_a_terminal_without_rich_has_no_bar(tasks, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    for name in [name for name in sys.modules if name.partition(".")[0] == "rich"]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "rich", None)
+    with bar("planning") as progress:
+        assert progress is None
+    monkeypatch.setitem(sys.modules, "joblib.externals.loky", None)  # [batch] brings both
+    code, out, err = run(capsys, "batch", str(tasks("a")), "-o", str(tmp_path / "out"))
+    assert (code, out, err) == (2, "", "needs joblib: pip install 'graspless[batch]'\n")
 
 
 def test_interrupted_and_resumed(tasks, tmp_path):
@@ -415,6 +430,38 @@ def test_a_dask_worker_that_dies(cluster, tasks, tmp_path):
         summary = runner.carry_out(pool, batch_common.dangerous)
     statuses = {row["name"]: row["status"] for row in summary.rows}
     assert statuses == {"a": "solved", "b": "solved", "killer": "crashed"}
+
+
+def test_a_dask_scheduler_without_workers():
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=None) as alone,
+        pytest.raises(TaskError, match=r"dask: tcp://.*: no worker within 1 s"),
+    ):
+        pools.Cluster(alone.scheduler_address, seconds=1.0)
+
+
+def test_a_clock_of_asyncio_is_told_too(monkeypatch):
+    """Until Python 3.11 its TimeoutError is another one, and no OSError."""
+    distributed = pytest.importorskip("distributed")
+    fault = type("TimeoutError", (Exception,), {})
+    monkeypatch.setattr(pools.asyncio, "TimeoutError", fault)
+
+    def late(*_, **__):
+        raise fault
+
+    monkeypatch.setattr(distributed, "Client", late)
+    with pytest.raises(TaskError, match="no scheduler there: TimeoutError"):
+        pools.Cluster("tcp://there:1")
+    client = unittest.mock.Mock(nthreads=lambda: {"worker": 1}, run=lambda *_, **__: {})
+    monkeypatch.setattr(distributed, "Client", lambda *_, **__: client)
+    cluster = pools.Cluster("tcp://there:1")
+    client.nthreads = late
+    with pytest.raises(TaskError, match="the scheduler has gone"):
+        cluster.look()
+    client.wait_for_workers = late
+    with pytest.raises(TaskError, match="no worker within 10 s"):
+        pools.Cluster("tcp://there:1")
 
 
 @pytest.mark.slow
