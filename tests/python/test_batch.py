@@ -7,6 +7,7 @@ import importlib
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -17,7 +18,7 @@ import pytest
 
 import batch_common
 import graspless
-from graspless import TaskError, batches
+from graspless import TaskError, batches, robot
 from graspless.batches import manifest, names, pools, work
 from graspless.batches.cli import bar
 from graspless.batches.spread import spread
@@ -130,6 +131,19 @@ def test_a_file_that_a_task_names_is_part_of_it(here, tmp_path):
     graspless.batch(tmp_path / "task.yaml", tmp_path / "out")
     (tmp_path / "own.hand.yaml").write_text("{tip_radius: 0.004}")
     assert graspless.batch(tmp_path / "task.yaml", tmp_path / "out").kept == 0
+
+
+def test_copied_tasks_with_their_robot_are_not_planned_anew(here, tasks, tmp_path):
+    folder, output = tasks("a"), tmp_path / "out"
+    for end in (".urdf", ".srdf", ".hand.yaml"):
+        shutil.copy(robot.builtin("wam_t42").with_name(f"wam_t42{end}"), folder)
+    (folder / "a.yaml").write_text(changed("urdf: wam_t42", "urdf: wam_t42.urdf"))
+    graspless.batch(folder, output)
+    shutil.copytree(folder, tmp_path / "copy")
+    assert graspless.batch(tmp_path / "copy", output).kept == 1
+    urdf = tmp_path / "copy" / "wam_t42.urdf"
+    urdf.write_text(urdf.read_text().replace("</robot>", '<link name="more"/></robot>'))
+    assert graspless.batch(tmp_path / "copy", output).kept == 0
 
 
 def test_bad_tasks_among_good_ones(here, tasks, tmp_path, capsys):
