@@ -140,6 +140,16 @@ def test_mcap_of_bare_fingertips(tmp_path):
         np.testing.assert_array_equal(read, points[on, i])
 
 
+def test_mcap_of_the_longest_pauses_that_there_are(tmp_path):
+    """Seconds of a message are 32 bits, with a sign."""
+    segments = len(planned("slide").segments)
+    trajectory = exported("slide", tmp_path / "a.mcap", "mcap", pause=2.147e9 / (segments - 1))
+    ((_, whole),) = messages_of(tmp_path / "a.mcap")["/joint_trajectory"]
+    assert whole.points[-1].time_from_start.sec == int(trajectory.duration) > 2.14e9
+    with pytest.raises(TaskError, match=r"pause: 1e\+09: makes .*: should be less"):
+        exported("slide", tmp_path / "b.mcap", "mcap", pause=1e9)
+
+
 @pytest.mark.parametrize("name", ["slide", "regrasp", "carried", "lifted"])
 def test_json_is_what_its_schema_says(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.json", "json")
