@@ -7,6 +7,7 @@ import importlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -363,6 +364,22 @@ def test_bad_input_exits_2(flags, message, tasks, tmp_path, capsys, monkeypatch)
     assert (code, out) == (2, "")
     assert message in err
     assert len(err.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"jobs": 1.5}, "jobs: 1.5: should be a whole number"),
+        ({"jobs": "2"}, "jobs: '2': should be a whole number"),
+        ({"jobs": True}, "jobs: True: should be a whole number"),
+        ({"jobs": None}, "jobs: None: should be a whole number"),
+        ({"patience": "long"}, "patience: 'long': should be above 0"),
+        ({"dask": 8786}, "dask: 8786: should be an address like tcp://host:8786"),
+    ],
+)
+def test_bad_arguments_are_told(given, message, tasks, tmp_path):
+    with pytest.raises(TaskError, match=re.escape(message)):
+        graspless.batch(tasks("a"), tmp_path / "out", **given)
 
 
 def test_output_that_cannot_be_written_exits_2(tasks, tmp_path, capsys):

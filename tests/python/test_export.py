@@ -224,7 +224,32 @@ def test_from_the_command_line(tmp_path, capsys):
     assert out.read_text() == (tmp_path / "again.csv").read_text()
     bad = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), "--rate", "-1"]
     assert cli.main(bad) == 2
-    assert "rate: -1" in capsys.readouterr().err
+    assert capsys.readouterr().err.startswith("--rate: -1.0: should be")
+
+
+@pytest.mark.parametrize(
+    ("flags", "message"),
+    [
+        (["--velocity", "-1"], "--velocity: -1.0: should be positive and finite"),
+        (["--acceleration", "nan"], "--acceleration: nan: should be positive and finite"),
+        (["--contact-speed", "0"], "--contact-speed: 0.0: should be positive and finite"),
+        (["--rate", "0"], "--rate: 0.0: should be positive and finite"),
+        (
+            ["--rate", "1e9"],
+            "should be less, or --velocity, --acceleration or --contact-speed more",
+        ),
+        (["--fingers"], "--fingers: True: a clasp plan has no bare fingertips"),
+    ],
+)
+@pytest.mark.parametrize("output", ["-", "a.csv"])
+def test_bad_flags_are_named(tmp_path, monkeypatch, capsys, flags, message, output):
+    monkeypatch.chdir(tmp_path)
+    planned("clasp").save("plan.json")
+    assert cli.main(["export", "plan.json", "--to", "csv", "-o", output, *flags]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert message in err
+    assert not (tmp_path / "a.csv").exists()
 
 
 @pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))

@@ -3,9 +3,11 @@
 """The command `graspless simulate`: flags, exit codes and what is printed, the engine stubbed."""
 
 import json
+import re
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import graspless
@@ -78,6 +80,37 @@ def test_python_takes_the_file_too(plan_file, engine):
             trajectory.sampled(rate)
     with pytest.raises(graspless.TaskError, match="robot: wam_t42: should be a"):
         graspless.time(plan_file, "wam_t42")
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"trials": 2.5}, "trials: 2.5: should be a whole number"),
+        ({"trials": "2"}, "trials: '2': should be a whole number"),
+        ({"trials": True}, "trials: True: should be a whole number"),
+        ({"trials": 0}, "trials: 0: should be at least 1"),
+        ({"seed": 1.5}, "seed: 1.5: should be a whole number"),
+        ({"seed": None}, "seed: None: should be a whole number"),
+        ({"seed": -1}, "seed: -1: should not be negative"),
+    ],
+)
+def test_bad_arguments_are_told(plan_file, engine, given, message):
+    with pytest.raises(graspless.TaskError, match=re.escape(message)):
+        graspless.simulate(plan_file, **given)
+    assert not engine
+
+
+def test_numbers_of_numpy_are_whole_too(plan_file, engine):
+    assert len(graspless.simulate(plan_file, np.int64(2), np.uint8(3)).trials) == 2
+
+
+@pytest.mark.parametrize("what", ["time", "check", "simulate", "plan"])
+@pytest.mark.parametrize("given", [None, 5, {}])
+def test_what_is_no_plan_is_told(what, given):
+    name = "task" if what == "plan" else "plan"
+    words = f"{name}: {given!r}: should be a graspless.{name.title()}, or the path of its file"
+    with pytest.raises(graspless.TaskError, match=re.escape(words)):
+        getattr(graspless, what)(given)
 
 
 def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):

@@ -23,6 +23,7 @@ Crashes = tuple[type[BaseException], ...]
 
 CONNECT_SECONDS = 10.0  # to a Dask scheduler, and until it has a worker
 GONE = "dask: {}; what is done is kept, and the same call goes on"
+ADDRESS = r"(\w+://)?(\[[\da-fA-F:.]+\]|[^/\s:\[\]]+):\d+"
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
@@ -103,7 +104,7 @@ class Cluster:
         except ImportError:
             raise TaskError("needs distributed: pip install 'graspless[cluster]'") from None
         self.crashes: Crashes = (KilledWorker,)
-        if not re.fullmatch(r"(\w+://)?(\[[\da-fA-F:.]+\]|[^/\s:\[\]]+):\d+", address):
+        if not re.fullmatch(ADDRESS, str(address)):
             raise TaskError(f"dask: {address}: should be an address like tcp://host:8786")
         make: Any = distributed.Client
         others = (ValueError, TypeError, MemoryError)  # of what else answers there

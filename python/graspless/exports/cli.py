@@ -4,13 +4,24 @@
 
 from __future__ import annotations
 
+import contextlib
+import re
 import sys
 from typing import TYPE_CHECKING, Any
 
 from .._commands import FOUND, given_plan
+from ..errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Iterator
+
+FLAGS = {
+    "max_velocity": "--velocity",
+    "max_acceleration": "--acceleration",
+    "contact_speed": "--contact-speed",
+}  # the others are called as in Python
+FIELD = rf"^(to|rate|fingers)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
 
 
 def add_parser(commands: Any) -> None:
@@ -55,12 +66,24 @@ def _run(options: argparse.Namespace) -> int:
         "fingers": options.fingers,
     }
     plan, to_stdout = given_plan(options.plan), options.output == "-"
+    with _naming_flags():
+        if to_stdout:
+            trajectory, written = text(plan, options.to, **given)
+        else:
+            trajectory = export(plan, options.output, options.to, **given)
     if to_stdout:
-        trajectory, written = text(plan, options.to, **given)
         sys.stdout.write(written)
-    else:
-        trajectory = export(plan, options.output, options.to, **given)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
     print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)
     return FOUND
+
+
+@contextlib.contextmanager
+def _naming_flags() -> Iterator[None]:
+    """Faults name flags, not arguments of Python."""
+    try:
+        yield
+    except TaskError as error:
+        told = re.sub(FIELD, lambda found: FLAGS.get(found[0], f"--{found[0]}"), str(error))
+        raise TaskError(told) from None
