@@ -421,7 +421,7 @@ def cluster():
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 0}),  # one death says enough
         distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
         ) as started,
     ):
         yield started
@@ -466,7 +466,7 @@ def test_a_dask_worker_that_dies(cluster, tasks, tmp_path):
 def test_a_dask_scheduler_without_workers():
     distributed = pytest.importorskip("distributed")
     with (
-        distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=None) as alone,
+        distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=":0") as alone,
         pytest.raises(TaskError, match=r"dask: tcp://.*: no worker within 1 s"),
     ):
         pools.Cluster(alone.scheduler_address, seconds=1.0)
