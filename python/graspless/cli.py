@@ -249,9 +249,9 @@ def _check_pictures(options: argparse.Namespace) -> None:
 
     if options.png is not None:
         view.check_png(options.png)
-    for path in (options.png, options.html):
-        if path is not None:
-            files.check_writable(path)
+        files.check_writable(options.png)
+    if options.html is not None:
+        view.check_html(options.html)
 
 
 def _draw(plan: Plan, options: argparse.Namespace) -> list[str]:

@@ -2,11 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A headless browser, and how to use a replay's page in it as a user does."""
 
+import contextlib
 import importlib
 import io
 import json
 import os
 import shutil
+import signal
+import socket
+import subprocess
+import sys
 import time
 
 import numpy as np
@@ -33,6 +38,7 @@ const step = () => (left-- ? requestAnimationFrame(step) : done()); step();"""
 MOVED, SAME = 0.01, 0.0005  # parts of the picture
 
 
+GRASPLESS = (sys.executable, "-m", "graspless")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 DRIVERS = ("chromedriver", "chromium.chromedriver")  # Ubuntu's snap has the second
 
@@ -68,12 +74,42 @@ def start_browser(profile):
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     service = webdriver.chrome.service.Service(chromedriver)
     driver = webdriver.Chrome(options=options, service=service)
-    driver.set_page_load_timeout(PATIENCE)
-    driver.set_script_timeout(PATIENCE)
-    driver.get("about:blank")  # away from the page of a new tab, which asks for much
-    for log in ("browser", "performance"):
-        driver.get_log(log)
+    try:
+        driver.set_page_load_timeout(PATIENCE)
+        driver.set_script_timeout(PATIENCE)
+        driver.get("about:blank")  # away from the page of a new tab, which asks for much
+        for log in ("browser", "performance"):
+            driver.get_log(log)
+    except BaseException:  # nobody else knows of it yet
+        driver.quit()
+        raise
     return driver
+
+
+@contextlib.contextmanager
+def served(plan, folder):
+    """The address of `graspless view PLAN`, which ends with the block, whatever happens in it.
+
+    What it prints goes to files: nobody need read them for it to go on.
+    """
+    plan.save(folder / "plan.json")
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    address, out, err = f"http://localhost:{port}", folder / "out", folder / "err"
+    command = [*GRASPLESS, "view", str(folder / "plan.json"), "--port", str(port)]
+    with out.open("w") as to_out, err.open("w") as to_err:
+        process = subprocess.Popen(command, stdout=to_out, stderr=to_err)
+    try:
+        until("the address", lambda: process.poll() is not None or address in out.read_text())
+        assert process.poll() is None, err.read_text()
+        yield f"{address}/"
+        process.send_signal(signal.SIGINT)
+        assert process.wait(PATIENCE) == 130
+    finally:
+        process.kill()  # nothing where it has ended
+        process.wait()
+    assert "Traceback" not in err.read_text()
 
 
 def until(what, condition):

@@ -7,16 +7,19 @@ import importlib
 import json
 import os
 import pathlib
+import re
+import shutil
 import signal
 import subprocess
 import sys
 import time
+import unittest.mock
 
 import pytest
 
 import batch_common
 import graspless
-from graspless import TaskError, batches
+from graspless import TaskError, batches, robot
 from graspless.batches import manifest, names, pools, work
 from graspless.batches.cli import bar
 from graspless.batches.spread import spread
@@ -55,9 +58,11 @@ def rows_of(output):
 def test_names_stay_apart(tasks, tmp_path, monkeypatch):
     folder = tasks("a/card", "b/card", "plate")
     (folder / "plate.yml").write_text(GOOD)
-    (folder / "own.hand.yaml").write_text("arm: arm")
+    (folder / "card_1.5mm.yaml").write_text(GOOD)
+    for ending in ("hand.yaml", "clasp.yaml", "hand.yml", "clasp.yml"):
+        (folder / f"own.{ending}").write_text("arm: arm")
     (folder / "notes.txt").write_text("")
-    expected = ["a/card", "b/card", "plate.yaml", "plate.yml"]
+    expected = ["a/card", "b/card", "card_1.5mm", "plate.yaml", "plate.yml"]
     assert [entry.name for entry in names.find(folder)] == expected
     assert [entry.name for entry in names.find([folder, folder / "plate.yml"])] == expected
     monkeypatch.chdir(tmp_path)
@@ -127,6 +132,19 @@ def test_a_file_that_a_task_names_is_part_of_it(here, tmp_path):
     graspless.batch(tmp_path / "task.yaml", tmp_path / "out")
     (tmp_path / "own.hand.yaml").write_text("{tip_radius: 0.004}")
     assert graspless.batch(tmp_path / "task.yaml", tmp_path / "out").kept == 0
+
+
+def test_copied_tasks_with_their_robot_are_not_planned_anew(here, tasks, tmp_path):
+    folder, output = tasks("a"), tmp_path / "out"
+    for end in (".urdf", ".srdf", ".hand.yaml"):
+        shutil.copy(robot.builtin("wam_t42").with_name(f"wam_t42{end}"), folder)
+    (folder / "a.yaml").write_text(changed("urdf: wam_t42", "urdf: wam_t42.urdf"))
+    graspless.batch(folder, output)
+    shutil.copytree(folder, tmp_path / "copy")
+    assert graspless.batch(tmp_path / "copy", output).kept == 1
+    urdf = tmp_path / "copy" / "wam_t42.urdf"
+    urdf.write_text(urdf.read_text().replace("</robot>", '<link name="more"/></robot>'))
+    assert graspless.batch(tmp_path / "copy", output).kept == 0
 
 
 def test_bad_tasks_among_good_ones(here, tasks, tmp_path, capsys):
@@ -224,6 +242,18 @@ def test_progress_only_at_a_terminal(here, capsys, monkeypatch):
     assert out == ""
     assert "planning" in err
     assert "2/2" in err
+
+
+def test_a_terminal_without_rich_has_no_bar(tasks, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    for name in [name for name in sys.modules if name.partition(".")[0] == "rich"]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "rich", None)
+    with bar("planning") as progress:
+        assert progress is None
+    monkeypatch.setitem(sys.modules, "joblib.externals.loky", None)  # [batch] brings both
+    code, out, err = run(capsys, "batch", str(tasks("a")), "-o", str(tmp_path / "out"))
+    assert (code, out, err) == (2, "", "needs joblib: pip install 'graspless[batch]'\n")
 
 
 def test_interrupted_and_resumed(tasks, tmp_path):
@@ -368,6 +398,22 @@ def test_bad_input_exits_2(flags, message, tasks, tmp_path, capsys, monkeypatch)
     assert len(err.splitlines()) == 1
 
 
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"jobs": 1.5}, "jobs: 1.5: should be a whole number"),
+        ({"jobs": "2"}, "jobs: '2': should be a whole number"),
+        ({"jobs": True}, "jobs: True: should be a whole number"),
+        ({"jobs": None}, "jobs: None: should be a whole number"),
+        ({"patience": "long"}, "patience: 'long': should be above 0"),
+        ({"dask": 8786}, "dask: 8786: should be an address like tcp://host:8786"),
+    ],
+)
+def test_bad_arguments_are_told(given, message, tasks, tmp_path):
+    with pytest.raises(TaskError, match=re.escape(message)):
+        graspless.batch(tasks("a"), tmp_path / "out", **given)
+
+
 def test_output_that_cannot_be_written_exits_2(tasks, tmp_path, capsys):
     folder = str(tasks("a"))
     for output in (f"{folder}/a.yaml", f"{folder}/a.yaml/below", "/proc/nothing"):
@@ -407,7 +453,7 @@ def cluster():
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 0}),  # one death says enough
         distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
         ) as started,
     ):
         yield started
@@ -447,6 +493,38 @@ def test_a_dask_worker_that_dies(cluster, tasks, tmp_path):
         summary = runner.carry_out(pool, batch_common.dangerous)
     statuses = {row["name"]: row["status"] for row in summary.rows}
     assert statuses == {"a": "solved", "b": "solved", "killer": "crashed"}
+
+
+def test_a_dask_scheduler_without_workers():
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=":0") as alone,
+        pytest.raises(TaskError, match=r"dask: tcp://.*: no worker within 1 s"),
+    ):
+        pools.Cluster(alone.scheduler_address, seconds=1.0)
+
+
+def test_a_clock_of_asyncio_is_told_too(monkeypatch):
+    """Until Python 3.11 its TimeoutError is another one, and no OSError."""
+    distributed = pytest.importorskip("distributed")
+    fault = type("TimeoutError", (Exception,), {})
+    monkeypatch.setattr(pools.asyncio, "TimeoutError", fault)
+
+    def late(*_, **__):
+        raise fault
+
+    monkeypatch.setattr(distributed, "Client", late)
+    with pytest.raises(TaskError, match="no scheduler there: TimeoutError"):
+        pools.Cluster("tcp://there:1")
+    client = unittest.mock.Mock(nthreads=lambda: {"worker": 1}, run=lambda *_, **__: {})
+    monkeypatch.setattr(distributed, "Client", lambda *_, **__: client)
+    cluster = pools.Cluster("tcp://there:1")
+    client.nthreads = late
+    with pytest.raises(TaskError, match="the scheduler has gone"):
+        cluster.look()
+    client.wait_for_workers = late
+    with pytest.raises(TaskError, match="no worker within 10 s"):
+        pools.Cluster("tcp://there:1")
 
 
 @pytest.mark.slow

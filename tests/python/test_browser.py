@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Replays and the viewer in a browser, used as a user does: slider, play, and layers."""
 
-import contextlib
+import os
 import shutil
-import signal
-import socket
-import subprocess
 import sys
+import types
+import unittest.mock
 
 import pytest
 
+import browser_common
 import graspless
 from browser_common import (
     BROWSERS,
@@ -21,6 +21,7 @@ from browser_common import (
     needed,
     open_page,
     requests,
+    served,
     shown,
     start_browser,
     until,
@@ -88,26 +89,6 @@ def test_replay_is_used_in_a_browser(driver, plan, tmp_path):
     ] == []
 
 
-@contextlib.contextmanager
-def served(plan, folder):
-    """The address of `graspless view PLAN`."""
-    plan.save(folder / "plan.json")
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    command = [sys.executable, "-m", "graspless", "view", str(folder / "plan.json")]
-    with subprocess.Popen(
-        [*command, "--port", str(port)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        try:
-            assert str(port) in process.stdout.readline()
-            yield f"http://localhost:{port}/"
-        finally:
-            process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=60)
-    assert "Traceback" not in err
-
-
 def test_viewer_is_used_in_a_browser(driver, plan, tmp_path):
     driver.set_window_size(760, 420)  # room beside the panel
     with served(plan, tmp_path) as address:
@@ -155,3 +136,35 @@ def test_what_is_missing_skips_or_fails(monkeypatch, tmp_path, absent, required)
     outcome = pytest.fail.Exception if required else pytest.skip.Exception
     with pytest.raises(outcome, match=f"no {absent}"):
         start_browser(tmp_path)
+
+
+@pytest.mark.parametrize("step", ["set_script_timeout", "get", "get_log"])
+def test_a_browser_that_fails_early_is_closed(monkeypatch, tmp_path, step):
+    driver = unittest.mock.Mock(**{f"{step}.side_effect": RuntimeError("no")})
+    selenium = unittest.mock.Mock(**{"Chrome.return_value": driver})
+    monkeypatch.setattr(shutil, "which", lambda name: f"/bin/{name}")
+    monkeypatch.setitem(sys.modules, "selenium.webdriver", selenium)
+    with pytest.raises(RuntimeError, match="no"):
+        start_browser(tmp_path)
+    driver.quit.assert_called_once_with()
+
+
+VIEWER = """import os, signal, sys, time
+print(os.getpid(), {said}, flush=True)
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+sys.stderr.write("x" * 10**6)  # more than a pipe holds
+time.sleep(600)
+"""
+
+
+@pytest.mark.parametrize("said", ["''", "'http://localhost:' + sys.argv[-1]"])
+def test_a_viewer_that_hangs_is_ended(monkeypatch, tmp_path, said):
+    monkeypatch.setattr(browser_common, "PATIENCE", 3.0)
+    hangs = (sys.executable, "-c", VIEWER.format(said=said))
+    monkeypatch.setattr(browser_common, "GRASPLESS", hangs)
+    plan = types.SimpleNamespace(save=lambda path: None)
+    message = "wrong page" if "http" in said else "not within 3 s: the address"
+    with pytest.raises(AssertionError, match=message), served(plan, tmp_path):
+        raise AssertionError("wrong page")
+    with pytest.raises(ProcessLookupError):
+        os.kill(int((tmp_path / "out").read_text().split()[0]), 0)

@@ -140,6 +140,16 @@ def test_mcap_of_bare_fingertips(tmp_path):
         np.testing.assert_array_equal(read, points[on, i])
 
 
+def test_mcap_of_the_longest_pauses_that_there_are(tmp_path):
+    """Seconds of a message are 32 bits, with a sign."""
+    segments = len(planned("slide").segments)
+    trajectory = exported("slide", tmp_path / "a.mcap", "mcap", pause=2.147e9 / (segments - 1))
+    ((_, whole),) = messages_of(tmp_path / "a.mcap")["/joint_trajectory"]
+    assert whole.points[-1].time_from_start.sec == int(trajectory.duration) > 2.14e9
+    with pytest.raises(TaskError, match=r"pause: 1e\+09: makes .*: should be less"):
+        exported("slide", tmp_path / "b.mcap", "mcap", pause=1e9)
+
+
 @pytest.mark.parametrize("name", ["slide", "regrasp", "carried", "lifted"])
 def test_json_is_what_its_schema_says(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.json", "json")
@@ -226,7 +236,32 @@ def test_from_the_command_line(tmp_path, capsys):
     assert out.read_text() == (tmp_path / "again.csv").read_text()
     bad = ["export", str(tmp_path / "plan.json"), "--to", "csv", "-o", str(out), "--rate", "-1"]
     assert cli.main(bad) == 2
-    assert "rate: -1" in capsys.readouterr().err
+    assert capsys.readouterr().err.startswith("--rate: -1.0: should be")
+
+
+@pytest.mark.parametrize(
+    ("flags", "message"),
+    [
+        (["--velocity", "-1"], "--velocity: -1.0: should be positive and finite"),
+        (["--acceleration", "nan"], "--acceleration: nan: should be positive and finite"),
+        (["--contact-speed", "0"], "--contact-speed: 0.0: should be positive and finite"),
+        (["--rate", "0"], "--rate: 0.0: should be positive and finite"),
+        (
+            ["--rate", "1e9"],
+            "should be less, or --velocity, --acceleration or --contact-speed more",
+        ),
+        (["--fingers"], "--fingers: True: a clasp plan has no bare fingertips"),
+    ],
+)
+@pytest.mark.parametrize("output", ["-", "a.csv"])
+def test_bad_flags_are_named(tmp_path, monkeypatch, capsys, flags, message, output):
+    monkeypatch.chdir(tmp_path)
+    planned("clasp").save("plan.json")
+    assert cli.main(["export", "plan.json", "--to", "csv", "-o", output, *flags]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert message in err
+    assert not (tmp_path / "a.csv").exists()
 
 
 def test_a_plan_that_does_not_hold_is_refused(tmp_path, capsys):

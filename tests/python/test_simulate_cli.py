@@ -4,21 +4,26 @@
 
 import contextlib
 import json
+import re
+import sys
 import types
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import graspless
-from graspless import _data
+from graspless import _data, view
 from graspless.simulation import Trial, simulation_kind
 from tasks_common import edited, run
+
+EXAMPLE = _data.directory("examples") / "01_slide_card.yaml"
 
 
 @pytest.fixture(scope="module")
 def plan_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("plan") / "plan.json"
-    graspless.plan(_data.directory("examples") / "01_slide_card.yaml").save(path)
+    graspless.plan(EXAMPLE).save(path)
     return str(path)
 
 
@@ -89,6 +94,37 @@ def test_python_takes_the_file_too(plan_file, engine):
         graspless.time(plan_file, "wam_t42")
 
 
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"trials": 2.5}, "trials: 2.5: should be a whole number"),
+        ({"trials": "2"}, "trials: '2': should be a whole number"),
+        ({"trials": True}, "trials: True: should be a whole number"),
+        ({"trials": 0}, "trials: 0: should be at least 1"),
+        ({"seed": 1.5}, "seed: 1.5: should be a whole number"),
+        ({"seed": None}, "seed: None: should be a whole number"),
+        ({"seed": -1}, "seed: -1: should not be negative"),
+    ],
+)
+def test_bad_arguments_are_told(plan_file, engine, given, message):
+    with pytest.raises(graspless.TaskError, match=re.escape(message)):
+        graspless.simulate(plan_file, **given)
+    assert not engine
+
+
+def test_numbers_of_numpy_are_whole_too(plan_file, engine):
+    assert len(graspless.simulate(plan_file, np.int64(2), np.uint8(3)).trials) == 2
+
+
+@pytest.mark.parametrize("what", ["time", "check", "simulate", "plan"])
+@pytest.mark.parametrize("given", [None, 5, {}])
+def test_what_is_no_plan_is_told(what, given):
+    name = "task" if what == "plan" else "plan"
+    words = f"{name}: {given!r}: should be a graspless.{name.title()}, or the path of its file"
+    with pytest.raises(graspless.TaskError, match=re.escape(words)):
+        getattr(graspless, what)(given)
+
+
 def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):
     code, _, err = run(capsys, "simulate", plan_file, "--html", str(tmp_path / "no" / "x.html"))
     assert code == 2
@@ -125,6 +161,26 @@ def test_what_takes_long_is_told(plan_file, engine, capsys, monkeypatch, tmp_pat
     assert told == ["drawing"]
 
 
+def test_without_viser_a_replay_is_refused_before_the_work(
+    plan_file, engine, capsys, tmp_path, monkeypatch
+):
+    monkeypatch.setitem(sys.modules, "viser", None)
+    page = str(tmp_path / "x.html")
+    for command in (
+        ["simulate", plan_file, "--html", page],
+        ["plan", str(EXAMPLE), "-o", str(tmp_path / "plan.json"), "--html", page],
+        ["view", plan_file, "--html", page],
+        ["view", plan_file],
+    ):
+        code, out, err = run(capsys, *command)
+        assert (code, out) == (2, "")
+        assert err == "needs viser to draw: pip install 'graspless[view]'\n"
+    with pytest.raises(graspless.TaskError, match="needs viser"):
+        view.write_html(graspless.load_plan(plan_file), page)
+    assert not engine
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize(
     ("flags", "said"),
     [
@@ -142,7 +198,7 @@ def test_bad_flags_are_named(plan_file, engine, capsys, flags, said):
 
 def test_a_plan_that_was_not_found_is_refused(capsys, tmp_path):
     path = tmp_path / "none.json"
-    graspless.plan(_data.directory("examples") / "01_slide_card.yaml", iterations=0).save(path)
+    graspless.plan(EXAMPLE, iterations=0).save(path)
     code, _, err = run(capsys, "simulate", str(path))
     assert code == 2
     assert "not solved: nothing to simulate" in err

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 import graspless
 from graspless import TaskError, robot, slide
 from graspless.robot import Robot
-from graspless.timing import settings
+from graspless.timing import rates, settings
 from timing_common import planned, timed
 
 ARMS = ["slide", "clasp", "carried"]
@@ -367,8 +367,47 @@ def test_limits_that_would_fill_the_memory(name, limit, value):
 
 
 def test_a_rate_that_would_fill_the_memory():
-    with pytest.raises(TaskError, match=r"rate: 1e\+09: .* moments, more than 1e\+06"):
+    words = r"rate: 1e\+09: .* moments, more than 1000000: should be less"
+    with pytest.raises(TaskError, match=words):
         graspless.time(planned("push"), rate=1e9)
+    with pytest.raises(TaskError, match=words):
+        timed("push").sampled(1e9)
+
+
+@pytest.mark.parametrize("name", ["slide", "regrasp", "twice"])
+def test_moments_are_counted_over_the_whole(monkeypatch, name):
+    """Also where each stretch alone has few enough."""
+    trajectory = timed(name)
+    moments, most = len(trajectory), np.bincount(trajectory.segment_index).max()
+    assert most + 2 < 0.9 * moments
+    monkeypatch.setattr(rates, "MOST_MOMENTS", int(most + 2))
+    with pytest.raises(TaskError, match=f"moments, more than {most + 2}: should be less"):
+        graspless.time(planned(name))
+    monkeypatch.setattr(rates, "MOST_MOMENTS", 2 * moments)
+    assert len(graspless.time(planned(name))) == moments
+
+
+def test_how_many_are_too_many_is_said_exactly():
+    assert len(rates.Rate(10**6 - 1).times(1.0)) == 10**6
+    with pytest.raises(TaskError, match="have 1000001 moments, more than 1000000"):
+        rates.Rate(10**6).times(1.0)
+    for duration in (np.inf, np.nan, 1e308):
+        with pytest.raises(TaskError, match="more than 1000000"):
+            rates.Rate(1e300).times(duration)
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "words"),
+    [
+        ("slide", {"pause": 1e9}, r"pause: 1e\+09: makes \de\+09 s in all, more than 2147483647"),
+        ("regrasp", {"pause": 2e9}, r"pause: 2e\+09: makes"),
+        ("slide", {"pause": 1e308}, r"pause: 1e\+308: should be at most 2147483647"),
+        ("slide", {"max_velocity": 1e-10, "rate": 1e-8}, "max_velocity, max_.* should be more"),
+    ],
+)
+def test_what_takes_too_long_for_a_message(name, settings, words):
+    with pytest.raises(TaskError, match=words):
+        graspless.time(planned(name), **settings)
 
 
 def test_a_path_that_toppra_cannot_pass_is_no_fault_of_ours(monkeypatch):

@@ -11,6 +11,7 @@ from hypothesis.extra import numpy as arrays
 from graspless.timing.clip import clip
 from graspless.timing.fastest import Limits, fastest
 from graspless.timing.path import rounded, stretches
+from graspless.timing.rates import Rate
 
 
 @st.composite
@@ -45,7 +46,7 @@ def test_a_path_keeps_to_its_polyline(points, tolerance):
 def test_the_fastest_motion_keeps_its_limits(points, velocity, acceleration):
     n = points.shape[1]
     limits = Limits(np.full(n, velocity), np.full(n, acceleration))
-    timed = clip(points, np.full(n, 1e-3), limits, rate=500.0)
+    timed = clip(points, np.full(n, 1e-3), limits, rate=Rate(500.0))
     assert np.abs(timed.velocities).max() <= velocity * (1 + 1e-6)
     assert np.abs(timed.accelerations).max() <= acceleration * (1 + 1e-6)
     np.testing.assert_allclose(timed.velocities[[0, -1]], 0, atol=1e-6)
@@ -71,7 +72,7 @@ def test_a_pace_is_kept_along_the_way():
     slow_end = Limits(
         np.array([1.0]), np.array([5.0]), [lambda q, dq: np.abs(dq[:, 0]) / 0.1 * q[:, 0]]
     )
-    timed = clip(line, np.array([1e-3]), slow_end, rate=1000.0)
+    timed = clip(line, np.array([1e-3]), slow_end, rate=Rate(1000.0))
     q, v = timed.coordinates[:, 0], timed.velocities[:, 0]
     assert (v * q <= 0.1 * (1 + 1e-6)).all()
     assert v[q < 0.08].max() > 0.8
@@ -81,7 +82,7 @@ def test_turning_back_comes_to_rest():
     there_and_back = np.array([[0.0, 0.0], [0.5, 0.0], [0.0, 0.01]])
     assert [(s.start, s.stop) for s in stretches(there_and_back)] == [(0, 2), (1, 3)]
     limits = Limits(np.ones(2), np.full(2, 5.0))
-    timed = clip(there_and_back, np.full(2, 1e-3), limits, rate=1000.0)
+    timed = clip(there_and_back, np.full(2, 1e-3), limits, rate=Rate(1000.0))
     at_turn = np.argmin(np.abs(timed.rows - 1))
     np.testing.assert_allclose(timed.velocities[at_turn], 0, atol=0.01)
     np.testing.assert_allclose(timed.coordinates[at_turn], [0.5, 0], atol=1e-4)
@@ -89,9 +90,9 @@ def test_turning_back_comes_to_rest():
 
 def test_rows_that_do_not_move_are_passed():
     points = np.array([[0.0], [0.0], [1.0], [1.0], [2.0], [2.0]])
-    timed = clip(points, np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=100.0)
+    timed = clip(points, np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=Rate(100.0))
     assert timed.rows[-1] == 5
     assert (np.diff(timed.rows) >= 0).all()
-    still = clip(points[:2], np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=100.0)
+    still = clip(points[:2], np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=Rate(100.0))
     assert len(still.times) == 1
     np.testing.assert_array_equal(still.velocities, [[0.0]])

@@ -6,8 +6,6 @@ import dataclasses
 import re
 import shutil
 import socket
-import subprocess
-import sys
 import time
 import urllib.request
 
@@ -15,6 +13,7 @@ import numpy as np
 import pytest
 
 import graspless
+from browser_common import served
 from graspless import TaskError, frames
 from tasks_common import changed, last_positions, pixels, read_png, recording
 
@@ -238,24 +237,7 @@ def test_unwritable_pictures(plan, tmp_path):
 
 
 def test_viewer_serves_until_ctrl_c(plan, tmp_path):
-    import signal
-
-    plan.save(tmp_path / "plan.json")
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    command = [sys.executable, "-m", "graspless", "view", str(tmp_path / "plan.json")]
-    with subprocess.Popen(
-        [*command, "--port", str(port)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        try:
-            line = process.stdout.readline()
-            assert line.startswith(f"http://localhost:{port}")
-            page = urllib.request.urlopen(f"http://localhost:{port}", timeout=10).read()
-            assert b"<html" in page
-            time.sleep(0.5)
-        finally:
-            process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=20)
-    assert process.returncode == 130
-    assert "Traceback" not in err
+    with served(plan, tmp_path) as address:
+        page = urllib.request.urlopen(address, timeout=10).read()
+        assert b"<html" in page
+        time.sleep(0.5)

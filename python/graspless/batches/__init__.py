@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import files
+from .._arguments import require_above_zero, require_integer
 from ..errors import TaskError
 from . import manifest, names, pools, work
 from .spread import spread
@@ -74,15 +75,14 @@ def batch(
     Raises
     ------
     TaskError
-        No tasks, jobs below 1, an output that cannot be written, no Dask scheduler or worker.
+        No tasks, jobs that are no whole number from 1, an output that cannot be written, no Dask
+        scheduler or worker.
     """
     changes = {"seed": seed, "seconds": seconds, "iterations": iterations}
-    if jobs < 1:
-        raise TaskError(f"jobs: {jobs}: should be at least 1")
+    jobs = require_integer("jobs", jobs, least=1)
     if dask is not None and jobs != 1:
         raise TaskError("jobs: not beside dask, whose workers do it")
-    if not patience > 0:
-        raise TaskError(f"patience: {patience}: should be above 0")
+    require_above_zero("patience", patience)
     if any(value is not None for value in changes.values()):
         _check(changes)
     found = names.find(tasks)

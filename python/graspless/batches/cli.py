@@ -95,8 +95,10 @@ def _quiet_dask() -> None:
 
 @contextlib.contextmanager
 def bar(what: str) -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar on stderr, only at a terminal; gives what is called with done and total."""
-    if not sys.stderr.isatty():
+    """A progress bar on stderr, only at a terminal and with rich; gives what is called with done
+    and total.
+    """
+    if not sys.stderr.isatty() or not _has_rich():
         yield None
         return
     from rich.console import Console
@@ -106,3 +108,11 @@ def bar(what: str) -> Iterator[Callable[[int, int], None] | None]:
     with Progress(*columns, console=Console(stderr=True), transient=True) as shown:
         task = shown.add_task(what, total=None)
         yield lambda done, total: shown.update(task, completed=done, total=total)
+
+
+def _has_rich() -> bool:
+    try:
+        import rich.progress  # noqa: F401
+    except ImportError:  # a bar is no reason to end work that needs none
+        return False
+    return True

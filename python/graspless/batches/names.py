@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 ENDINGS = (".yaml", ".yml")
+OF_HANDS = tuple(f".{what}{ending}" for what in ("hand", "clasp") for ending in ENDINGS)
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ def find(tasks: str | Path | Iterable[str | Path]) -> list[Entry]:
 
 def _below(folder: Path) -> list[Path]:
     files = (path for ending in ENDINGS for path in folder.rglob(f"*{ending}"))
-    return sorted(path for path in files if len(path.suffixes) == 1 and path.is_file())
+    return sorted(path for path in files if not path.name.endswith(OF_HANDS) and path.is_file())
 
 
 def _files(text: str) -> list[Path]:

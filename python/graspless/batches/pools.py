@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import re
 import signal
@@ -22,6 +23,7 @@ Crashes = tuple[type[BaseException], ...]
 
 CONNECT_SECONDS = 10.0  # to a Dask scheduler, and until it has a worker
 GONE = "dask: {}; what is done is kept, and the same call goes on"
+ADDRESS = r"(\w+://)?(\[[\da-fA-F:.]+\]|[^/\s:\[\]]+):\d+"
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
@@ -102,12 +104,13 @@ class Cluster:
         except ImportError:
             raise TaskError("needs distributed: pip install 'graspless[cluster]'") from None
         self.crashes: Crashes = (KilledWorker,)
-        if not re.fullmatch(r"(\w+://)?(\[[\da-fA-F:.]+\]|[^/\s:\[\]]+):\d+", address):
+        if not re.fullmatch(ADDRESS, str(address)):
             raise TaskError(f"dask: {address}: should be an address like tcp://host:8786")
         make: Any = distributed.Client
+        others = (ValueError, TypeError, MemoryError)  # of what else answers there
         try:
             self._client = make(address, timeout=seconds, set_as_default=False)
-        except (OSError, ValueError, TypeError, MemoryError) as error:  # of what else answers there
+        except (OSError, asyncio.TimeoutError, *others) as error:
             reason = str(error) or type(error).__name__
             raise TaskError(f"dask: {address}: no scheduler there: {reason}") from None
         try:
@@ -121,7 +124,7 @@ class Cluster:
     def _meet(self, address: str, seconds: float) -> None:
         try:
             self._client.wait_for_workers(1, timeout=seconds)
-        except TimeoutError:
+        except (TimeoutError, asyncio.TimeoutError):  # two, until Python 3.11
             raise TaskError(f"dask: {address}: no worker within {seconds:g} s") from None
         threads = self._client.nthreads()
         self.workers = sum(threads.values())
@@ -139,7 +142,7 @@ class Cluster:
     def look(self) -> None:
         try:
             threads = self._client.nthreads()
-        except OSError:
+        except (OSError, asyncio.TimeoutError):
             raise TaskError(GONE.format("the scheduler has gone")) from None
         now = time.monotonic()
         if threads:

@@ -7,7 +7,6 @@ from __future__ import annotations
 import contextlib
 import faulthandler
 import hashlib
-import json
 import os
 import time
 import warnings
@@ -17,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import files
 from ..errors import TaskError
+from ..tasks.digest import digest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -124,7 +124,7 @@ def inline(job: Job) -> Job:
 
 def hash_of(task: Task) -> str:
     """The same for tasks that say the same in the end, whatever files they are written in."""
-    return sha256(json.dumps(task.to_dict(), sort_keys=True).encode())
+    return digest(task.to_dict())
 
 
 def sha256(data: bytes) -> str:

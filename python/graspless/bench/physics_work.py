@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..kinds import part
+from ..tasks.digest import digest
 
 if TYPE_CHECKING:
     from ..plans import Plan
@@ -48,7 +49,8 @@ class Query:
     @property
     def key(self) -> str:
         """The same for queries that have the same answer."""
-        return hashlib.sha256(json.dumps(asdict(self), sort_keys=True).encode()).hexdigest()
+        asked = asdict(self) | {"document": digest(self.document)}
+        return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
 
 
 def measure(query: Query) -> Row:

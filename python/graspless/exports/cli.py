@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import re
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +14,14 @@ from ..errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
+    from collections.abc import Iterator
+
+FLAGS = {
+    "max_velocity": "--velocity",
+    "max_acceleration": "--acceleration",
+    "contact_speed": "--contact-speed",
+}  # the others are called as in Python
+FIELD = rf"^(to|rate|fingers)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
 
 
 def add_parser(commands: Any) -> None:
@@ -86,7 +96,7 @@ def _run(options: argparse.Namespace) -> int:
         "fingers": options.fingers,
     }
     plan, to_stdout = checked_plan(options), options.output == "-"
-    with progress.waiting("timing and writing"):
+    with _naming_flags(), progress.waiting("timing and writing"):
         if to_stdout:
             trajectory, written = text(plan, options.to, **given)
         else:
@@ -97,3 +107,13 @@ def _run(options: argparse.Namespace) -> int:
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
     print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)
     return FOUND
+
+
+@contextlib.contextmanager
+def _naming_flags() -> Iterator[None]:
+    """Faults name flags, not arguments of Python."""
+    try:
+        yield
+    except TaskError as error:
+        told = re.sub(FIELD, lambda found: FLAGS.get(found[0], f"--{found[0]}"), str(error))
+        raise TaskError(told) from None

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import files
+from .._arguments import require_path
 from ..errors import TaskError
 from ..kinds import part
 from ..tasks import Task, load_task, task_from_dict, task_kind
@@ -120,7 +121,7 @@ def plan(
         A ValueError: the task is not as it may be.
     """
     if not isinstance(task, Task):
-        task = load_task(task)
+        task = load_task(require_path("task", task, "a graspless.Task"))
     if budget is not None:
         if (seconds, iterations, seed) != (None, None, None):
             raise TaskError("budget: seconds, iterations and seed must not be given beside it")
@@ -154,7 +155,9 @@ def check(plan: Plan | str | Path) -> list[str]:
 
 def as_plan(plan: Plan | str | Path) -> Plan:
     """A plan, or the one that stands in a file."""
-    return plan if isinstance(plan, Plan) else load_plan(plan)
+    if isinstance(plan, Plan):
+        return plan
+    return load_plan(require_path("plan", plan, "a graspless.Plan"))
 
 
 def load_plan(path: str | Path) -> Plan:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
+from .._arguments import require_integer
 from ..errors import TaskError
 from ..kinds import part
 from ..plans import as_plan
@@ -69,15 +70,14 @@ def simulate(
     Raises
     ------
     TaskError
-        The plan is not solved, trials is below 1, or MuJoCo is not installed.
+        The plan is not solved, trials is no whole number from 1 or seed none from 0, or MuJoCo is
+        not installed.
     """
     plan = as_plan(plan)
     if not plan:
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to simulate")
-    if trials < 1:
-        raise TaskError(f"trials: {trials}: should be at least 1")
-    if seed < 0:
-        raise TaskError(f"seed: {seed}: should not be negative")
+    trials = require_integer("trials", trials, least=1)
+    seed = require_integer("seed", seed, least=0)
     kind = simulation_kind(plan.kind)
     done: list[Trial] = []
     spread: Spread | None = getattr(kind, "SPREAD", None)

@@ -41,14 +41,14 @@ def add_parser(commands: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from .. import files, progress
+    from .. import progress, view
     from ..errors import TaskError
     from ..report import count
     from ..report import simulation as report
     from . import simulate
 
     if options.html is not None:
-        files.check_writable(options.html)
+        view.check_html(options.html)
     plan = checked_plan(options)
     if options.disturb and plan.kind != "fingertip":
         raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
@@ -56,8 +56,6 @@ def _run(options: argparse.Namespace) -> int:
         found = simulate(plan, options.trials, options.seed, record=options.html is not None)
     disturbed = _disturb(plan) if options.disturb else None
     if options.html is not None:
-        from .. import view
-
         with progress.waiting(f"drawing {options.html}"):
             view.write_html(plan, options.html, recording=found.trials[0].recording)
     if options.json:

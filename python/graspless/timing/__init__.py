@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from ..errors import TaskError
 from ..kinds import part
 from ..plans import as_plan
+from .rates import Rate
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -79,7 +80,8 @@ def time(
     ------
     TaskError
         The plan is not solved, the robot is another one, a limit is not positive or so small that
-        a motion has more than 1e6 moments, or toppra is not installed.
+        the trajectory has more than 1e6 moments or takes more than 2^31 - 1 s, or toppra is not
+        installed.
     """
     from . import settings as defaults
 
@@ -88,14 +90,16 @@ def time(
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to time")
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
     pause = defaults.require_positive("pause", defaults.PAUSE if pause is None else pause)
+    if pause > defaults.LONGEST:
+        raise TaskError(f"pause: {pause:g}: should be at most {defaults.LONGEST}")
     kind = _kind(plan.kind)
     own = kind.robot(plan, fingers)
     robot = own if robot is None else _require_same_joints(robot, own)
     if contact_speed is not None:
         contact_speed = defaults.require_positive("contact_speed", contact_speed)
     velocity, acceleration = defaults.joint_limits(robot, max_velocity, max_acceleration)
-    asked = defaults.Settings(robot, velocity, acceleration, contact_speed, rate, pause)
-    return kind.trajectory(plan, asked)
+    asked = defaults.Settings(robot, velocity, acceleration, contact_speed, Rate(rate), pause)
+    return defaults.require_sayable(kind.trajectory(plan, asked), pause)
 
 
 def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:

@@ -9,15 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import TaskError
 from .fastest import fastest
 from .path import rounded, stretches
 
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .fastest import Limits, Motion
-
-MOST_MOMENTS = 1e6  # of a stretch: more fills the memory before it fills a file
+    from .rates import Rate
 
 
 @dataclass(frozen=True)
@@ -40,8 +38,8 @@ class Clip:
     accelerations: Matrix
 
 
-def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: float) -> Clip:
-    """The fastest motion through points [N, n], at `rate` moments a second.
+def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate) -> Clip:
+    """The fastest motion through points [N, n], as many moments a second as `rate` says.
 
     It rests at its ends and where the points turn back; points that do not move are one moment.
     """
@@ -69,13 +67,7 @@ def joined(parts: list[Clip]) -> Clip:
     return Clip(np.concatenate(times), *values)
 
 
-def _sampled(motion: Motion, row: int, rate: float) -> Clip:
-    if not motion.duration * rate <= MOST_MOMENTS:
-        raise TaskError(
-            f"rate: {rate:g}: a motion of {motion.duration:.3g} s has {motion.duration * rate:.3g} "
-            f"moments, more than {MOST_MOMENTS:.0e}: should be less, or max_velocity, "
-            "max_acceleration or contact_speed more"
-        )
-    times = np.linspace(0.0, motion.duration, max(2, int(np.ceil(motion.duration * rate)) + 1))
+def _sampled(motion: Motion, row: int, rate: Rate) -> Clip:
+    times = rate.times(motion.duration)
     rows = row + motion.path.row(motion.at(times)[0])
     return Clip(times, rows, *motion.coordinates(times))

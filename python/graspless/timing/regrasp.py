@@ -19,6 +19,7 @@ from .settings import FINGERTIP_SPEED, FREE_FINGER_ACCELERATION, FREE_FINGER_SPE
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..plans.fingertip import Plan
+    from .rates import Rate
     from .settings import Settings
 
 
@@ -37,7 +38,7 @@ def regrasp(plan: Plan, index: int, settings: Settings) -> Clip:
     return Clip(whole.times, whole.rows, nothing, nothing, nothing)
 
 
-def _part(i: int, distance: float, speed: float, rate: float) -> Clip:
+def _part(i: int, distance: float, speed: float, rate: Rate) -> Clip:
     limits = Limits(np.array([speed]), np.array([FREE_FINGER_ACCELERATION]))
     timed = clip(np.array([[0.0], [distance]]), np.array([1.0]), limits, rate)
     return Clip(

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from ..robot import Robot
+    from .rates import Rate
+    from .trajectory import Trajectory
 
     PerJoint = float | Mapping[str, float]
 
@@ -39,6 +41,7 @@ FREE_FINGER_ACCELERATION = 0.5  # [m/s^2]
 
 RATE = 100.0  # [1/s]
 PAUSE = 0.05  # between segments, where contacts change [s]
+LONGEST = 2**31 - 1  # that ROS's messages can say [s]
 
 
 @dataclass(frozen=True)
@@ -53,7 +56,7 @@ class Settings:
         Limits of its joints.
     contact_speed : float or None
         None: each kind of plan has its own [m/s].
-    rate : float
+    rate : Rate
         Moments a second.
     pause : float
         Between segments [s].
@@ -63,7 +66,7 @@ class Settings:
     velocity: Matrix
     acceleration: Matrix
     contact_speed: float | None
-    rate: float
+    rate: Rate
     pause: float
 
     def speed(self, default: float) -> float:
@@ -99,6 +102,16 @@ def require_positive(name: str, value: float) -> float:
     if not math.isfinite(value) or value <= 0:
         raise TaskError(f"{name}: {value}: should be positive and finite")
     return float(value)
+
+
+def require_sayable(trajectory: Trajectory, pause: float) -> Trajectory:
+    """The trajectory; raises TaskError where it takes longer than LONGEST."""
+    if trajectory.duration <= LONGEST:
+        return trajectory
+    takes = f"{trajectory.duration:.3g} s in all, more than {LONGEST}"
+    if pause * (len(trajectory.segments) - 1) > LONGEST / 2:
+        raise TaskError(f"pause: {pause:g}: makes {takes}: should be less")
+    raise TaskError(f"max_velocity, max_acceleration or contact_speed: {takes}: should be more")
 
 
 def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix | float) -> Matrix:

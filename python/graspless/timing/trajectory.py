@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
+from .rates import Rate
 from .settings import require_positive
 
 if TYPE_CHECKING:
@@ -104,10 +105,8 @@ class Trajectory:
         return frames.places(self.object_poses)
 
     def sampled(self, rate: float) -> Trajectory:
-        """The moments at even times, `rate` a second, the last one at the end."""
-        require_positive("rate", rate)
-        count = max(1, int(np.ceil(self.duration * rate - 1e-9)))
-        return self.at(np.linspace(0.0, self.duration, count + 1))
+        """The moments at even times, `rate` a second and at most 1e6, the last one at the end."""
+        return self.at(Rate(require_positive("rate", rate)).times(self.duration))
 
 
 def _mix(values: Matrix, before: NDArray[np.int64], after: NDArray[np.int64], t: Matrix) -> Matrix:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,8 @@ from ..errors import TaskError
 from ..kinds import part
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.typing import ArrayLike
 
     from .. import geometry
@@ -31,10 +34,8 @@ def write_png(plan: Plan, path: str | Path) -> None:
     """
     check_png(path)
     files.check_writable(path)
-    try:
+    with _told():
         picture: bytes = part("view", plan.kind).draw(plan)
-    except ImportError as error:
-        raise TaskError(_missing(error)) from None
     files.write(path, picture)
 
 
@@ -52,11 +53,11 @@ def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) 
     """
     check_png(path)
     files.check_writable(path)
-    try:
+    with _told():
         from .loops import draw
-    except ImportError as error:
-        raise TaskError(_missing(error)) from None
-    files.write(path, draw(points, loops))
+
+        picture = draw(points, loops)
+    files.write(path, picture)
 
 
 def check_png(path: str | Path) -> None:
@@ -76,25 +77,39 @@ def write_html(plan: Plan, path: str | Path, recording: Recording | None = None)
     recording : Recording, optional
         Of a simulation of the plan: shown instead of the plan, whose object is a ghost.
     """
-    files.check_writable(path)
-    try:
+    check_html(path)
+    with _told():
         from .replay import as_html
-    except ImportError as error:
-        raise TaskError(_missing(error)) from None
-    files.write(path, as_html(plan, recording))
+
+        page = as_html(plan, recording)
+    files.write(path, page)
+
+
+def check_html(path: str | Path) -> None:
+    """Raises TaskError where no replay could be written, for want of viser too: before the work
+    that it is to show.
+    """
+    files.check_writable(path)
+    with _told():
+        import viser  # noqa: F401
 
 
 def serve(plan: Plan, port: int = 8080) -> None:
     """Serves a viewer on this machine until Ctrl-C: time slider, speed, a box for each layer."""
-    try:
+    with _told():
         from .replay import serve as run
+
+        run(plan, port)
+
+
+@contextlib.contextmanager
+def _told() -> Iterator[None]:
+    """What is not installed is a TaskError; only where drawing begins is it looked for."""
+    try:
+        yield
     except ImportError as error:
-        raise TaskError(_missing(error)) from None
-    run(plan, port)
-
-
-def _missing(error: ImportError) -> str:
-    return f"needs {error.name or error} to draw: pip install 'graspless[view]'"
+        what = f"needs {error.name or error} to draw: pip install 'graspless[view]'"
+        raise TaskError(what) from None
 
 
 __all__ = ["serve", "write_html", "write_loops_png", "write_png"]

@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What callers give, where it is not as it may be."""
+
+from __future__ import annotations
+
+import operator
+import os
+from pathlib import Path
+from typing import Any
+
+from .errors import TaskError
+
+
+def require_integer(name: str, value: Any, least: int) -> int:
+    """The value; raises TaskError unless it is a whole number, `least` or above."""
+    try:
+        number = operator.index(value)  # also numpy's
+    except TypeError:
+        number = None
+    if number is None or isinstance(value, bool):
+        raise TaskError(f"{name}: {value!r}: should be a whole number")
+    if number < least:
+        what = f"should be at least {least}" if least else "should not be negative"
+        raise TaskError(f"{name}: {number}: {what}")
+    return number
+
+
+def require_above_zero(name: str, value: Any) -> None:
+    """Raises TaskError unless the value is a number above 0; it may be infinite."""
+    if not isinstance(value, (int, float)) or not value > 0:
+        raise TaskError(f"{name}: {value!r}: should be above 0")
+
+
+def require_path(name: str, value: Any, other: str) -> str | Path:
+    """The value; raises TaskError unless it is a path. It might have been `other` instead."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, os.PathLike):
+        return Path(value)
+    raise TaskError(f"{name}: {value!r}: should be {other}, or the path of its file")
