@@ -66,9 +66,9 @@ def run(
 
 
 def _with_plan(recording: Recording, plan: Plan) -> Recording:
-    """The recording with where the plan has the object: at the slide's end, then in the hand."""
+    """The recording with where the plan has the object: as it slides, then in the hand."""
     slide, *carries = plan.stages
-    poses = np.repeat(slide.segments[-1].object_poses[-1:], len(recording.times), axis=0)
+    poses = timing.time(slide).followed(recording.names, recording.times)
     after = np.isin(recording.names, (RAISE, HOLD))
     if after.any():
         begin = float(recording.times[after][0])
