@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import re
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -206,6 +207,30 @@ def test_an_arm_in_a_plane_or_in_the_object_hits():
     elbow = world.data.xpos[world.model.body("wam_link_4").id]
     world.stand(np.array([*elbow, 1, 0, 0, 0]), q)
     assert hit_depth(world) > 0
+
+
+def test_an_arm_stands_with_its_mimic_joints_where_they_follow_to(tmp_path):
+    """MuJoCo has a joint for every finger, where the planner's robot has none for a follower."""
+    names = "wam_t42_tips.urdf", "wam_t42_tips.srdf"
+    urdf, srdf = ((_data.directory("urdf") / name).read_text() for name in names)
+    before, after = urdf.split('<joint name="right_finger_joint" type="revolute">')
+    follows = '<mimic joint="left_finger_joint" multiplier="0.5" offset="0.1"/></joint>'
+    joint = '<joint name="right_finger_joint" type="revolute">'
+    (tmp_path / names[0]).write_text(before + joint + after.replace("</joint>", follows, 1))
+    (tmp_path / names[1]).write_text(re.sub('<joint name="right_finger_joint".*?/>', "", srdf))
+    text = (_data.directory("examples") / "12_t42_tumble.yaml").read_text()
+    task = read_task(text.replace("wam_t42_tips", str(tmp_path / names[0]), 1), "mimic.yaml")
+    realization = SimpleNamespace(finger_of_fingertip=[0, 1])
+    plan = SimpleNamespace(task=task, fields=SimpleNamespace(realization=realization))
+    world = build_arm_world(plan, Variation())
+    q = task.arm.q_home.copy()
+    q[-1] = 0.2
+    assert len(q) == 8
+    world.stand(np.array([0.6, 0.0, 0.04, 1, 0, 0, 0]), q)
+    robot = task.arm.robot
+    for name, X_WF in zip(robot.frame_names, robot.forward(q), strict=True):
+        np.testing.assert_allclose(world.data.body(name).xpos, X_WF[:3, 3], atol=1e-9, err_msg=name)
+    np.testing.assert_array_equal(world.data.qvel, 0)
 
 
 def test_trials_repeat_and_vary_what_they_say(slide):
