@@ -20,14 +20,20 @@ from graspless.tasks import read_task
 from tasks_common import changed
 
 FAILURES = {"fell": "off the table", "not_grasped": "left behind", "hit": "touched"}
-MEASURES = {"position_error": "of the object [m]", "angle_error": "of the object [rad]"}
+MEASURES = {
+    "position_error": "of the object [m]",
+    "angle_error": "of the object [rad]",
+    "open_pull": "of the open hand [N]",
+}
 
 
 def run_trial(plan, variation, *, record=False):
     """Trial k is off by k mm and by a degree; a light object falls."""
     error = 0.001 + abs(variation.x)
     failures = ("fell",) if variation.mass < 0.85 else ()
-    measures = {"position_error": error} | ({} if failures else {"angle_error": 0.02})
+    measures = {"position_error": error, "open_pull": 8.0} | (
+        {} if failures else {"angle_error": 0.02}
+    )
     return Trial(variation, failures, measures, seconds=0.25)
 
 
@@ -92,7 +98,8 @@ def test_tables_count_what_they_say():
         rows_of((("hit",), 0.006, 0.01), (("fell", "hit"), 0.02, 0.3)),
         rows_of(status="no_goal_root"),
     ]
-    result = {"part": "slide", "rows": rows, "failures": FAILURES, "measures": MEASURES}
+    measured = {name: MEASURES[name] for name in ("position_error", "angle_error")}
+    result = {"part": "slide", "rows": rows, "failures": FAILURES, "measures": measured}
     totals = physics_tables.totals(rows)
     assert (totals["tasks"], totals["planned"]) == (3, 2)
     assert totals["not_planned"] == {"no_goal_root": 1}
@@ -127,6 +134,16 @@ def test_limits(part, cases, held):
     result = {"part": part, "rows": rows}
     first = physics_tables.claims(result)[0][0]
     assert (first["held"], first["asked"]) == (held, len(cases))
+
+
+def test_an_open_hand_is_asked_only_where_something_was_pulled_at():
+    def pulled(failures, force):
+        row = rows_of((failures, 0, 0))
+        return row | {"measures": {"open_pull": [force]}}
+
+    rows = [pulled([], 8.0), pulled(["open_hand_holds"], 60.0), pulled(["not_closed"], None)]
+    found, _ = physics_tables.claims({"part": "clasp", "rows": rows})
+    assert [(c["held"], c["asked"]) for c in found if "open hand" in c["name"]] == [(1, 2)]
 
 
 def test_disturbances_against_the_index():

@@ -95,7 +95,12 @@ _LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
-_LOST_OPEN = _without("open_hand_holds")
+
+
+def _lost_open(case: Row) -> bool | None:
+    """Not asked of a hand that closed without the loop: nothing was pulled at."""
+    return None if case.get("open_pull") is None else "open_hand_holds" not in case["failures"]
+
 
 CLAIMS: dict[str, list[Claim]] = {
     "slide": [
@@ -126,10 +131,10 @@ CLAIMS: dict[str, list[Claim]] = {
     ],
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
-        Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
+        Claim("the open hand loses it", NOMINAL, _lost_open, 0.95, 1.0),
         Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
         Claim("holds", VARIED, _CLASPED),
         Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
-        Claim("the open hand loses it", VARIED, _LOST_OPEN),
+        Claim("the open hand loses it", VARIED, _lost_open),
     ],
 }
