@@ -5,6 +5,7 @@
 import copy
 import dataclasses
 import json
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -49,6 +50,16 @@ def test_a_plan_holds_and_its_open_hand_does_not(trial):
 def test_measures_and_failures_are_those_that_are_explained(trial):
     assert set(trial.measures) == set(MEASURES)
     assert set(trial.failures) <= set(FAILURES)
+
+
+def test_what_is_asked_of_a_pull_is_said():
+    page = (Path(__file__).parents[2] / "docs" / "simulate.md").read_text()
+    told = next(line for line in page.splitlines() if line.startswith("| `pulled_out`"))
+    needed, most = (f"{force:g}" for force in (Clasp().pull_needed, Clasp().pull_most))
+    assert f"below {needed} N" in told
+    assert f"to {most} N" in told
+    assert FAILURES["pulled_out"].endswith(f"below {needed} N")
+    assert f"of {most} at most" in MEASURES["pull"]
 
 
 def test_the_hand_goes_through_the_hole_as_planned(trial):

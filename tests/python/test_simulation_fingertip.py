@@ -33,7 +33,7 @@ from graspless.simulation.fingertip.breaking import Disturbed, disturb, passing
 from graspless.simulation.fingertip.execute import contact_forces, hit_depth
 from graspless.simulation.fingertip.program import way_round
 from graspless.simulation.fingertip.world import build_world
-from graspless.simulation.settings import Break
+from graspless.simulation.settings import Break, Fingertip
 from graspless.simulation.variation import Variation
 from graspless.tasks import read_task, task_from_dict
 
@@ -153,14 +153,33 @@ def test_without_friction_the_pinch_fails(tumble):
 
 def test_what_is_not_a_number_fails():
     measures = dict.fromkeys(MEASURES, 0.0)
-    assert judge(measures, 1e-3) == ()
-    assert judge(dict.fromkeys(MEASURES, np.nan), 1e-3) == (
+    assert judge(measures) == ()
+    assert judge(dict.fromkeys(MEASURES, np.nan)) == (
         "lost",
         "off",
         "hit",
         "slipped",
         "chatter",
     )
+
+
+@pytest.mark.parametrize(
+    ("measure", "limit", "failure"),
+    [
+        ("vertex_error", "tolerance", "off"),
+        ("vertex_error", "lost", "lost"),
+        ("slip", "slipped", "slipped"),
+        ("floor_lost", "chatter", "chatter"),
+    ],
+)
+def test_limits_are_those_of_the_settings(measure, limit, failure):
+    for settings in (Fingertip(), replace(Fingertip(), **{limit: 0.0123})):
+        most = getattr(settings, limit)
+        nothing = dict.fromkeys(MEASURES, 0.0)
+        assert failure not in judge(nothing | {measure: most}, settings)
+        assert failure in judge(nothing | {measure: most * (1 + 1e-9)}, settings)
+    between = dict.fromkeys(MEASURES, 0.0) | {"vertex_error": 0.00125}
+    assert (judge(between), judge(between, varied=True)) == (("off",), ())
 
 
 def test_a_post_in_the_way_is_hit(slide):
@@ -174,7 +193,7 @@ def test_a_post_in_the_way_is_hit(slide):
     hitting.__dict__["task"] = read_task(SLIDE + post, "post.yaml")
     seen = measure(*carry_out(hitting, Variation()))
     assert seen["hit"] > 0
-    assert "hit" in judge(seen, 1e-3)
+    assert "hit" in judge(seen)
 
 
 def test_an_arm_pushes_with_no_more_than_its_motors_give():

@@ -39,7 +39,7 @@ FAILURES = {
     "nothing is pulled at",
     "escaped": "the loop came out of the closed hand under random wrenches, the motors locked too",
     "forced_open": "random wrenches forced the fingers open; with locked motors the hand held",
-    "pulled_out": "the loop came out of the closed hand under a straight pull",
+    "pulled_out": "the loop came out of the closed hand under a straight pull below 15 N",
     "open_hand_holds": "the negative control: to none of the sequences, nor to the pull, did the "
     "open hand lose the loop (to lose it to one of them is enough)",
 }
@@ -53,7 +53,7 @@ MEASURES = {
     "held": "sequences of random wrenches that the closed hand held",
     "held_locked": "the same where those that were lost are run again with locked motors",
     "sequences": "how many there were",
-    "pull": "straight pull that was held [N]",
+    "pull": "straight pull that was held, of 60 at most [N]",
     "open_pull": "straight pull at which the open hand lost the object [N]",
     "open_held": "sequences that the open hand held, of the same ones",
     "open_linked": "fingers whose curves are linked with the loop when the hand has opened",
