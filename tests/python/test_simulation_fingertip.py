@@ -320,6 +320,27 @@ def test_what_nothing_breaks_is_not_said_to_break(slide, monkeypatch):
     assert f"nothing up to {found['tried']:.3g} N breaks it" in text
 
 
+@pytest.mark.parametrize(
+    ("bent", "lost", "told"), [(1.00, 0.985, 1.00), (0.9, 1.5, 1.5), (0.0, 0.4, 0.4)]
+)
+def test_what_loses_the_object_is_no_less_than_what_bends_it(slide, monkeypatch, bent, lost, told):
+    """Each is found to a fiftieth, from other factors: their order is a law all the same."""
+    found = {Break().distance: (bent, 3), Break().lost_distance: (lost, 5)}
+
+    class Fake:
+        undisturbed = 0.0
+
+        def __init__(self, *_):
+            pass
+
+        def smallest(self, z, distance):
+            return found[distance]
+
+    monkeypatch.setattr(breaking, "Disturbed", Fake)
+    broken = breaking.break_test(slide, (0, 0))
+    assert (broken.smallest, broken.lost, broken.direction) == (bent, told, 3)
+
+
 def test_a_motion_that_does_not_hold_breaks_at_nothing(tumble, monkeypatch):
     def slippery(problem, variation, settings, friction_at):
         return build_world(problem, Variation(friction=0.05), settings, friction_at=friction_at)
