@@ -66,6 +66,16 @@ def _without(*failures: str) -> Callable[[Row], bool]:
     return lambda case: not set(failures) & set(case["failures"])
 
 
+def _where_pulled(failure: str) -> Callable[[Row], bool | None]:
+    """Not asked of a hand that closed without the loop: nothing was pulled at."""
+
+    def holds(case: Row) -> bool | None:
+        was_pulled = case.get("open_pull", 0.0) is not None
+        return failure not in case["failures"] if was_pulled else None
+
+    return holds
+
+
 def _holds_but(*failures: str) -> Callable[[Row], bool]:
     return lambda case: not set(case["failures"]) - set(failures)
 
@@ -95,12 +105,7 @@ _LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
-
-
-def _lost_open(case: Row) -> bool | None:
-    """Not asked of a hand that closed without the loop: nothing was pulled at."""
-    return None if case.get("open_pull") is None else "open_hand_holds" not in case["failures"]
-
+_LOST_OPEN = _where_pulled("open_hand_holds")
 
 CLAIMS: dict[str, list[Claim]] = {
     "slide": [
@@ -131,10 +136,10 @@ CLAIMS: dict[str, list[Claim]] = {
     ],
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
-        Claim("the open hand loses it", NOMINAL, _lost_open, 0.95, 1.0),
+        Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
         Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
         Claim("holds", VARIED, _CLASPED),
         Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
-        Claim("the open hand loses it", VARIED, _lost_open),
+        Claim("the open hand loses it", VARIED, _LOST_OPEN),
     ],
 }
