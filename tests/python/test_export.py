@@ -18,7 +18,6 @@ from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
 import graspless
-import timing_common
 from graspless import TaskError, cli, frames
 from graspless.exports import FORMATS
 from graspless.exports.fingers import contacts
@@ -335,7 +334,8 @@ def test_mujoco_of_a_chain_has_the_obstacles_of_all_stages(tmp_path):
     post = "{name: post, box: [0.05, 0.05, 0.05], pose: {position: [0.9, 0.9, 0.5]}}"
     other = "{name: post, box: [0.05, 0.07, 0.05], pose: {position: [0.8, 0.9, 0.5]}}"
     shelf = other.replace("post", "shelf")
-    text = timing_common.TASKS["lifted"].replace("\nstages:", f"\nobstacles: [{post}]\nstages:")
+    text = (ROOT / "examples" / "19_slide_then_lift.yaml").read_text()
+    text = text.replace("\nstages:", f"\nobstacles: [{post}]\nstages:")
     text = text.replace("distance: 0.10}", f"distance: 0.10}}\n    obstacles: [{shelf}, {other}]")
     model, data = chain(tmp_path, text)
     found = {body: body_pose(data, body)[:3, 3] for body in ("post", "shelf", "post_2", "table")}
@@ -351,7 +351,7 @@ def test_mujoco_of_a_chain_has_the_obstacles_of_all_stages(tmp_path):
 
 def test_mujoco_of_a_chain_has_the_table_of_a_later_stage(tmp_path):
     """Its top was the floor of the fingertips: one of both, or no hand could reach below."""
-    text = (timing_common.EXAMPLES / "23_tumble_slide_lift.yaml").read_text()
+    text = (ROOT / "examples" / "23_tumble_slide_lift.yaml").read_text()
     wall = "    walls: [{name: wall, normal: [-1, 0, 0], offset: -0.9}]\n"
     text = text.replace("    friction: 0.8\n", "    friction: 0.8\n" + wall)
     model, data = chain(tmp_path, text)
