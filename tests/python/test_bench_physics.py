@@ -312,6 +312,18 @@ def test_page_of_all_parts(engine, tmp_path, capsys):
     ]
 
 
+@pytest.mark.parametrize("part", physics_report.PARTS)
+def test_results_were_made_by_this_code(part):
+    """By the names of what is counted and measured; else the file is older than the code."""
+    path = Path(__file__).parents[2] / "docs" / "results" / f"physics_{part}.json"
+    result = json.loads(path.read_text())
+    kind = simulation.simulation_kind(result["kind"])
+    for field, names in {"failures": kind.FAILURES, "measures": kind.MEASURES}.items():
+        assert set(result[field]) == set(names), f"{path.name} is old: run its command again"
+    for row in result["rows"]:
+        assert set(row["measures"]) in (set(), set(kind.MEASURES)), f"{path.name} is old"
+
+
 @pytest.mark.parametrize(
     ("grid", "message"),
     [
