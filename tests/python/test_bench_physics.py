@@ -5,8 +5,10 @@
 import contextlib
 import importlib
 import json
+import re
 import sys
 import types
+from pathlib import Path
 
 import pytest
 
@@ -80,7 +82,7 @@ def rows_of(*trials, **more):
     """A row of a plan from its trials: (failures, position error, angle error)."""
     return {
         "name": "a", "key": "k", "status": "solved", "reason": "", "seed": 1, "faults": [],
-        "plan_seconds": 0.1, "disturbed": None, "seconds": [1.0 + k for k in range(len(trials))],
+        "warnings": [], "plan_seconds": 0.1, "disturbed": None, "seconds": [1.0 + k for k in range(len(trials))],
         "failures": [list(trial[0]) for trial in trials],
         "measures": {"position_error": [t[1] for t in trials], "angle_error": [t[2] for t in trials]},
     } | more  # fmt: skip
@@ -114,6 +116,28 @@ def test_tables_count_what_they_say():
     assert error["varied"] == pytest.approx({"median": 9, "95 %": 20, "max": 20})
 
 
+def test_where_nothing_varied_there_is_no_count_of_it():
+    result = {"part": "slide", "rows": [rows_of(((), 0.0, 0.0))], "failures": FAILURES}
+    rows, shown = physics_tables.failures(result)
+    columns = dict(shown)
+    assert [columns["nominal"](row) for row in rows] == ["0", "0", "0"]
+    assert [columns["varied"](row) for row in rows] == ["–", "–", "–"]
+
+
+def test_warnings_of_plans_are_kept(engine, monkeypatch):
+    told = ["the object may stay behind"]
+    monkeypatch.setattr("graspless.plans.slide.Plan.warnings", told)
+    run = physics.run(physics.Grid("slide", runs=2))
+    assert [row["warnings"] for row in run.rows] == [told, told]
+    totals = physics_tables.totals(run.rows)
+    assert "; 2 with a warning" in physics_report._counts(totals)
+    for row in run.rows:  # as in a file of before
+        del row["warnings"]
+    assert "warning" not in physics_report._counts(physics_tables.totals(run.rows))
+    del totals["warned"]
+    assert "warning" not in physics_report._counts(totals)
+
+
 @pytest.mark.parametrize(
     ("part", "cases", "held"),
     [
@@ -127,6 +151,16 @@ def test_limits(part, cases, held):
     result = {"part": part, "rows": rows}
     first = physics_tables.claims(result)[0][0]
     assert (first["held"], first["asked"]) == (held, len(cases))
+
+
+def test_an_open_hand_is_asked_only_where_something_was_pulled_at():
+    def pulled(failures, force):
+        row = rows_of((failures, 0, 0))
+        return row | {"measures": {"open_pull": [force]}}
+
+    rows = [pulled([], 8.0), pulled(["open_hand_holds"], 60.0), pulled(["not_closed"], None)]
+    found, _ = physics_tables.claims({"part": "clasp", "rows": rows})
+    assert [(c["held"], c["asked"]) for c in found if "open hand" in c["name"]] == [(1, 2)]
 
 
 def test_disturbances_against_the_index():
@@ -145,6 +179,10 @@ def test_disturbances_against_the_index():
     shown, _ = physics_tables.disturbances({"rows": rows})
     assert shown[0]["count"] == 3
     assert shown[0]["min"] == 0.69
+    rows[0]["disturbed"]["lost_ratio"], rows[1]["disturbed"]["lost_ratio"] = 1.5, 0.75
+    shown, _ = physics_tables.disturbances({"rows": rows})
+    lost = next(row for row in shown if "5 mm" in row["name"])
+    assert (lost["count"], lost["min"], lost["median"]) == (2, 0.75, 0.75)
 
 
 def test_a_share_never_looks_better_than_it_is():
@@ -242,6 +280,23 @@ def test_the_ablation_is_the_papers_finger(engine):
     assert queries[0].document["hand"]["finger_model"] == "none"
 
 
+def test_files_of_before_still_make_a_page(tmp_path):
+    results = Path(__file__).parents[2] / "docs" / "results"
+    files = sorted(results.glob("physics_*.json"))
+    for path in files:
+        result = json.loads(path.read_text())
+        result["totals"].pop("warned", None)
+        for row in result["rows"]:
+            row.pop("warnings", None)
+        (tmp_path / path.name).write_text(json.dumps(result))
+    physics_report.write_page(tmp_path)
+    page = (tmp_path / "physics.md").read_text()
+    assert page.count("| `graspless bench physics --kind") == len(files) == 5
+    _, ablation = page.split("commanded tip\n", 1)
+    assert re.search(r"\| off target \| \d+ \| – \|", ablation.split("\n## ")[0])
+    assert re.search(r"\| smallest that moves a corner 5 mm / z \| \d+ \|", page)
+
+
 def test_page_of_all_parts(engine, tmp_path, capsys):
     for flags in (["--kind", "slide"], ["--kind", "fingertip", "--disturb"], ["--kind", "clasp"]):
         main(["bench", "physics", "--runs", "1", "--out", str(tmp_path), *flags, "--json"])
@@ -255,6 +310,18 @@ def test_page_of_all_parts(engine, tmp_path, capsys):
         "Clasps",
         "Circumstances",
     ]
+
+
+@pytest.mark.parametrize("part", physics_report.PARTS)
+def test_results_were_made_by_this_code(part):
+    """By the names of what is counted and measured; else the file is older than the code."""
+    path = Path(__file__).parents[2] / "docs" / "results" / f"physics_{part}.json"
+    result = json.loads(path.read_text())
+    kind = simulation.simulation_kind(result["kind"])
+    for field, names in {"failures": kind.FAILURES, "measures": kind.MEASURES}.items():
+        assert set(result[field]) == set(names), f"{path.name} is old: run its command again"
+    for row in result["rows"]:
+        assert set(row["measures"]) in (set(), set(kind.MEASURES)), f"{path.name} is old"
 
 
 @pytest.mark.parametrize(

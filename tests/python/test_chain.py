@@ -438,15 +438,32 @@ def test_picture_of_a_carry_shows_the_object_rise(lift, tmp_path):
     assert heights[0] > heights[1] > heights[2]
 
 
-def test_simulated_hand_takes_the_object_where_the_plan_says(lift):
+@pytest.fixture(scope="module")
+def carried(lift):
     pytest.importorskip("mujoco")
-    trial = graspless.simulate(lift).trials[0]
-    assert trial, trial.failures
-    assert trial.measures["carried"] == pytest.approx(0.1, abs=0.003)
-    assert trial.measures["carry_error"] < 0.003
-    assert trial.measures["kept"] == 1
+    return graspless.simulate(lift, record=True).trials[0]
+
+
+def test_simulated_hand_takes_the_object_where_the_plan_says(carried):
+    assert carried, carried.failures
+    assert carried.measures["carried"] == pytest.approx(0.1, abs=0.003)
+    assert carried.measures["carry_error"] < 0.003
+    assert carried.measures["kept"] == 1
     measures = {m for m in simulation_kind("chain").MEASURES if not m.startswith("lift")}
-    assert set(trial.measures) == measures
+    assert set(carried.measures) == measures
+
+
+def test_recording_has_the_object_near_the_plan_from_the_first_moment_on(lift, carried):
+    """What is planned moves as what happens does: in a chain that holds, both go together."""
+    assert carried, carried.failures
+    recording = carried.recording
+    off = np.linalg.norm((recording.object_poses - recording.planned_poses)[:, :3, 3], axis=1)
+    names = np.array(recording.names)
+    gaps = {name: off[names == name].max() for name in dict.fromkeys(recording.names)}
+    assert {"approach", "press", "slide", "close", "raise", "hold"} <= set(gaps)
+    assert max(gaps.values()) < 0.005, gaps
+    planned = lift.stages[0].segments
+    np.testing.assert_allclose(recording.planned_poses[0], planned[0].object_poses[0], atol=1e-9)
 
 
 def test_simulated_hand_that_does_not_close_leaves_the_object_behind(lift, tmp_path):

@@ -406,6 +406,50 @@ def test_mujoco_object_and_obstacles_have_the_task_s_shape(tmp_path):
     assert geoms[0] == table
 
 
+def chain(tmp_path, text, name="chain"):
+    plan = graspless.plan(read_task(text, name))
+    assert plan, plan.reason
+    graspless.export(plan, tmp_path / "plan.xml", "mujoco", rate=RATE)
+    model, data = loaded(tmp_path / "plan.xml")
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
+def test_mujoco_of_a_chain_has_the_obstacles_of_all_stages(tmp_path):
+    post = "{name: post, box: [0.05, 0.05, 0.05], pose: {position: [0.9, 0.9, 0.5]}}"
+    other = "{name: post, box: [0.05, 0.07, 0.05], pose: {position: [0.8, 0.9, 0.5]}}"
+    shelf = other.replace("post", "shelf")
+    text = (ROOT / "examples" / "19_slide_then_lift.yaml").read_text()
+    text = text.replace("\nstages:", f"\nobstacles: [{post}]\nstages:")
+    text = text.replace("distance: 0.10}", f"distance: 0.10}}\n    obstacles: [{shelf}, {other}]")
+    model, data = chain(tmp_path, text)
+    found = {body: body_pose(data, body)[:3, 3] for body in ("post", "shelf", "post_2", "table")}
+    np.testing.assert_allclose(found["post"], [0.9, 0.9, 0.5], atol=1e-6)
+    np.testing.assert_allclose(found["shelf"], [0.8, 0.9, 0.5], atol=1e-6)
+    np.testing.assert_allclose(found["post_2"], [0.8, 0.9, 0.5], atol=1e-6)
+    np.testing.assert_allclose(model.geom("post_2_0").size, [0.025, 0.035, 0.025])
+    fixed = [model.body(i).name for i in range(1, model.nbody) if model.body_weldid[i] == 0]
+    assert set(fixed) - set(planned("lifted").stages[0].task.problem.robot.frame_names) == set(
+        found
+    )
+
+
+def test_mujoco_of_a_chain_has_the_table_of_a_later_stage(tmp_path):
+    """Its top was the floor of the fingertips: one of both, or no hand could reach below."""
+    text = (ROOT / "examples" / "23_tumble_slide_lift.yaml").read_text()
+    wall = "    walls: [{name: wall, normal: [-1, 0, 0], offset: -0.9}]\n"
+    text = text.replace("    friction: 0.8\n", "    friction: 0.8\n" + wall)
+    model, data = chain(tmp_path, text)
+    down, geoms = np.array([0.0, 0.0, -1.0]), np.zeros(1, dtype=np.int32)
+    at = {}
+    for where, y in {"on the table": -0.3, "beside it": -0.4}.items():
+        above = np.array([0.65, y, 0.5])
+        at[where] = mujoco.mj_ray(model, data, above, down, None, 1, -1, geoms)
+    assert at == {"on the table": pytest.approx(0.5), "beside it": -1}
+    planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE)
+    assert [model.geom(i).name for i in planes] == ["wall"]
+
+
 L_SHAPE = """\
   polygon: [[-0.05, -0.05], [0.05, -0.05], [0.05, -0.02], [-0.02, -0.02], [-0.02, 0.05], [-0.05, 0.05]]
   com: [-0.01, -0.02]

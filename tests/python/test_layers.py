@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which room may know which (docs/architecture.md), read from the #include and import lines."""
 
+import ast
 import pathlib
 import re
 
@@ -41,6 +42,42 @@ def test_includes_only_rooms_below(path):
         prefix, _, rest = include.partition("/")
         target = rest.split("/")[0] if prefix == "graspless" else prefix if rest else own
         assert target in allowed, f"{own} must not include {include}"
+
+
+SHAPES = {"Box", "Sphere", "Capsule", "Mesh", "PlacedShape"}  # of the task that was read
+PLANNING = {"slide", "fingertip", "clasp", "carry", "planning", "collision", "scene"}
+
+
+def taken(path, package):
+    """What a module of Python uses of the package's top, when it runs: {module: names}."""
+    found, tree = {}, ast.parse(path.read_text())
+    up = len(path.relative_to(package).parts)  # dots that reach the package's top
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and node.level == up:
+            for name in (alias.name for alias in node.names):
+                top, *_ = (node.module or name).split(".")
+                uses = {a.attr for a in ast.walk(tree) if is_use(a, name)}
+                found.setdefault(top, set()).update({name} if node.module else uses)
+    return found
+
+
+def is_use(node, name):
+    return isinstance(node, ast.Attribute) and getattr(node.value, "id", None) == name
+
+
+def test_what_simulations_share_with_planners_is_listed():
+    page = (ROOT / "docs" / "architecture.md").read_text()
+    head = "## What the physics engine shares with the planners\n"
+    listed = page.split(head)[1].split("\n## ")[0]
+    package = ROOT / "python" / "graspless"
+    shared = set()
+    for path in sorted((package / "simulation").rglob("*.py")):
+        used = taken(path, package)
+        assert not PLANNING & set(used), path
+        for module in ("geometry", "robot", "mechanics"):
+            shared |= used.get(module, set())
+    assert {"wrench_scale", "Ik", "PreparedLoop"} <= shared  # else nothing was found
+    assert [name for name in sorted(shared - SHAPES) if name not in listed] == []
 
 
 @pytest.mark.parametrize("module", ["bindings", "tests", "python"])

@@ -81,6 +81,16 @@ def test_json_is_all_that_is_printed(plan_file, engine, capsys):
     assert printed["rows"][0]["measures"]["overhang"] == 0.04
 
 
+def test_what_is_no_number_is_null_in_json(plan_file, monkeypatch, capsys):
+    def execute(plan, variation, *, record=False):
+        return Trial(variation, ("fell",), {"creep": float("nan"), "overhang": 0.04}, 0.5)
+
+    monkeypatch.setattr("graspless.simulation.slide.run", execute)
+    _, out, _ = run(capsys, "simulate", plan_file, "--json")
+    printed = json.loads(out, parse_constant=lambda word: pytest.fail(f"{word} is no JSON"))
+    assert printed["rows"][0]["measures"] == {"creep": None, "overhang": 0.04}
+
+
 def test_python_takes_the_file_too(plan_file, engine):
     held = graspless.simulate(plan_file, trials=2)
     assert repr(held).startswith("<Simulation: ")

@@ -4,14 +4,19 @@
 
 from __future__ import annotations
 
+import dataclasses
+import re
+from pathlib import Path
+
 import mujoco
 import numpy as np
 import pytest
 
 import graspless
 from graspless import TaskError, _data
-from graspless.simulation.robots import joint_addresses, robot_spec
-from graspless.simulation.settings import Spread
+from graspless.simulation import settings
+from graspless.simulation.robots import apply, joint_addresses, robot_spec
+from graspless.simulation.settings import Solver, Spread
 from graspless.simulation.variation import Variation, variations
 
 WITH_ROBOT = ["01_slide_card", "02_kr5", "12_t42_tumble", "13_clasp_purse", "17_wam_clasp"]
@@ -82,6 +87,31 @@ def test_a_robot_that_is_told_to_stand_stands(name):
     for _ in range(200):
         mujoco.mj_step(model, data)
     assert np.abs(data.qpos - start)[addresses].max() < 1e-6
+
+
+def test_the_solver_is_told_all_of_its_settings():
+    spec = mujoco.MjSpec()
+    apply(spec, Solver(cone="pyramidal", integrator="euler", impratio=7.0, iterations=13))
+    option = spec.compile().opt
+    assert (option.cone, option.integrator) == (
+        mujoco.mjtCone.mjCONE_PYRAMIDAL,
+        mujoco.mjtIntegrator.mjINT_EULER,
+    )
+    assert (option.impratio, option.iterations) == (7, 13)
+
+
+def test_every_setting_is_read():
+    """One that nothing reads says what is not so."""
+    room = Path(graspless.simulation.__file__).parent
+    sources = [path for path in room.rglob("*.py") if path.name != "settings.py"]
+    text = "\n".join(path.read_text() for path in [*sources, room / "settings.py"])
+    found = vars(settings).values()
+    groups = [t for t in found if isinstance(t, type) and dataclasses.is_dataclass(t)]
+    assert len(groups) >= 7
+    names = [
+        (group.__name__, field.name) for group in groups for field in dataclasses.fields(group)
+    ]
+    assert [name for name in names if not re.search(rf"\.{name[1]}\b", text)] == []
 
 
 def test_what_cannot_be_simulated_is_refused():

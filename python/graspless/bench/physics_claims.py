@@ -66,6 +66,16 @@ def _without(*failures: str) -> Callable[[Row], bool]:
     return lambda case: not set(failures) & set(case["failures"])
 
 
+def _where_pulled(failure: str) -> Callable[[Row], bool | None]:
+    """Not asked of a hand that closed without the loop: nothing was pulled at."""
+
+    def holds(case: Row) -> bool | None:
+        was_pulled = case.get("open_pull", 0.0) is not None
+        return failure not in case["failures"] if was_pulled else None
+
+    return holds
+
+
 def _holds_but(*failures: str) -> Callable[[Row], bool]:
     return lambda case: not set(case["failures"]) - set(failures)
 
@@ -95,7 +105,7 @@ _LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
-_LOST_OPEN = _without("open_hand_holds")
+_LOST_OPEN = _where_pulled("open_hand_holds")
 
 CLAIMS: dict[str, list[Claim]] = {
     "slide": [

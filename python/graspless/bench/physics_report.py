@@ -106,6 +106,7 @@ def _counts(totals: Row) -> str:
     missing = ", ".join(f"{name} {count}" for name, count in totals["not_planned"].items())
     parts += [f"not planned: {missing}"] if missing else []
     parts += [f"{totals['failed_checks']} that fail their check"] if totals["failed_checks"] else []
+    parts += [f"{totals['warned']} with a warning"] if totals.get("warned") else []
     parts += [f"{totals['lost']} lost to an error"] if totals["lost"] else []
     if totals["nominal"]:
         parts.append(f"{totals['nominal_held']} of {totals['nominal']} held as planned")

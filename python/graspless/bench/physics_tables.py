@@ -27,6 +27,7 @@ LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
     "ratio": "smallest disturbance that breaks the motion / z",
     "compliant_ratio": "the same / the compliant index",
+    "lost_ratio": "smallest that moves a corner 5 mm / z",
     "smallest": "the disturbance itself [N]",
     "z": "[N]",
 }
@@ -42,6 +43,7 @@ def totals(rows: list[Row]) -> Row:
         "not_planned": dict(Counter(r["status"] for r in rows if r["status"] not in KNOWN)),
         "lost": sum(row["status"] in LOST for row in rows),
         "failed_checks": sum(bool(row["faults"]) for row in rows),
+        "warned": sum(bool(row.get("warnings")) for row in rows),  # older files have none
         "nominal": len(nominal),
         "nominal_held": sum(not case["failures"] for case in nominal),
         "varied": len(varied),
@@ -65,16 +67,16 @@ def claims(result: Row) -> Table:
 
 
 def failures(result: Row) -> Table:
-    """Every kind of failure, counted; those that did not come up too."""
+    """Every kind of failure, counted; those that did not come up too. None: there was no trial."""
+    trials = {of: list(cases(result["rows"], of)) for of in (NOMINAL, VARIED)}
     counts = {
-        of: Counter(f for case in cases(result["rows"], of) for f in case["failures"])
-        for of in (NOMINAL, VARIED)
+        of: Counter(f for case in seen for f in case["failures"]) for of, seen in trials.items()
     }
     rows = [
         {
             "name": name.replace("_", " "),
             "means": means,
-            **{of: c[name] for of, c in counts.items()},
+            **{of: c[name] if trials[of] else None for of, c in counts.items()},
         }
         for name, means in result["failures"].items()
     ]
@@ -98,7 +100,7 @@ def disturbances(result: Row) -> Table:
     """Quantiles of what breaks the motion; what nothing broke is left out."""
     rows = []
     for name, means in DISTURBANCES.items():
-        values = [c[name] for c in cases(result["rows"], DISTURBED) if c[name] is not None]
+        values = [c[name] for c in cases(result["rows"], DISTURBED) if c.get(name) is not None]
         rows.append({"name": means if name != "z" else f"z {means}", "count": len(values)})
         rows[-1] |= {q: _quantile(values, fraction) for q, fraction in LOW.items()}
     return rows, DISTURBANCE_COLUMNS
@@ -145,8 +147,8 @@ CLAIM_COLUMNS: list[Column] = [
     ("goal", lambda r: _asked(r["goal"])),
 ]
 FAILURE_COLUMNS: list[Column] = [
-    ("nominal", lambda r: str(r[NOMINAL])),
-    ("varied", lambda r: str(r[VARIED])),
+    (NOMINAL, lambda r: _figure(r[NOMINAL])),
+    (VARIED, lambda r: _figure(r[VARIED])),
     (MEANING, lambda r: r["means"]),
 ]
 MEASURE_COLUMNS: list[Column] = [

@@ -65,12 +65,13 @@ def _measure(query: Query) -> Row:
     from .. import plans
     from ..tasks import task_from_dict
 
-    plan = plans.plan(task_from_dict(query.document, query.name))
+    plan: Any = plans.plan(task_from_dict(query.document, query.name))
     faults = plans.check(plan) if plan else []
     row = {
         **unknown(query, plan.status, plan.reason),
         "plan_seconds": _figure(plan.statistics.get("seconds", 0.0)),
         "faults": faults[:3],
+        "warnings": list(plan.warnings),
     }
     if not plan or faults:
         return row
@@ -87,6 +88,7 @@ def unknown(query: Query, status: str, reason: str) -> Row:
         "seed": query.seed,
         "plan_seconds": None,
         "faults": [],
+        "warnings": [],
         "failures": [],
         "measures": {},
         "seconds": [],

@@ -16,7 +16,7 @@ import numpy as np
 
 from .. import files, frames
 from ..simulation.robots import set_positions
-from .mujoco_scene import FINGER, OBJECT, build, first_stage
+from .mujoco_scene import FINGER, OBJECT, build, stages_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -63,7 +63,7 @@ def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
 def _centers(trajectory: Trajectory, k: int) -> Matrix:
     """[n, 3] of bare fingertips in the world [m]: one that is off waits at its next place."""
     X_WO, now = trajectory.object_poses[k], int(trajectory.segment_index[k])
-    fingers = first_stage(trajectory.plan).task.problem.fingers
+    fingers = stages_of(trajectory.plan)[0].task.problem.fingers
     radius, count = fingers.radius, fingers.count
     centers = np.tile([0.0, 0.0, 1.0], (count, 1))
     row = 0 if k == 0 else -1

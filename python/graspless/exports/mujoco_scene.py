@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stands around in a task, as MuJoCo has it: bodies of the task's names."""
+"""A task as MuJoCo has it: the robot, the object, and what stands around."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from .. import frames, geometry
 from ..simulation.clasp.surface import inertia, skin
 from ..simulation.robots import apply, robot_spec
 from ..simulation.settings import Clasp
-from ..simulation.shapes import add_placed, add_plane, add_skin, give_inertia
+from ..simulation.shapes import add_skin, give_inertia
 from ..simulation.slide.shapes import plate_inertia
 from ..tasks.slide.build import build_object as build_slide_object
 from ..tasks.source import Source
+from .mujoco_shapes import add_shape
+from .mujoco_surroundings import add_surroundings
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,7 +35,8 @@ OBJECT, FINGER, HELD = "object", "finger", "object_held"
 
 def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
     """The MjSpec of a trajectory's task, and the robot where one moves."""
-    task = first_stage(trajectory.plan).task
+    stages = stages_of(trajectory.plan)
+    task = stages[0].task
     robot: Robot | None = None
     if trajectory.joint_names:
         robot = task.problem.robot if task.arm is None else task.arm.robot
@@ -46,24 +49,22 @@ def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
     spec.modelname = f"graspless {task.kind}"
     body = spec.worldbody.add_body(name=OBJECT)
     body.add_freejoint(name=OBJECT)
-    _SURROUNDINGS[task.kind](spec, body, task)
-    for obstacle in task.problem.obstacles:
-        _add_fixed(spec, obstacle.name, obstacle.shapes, obstacle.X_WB)
+    _OBJECTS[task.kind](spec, body, task)
+    add_surroundings(spec, stages)
     return spec, robot
 
 
-def first_stage(plan: Plan) -> Plan:
-    """Of a chain: its task has the object and all that stands around; else the plan itself."""
-    stage: Plan = getattr(plan, "stages", [plan])[0]
-    return stage
+def stages_of(plan: Plan) -> list[Plan]:
+    """Of a chain; else the plan itself. The first one's task has the object."""
+    stages: list[Plan] = getattr(plan, "stages", [plan])
+    return stages
 
 
 def _slide(spec: Any, body: Any, task: Task) -> None:
-    thing, support = task.problem.object, task.problem.support
-    _add_fixed(spec, "table", support.shapes, support.X_WS)
+    thing = task.problem.object
     _give_plate_inertia(body, thing)
     for i, placed in enumerate(thing.shapes):
-        _add_shape(spec, body, f"{OBJECT}_{i}", placed, mass=0)
+        add_shape(spec, body, f"{OBJECT}_{i}", placed, mass=0)
 
 
 def _fingertip(spec: Any, body: Any, task: Task) -> None:
@@ -71,9 +72,7 @@ def _fingertip(spec: Any, body: Any, task: Task) -> None:
     friction = float(np.mean(problem.friction))
     give_inertia(body, thing.mass, thing.com, thing.inertia)
     mesh = geometry.PlacedShape(thing.mesh)
-    _add_shape(spec, body, OBJECT, mesh, mass=0, friction=[friction, 0.005, 0.0001])
-    for plane in problem.planes:
-        add_plane(spec, plane, plane.name, friction=[friction, 0.005, 0.0001])
+    add_shape(spec, body, OBJECT, mesh, mass=0, friction=[friction, 0.005, 0.0001])
 
 
 def _clasp(spec: Any, body: Any, task: Task) -> None:
@@ -98,10 +97,10 @@ def _carry(spec: Any, body: Any, task: Task) -> None:
         _give_cloud_inertia(body, surface, fields.clasp.mass)
     given = {"mass": 0} if body.explicitinertial else {}
     for i, placed in enumerate(shapes):
-        _add_shape(spec, body, f"{OBJECT}_{i}", placed, **given)
+        add_shape(spec, body, f"{OBJECT}_{i}", placed, **given)
 
 
-_SURROUNDINGS: dict[str, Callable[[Any, Any, Task], None]] = {
+_OBJECTS: dict[str, Callable[[Any, Any, Task], None]] = {
     "slide": _slide,
     "fingertip": _fingertip,
     "clasp": _clasp,
@@ -127,25 +126,6 @@ def _add_fingers(spec: Any, fingers: Any) -> None:
         body = spec.worldbody.add_body(name=f"{FINGER}{i}", mocap=True)
         size = [fingers.radius, 0, 0]
         body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=size, friction=friction)
-
-
-def _add_fixed(spec: Any, name: str, shapes: Any, X_WB: Matrix) -> None:
-    X = np.asarray(X_WB)
-    body = spec.worldbody.add_body(name=name, pos=X[:3, 3], quat=frames.to_quaternion(X))
-    for i, placed in enumerate(shapes):
-        _add_shape(spec, body, f"{name}_{i}", placed)
-
-
-def _add_shape(spec: Any, body: Any, name: str, placed: Any, **given: Any) -> None:
-    """A geom; a mesh looks as it is, and collides as its convex hull."""
-    if not isinstance(placed.shape, geometry.Mesh):
-        add_placed(spec, body, placed, name=name, **given)
-        return
-    mesh = spec.add_mesh(name=name, uservert=np.asarray(placed.shape.vertices).ravel().tolist())
-    mesh.userface = np.asarray(placed.shape.triangles).ravel().tolist()
-    X_BG = np.asarray(placed.X_BG)
-    given |= {"name": name, "pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
-    body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)
 
 
 def _inline_meshes(spec: Any) -> None:

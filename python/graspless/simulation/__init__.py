@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plans in an independent physics engine: MuJoCo executes them and the object is the judge.
 
-The engine reads the task anew: the robot by its own URDF reader, the object from its shape and
-mass. Nothing of the planners or of check() is used; `settings` has the parameters.
+The engine reads the robot by its own URDF reader, and makes the object of the task's shape and
+mass. No search, collision test or check() takes part; docs/architecture.md lists what is shared
+with the planners. `settings` has the parameters.
 """
 
 from __future__ import annotations

@@ -66,9 +66,9 @@ def run(
 
 
 def _with_plan(recording: Recording, plan: Plan) -> Recording:
-    """The recording with where the plan has the object: at the slide's end, then in the hand."""
+    """The recording with where the plan has the object: as it slides, then in the hand."""
     slide, *carries = plan.stages
-    poses = np.repeat(slide.segments[-1].object_poses[-1:], len(recording.times), axis=0)
+    poses = timing.time(slide).followed(recording.names, recording.times)
     after = np.isin(recording.names, (RAISE, HOLD))
     if after.any():
         begin = float(recording.times[after][0])
@@ -85,7 +85,7 @@ class _Carried(Execution):
 
     def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
         slide: Any = plan.stages[0]
-        super().__init__(slide, variation, settings, _obstacles(plan.stages))
+        super().__init__(slide, variation, settings, obstacles_of(plan.stages))
         self.measures = {"kept": 0.0}
         carries = plan.stages[1:]
         self.program = with_carries(self.program, carries, self.timestep)
@@ -122,7 +122,7 @@ class _Carried(Execution):
         self.measures["kept"] = float(phase == HOLD and "dropped" not in self.judge.failures)
 
 
-def _obstacles(stages: list[Any]) -> list[Any]:
+def obstacles_of(stages: list[Any]) -> list[Any]:
     """Of all stages, each once; not a carry's support, which the scene has as its table."""
     found: list[Any] = []
     known: list[Any] = []
@@ -163,4 +163,4 @@ def with_carries(program: Program, carries: list[AnyPlan], timestep: float) -> P
     )
 
 
-__all__ = ["FAILURES", "MEASURES", "run"]
+__all__ = ["FAILURES", "MEASURES", "obstacles_of", "run"]

@@ -59,7 +59,8 @@ def _run(options: argparse.Namespace) -> int:
         with progress.waiting(f"drawing {options.html}"):
             view.write_html(plan, options.html, recording=found.trials[0].recording)
     if options.json:
-        print(json.dumps(found.as_dict() | ({"disturbed": disturbed} if disturbed else {})))
+        document = found.as_dict() | ({"disturbed": disturbed} if disturbed else {})
+        print(json.dumps(document, allow_nan=False))
     else:
         print(report.as_text(found, disturbed))
         if options.html is not None:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -83,11 +84,12 @@ class Trial:
         return not self.failures
 
     def as_dict(self) -> dict[str, Any]:
-        """In plain types, without the recording."""
+        """In plain types, without the recording; None for what is no number, as JSON has none."""
+        known = {n: v if math.isfinite(v) else None for n, v in self.measures.items()}
         return {
             "held": bool(self),
             "failures": list(self.failures),
-            "measures": self.measures,
+            "measures": known,
             "variation": self.variation.as_dict(),
             "seconds": self.seconds,
         }

@@ -57,9 +57,10 @@ def apply(spec: Any, solver: Solver | None = None) -> None:
     """Gives a model the solver's settings."""
     solver = solver or Solver()
     spec.option.timestep = solver.timestep
-    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.cone = getattr(mujoco.mjtCone, f"mjCONE_{solver.cone.upper()}")
     spec.option.impratio = solver.impratio
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    integrator = f"mjINT_{solver.integrator.upper()}"
+    spec.option.integrator = getattr(mujoco.mjtIntegrator, integrator)
     spec.option.tolerance = solver.tolerance
     spec.option.iterations = solver.iterations
 

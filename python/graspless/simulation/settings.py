@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 
 @dataclass(frozen=True)
@@ -15,9 +16,10 @@ class Solver:
     """What MuJoCo's defaults get wrong for slow contact with friction."""
 
     timestep: float = 0.002  # MuJoCo's own [s]
-    cone: str = "elliptic"  # Coulomb's cone; a pyramid slips sooner along its diagonals
+    cone: Literal["elliptic", "pyramidal"] = "elliptic"  # Coulomb's; a pyramid slips sooner along
+    # its diagonals
     impratio: float = 100.0  # 1 creeps by 4 mm/s under a steady push, 100 by 0.001
-    integrator: str = "implicitfast"  # stiff servos
+    integrator: Literal["euler", "implicit", "implicitfast"] = "implicitfast"  # stiff servos
     tolerance: float = 1e-10
     iterations: int = 100
 
@@ -50,6 +52,10 @@ class Spread:
     timestep: float = 0.25  # of its value
 
 
+# Of fingertip plans, as they are asked for: friction 10 %, the fingers' places 0.1 mm, no mass.
+FINGERTIP_SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0)
+
+
 @dataclass(frozen=True)
 class Fingertip:
     """Bare fingertips: spheres with servos of their own, and contact with them and with planes.
@@ -68,6 +74,8 @@ class Fingertip:
     stiffness: float = 1e4  # of position control [N/m]; 1e5 breaks on 0.1 mm of geometry error
     damping_ratio: float = 1.0
     obstacle_skin: float = 0.0005  # half thickness of an obstacle's mesh [m]: a choice
+    skin: float = 0.2  # thickness of the surface of an object that is not convex, in fingertips'
+    # radii: a choice, little against a notch that a fingertip goes into
     turning: float = 10.0  # stiffness against rolling, in that of position control at the contact
     speed: float = 0.005  # of an object that slides; faster, MuJoCo lifts it off the floor [m/s]
     arm_speed: float = 0.01  # the same, carried by an arm [m/s]
@@ -76,6 +84,10 @@ class Fingertip:
     rest_seconds: float = 0.2  # at the end [s]
     tolerance: float = 0.001  # of a corner's place, nominal [m]
     varied_tolerance: float = 0.0015  # and where the trial varies [m]
+    lost: float = 0.01  # a corner so far from its place is no longer in the fingers [m]: a choice
+    slipped: float = 0.001  # of a fingertip on the object [m]: as a corner may be off
+    chatter: float = 0.05  # share of the time without any force of the floor: a choice; a stiff
+    # floor is lost a quarter of the time
 
 
 @dataclass(frozen=True)

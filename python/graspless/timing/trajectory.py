@@ -15,6 +15,7 @@ from .rates import Rate
 from .settings import require_positive
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
     from numpy.typing import ArrayLike, NDArray
@@ -103,6 +104,33 @@ class Trajectory:
     @cached_property
     def _places(self) -> tuple[Matrix, Matrix]:
         return frames.places(self.object_poses)
+
+    def followed(self, names: Sequence[str], times: ArrayLike) -> Matrix:
+        """[N, 4, 4] X_WO that this asks of an execution, which may rest where this does not.
+
+        Parameters
+        ----------
+        names : list of str
+            What is executed at each moment: a segment's name, or another.
+        times : array [N]
+            The moments [s], increasing.
+
+        Returns
+        -------
+        array [N, 4, 4]
+            In a stretch of a segment's name as that segment goes from its start, and at its end
+            when it is over; under any other name where the last segment left the object.
+        """
+        now, of = np.asarray(times, dtype=float), np.array(names)
+        found = np.repeat(self.object_poses[:1], len(now), axis=0)
+        for k, segment in enumerate(self.segments):
+            rows, own = np.flatnonzero(of == segment.name), np.flatnonzero(self.segment_index == k)
+            if len(rows) and len(own):
+                start, end = self.times[own[[0, -1]]]
+                elapsed = np.minimum(now[rows] - now[rows[0]], end - start)
+                found[rows] = self.at(start + elapsed).object_poses
+                found[rows[-1] + 1 :] = self.object_poses[own[-1]]
+        return found
 
     def sampled(self, rate: float) -> Trajectory:
         """The moments at even times, `rate` a second and at most 1e6, the last one at the end."""

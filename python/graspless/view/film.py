@@ -176,26 +176,19 @@ def recorded(plan: Plan, recording: Recording) -> Film:
 def planned_poses(plan: Plan, recording: Recording) -> Matrix:
     """[N, 4, 4] where the plan wants the object at each moment.
 
-    Where the recording does not say: in a stretch of a segment's name as the timed plan has it from
-    the segment's start, in any other where the last segment left it.
+    Where the recording does not say: as `Trajectory.followed`, or where each segment of a plan that
+    cannot be timed ends.
     """
     if recording.planned_poses is not None:
         return np.asarray(recording.planned_poses, dtype=float)
-    times, names = np.asarray(recording.times, dtype=float), np.array(recording.names)
-    segments = {s.name: (k, s) for k, s in enumerate(plan.segments) if len(s)}
-    found = np.repeat(next(iter(segments.values()))[1].object_poses[:1], len(times), axis=0)
     clock = clock_of(plan)
-    for name, (k, segment) in segments.items():
-        rows = np.flatnonzero(names == name)
-        if not len(rows):
-            continue
-        here, rest = slice(rows[0], rows[-1] + 1), slice(rows[-1] + 1, None)
-        found[here] = found[rest] = segment.object_poses[-1]
-        if clock is not None:
-            trajectory = clock.trajectory
-            began = trajectory.times[trajectory.segment_index == k]
-            elapsed = np.minimum(times[here] - times[rows[0]], began[-1] - began[0])
-            found[here] = trajectory.at(began[0] + elapsed).object_poses
+    if clock is not None:
+        return clock.trajectory.followed(recording.names, recording.times)
+    names, moving = np.array(recording.names), [s for s in plan.segments if len(s)]
+    found = np.repeat(moving[0].object_poses[:1], len(names), axis=0)
+    for segment in moving:
+        for row in np.flatnonzero(names == segment.name)[:1]:
+            found[row:] = segment.object_poses[-1]
     return found
 
 

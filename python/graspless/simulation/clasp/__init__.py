@@ -34,11 +34,12 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 FAILURES = {
-    "hit": "the object moved before the hand closed",
-    "not_closed": "a finger is not linked with the loop when the hand has closed",
+    "hit": "the object moved before the hand closed, or the robot touched an obstacle",
+    "not_closed": "a finger is not linked with the loop when the hand has closed; where none is, "
+    "nothing is pulled at",
     "escaped": "the loop came out of the closed hand under random wrenches, the motors locked too",
     "forced_open": "random wrenches forced the fingers open; with locked motors the hand held",
-    "pulled_out": "the loop came out of the closed hand under a straight pull",
+    "pulled_out": "the loop came out of the closed hand under a straight pull below 15 N",
     "open_hand_holds": "the negative control: to none of the sequences, nor to the pull, did the "
     "open hand lose the loop (to lose it to one of them is enough)",
 }
@@ -52,7 +53,7 @@ MEASURES = {
     "held": "sequences of random wrenches that the closed hand held",
     "held_locked": "the same where those that were lost are run again with locked motors",
     "sequences": "how many there were",
-    "pull": "straight pull that was held [N]",
+    "pull": "straight pull that was held, of 60 at most [N]",
     "open_pull": "straight pull at which the open hand lost the object [N]",
     "open_held": "sequences that the open hand held, of the same ones",
     "open_linked": "fingers whose curves are linked with the loop when the hand has opened",
@@ -82,22 +83,37 @@ def run(
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
     failures: list[str] = []
     measures = _close(execution, timed(plan))
-    if not measures["moved_before"] <= settings.hit:
+    if execution.touched or not measures["moved_before"] <= settings.hit:
         failures.append("hit")
     if measures["linking"] == 0:
         failures.append("not_closed")
-    world.let_go()
+    if judge.linked():  # else the loop never was in the hand, and cannot come out of it
+        seeds = _seeds(plan, variation, settings.sequences)
+        pulled, found = _pulled(execution, seeds, _pull_direction(problem.pull_W, judge))
+        measures |= found
+        failures += pulled
+    recording = None if recorder is None else recorder.recording()
+    seconds = perf_counter() - started
+    return Trial(variation, tuple(failures), measures, seconds, recording)
+
+
+def _pulled(
+    execution: Execution, seeds: list[list[int]], direction_W: Matrix
+) -> tuple[list[str], dict[str, float]]:
+    """Lets go of the object, and pulls at it in the closed hand and in the open one: what failed,
+    and what was measured.
+    """
+    settings, recorder = execution.world.settings, execution.recorder
+    failures: list[str] = []
+    execution.world.let_go()
     closed = execution.save()
-    execution.recorder = None
-    seeds = _seeds(plan, variation, settings.sequences)
-    measures |= _shaken(execution, closed, seeds, recorder)
+    measures = _shaken(execution, closed, seeds, recorder)
     if measures["held_locked"] < settings.sequences:
         failures.append("escaped")
     elif measures["held"] < settings.sequences:
         failures.append("forced_open")
     execution.set_back(closed)
     execution.recorder = recorder
-    direction_W = _pull_direction(problem.pull_W, judge)
     measures["pull"] = execution.pull(direction_W)
     if measures["pull"] < settings.pull_needed:
         failures.append("pulled_out")
@@ -107,9 +123,7 @@ def run(
     held_open = measures["open_held"] == settings.sequences
     if measures["open_pull"] >= settings.pull_most and held_open:
         failures.append("open_hand_holds")
-    recording = None if recorder is None else recorder.recording()
-    seconds = perf_counter() - started
-    return Trial(variation, tuple(failures), measures, seconds, recording)
+    return failures, measures
 
 
 def _close(execution: Execution, trajectory: Trajectory) -> dict[str, float]:

@@ -42,12 +42,19 @@ class Recorder:
 
 
 class Execution:
-    """A world that runs on, looked at every LOOK seconds."""
+    """A world that runs on, looked at every LOOK seconds.
+
+    Attributes
+    ----------
+    touched : bool
+        Whether the robot touched an obstacle so far.
+    """
 
     def __init__(
         self, world: World, judge: Judge, hand: clasp.Hand, robot: Any, recorder: Recorder | None
     ) -> None:
         self.world, self.judge, self.recorder = world, judge, recorder
+        self.touched = False
         self._steps = max(1, round(LOOK / world.model.opt.timestep))
         self._fingers = np.array(robot.group(hand.hand))
         self._closed = robot.clamp(robot.state(hand.closed))
@@ -63,6 +70,7 @@ class Execution:
                 world.data.ctrl[:] = command
                 mujoco.mj_step(world.model, world.data)
         mujoco.mj_kinematics(world.model, world.data)
+        self.touched = self.touched or world.touches_obstacle
         if self.recorder is not None:
             self.recorder.add(world, name)
 

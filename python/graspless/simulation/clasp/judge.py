@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the hand still has the loop: geometry of simulated poses, nothing of the planner's."""
+"""Whether the hand still has the loop: geometry of simulated poses.
+
+Links are counted by the planner's own `geometry`; where hand and object are is the engine's.
+"""
 
 from __future__ import annotations
 

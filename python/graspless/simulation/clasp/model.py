@@ -68,6 +68,16 @@ class World:
         q: Matrix = self.data.qpos[self.joints].copy()
         return q
 
+    @property
+    def touches_obstacle(self) -> bool:
+        """Whether the robot touches one now: nothing else meets what is fixed to the world."""
+        contact, model = self.data.contact, self.model
+        geoms, skins = contact.geom, contact.flex  # -1 where a contact is not of one
+        # The object's skin is the one that moves; those of meshes are fixed.
+        own = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_FLEX, OBJECT)
+        fixed = (geoms >= 0) & (model.geom_bodyid[geoms] == 0) | (skins >= 0) & (skins != own)
+        return bool((fixed.any(axis=1) & (contact.dist < 0)).any())
+
     def let_go(self) -> None:
         """Takes floor and gravity away: what holds the object is the hand alone."""
         self.model.opt.gravity[:] = 0.0

@@ -17,7 +17,7 @@ import numpy as np
 from ... import frames
 from ...timing import time as timed
 from ..results import Recording, Trial
-from ..settings import Fingertip, Spread
+from ..settings import FINGERTIP_SPREAD, Fingertip
 from .arm import carry_out_by_arm
 from .breaking import disturb
 from .execute import Log, execute
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from .script import Script
     from .world import World
 
-SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0, timestep=0.25)
+SPREAD = FINGERTIP_SPREAD
 
 FAILURES = {
     "off": "a corner of the object was farther from its place than is allowed: 1 mm, 1.5 mm varied",
@@ -51,8 +51,6 @@ MEASURES = {
     "duration": "of the motion [s]",
 }
 
-LOST = 0.01  # [m]
-
 
 def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
     """Executes a plan that is solved, by its arm or, without one, by bare fingertips."""
@@ -63,7 +61,7 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
     settings = world.settings
     return Trial(
         variation,
-        judge(measures, settings.tolerance if variation.is_nominal else settings.varied_tolerance),
+        judge(measures, settings, varied=not variation.is_nominal),
         measures,
         time.perf_counter() - start,
         recording(script, log) if record else None,
@@ -129,14 +127,18 @@ def finger_slips(world: World, script: Script, log: Log) -> Matrix:
     return np.array(slips)
 
 
-def judge(measures: dict[str, float], tolerance: float) -> tuple[str, ...]:
+def judge(
+    measures: dict[str, float], settings: Fingertip | None = None, *, varied: bool = False
+) -> tuple[str, ...]:
     """Names out of FAILURES; what is not a number is within no limit."""
+    limits = settings or Fingertip()
+    tolerance = limits.varied_tolerance if varied else limits.tolerance
     holds = {
-        "lost": measures["vertex_error"] <= LOST,
+        "lost": measures["vertex_error"] <= limits.lost,
         "off": measures["vertex_error"] <= tolerance,
         "hit": measures["hit"] <= 0,
-        "slipped": measures["slip"] <= 1e-3,
-        "chatter": measures["floor_lost"] <= 0.05,
+        "slipped": measures["slip"] <= limits.slipped,
+        "chatter": measures["floor_lost"] <= limits.chatter,
     }
     return tuple(name for name, is_so in holds.items() if not is_so)
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ... import frames
 from ...timing import time as timed
-from ..robots import apply, joint_addresses, robot_spec
+from ..robots import apply, joint_addresses, robot_spec, set_positions
 from ..settings import Fingertip, Solver
 from .execute import Log, execute
 from .script import Script, blended, joined, moving, still
@@ -22,6 +22,7 @@ from .world import World, add_finger_pairs, add_scene
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ...plans.fingertip import JointSegment, Plan
+    from ...robot import Robot
     from ...timing import Trajectory
     from ..variation import Variation
 
@@ -32,12 +33,14 @@ class ArmWorld(World):
 
     Attributes
     ----------
+    robot : Robot
     joints : array [dof]
         Where the robot's joints stand in qpos, and in qvel: nothing stands before them.
     tips : list of int
         Body at the centre of each finger's sphere.
     """
 
+    robot: Robot
     joints: Any
     tips: list[int]
 
@@ -56,8 +59,8 @@ class ArmWorld(World):
     def stand(self, place: Matrix, q: Matrix) -> None:
         """Puts the object [7] and the robot [dof] where they are told, at rest."""
         self.object_qpos[:] = place
-        self.data.qpos[self.joints] = self.data.ctrl[:] = q
-        mujoco.mj_forward(self.model, self.data)
+        self.data.qvel[:] = 0
+        set_positions(self.model, self.data, self.robot, q)
 
 
 def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
@@ -75,7 +78,8 @@ def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
     }
     tips = [model.body(_frame(plan, finger)).id for finger in range(problem.fingers.count)]
     joints = joint_addresses(model, arm.robot)
-    world = ArmWorld(model, mujoco.MjData(model), settings, problem, finger_of_geom, joints, tips)
+    data = mujoco.MjData(model)
+    world = ArmWorld(model, data, settings, problem, finger_of_geom, arm.robot, joints, tips)
     world.stiffen()
     return world
 

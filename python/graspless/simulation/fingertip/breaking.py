@@ -39,7 +39,8 @@ class Breaking:
     direction : int
         Of the task's disturbance directions: that of the smallest; -1: it was none of them.
     lost : float
-        As `smallest`, of what moves a corner 5 mm off: more than the fingers' springs give.
+        As `smallest`, of what moves a corner 5 mm off: more than the fingers' springs give. Never
+        below `smallest`.
     tried : float
         The greatest factor that was tried [N].
     undisturbed : float
@@ -117,7 +118,9 @@ def break_test(
     settings = settings or Break()
     trial = Disturbed(plan, segment, i, settings)
     smallest, direction = trial.smallest(z, settings.distance)
-    lost, _ = trial.smallest(z, settings.lost_distance)
+    # What moves a corner 5 mm has moved it 1 mm before; but either is known to a fiftieth only, the
+    # searches try other factors, and the second may end just below the first.
+    lost = max(smallest, trial.smallest(z, settings.lost_distance)[0])
     return Breaking(
         s, i, smallest, direction, lost, settings.largest * z, trial.undisturbed,
         z, float(segment.compliant_stability[i]),

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
     FrictionAt = Callable[[Iterable[float]], float]
 
-SKIN = 0.2  # how thick the surface of an object is that is not convex, in fingertips' radii
 PLANE, OBJECT, FINGER, OBSTACLE = "plane", "object", "finger", "obstacle"
 
 # Bits of contact. What the plan lets touch does so in pairs that are named; the rest is a hit.
@@ -182,7 +181,7 @@ def add_scene(
     spec.option.gravity = problem.gravity_W
     body = _add_object(spec, problem.object, variation.mass)
     if not problem.object.is_convex:
-        _add_skin(spec, body, problem.object, SKIN * problem.fingers.radius)
+        _add_skin(spec, body, problem.object, Fingertip().skin * problem.fingers.radius)
     for obstacle in problem.obstacles:
         add_obstacle(spec, obstacle, Fingertip().obstacle_skin, **_OBSTACLE_TOUCHES)
     friction = friction_at(problem.friction) * variation.support_friction
