@@ -23,13 +23,14 @@ from tasks_common import changed
 
 FAILURES = {"fell": "off the table", "not_grasped": "left behind", "hit": "touched"}
 MEASURES = {"position_error": "of the object [m]", "angle_error": "of the object [rad]"}
+SEQUENCES = {"sequences": 10.0, "held_dragged": 9.0}  # of clasps
 
 
 def run_trial(plan, variation, *, record=False):
     """Trial k is off by k mm and by a degree; a light object falls."""
     error = 0.001 + abs(variation.x)
     failures = ("fell",) if variation.mass < 0.85 else ()
-    measures = {"position_error": error} | ({} if failures else {"angle_error": 0.02})
+    measures = SEQUENCES | {"position_error": error} | ({} if failures else {"angle_error": 0.02})
     return Trial(variation, failures, measures, seconds=0.25)
 
 
@@ -48,7 +49,8 @@ def physics_tasks(count, seed, finger_model="flexure"):
 @pytest.fixture
 def engine(monkeypatch):
     """A physics engine that is none, and problems for it; everything in this process."""
-    kind = types.SimpleNamespace(FAILURES=FAILURES, MEASURES=MEASURES, run=run_trial)
+    measures = MEASURES | dict.fromkeys(SEQUENCES, "sequences")
+    kind = types.SimpleNamespace(FAILURES=FAILURES, MEASURES=measures, run=run_trial)
     monkeypatch.setattr(simulation, "simulation_kind", lambda _: kind)
     monkeypatch.setattr(physics_report, "simulation_kind", lambda _: kind)
     monkeypatch.setattr(physics_report.importlib.metadata, "version", lambda _: "4")
@@ -341,3 +343,22 @@ def test_grids_that_are_none(grid, message):
 def test_every_kind_is_asked_something():
     assert set(physics.RUNS) == set(physics_report.PARTS) & set(kinds.KINDS)
     assert set(physics_claims.CLAIMS) == set(physics_report.PARTS)
+
+
+def test_a_clasp_that_only_blows_free_is_told_from_one_that_a_wrench_does():
+    def row(failures, **measures):
+        measures = {name: [value] for name, value in measures.items()}
+        return {"failures": [failures], "measures": measures, "seconds": [1.0]}
+
+    lost = ["forced_open"]
+    rows = [
+        row(lost, sequences=10.0, held=8.0, held_dragged=10.0),
+        row(lost, sequences=10.0, held=8.0, held_dragged=9.0),
+        row(["escaped"], sequences=10.0, held=8.0, held_dragged=10.0),
+        row([], sequences=10.0, held=10.0, held_dragged=10.0),
+        row([], sequences=10.0, held=10.0),  # measured before there was such a thing
+    ]
+    found, _ = physics_tables.claims({"part": "clasp", "rows": rows})
+    named = {claim["name"]: (claim["held"], claim["asked"]) for claim in found}
+    assert named["holds, the object without momentum"] == (2, 4)
+    assert named["holds"] == (2, 5)

@@ -18,6 +18,8 @@ from clasp_common import PURSE, changed
 from graspless import clasp, geometry
 from graspless.bench.physics_clasp import physics_tasks
 from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, run, surface
+from graspless.simulation.clasp.execution import LOOK, Execution
+from graspless.simulation.clasp.judge import Judge
 from graspless.simulation.clasp.model import make_world
 from graspless.simulation.robots import set_positions
 from graspless.simulation.settings import Clasp
@@ -287,3 +289,50 @@ def test_tasks_of_the_bench_are_its_own():
         np.testing.assert_array_equal(
             task.problem.object.loops.complex.points, theirs.object.loops.complex.points
         )
+
+
+def _execution(plan):
+    problem, settings = plan.task.problem, Clasp()
+    world = make_world(plan.task, Variation(), settings)
+    judge = Judge(problem.hand, world, problem.object.loops.loops[plan.loop].points)
+    return Execution(world, judge, problem.hand, problem.robot, None)
+
+
+def _energies(execution, seconds):
+    """[J] of the free object, pulled at from rest, at each look."""
+    model, data = execution.world.model, execution.world.data
+    model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
+    data.xfrc_applied[execution.world.body] = [Clasp().force, 0, 0, 0, 0, 0]
+    for _ in range(round(seconds / LOOK)):
+        execution.run("shake")
+        yield float(data.energy[1])
+
+
+def test_drag_takes_the_momentum_that_a_free_object_gathers(plan):
+    settings = Clasp()
+    execution = _execution(plan)
+    execution.world.let_go()
+    execution.world.data.qpos[-7:-4] += [0, 0, 10]  # nothing is there
+    mujoco.mj_forward(execution.world.model, execution.world.data)
+    start = execution.save()
+    with execution.dragged():
+        slow = list(_energies(execution, 0.4))
+    # That of the speed at which drag alone bears the force, and of turning into its direction.
+    assert 0.05 < max(slow) < 4 * 0.5 * settings.mass * settings.drag_speed**2
+    execution.set_back(start)
+    free = list(_energies(execution, 0.4))
+    assert free[-1] == pytest.approx(0.5 * (settings.force * 0.4) ** 2 / settings.mass, rel=0.05)
+
+
+def test_the_open_hand_loses_a_dragged_object_and_the_closed_one_does_not(plan):
+    execution = _execution(plan)
+    execution.settle(Clasp().lead)
+    execution.follow(graspless.time(plan))
+    execution.grip()
+    execution.world.let_go()
+    closed = execution.save()
+    with execution.dragged():
+        assert execution.shake(np.random.default_rng(1))
+        execution.set_back(closed)
+        execution.open()
+        assert not execution.shake(np.random.default_rng(1))

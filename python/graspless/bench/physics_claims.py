@@ -107,6 +107,12 @@ _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
 _LOST_OPEN = _where_pulled("open_hand_holds")
 
+
+def _clasped_dragged(case: Row) -> bool | None:
+    held = case.get("held_dragged")
+    return None if held is None else _CLASPED_LOCKED(case) and held == case["sequences"]
+
+
 CLAIMS: dict[str, list[Claim]] = {
     "slide": [
         _arrives(NOMINAL, 5, 0.95, 0.995),
@@ -137,8 +143,10 @@ CLAIMS: dict[str, list[Claim]] = {
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
         Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
+        Claim("holds, the object without momentum", NOMINAL, _clasped_dragged),
         Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
         Claim("holds", VARIED, _CLASPED),
+        Claim("holds, the object without momentum", VARIED, _clasped_dragged),
         Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
         Claim("the open hand loses it", VARIED, _LOST_OPEN),
     ],

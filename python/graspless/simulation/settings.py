@@ -135,6 +135,9 @@ class Clasp:
     hold: float = 0.1  # until the wrench is drawn anew [s]
     seconds: float = 3.0  # a sequence
     sequences: int = 10  # as the paper's own test
+    drag_speed: float = 0.5  # at which drag alone bears a random force: a kilogram comes to it
+    # within a hold, and has an eighth of a joule then [m/s]; a choice, as the next
+    drag_turning: float = 3.0  # the same of a random torque [rad/s]
     pull_rate: float = 40.0  # growth of a straight pull [N/s]: quasi-static against 100 rad/s
     pull_needed: float = 15.0  # as a random one's [N]
     pull_most: float = 60.0  # where a straight pull ends [N]: three fingers of 2 Nm at 0.1 m

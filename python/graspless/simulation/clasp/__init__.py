@@ -51,6 +51,7 @@ MEASURES = {
     "linking": "virtual linking of the closed hand, the least of all fingers",
     "grip": "torque of the joint of the hand that presses hardest when closed, of its greatest",
     "held": "sequences of random wrenches that the closed hand held",
+    "held_dragged": "the same where those that were lost are run again, with drag on the object",
     "held_locked": "the same where those that were lost are run again with locked motors",
     "sequences": "how many there were",
     "pull": "straight pull that was held, of 60 at most [N]",
@@ -155,10 +156,12 @@ def _shaken(
 ) -> dict[str, float]:
     """Sequences of random wrenches from the closed hand; the first is recorded.
 
-    One that frees the loop is run again with motors that nothing can turn: then the clasp was
-    good, and the fingers too weak.
+    One that frees the loop is run again with drag on the object, and with motors that nothing can
+    turn. A free object gathers speed from wrench to wrench: what drag keeps in the hand was lost to
+    blows, what it does not to the wrench itself. Where locked motors hold, the clasp was good, and
+    the fingers too weak.
     """
-    held = rigid = 0
+    held = dragged = rigid = 0
     for sequence, seed in enumerate(seeds):
         execution.set_back(closed)
         execution.recorder = recorder if sequence == 0 else None
@@ -166,11 +169,15 @@ def _shaken(
             held += 1
             continue
         execution.set_back(closed)
+        with execution.dragged():
+            dragged += execution.shake(np.random.default_rng(seed))
+        execution.set_back(closed)
         with execution.locked():
             rigid += execution.shake(np.random.default_rng(seed))
     execution.recorder = None
     return {
         "held": float(held),
+        "held_dragged": float(held + dragged),
         "held_locked": float(held + rigid),
         "sequences": float(len(seeds)),
     }

@@ -159,6 +159,18 @@ class Execution:
         return look + 1 == most and self.judge.linked() > 0
 
     @contextmanager
+    def dragged(self) -> Iterator[None]:
+        """The object in something viscous: a wrench moves it, but it gathers no momentum."""
+        model, settings = self.world.model, self.world.settings
+        first = model.body_dofadr[self.world.body]
+        model.dof_damping[first : first + 3] = settings.force / settings.drag_speed
+        model.dof_damping[first + 3 : first + 6] = settings.torque / settings.drag_turning
+        try:
+            yield
+        finally:
+            model.dof_damping[first : first + 6] = 0.0
+
+    @contextmanager
     def locked(self) -> Iterator[None]:
         """The hand's motors as strong as it takes to stay where they are, and its gears rigid."""
         model, data, settings = self.world.model, self.world.data, self.world.settings
