@@ -362,3 +362,13 @@ def test_a_clasp_that_only_blows_free_is_told_from_one_that_a_wrench_does():
     named = {claim["name"]: (claim["held"], claim["asked"]) for claim in found}
     assert named["holds, the object without momentum"] == (2, 4)
     assert named["holds"] == (2, 5)
+
+
+@pytest.mark.parametrize(
+    ("held", "met"), [(94, "missed"), (95, "must"), (98, "must"), (99, "goal"), (100, "goal")]
+)
+def test_tables_say_what_is_met(held, met):
+    row = {"held": held, "asked": 100, "must": 0.95, "goal": 0.99}
+    assert dict(physics_tables.CLAIM_COLUMNS)["met"](row) == met
+    unasked = row | {"must": None, "goal": None}
+    assert dict(physics_tables.CLAIM_COLUMNS)["met"](unasked) == "–"

@@ -17,8 +17,9 @@ namespace {
 // between forces far apart. So a share of it is given up, and of what that allows the coefficients
 // of least squares are taken: one answer, which follows the contacts continuously.
 constexpr double kKeptMargin = 0.9, kKeptStability = 0.99;
-// How often reserves are placed anew, along the forces last found: no round loses anything but the
-// share above, and after the second the index hardly grows (96 % of the best there is, median).
+// How often forces are looked for: first with reserves along the axes of the cones, then along the
+// forces found. That reaches 97 % of the best index there is (median of 54 rows), and more rounds
+// hardly help.
 constexpr int kRounds = 2;
 
 void validate_all(const ContactSet& set, const std::vector<FingerMode>& modes,
@@ -55,6 +56,23 @@ std::optional<std::vector<Reserve>> spring_reserves(const std::vector<Spring>& s
   return reserves;
 }
 
+/// Unit forces along the normals: of contacts that slide, along their one edge.
+Equilibrium along_normals(const ContactSet& set) {
+  Equilibrium units;
+  units.contact_forces_O.resize(3, static_cast<Eigen::Index>(set.contacts.size()));
+  units.finger_forces_O.resize(3, static_cast<Eigen::Index>(set.fingers.size()));
+  for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+    const Contact& contact = set.contacts[i];
+    units.contact_forces_O.col(static_cast<Eigen::Index>(i)) =
+        contact.mode == ContactMode::slide ? Eigen::Vector3d(cone_of(contact, set.cone_edges))
+                                           : contact.n_O;
+  }
+  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
+    units.finger_forces_O.col(static_cast<Eigen::Index>(i)) = set.fingers[i].n_O;
+  }
+  return units;
+}
+
 }  // namespace
 
 std::optional<Equilibrium> interior_equilibrium(const ContactSet& set,
@@ -74,17 +92,18 @@ std::optional<Equilibrium> compliant_equilibrium(const ContactSet& set,
   const ContactSet round = with_round_cones(set);
   const auto springs = springs_under(round, modes, compliance, directions);
   const double t_max = largest_force(round);
-  auto forces =
-      inner_forces(round, modes, commanded_forces, equal_reserves(round), t_max, kKeptMargin);
-  for (int k = 0; springs && forces && k < kRounds; ++k) {
-    const auto reserves = spring_reserves(*springs, *forces);
-    if (!reserves) break;
-    const auto better =
-        inner_forces(round, modes, commanded_forces, *reserves, t_max, kKeptStability);
+  const auto solve = [&](const std::vector<Reserve>& reserves, double kept) {
+    return inner_forces(round, modes, commanded_forces, reserves, t_max, kept);
+  };
+  std::optional<Equilibrium> forces;
+  auto reserves = springs ? spring_reserves(*springs, along_normals(round)) : std::nullopt;
+  for (int k = 0; reserves && k < kRounds; ++k) {
+    const auto better = solve(*reserves, kKeptStability);
     if (!better) break;
     forces = better;
+    reserves = spring_reserves(*springs, *forces);
   }
-  return forces;
+  return forces ? forces : solve(equal_reserves(round), kKeptMargin);
 }
 
 }  // namespace graspless::mechanics

@@ -113,7 +113,7 @@ def _counts(totals: Row) -> str:
     if totals["varied"]:
         parts.append(f"{totals['varied_held']} of {totals['varied']} varied trials held")
     if totals["disturbed"]:
-        parts.append(f"{totals['disturbed']} disturbed until they broke")
+        parts.append(f"{totals['disturbed']} disturbed")
     if totals["median_seconds"] is not None:
         slow = f"at most {totals['max_seconds']:.3g} s"
         parts.append(f"a simulation took {totals['median_seconds']:.3g} s (median), {slow}")

@@ -135,6 +135,14 @@ def _asked(share: float | None) -> str:
     return "–" if share is None else f"{100 * share:g} %"
 
 
+def _met(row: Row) -> str:
+    """What a share reaches of what was asked of it."""
+    asked = {"goal": row["goal"], "must": row["must"]}
+    reached = [name for name, share in asked.items() if share is not None]
+    kept = [name for name in reached if row["held"] >= asked[name] * row["asked"] - 1e-9]
+    return "–" if not reached else kept[0] if kept else "missed"
+
+
 def _of(of: str, quantile: str) -> Column:
     return f"{of} {quantile}", lambda r: _figure(r[of][quantile])
 
@@ -145,6 +153,7 @@ CLAIM_COLUMNS: list[Column] = [
     ("count", lambda r: f"{r['held']}/{r['asked']}"),
     ("must", lambda r: _asked(r["must"])),
     ("goal", lambda r: _asked(r["goal"])),
+    ("met", _met),
 ]
 FAILURE_COLUMNS: list[Column] = [
     (NOMINAL, lambda r: _figure(r[NOMINAL])),

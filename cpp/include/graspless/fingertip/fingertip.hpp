@@ -66,8 +66,7 @@ struct FingerState {
   Eigen::Vector3d n_O = Eigen::Vector3d::UnitZ();  ///< into the object, unit
   FingerMode mode = FingerMode::position;
   double commanded_force = 0;  ///< f_com in force control, else 0 [N]
-  Eigen::Vector3d nominal_force_O =
-      Eigen::Vector3d::Zero();  ///< on the object: to feed forward [N]
+  Eigen::Vector3d nominal_force_O = Eigen::Vector3d::Zero();  ///< to feed forward [N]
 };
 
 /// One instant of a plan: a sample of an arc, or a rest while a finger regrasps.

@@ -57,10 +57,10 @@ GRASPLESS_API double compliant_stability(const ContactSet& set,
                                          const Matrix6Xd& directions = disturbance_directions());
 
 /// As interior_equilibrium(), with the room where the springs of compliant_stability() will ask for
-/// it, so that this index is as large as can be: the cone of every contact moves inwards along the
-/// force that it had, by what a disturbance may take from it; the largest such disturbance that
-/// leaves an equilibrium is looked for, twice. (Commonly within a tenth of the best forces there
-/// are; a third below has been seen.) In cones of at least 12 edges, to which `margin` refers.
+/// it, so that this index is as large as can be: the cone of every contact moves inwards, by what a
+/// disturbance may take from its force, and the largest disturbance that leaves an equilibrium is
+/// looked for; once more along the forces found. (Commonly within a tenth of the best forces there
+/// are; a quarter below has been seen.) In cones of at least 12 edges, to which `margin` refers.
 /// Where the springs do not hold the object, or a contact has no friction, all coefficients count
 /// alike. Throws as those two.
 GRASPLESS_API std::optional<Equilibrium> compliant_equilibrium(

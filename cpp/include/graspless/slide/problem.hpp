@@ -26,9 +26,8 @@ class GRASPLESS_API Object {
                              double thickness, double spacing = 0.006);
   /// From points on the top surface, in O (3 x n) [m], P_o of the paper. The outline is their alpha
   /// shape, the thickness their median height unless given; the centre of mass is their mean, half
-  /// way up. Throws std::invalid_argument when a value is not finite, fewer than three points are
-  /// given, they lie on a line, or they are not thin: heights that spread (5 to 95 %) by more than
-  /// 10 mm, or a thickness over half the width.
+  /// way up. Throws std::invalid_argument on values that are not finite, fewer than three points, a
+  /// line, or a thick object: heights that spread (5 to 95 %) by over 10 mm, or half the width.
   static Object from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
                            double thickness = 0);
 
