@@ -8,6 +8,7 @@ import asyncio
 import contextlib
 import re
 import signal
+import threading
 import time
 from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
@@ -88,7 +89,8 @@ class Processes:
         self._executor = self._make(self.workers, env=ONE_THREAD)
 
     def close(self, at_once: bool = False) -> None:
-        self._executor.shutdown(wait=True, kill_workers=at_once)
+        with _without_last_words():
+            self._executor.shutdown(wait=True, kill_workers=at_once)
 
 
 class Cluster:
@@ -175,6 +177,22 @@ def opened(jobs: int, dask: str | None) -> Iterator[Pool]:
         pool.close(at_once=True)
         raise
     pool.close()
+
+
+@contextlib.contextmanager
+def _without_last_words() -> Iterator[None]:
+    """Told to drop what waits, loky's own thread may look one of these up once more, and die."""
+    before: Any = threading.excepthook
+
+    def told(thrown: Any) -> None:
+        if not (thrown.exc_type is KeyError and "Executor" in getattr(thrown.thread, "name", "")):
+            before(thrown)
+
+    threading.excepthook = told
+    try:
+        yield
+    finally:
+        threading.excepthook = before
 
 
 @contextlib.contextmanager
