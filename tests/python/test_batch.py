@@ -271,7 +271,6 @@ def test_interrupted_and_resumed(tasks, tmp_path):
     assert time.monotonic() - start < 10
     # a worker that was just being started may have said something before
     assert err.splitlines()[-1].startswith("interrupted; this goes on: graspless batch ")
-    assert len(err.splitlines()) == 1
     before = rows_of(output)
     assert 5 <= len(before) < 80
     assert f"{len(before)} of 80 tasks done" in out
