@@ -14,7 +14,8 @@
 /// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here. Of this
 /// room only public types and validate() are used. Shared with the planner: the public functions of
 /// mechanics (contact_patches, internal_force_is_bounded with the reference engine,
-/// compliant_equilibrium, compliant_stability, holds_over_friction), collision and geometry.
+/// compliant_equilibrium, compliant_stability, holds_over_friction) and with_round_cones, collision
+/// and geometry.
 namespace graspless::fingertip::checking {
 
 using Faults = std::vector<std::string>;

@@ -65,11 +65,13 @@ bool warn_of_drag(const Problem& problem, Plan& plan) {
   const double load = drag_load(problem, plan);
   if (load <= 1) return false;
   std::ostringstream out;
-  out << std::setprecision(2) << "the pad cannot drag the object: on the way it would have to hold "
+  out << std::setprecision(3) << "the pad cannot drag the object: on the way it would have to hold "
       << (load < kTell ? "" : "more than ") << std::min(load, kTell) << " times what it can ("
       << std::setprecision(6) << "object.mass " << problem.object.mass() << " kg, support.friction "
-      << problem.support.friction() << ", hand.pad_friction " << problem.hand.pad_friction
-      << "); another seed may press nearer to the centre of mass";
+      << problem.support.friction() << ", hand.pad_friction " << problem.hand.pad_friction << "); "
+      << (problem.support.friction() < problem.hand.pad_friction
+              ? "another seed may press nearer to the centre of mass"
+              : "the support holds it better than the pad, wherever that presses");
   plan.warnings.push_back(out.str());
   return true;
 }

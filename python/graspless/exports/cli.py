@@ -67,7 +67,9 @@ def add_parser(commands: Any) -> None:
 
 def _limit(text: str) -> tuple[str, float]:
     """Joint and limit; every joint's has no name."""
-    joint, _, value = text.rpartition("=")
+    joint, equals, value = text.rpartition("=")
+    if equals and not joint:  # a shell's variable that is not set, say
+        raise ValueError
     return joint, float(value)
 
 
