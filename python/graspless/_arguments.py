@@ -29,9 +29,9 @@ def require_integer(name: str, value: Any, least: int) -> int:
 
 def require_above_zero(name: str, value: Any) -> None:
     """Raises TaskError unless the value is a number above 0; it may be infinite."""
-    if not isinstance(value, numbers.Real) or isinstance(value, bool):
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TaskError(f"{name}: {value!r}: should be a number")
-    if not value > 0:
+    if not float(value) > 0:
         raise TaskError(f"{name}: {value!r}: should be above 0")
 
 

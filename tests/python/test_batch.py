@@ -406,7 +406,7 @@ def test_bad_input_exits_2(flags, message, tasks, tmp_path, capsys, monkeypatch)
         ({"jobs": "2"}, "jobs: '2': should be a whole number"),
         ({"jobs": True}, "jobs: True: should be a whole number"),
         ({"jobs": None}, "jobs: None: should be a whole number"),
-        ({"patience": "long"}, "patience: 'long': should be above 0"),
+        ({"patience": "long"}, "patience: 'long': should be a number"),
         ({"dask": 8786}, "dask: 8786: should be an address like tcp://host:8786"),
     ],
 )

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,14 @@
 
 namespace graspless::geometry {
 namespace {
+
+constexpr double kMostPoints = 1e7;  // of a grid: what is in millimetres would fill the memory
+
+std::string number(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Alpha_shape_vertex_base_2<Kernel>;
@@ -148,6 +158,13 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
   }
   const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
   const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
+  const double points = (upper - lower).prod() / (spacing * spacing);
+  if (points > kMostPoints) {
+    throw std::invalid_argument("spacing " + number(spacing) + " m would make " + number(points) +
+                                " points of " + number((upper - lower).x()) + " x " +
+                                number((upper - lower).y()) + " m; at most " + number(kMostPoints) +
+                                " are made");
+  }
   std::vector<Eigen::Vector2d> inside;
   for (double x = lower.x() + spacing / 2; x < upper.x(); x += spacing) {
     for (double y = lower.y() + spacing / 2; y < upper.y(); y += spacing) {

@@ -136,7 +136,7 @@ class Clasp:
     seconds: float = 3.0  # a sequence
     sequences: int = 10  # as the paper's own test
     drag_speed: float = 0.5  # at which drag alone bears a random force: a kilogram comes to it
-    # within a hold [m/s]; a choice, as the next. Drag acts at the origin of the object's frame: 9 cm
+    # within a hold [m/s]; a choice, as the next. Drag acts at the origin of the object: 9 cm
     # from the centre of mass lets that swing at 0.65 m/s, 20 cm at 1 m/s
     drag_turning: float = 3.0  # the same of a random torque [rad/s]
     pull_rate: float = 40.0  # growth of a straight pull [N/s]: quasi-static against 100 rad/s

@@ -12,7 +12,8 @@
 namespace graspless::geometry {
 
 /// Points on a square grid of `spacing` [m] inside a polygon (2 x n); never empty: the first vertex
-/// stands where the grid misses the polygon.
+/// stands where the grid misses the polygon. Throws std::invalid_argument where there would be more
+/// than ten million.
 GRASPLESS_API Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing);
 
 /// The outer boundary of planar points (2 x n): the tightest alpha shape (CGAL) that holds every
