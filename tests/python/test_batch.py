@@ -230,6 +230,17 @@ def _start(folder, output, *flags):
     )
 
 
+def _at_work(folder, output):
+    """A batch of two jobs that has done some tasks."""
+    process = _start(folder, output, "--jobs", "2")
+    deadline = time.monotonic() + 60
+    while len(rows_of(output)) < 5:
+        assert time.monotonic() < deadline
+        assert process.poll() is None
+        time.sleep(0.02)
+    return process
+
+
 def test_progress_only_at_a_terminal(here, capsys, monkeypatch):
     with bar("planning") as progress:
         assert progress is None
@@ -258,12 +269,7 @@ def test_a_terminal_without_rich_has_no_bar(tasks, tmp_path, monkeypatch, capsys
 
 def test_interrupted_and_resumed(tasks, tmp_path):
     folder, output = tasks(*(f"card_{i:03}" for i in range(80))), tmp_path / "out"
-    process = _start(folder, output, "--jobs", "2")
-    deadline = time.monotonic() + 60
-    while len(rows_of(output)) < 5:
-        assert time.monotonic() < deadline
-        assert process.poll() is None
-        time.sleep(0.02)
+    process = _at_work(folder, output)
     start = time.monotonic()
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to the workers, too
     out, err = process.communicate(timeout=30)
@@ -297,12 +303,7 @@ def test_interrupted_and_resumed(tasks, tmp_path):
 
 def test_sigterm_leaves_no_worker_behind(tasks, tmp_path):
     folder, output = tasks(*(f"card_{i:03}" for i in range(80))), tmp_path / "out"
-    process = _start(folder, output, "--jobs", "2")
-    deadline = time.monotonic() + 60
-    while len(rows_of(output)) < 5:
-        assert time.monotonic() < deadline
-        assert process.poll() is None
-        time.sleep(0.02)
+    process = _at_work(folder, output)
     assert len(_session(process.pid)) >= 3  # it, and its workers
     for _ in range(2):  # as `timeout` does
         process.send_signal(signal.SIGTERM)

@@ -18,18 +18,6 @@ using Eigen::Vector3d;
 
 constexpr FingerMode kPosition = FingerMode::position, kForce = FingerMode::force;
 
-/// A body of no weight between two fingers that press with 4 N each along x.
-ContactSet pinched() {
-  ContactSet set;
-  for (const double side : {-1.0, 1.0}) {
-    Finger finger;
-    finger.p_OC = Vector3d(side, 0, 0);
-    finger.n_O = Vector3d(-side, 0, 0);
-    set.fingers.push_back(finger);
-  }
-  return set;
-}
-
 TEST(Compliant, TwoPointsDoNotHoldATurnAboutTheirLine) {
   Equilibrium nominal;
   nominal.contact_forces_O.resize(3, 0);

@@ -41,6 +41,18 @@ inline ContactSet resting_cuboid() {
   return set;
 }
 
+/// A body of no weight between two fingers on a line.
+inline ContactSet pinched() {
+  ContactSet set;
+  for (const double side : {-1.0, 1.0}) {
+    Finger finger;
+    finger.p_OC = Eigen::Vector3d(side, 0, 0);
+    finger.n_O = Eigen::Vector3d(-side, 0, 0);
+    set.fingers.push_back(finger);
+  }
+  return set;
+}
+
 /// Contacts on a floor below and fingers around a body of about 1 m, weighed down by 10 N.
 inline ContactSet random_contact_set(std::mt19937* rng, int num_contacts, int num_fingers) {
   std::uniform_real_distribution<double> u(-1, 1);

@@ -161,13 +161,7 @@ TEST(Equilibrium, ForSpringsFollowsTheContactsContinuously) {
 
 /// Two points do not hold a turn about their line: no spring asks for anything.
 TEST(Equilibrium, WithoutSpringsThatHoldAllCountAlike) {
-  ContactSet set;
-  for (const double side : {-1.0, 1.0}) {
-    Finger finger;
-    finger.p_OC = Vector3d(side, 0, 0);
-    finger.n_O = Vector3d(-side, 0, 0);
-    set.fingers.push_back(finger);
-  }
+  const ContactSet set = pinched();
   const auto found = compliant_equilibrium(set, {kPosition, kPosition}, Eigen::Vector2d(0, 0));
   ASSERT_TRUE(found);
   EXPECT_GT(found->margin, 0.1);
