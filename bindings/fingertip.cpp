@@ -4,7 +4,7 @@
 
 #include <pybind11/native_enum.h>
 
-#include "graspless/fingertip/realize.hpp"
+#include "graspless/realize/realize.hpp"
 
 #include "conversions.hpp"
 #include "planning.hpp"

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "fingertip/clearance.hpp"
-#include "fingertip/screw.hpp"
+#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "fingertip/evaluator.hpp"
-#include "fingertip/instants.hpp"
-#include "fingertip/locations.hpp"
-#include "fingertip/path_query.hpp"
+#include "fingertip/model/evaluator.hpp"
+#include "fingertip/model/instants.hpp"
+#include "fingertip/model/locations.hpp"
+#include "fingertip/model/path_query.hpp"
 
 namespace graspless::fingertip {
 

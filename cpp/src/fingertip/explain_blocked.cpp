@@ -8,8 +8,8 @@
 
 #include "graspless/collision/world.hpp"
 
-#include "fingertip/clearance.hpp"
-#include "fingertip/locations.hpp"
+#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/locations.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "fingertip/screw.hpp"
+#include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -9,7 +9,7 @@
 #include "graspless/fingertip/fingertip.hpp"
 #include "graspless/mechanics/friction_interval.hpp"
 
-#include "fingertip/instants.hpp"
+#include "fingertip/model/instants.hpp"
 
 namespace graspless::fingertip {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "fingertip/evaluator.hpp"
-#include "fingertip/path_query.hpp"
+#include "fingertip/model/evaluator.hpp"
+#include "fingertip/model/path_query.hpp"
 
 namespace graspless::fingertip {
 

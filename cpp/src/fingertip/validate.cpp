@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "fingertip/clearance.hpp"
-#include "fingertip/locations.hpp"
-#include "fingertip/screw.hpp"
+#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/locations.hpp"
+#include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -10,10 +10,10 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/mechanics/contact_patch.hpp"
 
-#include "fingertip/clearance.hpp"
-#include "fingertip/instants.hpp"
-#include "fingertip/lattice_space.hpp"
-#include "fingertip/screw.hpp"
+#include "fingertip/lattice/space.hpp"
+#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/instants.hpp"
+#include "fingertip/model/screw.hpp"
 #include "fingertip/validate.hpp"
 
 namespace graspless::fingertip {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "fingertip/graph_search.hpp"
+#include "fingertip/search/graph_search.hpp"
 
 namespace graspless::fingertip {
 

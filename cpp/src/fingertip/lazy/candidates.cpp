@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Placements that may carry the object along some of the arcs, and what they cost at least.
+#include "fingertip/lazy/candidates.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace graspless::fingertip {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+std::size_t PlacementHash::operator()(const Placement& placement) const {
+  std::uint64_t hash = 0;
+  for (const std::int32_t location : placement) {
+    hash = (hash ^ static_cast<std::uint64_t>(location + 1)) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 29;
+  }
+  return static_cast<std::size_t>(hash);
+}
+
+Candidates::Candidates(const PathQuery& query, const Supports& supports)
+    : query_(query), supports_(supports) {
+  std::unordered_map<int, int> slot_of;
+  for (int arc = 0; arc < query.num_arcs(); ++arc) {
+    for (int j = 0; j < query.options.samples_per_arc; ++j) {
+      const int instant = query.instant(arc, j);
+      const auto [entry, is_new] = slot_of.emplace(instant, static_cast<int>(instants_.size()));
+      if (is_new) instants_.push_back(instant);
+      slots_.push_back(entry->second);
+    }
+  }
+  for (int location = 0; location < query.locations.size(); ++location) {
+    for (int arc = 0; arc < query.num_arcs(); ++arc) {
+      const bool is_clear = query.is_clear(arc, location) && query.is_clear(arc + 1, location);
+      ways_.push_back(is_clear ? query.displacement(arc, location) : kInfinity);
+    }
+  }
+}
+
+std::vector<int> Candidates::instants(int arc) const {
+  std::vector<int> distinct;
+  for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+    const int instant = query_.instant(arc, j);
+    if (std::find(distinct.begin(), distinct.end(), instant) == distinct.end()) {
+      distinct.push_back(instant);
+    }
+  }
+  return distinct;
+}
+
+void Candidates::reserve(std::size_t more) {
+  const std::size_t count = all_.size() + more;
+  const auto arcs = static_cast<std::size_t>(query_.num_arcs());
+  all_.reserve(count);
+  index_.reserve(count);
+  arcs_.reserve(count * arcs);
+  for (auto* values : {&before_, &after_}) values->reserve(count * (arcs + 1));
+}
+
+int Candidates::open(const Placement& placement) {
+  const auto [entry, is_new] = index_.emplace(placement, size());
+  if (!is_new) return entry->second;
+  const int c = size();
+  all_.push_back({placement});
+  const auto poses = static_cast<std::size_t>(query_.num_poses());
+  before_.resize(before_.size() + poses);
+  after_.resize(after_.size() + poses);
+  for (int arc = 0; arc < query_.num_arcs(); ++arc) {
+    arcs_.push_back(reach(arc, placement) * query_.options.samples_per_arc);
+  }
+  add_up(c);
+  return c;
+}
+
+/// How far the finger moves that moves farthest, in a P-th of an arc; infinite where one is not
+/// clear.
+double Candidates::reach(int arc, const Placement& placement) const {
+  double reach = 0;
+  for (int i = 0; i < query_.num_fingers; ++i) {
+    reach = std::max(reach, ways_[arc_index(placement[static_cast<std::size_t>(i)], arc)]);
+  }
+  return reach;
+}
+
+/// Without a look at the bounds: that is for when the candidate is part of a best route.
+void Candidates::add_up(int c) {
+  const int arcs = query_.num_arcs();
+  double* before = &before_[sum_index(c, 0)];
+  double* after = &after_[sum_index(c, 0)];
+  const double* cost = &arcs_[arc_index(c, 0)];
+  before[0] = after[arcs] = 0;
+  for (int arc = 0; arc < arcs; ++arc) before[arc + 1] = before[arc] + cost[arc];
+  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
+}
+
+void Candidates::look_at(int c) {
+  if (at(c).row >= 0) return;
+  at(c).row = rows_++;
+  z_.resize(z_.size() + instants_.size(), kInfinity);
+  weight_.resize(z_.size(), 1.0);
+  known_.resize(z_.size(), Known::bound);
+}
+
+void Candidates::set_stability(int c, int slot, double z) {
+  const std::size_t i = slot_index(c, slot);
+  z_[i] = z;
+  weight_[i] = z > 0 ? 1 + query_.options.stability_weight / z : kInfinity;
+}
+
+bool Candidates::tighten(int c, int slot) {
+  const std::size_t i = slot_index(c, slot);
+  const int instant = instants_[static_cast<std::size_t>(slot)];
+  if (known_[i] == Known::solved || supports_.stamp(instant) <= at(c).stamp) return false;
+  const auto bound = static_cast<double>(supports_.bound(instant, at(c).placement));
+  if (bound >= z_[i]) return false;
+  set_stability(c, slot, bound < query_.options.min_stability ? 0 : bound);
+  return true;
+}
+
+/// Eq. (9) with what is known of z.
+double Candidates::tighten_arc(int c, int arc, bool& changed) {
+  double& cost = arcs_[arc_index(c, arc)];
+  if (cost == kInfinity) return cost;
+  bool is_lower = cost < 0;  // not computed yet
+  const int samples = query_.options.samples_per_arc;
+  for (int j = 0; j < samples; ++j) is_lower |= tighten(c, slot(arc, j));
+  // Slots that several arcs share tell only the first of them.
+  if (is_lower || static_cast<int>(instants_.size()) < query_.num_arcs() * samples) {
+    double weight = 0;
+    for (int j = 0; j < samples; ++j) weight += weight_[slot_index(c, slot(arc, j))];
+    const double now = weight < kInfinity ? reach(arc, at(c).placement) * weight : kInfinity;
+    changed |= now != cost;
+    cost = now;
+  }
+  return cost;
+}
+
+bool Candidates::refresh(int c) {
+  if (at(c).stamp >= supports_.stamp()) return false;
+  return update(c);
+}
+
+bool Candidates::update(int c) {
+  look_at(c);
+  bool changed = false;
+  const int arcs = query_.num_arcs();
+  double* before = &before_[sum_index(c, 0)];
+  double* after = &after_[sum_index(c, 0)];
+  before[0] = after[arcs] = 0;
+  int dead = arcs;  // the first arc that cannot be
+  for (int arc = 0; arc < arcs; ++arc) {
+    if (dead == arcs) before[arc + 1] = before[arc] + tighten_arc(c, arc, changed);
+    if (dead == arcs && before[arc + 1] == kInfinity) dead = arc;
+    if (dead < arcs) before[arc + 1] = kInfinity;
+  }
+  for (int arc = arcs - 1; arc >= 0; --arc) {
+    const bool is_cut = after[arc + 1] == kInfinity || arc == dead;
+    after[arc] = is_cut ? kInfinity
+                        : after[arc + 1] + (dead == arcs ? arcs_[arc_index(c, arc)]
+                                                         : tighten_arc(c, arc, changed));
+  }
+  for (int arc = dead; arc < arcs && keeps_middles_; ++arc) tighten_arc(c, arc, changed);
+  at(c).stamp = supports_.stamp();
+  return changed;
+}
+
+void Candidates::keep_middles() {
+  keeps_middles_ = true;
+  for (int c = 0; c < size(); ++c) {
+    at(c).stamp = 0;
+    update(c);
+  }
+}
+
+bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& questions) {
+  look_at(c);
+  std::vector<int> open;
+  bool any = false;
+  for (int arc = first_arc; arc < last_arc; ++arc) {
+    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+      const int s = slot(arc, j);
+      const Known known = known_[slot_index(c, s)];
+      any |= known != Known::solved;
+      if (known == Known::bound) open.push_back(s);
+    }
+  }
+  // The lower the bound the likelier the failure.
+  std::sort(open.begin(), open.end());
+  open.erase(std::unique(open.begin(), open.end()), open.end());
+  const std::size_t count =
+      std::min(open.size(), static_cast<std::size_t>(std::max(1, at(c).solved)));
+  std::partial_sort(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count), open.end(),
+                    [&](int a, int b) {
+                      const double za = z_[slot_index(c, a)], zb = z_[slot_index(c, b)];
+                      return za != zb ? za < zb : a < b;
+                    });
+  for (std::size_t i = 0; i < count; ++i) ask_slot(c, open[i], questions);
+  return any;
+}
+
+bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
+  if (at(c).row < 0) return false;
+  for (int arc = first_arc; arc < last_arc; ++arc) {
+    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+      if (known_[slot_index(c, slot(arc, j))] != Known::solved) return false;
+    }
+    if (arcs_[arc_index(c, arc)] == kInfinity) return false;
+  }
+  return true;
+}
+
+void Candidates::ask_slot(int c, int slot, std::vector<Question>& questions) {
+  look_at(c);
+  Known& known = known_[slot_index(c, slot)];
+  if (known != Known::bound) return;
+  known = Known::asked;
+  Question question;
+  question.index = c;
+  question.slot = slot;
+  question.instant = instants_[static_cast<std::size_t>(slot)];
+  question.placement = at(c).placement;
+  questions.push_back(std::move(question));
+}
+
+void Candidates::learn(const Question& question) {
+  const int c = question.index;
+  set_stability(c, question.slot, question.z);
+  known_[slot_index(c, question.slot)] = Known::solved;
+  ++at(c).solved;
+  for (int arc = 0; arc < query_.num_arcs(); ++arc) {
+    double& cost = arcs_[arc_index(c, arc)];
+    for (int j = 0; j < query_.options.samples_per_arc && cost < kInfinity; ++j) {
+      if (slot(arc, j) == question.slot) cost = -1;  // to be computed anew
+    }
+  }
+  update(c);
+}
+
+std::int64_t Candidates::bytes_each(const PathQuery& query) {
+  return 100 + (3 * query.num_arcs() + 2) * 8;
+}
+
+std::int64_t Candidates::memory() const {
+  const auto samples = static_cast<std::int64_t>(instants_.size());
+  return size() * bytes_each(query_) + rows_ * samples * 17;
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Placements that may carry the object along some of the arcs, and what they cost at least.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "fingertip/lazy/lanes.hpp"
+#include "fingertip/lazy/supports.hpp"
+#include "fingertip/model/path_query.hpp"
+
+namespace graspless::fingertip {
+
+struct PlacementHash {
+  std::size_t operator()(const Placement& placement) const;
+};
+
+/// Calls found(placement) for all placements on these locations (ascending) of which the bounds at
+/// these instants allow min_stability, in lexicographic order, until it returns false.
+void for_each_placement(const PathQuery& query, const Supports& supports, int count,
+                        const std::vector<int>& locations, const std::vector<int>& instants,
+                        const std::function<bool(const Placement&)>& found);
+
+/// Arc costs of placements by (9), with z where it has been solved and an upper bound of z where it
+/// has not: lower bounds, exact where all samples have been solved.
+class Candidates {
+ public:
+  Candidates(const PathQuery& query, const Supports& supports);
+
+  void reserve(std::size_t more);
+  /// The candidate of this placement, made when there is none; it costs its displacement alone
+  /// until refresh().
+  int open(const Placement& placement);
+  int size() const { return static_cast<int>(all_.size()); }
+  const Placement& placement(int c) const { return at(c).placement; }
+
+  /// Cost of the arcs before a pose, or from a pose on; infinite when one is impossible.
+  double before(int c, int pose) const { return before_[sum_index(c, pose)]; }
+  double after(int c, int pose) const { return after_[sum_index(c, pose)]; }
+  double arc(int c, int arc) const { return arcs_[arc_index(c, arc)]; }
+
+  /// Takes up new bounds. Whether any cost has changed.
+  bool refresh(int c);
+  /// From now on costs of arcs between impossible ones are kept too.
+  void keep_middles();
+
+  /// Adds questions about the most critical samples of these arcs that are open, more each time;
+  /// returns whether any is open, asked already or not.
+  bool ask(int c, int first_arc, int last_arc, std::vector<Question>& questions);
+  /// Whether all samples of these arcs have been solved, and are stable.
+  bool is_solved(int c, int first_arc, int last_arc) const;
+  /// Adds the question about one sample, by its place in instants(), if it is open.
+  void ask_slot(int c, int slot, std::vector<Question>& questions);
+  /// Takes the answer.
+  void learn(const Question& question);
+
+  /// Distinct instants of the motion, in its order.
+  const std::vector<int>& instants() const { return instants_; }
+  std::vector<int> instants(int arc) const;  // of an arc's samples, each once
+  std::int64_t memory() const;
+  static std::int64_t bytes_each(const PathQuery& query);  // until they are looked at
+
+ private:
+  enum class Known : std::uint8_t { bound, asked, solved };
+  struct Candidate {
+    Placement placement;
+    std::int64_t stamp = 0;
+    int solved = 0;
+    int row = -1;  // of the tables of samples; -1 until it is looked at
+  };
+  const Candidate& at(int c) const { return all_[static_cast<std::size_t>(c)]; }
+  Candidate& at(int c) { return all_[static_cast<std::size_t>(c)]; }
+  std::size_t sum_index(int c, int pose) const {
+    return static_cast<std::size_t>(c) * static_cast<std::size_t>(query_.num_poses()) +
+           static_cast<std::size_t>(pose);
+  }
+  std::size_t arc_index(int c, int arc) const {
+    return static_cast<std::size_t>(c) * static_cast<std::size_t>(query_.num_arcs()) +
+           static_cast<std::size_t>(arc);
+  }
+  std::size_t slot_index(int c, int slot) const {
+    return static_cast<std::size_t>(at(c).row) * instants_.size() + static_cast<std::size_t>(slot);
+  }
+  int slot(int arc, int sample) const {
+    return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
+  }
+  double reach(int arc, const Placement& placement) const;
+  void add_up(int c);
+  void look_at(int c);
+  bool tighten(int c, int slot);
+  double tighten_arc(int c, int arc, bool& changed);
+  void set_stability(int c, int slot, double z);
+  bool update(int c);
+
+  const PathQuery& query_;
+  const Supports& supports_;
+  std::vector<int> instants_, slots_;
+  std::vector<double> ways_;  // locations x arcs: of a P-th of it; infinite: not clear
+  std::vector<Candidate> all_;
+  int rows_ = 0;
+  std::vector<double> z_;               // rows x slots
+  std::vector<double> weight_;          // rows x slots: 1 + X_stab / z
+  std::vector<Known> known_;            // rows x slots
+  std::vector<double> arcs_;            // candidates x arcs
+  std::vector<double> before_, after_;  // candidates x poses
+  std::unordered_map<Placement, int, PlacementHash> index_;
+  bool keeps_middles_ = false;
+};
+
+}  // namespace graspless::fingertip

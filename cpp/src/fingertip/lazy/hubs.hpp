@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the object rests on all fingers but one, and the best ways to get there and on.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include "fingertip/lazy/candidates.hpp"
+
+namespace graspless::fingertip {
+
+/// A hub is a pose and the fingers kept there: from each placement that contains them to it by
+/// taking one finger away, from it to each of them by putting the finger down elsewhere. Instead of
+/// an arc for each pair of placements, X_regr on the way in and nothing on the way out.
+class Hubs {
+ public:
+  Hubs(const PathQuery& query, const Supports& supports, const Candidates& candidates);
+
+  /// Links candidates that are new since the last call to the hubs of all their subsets of one
+  /// finger less.
+  void link();
+  int open(const Placement& kept);
+  int size() const { return static_cast<int>(kept_.size()); }
+  const Placement& kept(int hub) const { return kept_[static_cast<std::size_t>(hub)]; }
+  const std::vector<int>& members(int hub) const {  // candidates
+    return members_[static_cast<std::size_t>(hub)];
+  }
+
+  /// Hubs to which one goes by putting a finger down at a location and taking another away.
+  struct Neighbor {
+    int hub;
+    std::int32_t location;
+  };
+  const std::vector<Neighbor>& neighbors(int hub);
+
+  /// Whether the object may rest there as far as is known.
+  bool may_rest(int hub, int pose);
+
+  /// Whether it has been shown to rest there.
+  bool rests(int hub, int pose) { return known(hub, slot(pose)) == Known::rests; }
+
+  /// The cheapest route with one regrasp, there, and its candidates.
+  struct Regrasp {
+    double cost = std::numeric_limits<double>::infinity();
+    int before = -1, after = -1;
+  };
+  Regrasp best(int hub, int pose);
+
+  /// Adds the question whether it rests there when that is open; returns whether it is open, asked
+  /// already or not.
+  bool ask(int hub, int pose, std::vector<Question>& questions);
+  void learn(const Question& question);
+
+  std::int64_t memory() const { return memory_; }  // of the neighbors
+  /// Distinct instants at rest.
+  const std::vector<int>& instants() const { return instants_; }
+
+ private:
+  enum class Known : std::uint8_t { open, asked, rests, falls };
+  int slot(int pose) const { return slots_[static_cast<std::size_t>(pose)]; }
+  Known& known(int hub, int slot) {
+    return known_[static_cast<std::size_t>(hub) * instants_.size() +
+                  static_cast<std::size_t>(slot)];
+  }
+
+  const PathQuery& query_;
+  const Supports& supports_;
+  const Candidates& candidates_;
+  int linked_ = 0;
+  std::int64_t memory_ = 0;
+  std::vector<int> instants_, slots_;
+  std::vector<Placement> kept_;
+  std::vector<std::vector<int>> members_;
+  std::vector<std::vector<Neighbor>> neighbors_;  // empty until they are asked for
+  std::vector<Known> known_;                      // hubs x slots
+  std::unordered_map<Placement, int, PlacementHash> index_;
+};
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Stabilities asked for in batches and solved by several threads.
+#include "fingertip/lazy/lanes.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace graspless::fingertip {
+
+namespace {
+
+// Batches follow each other within tens of microseconds: worth staying awake for.
+constexpr auto kAwake = std::chrono::microseconds(1000);
+
+}  // namespace
+
+Lanes::Lanes(std::vector<Evaluator>& evaluators, int threads) : evaluators_(evaluators) {
+  const int most = static_cast<int>(evaluators.size());
+  for (int i = 1; i < std::min(threads, most); ++i) threads_.emplace_back([this] { help(); });
+}
+
+Lanes::~Lanes() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = true;
+    ++round_;
+  }
+  wake_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void Lanes::start(std::vector<Question>& questions) {
+  questions_ = &questions;
+  next_lane_ = 0;
+  shared_ = !threads_.empty() && !questions.empty();
+  if (!shared_) return;
+  busy_ = threads_.size();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++round_;
+  }
+  wake_.notify_all();
+}
+
+void Lanes::finish() {
+  take_lanes();
+  while (shared_ && busy_ > 0) std::this_thread::yield();
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void Lanes::help() {
+  int seen = 0;
+  while (true) {
+    const auto until = std::chrono::steady_clock::now() + kAwake;
+    while (round_ == seen && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      wake_.wait(lock, [&] { return round_ != seen; });
+      seen = round_;
+    }
+    if (stop_) return;
+    take_lanes();
+    --busy_;
+  }
+}
+
+void Lanes::take_lanes() {
+  const std::size_t lanes = std::min(evaluators_.size(), questions_->size());
+  for (std::size_t lane = next_lane_++; lane < lanes; lane = next_lane_++) {
+    try {
+      solve_lane(lane);
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      failure_ = std::current_exception();
+    }
+  }
+}
+
+void Lanes::solve_lane(std::size_t lane) {
+  Evaluator& evaluator = evaluators_[lane];
+  for (std::size_t i = lane; i < questions_->size(); i += evaluators_.size()) {
+    Question& question = (*questions_)[i];
+    evaluator.solver().clear_supports();
+    question.z = evaluator.stability(question.instant, question.placement);
+    question.supports = evaluator.solver().supports();
+  }
+}
+
+}  // namespace graspless::fingertip

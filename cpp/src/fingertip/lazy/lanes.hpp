@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Stabilities asked for in batches and solved by several threads.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "fingertip/model/evaluator.hpp"
+
+namespace graspless::fingertip {
+
+/// A stability that the search wants to know, and what came of it.
+struct Question {
+  enum class Of { candidate, hub };
+  Of of = Of::candidate;
+  int index = -1;  // of the candidate or hub
+  int slot = -1;   // which of its instants
+  int instant = -1;
+  Placement placement = kNoFingers;
+
+  double z = 0;
+  std::vector<mechanics::Vector6d> supports;
+};
+
+/// Shares a batch among the evaluators: question i goes to evaluator i modulo their number,
+/// whatever the number of threads, so that answers do not depend on it.
+class Lanes {
+ public:
+  Lanes(std::vector<Evaluator>& evaluators, int threads);
+  ~Lanes();
+  Lanes(const Lanes&) = delete;
+  Lanes& operator=(const Lanes&) = delete;
+
+  /// Begins to solve on the other threads; the questions must stay until finish().
+  void start(std::vector<Question>& questions);
+  /// Solves what is left and waits for the rest.
+  void finish();
+
+ private:
+  void help();        // what the other threads do
+  void take_lanes();  // solves lanes until none is left
+  void solve_lane(std::size_t lane);
+
+  std::vector<Evaluator>& evaluators_;
+  std::vector<Question>* questions_ = nullptr;
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::atomic<int> round_{0};
+  std::atomic<std::size_t> next_lane_{0}, busy_{0};
+  bool shared_ = false;  // the other threads were woken
+  std::atomic<bool> stop_{false};
+  std::exception_ptr failure_;
+};
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Upper bounds on stability from wrench functionals, as tables over locations.
+#include "fingertip/lazy/supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "fingertip/lazy/sums.hpp"
+#include "fingertip/model/screw.hpp"
+
+namespace graspless::fingertip {
+
+using mechanics::Matrix6d;
+using mechanics::Matrix6Xd;
+using mechanics::Vector6d;
+
+namespace {
+
+constexpr double kPolar = 1e-12;    // y . g of a functional of length 1 that counts as <= 0
+constexpr double kRounding = 2e-6;  // of single precision, relative to the terms added
+constexpr double kProgress = 0.1;   // a functional must bound by that much more elsewhere
+constexpr std::size_t kKept = 2;    // functionals kept of those of one solution
+
+/// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
+/// in W.
+Matrix6d functional_to_world(const Eigen::Isometry3d& X_WO, const Eigen::Vector3d& com_O) {
+  const Eigen::Matrix3d R_WO = X_WO.linear();
+  const Eigen::Vector3d com_W = X_WO * com_O;
+  Eigen::Matrix3d cross;
+  cross << 0, -com_W.z(), com_W.y(), com_W.z(), 0, -com_W.x(), -com_W.y(), com_W.x(), 0;
+  Matrix6d map = Matrix6d::Zero();
+  map.topLeftCorner<3, 3>() = R_WO;
+  map.topRightCorner<3, 3>() = cross * R_WO;
+  map.bottomRightCorner<3, 3>() = R_WO;
+  return map;
+}
+
+bool are_polar(const Matrix6Xd& generators, const Vector6d& y) {
+  const double limit = kPolar * y.norm();
+  for (Eigen::Index g = 0; g < generators.cols(); ++g) {
+    if (y.dot(generators.col(g)) > limit * generators.col(g).norm()) return false;
+  }
+  return true;
+}
+
+int round_up(int n) { return (n + kStep - 1) / kStep * kStep; }
+
+}  // namespace
+
+Supports::Supports(const PathQuery& query, const Instants& instants)
+    : query_(query), instants_(instants), num_locations_(query.locations.size()) {
+  const Matrix6Xd& directions = query.options.disturbance_directions;
+  has_paper_directions_ = directions.cols() == mechanics::disturbance_directions().cols() &&
+                          directions == mechanics::disturbance_directions();
+  paper_length_ = directions.col(0).norm();
+  list_edges();
+  pools_.resize(static_cast<std::size_t>(instants.size()));
+  const int P = query.options.samples_per_arc;
+  for (int arc = 0; arc < query.num_arcs(); ++arc) {
+    for (int j = 0; j < P; ++j) {
+      const auto a = static_cast<std::size_t>(arc);
+      place(query.instant(arc, j), along_screw(query.X_WO[a], query.twist_O[a], (j + 0.5) / P));
+    }
+  }
+  for (int pose = 0; pose < query.num_poses(); ++pose) {
+    place(query.rest_instant(pose), query.X_WO[static_cast<std::size_t>(pose)]);
+  }
+  // Few instants, as in a slide, have to tell all by themselves.
+  width_ = all_.size() <= 4 ? 64 : 32;
+  find_standing();
+}
+
+void Supports::list_edges() {
+  if (num_locations_ == 0) return;
+  edges_ = static_cast<int>(query_.locations.wrenches(0).generators.cols());
+  padded_ = round_up(edges_);
+  const auto count = static_cast<std::size_t>(num_locations_);
+  edge_wrenches_.resize(count * static_cast<std::size_t>(6 * edges_));
+  components_.resize(count * static_cast<std::size_t>(6 * padded_), 0.0F);
+  for (int location = 0; location < num_locations_; ++location) {
+    const mechanics::FingerWrenches& wrenches = query_.locations.wrenches(location);
+    for (int j = 0; j < edges_; ++j) {
+      const Vector6d w =
+          wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
+      most_force_ = std::max(most_force_, w.norm());
+      for (int c = 0; c < 6; ++c) {
+        edge_wrenches_[static_cast<std::size_t>((location * edges_ + j) * 6 + c)] =
+            static_cast<float>(w[c]);
+        components_[static_cast<std::size_t>((location * 6 + c) * padded_ + j)] =
+            static_cast<float>(w[c]);
+      }
+    }
+  }
+}
+
+void Supports::place(int instant, const Eigen::Isometry3d& X_WO) {
+  if (std::find(all_.begin(), all_.end(), instant) != all_.end()) return;
+  all_.push_back(instant);
+  const mechanics::ContactSet& set = instants_[instant].set;
+  // The inverse of a rigid map and of a scale; the scale is well conditioned.
+  pool(instant).to_world = functional_to_world(X_WO, set.com_O) * set.wrench_scale.transpose();
+  pool(instant).from_world = pool(instant).to_world.inverse();
+}
+
+void Supports::find_standing() {
+  for (const int instant : all_) {
+    const Matrix6Xd generators =
+        pool(instant).from_world.transpose() * instants_[instant].environments.front().generators;
+    int& number = pool(instant).standing;
+    for (std::size_t i = 0; i < standing_.size() && number < 0; ++i) {
+      if (standing_[i].cols() == generators.cols() &&
+          (standing_[i] - generators).norm() <= kPolar * generators.norm()) {
+        number = static_cast<int>(i);
+      }
+    }
+    if (number >= 0) continue;
+    number = static_cast<int>(standing_.size());
+    standing_.push_back(generators);
+  }
+}
+
+int Supports::used(int instant) const { return round_up(pool(instant).size); }
+
+/// Columns of a block that are new since it was last looked at.
+void Supports::fill(const Pool& p, int location) const {
+  const auto width = static_cast<std::size_t>(width_);
+  std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
+  float* h = p.h.get() + static_cast<std::size_t>(location) * width;
+  const float* edges = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
+  for (int first = 0; first < p.size; first += kStep) {
+    const auto begin = p.stamps.begin() + first;
+    if (*std::max_element(begin, begin + kStep) <= filled) continue;
+    greatest_of_edges(edges, edges_, p.y.data() + first, width_, h + first);
+  }
+  filled = p.stamp;
+}
+
+const float* Supports::block(int instant, int location) const {
+  const Pool& p = pool(instant);
+  const auto l = static_cast<std::size_t>(location);
+  if (p.filled[l] < p.stamp) fill(p, location);
+  return p.h.get() + l * static_cast<std::size_t>(width_);
+}
+
+float Supports::bound(int instant, const Placement& placement) const {
+  const Pool& p = pool(instant);
+  if (p.size == 0) return kFree;
+  const float* rows[1 + mechanics::kMaxFingers] = {p.offsets.data()};
+  int count = 1;
+  for (const std::int32_t location : placement) {
+    if (location >= 0) rows[count++] = block(instant, location);
+  }
+  return least_sum(rows, count, round_up(p.size));
+}
+
+bool Supports::is_polar(int instant, const Vector6d& y) const {
+  return are_polar(instants_[instant].environments.front().generators, y);
+}
+
+/// Scales y such that its bound is y . known + sum of h.
+bool Supports::measure(int instant, const Placement& placement, Bound& bound) const {
+  Vector6d& y = bound.y;
+  const double sigma =
+      has_paper_directions_
+          ? paper_length_ * std::max(y.lpNorm<Eigen::Infinity>(), y.lpNorm<1>() / std::sqrt(6.0))
+          : (query_.options.disturbance_directions.transpose() * y).maxCoeff();
+  if (!(sigma > 0) || !std::isfinite(sigma)) return false;
+  y /= sigma;
+  bound.offset = y.dot(instants_[instant].environments.front().known);
+  bound.value = bound.offset;
+  const Eigen::Matrix<float, 6, 1> y_float = y.cast<float>();
+  for (const std::int32_t location : placement) {
+    if (location < 0) continue;
+    const float* components = components_.data() + static_cast<std::size_t>(location * 6 * padded_);
+    bound.value += static_cast<double>(greatest_of_edges(components, padded_, y_float.data()));
+  }
+  return true;
+}
+
+/// Those that bound the placement most, best first.
+std::vector<Supports::Bound> Supports::best_of(int instant,
+                                               const std::vector<Vector6d>& functionals,
+                                               const Placement& placement) const {
+  std::vector<Bound> found;
+  for (const Vector6d& y : functionals) {
+    Bound bound{y, 0, 0};
+    if (measure(instant, placement, bound)) found.push_back(bound);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Bound& a, const Bound& b) { return a.value < b.value; });
+  if (found.size() > kKept) found.resize(kKept);
+  return found;
+}
+
+/// The functional as it is at another instant; false when it is none there.
+bool Supports::carry(int target, Carried& carried, Bound& bound) const {
+  const Pool& p = pool(target);
+  const auto kind = static_cast<std::size_t>(p.standing);
+  if (carried.holds[kind] < 0) carried.holds[kind] = are_polar(standing_[kind], carried.world);
+  bound = carried.bound;
+  if (carried.holds[kind] == 1) {
+    bound.y = p.from_world * carried.world;
+    return true;
+  }
+  return is_polar(target, bound.y);
+}
+
+void Supports::add(int instant, const std::vector<Vector6d>& functionals,
+                   const Placement& placement) {
+  std::vector<Carried> found;
+  for (const Bound& bound : best_of(instant, functionals, placement)) {
+    found.push_back(
+        {bound, pool(instant).to_world * bound.y, std::vector<std::int8_t>(standing_.size(), -1)});
+    store(instant, bound);
+  }
+  const double needed = query_.options.min_stability;
+  for (const int target : all_) {
+    if (target == instant) continue;
+    const auto known = static_cast<double>(bound(target, placement));
+    if (known < needed) continue;  // nothing to gain
+    Bound best;
+    best.value = known - kProgress * std::abs(known);
+    bool is_better = false;
+    for (Carried& carried : found) {
+      Bound here;
+      if (!carry(target, carried, here) || !measure(target, placement, here)) continue;
+      if (here.value >= best.value) continue;
+      best = here;
+      is_better = true;
+    }
+    if (is_better) store(target, best);
+  }
+}
+
+void Supports::store(int instant, const Bound& bound) {
+  Pool& p = pool(instant);
+  const auto width = static_cast<std::size_t>(width_);
+  if (!p.h) {
+    p.offsets.resize(width, kFree);
+    p.stamps.resize(width, 0);
+    p.y.resize(6 * width, 0.0F);
+    p.h.reset(new float[static_cast<std::size_t>(num_locations_) * width]);
+    p.filled.resize(static_cast<std::size_t>(num_locations_), 0);
+  }
+  int column = p.size;
+  if (p.size < width_) {
+    ++p.size;
+    ++count_;
+  } else {
+    column = p.oldest;
+    p.oldest = (p.oldest + 1) % width_;
+  }
+  const auto col = static_cast<std::size_t>(column);
+  const double most = bound.y.norm() * most_force_;
+  p.offsets[col] = static_cast<float>(
+      bound.offset + kRounding * (std::abs(bound.offset) + query_.num_fingers * most));
+  for (std::size_t c = 0; c < 6; ++c)
+    p.y[c * width + col] = static_cast<float>(bound.y[static_cast<Eigen::Index>(c)]);
+  p.stamp = p.stamps[col] = ++stamp_;
+}
+
+std::int64_t Supports::memory() const {
+  std::size_t bytes = (edge_wrenches_.size() + components_.size()) * sizeof(float);
+  for (const Pool& p : pools_) {
+    bytes += (p.filled.size() * static_cast<std::size_t>(width_) + p.offsets.size() + p.y.size()) *
+                 sizeof(float) +
+             (p.filled.size() + p.stamps.size()) * sizeof(std::int64_t);
+  }
+  return static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From the triangles of a file to a solid: vertices merged, every edge shared by two triangles that
+// run along it in opposite directions, outward; its volume, centre and inertia.
+#include "fingertip/model/closed_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "graspless/fingertip/object.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+// Vertices nearer than this part of the mesh's size are one: more than STL's single precision.
+constexpr double kMergeTolerance = 1e-7;
+// A solid of less volume than this part of its size's cube is none.
+constexpr double kMinVolume = 1e-9;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& fault) {
+  throw std::invalid_argument(what + " " + fault);
+}
+
+double diagonal(const Eigen::Matrix3Xd& points) {
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+}
+
+/// Formats such as STL write a vertex once for each of its triangles.
+geometry::Mesh merged(const geometry::Mesh& mesh) {
+  const double cell = std::max(kMergeTolerance * diagonal(mesh.vertices), 1e-300);
+  const Eigen::Vector3d corner = mesh.vertices.rowwise().minCoeff();
+  std::map<std::array<std::int64_t, 3>, int> known;
+  std::vector<int> index(static_cast<std::size_t>(mesh.vertices.cols()));
+  geometry::Mesh out{Eigen::Matrix3Xd(3, mesh.vertices.cols()),
+                     Eigen::Matrix3Xi(3, mesh.triangles.cols())};
+  for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
+    const Eigen::Vector3d at = (mesh.vertices.col(i) - corner) / cell;
+    const auto [entry, is_new] =
+        known.try_emplace({std::llround(at.x()), std::llround(at.y()), std::llround(at.z())},
+                          static_cast<int>(known.size()));
+    if (is_new) out.vertices.col(entry->second) = mesh.vertices.col(i);
+    index[static_cast<std::size_t>(i)] = entry->second;
+  }
+  out.vertices.conservativeResize(3, static_cast<Eigen::Index>(known.size()));
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    Eigen::Vector3i t;
+    for (int k = 0; k < 3; ++k) t[k] = index[static_cast<std::size_t>(mesh.triangles(k, i))];
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.col(count++) = t;
+  }
+  out.triangles.conservativeResize(3, count);
+  return out;
+}
+
+void require_closed(const geometry::Mesh& mesh, const std::string& what) {
+  const auto edge = [](int from, int to) {
+    return static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint64_t>(to);
+  };
+  const auto between = [&](int from, int to) {
+    std::string text = "the edge between (";
+    for (const int v : {from, to}) {
+      for (int k = 0; k < 3; ++k) {
+        text += std::to_string(mesh.vertices(k, v)) + (k < 2 ? ", " : ")");
+      }
+      if (v == from) text += " and (";
+    }
+    return text;
+  };
+  std::unordered_map<std::uint64_t, int> edges;
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const int from = mesh.triangles(k, i), to = mesh.triangles((k + 1) % 3, i);
+      if (++edges[edge(from, to)] == 1) continue;
+      refuse(what, "must be oriented throughout, with two triangles at each edge, but " +
+                       between(from, to) + " is passed twice in one direction");
+    }
+  }
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const int from = mesh.triangles(k, i), to = mesh.triangles((k + 1) % 3, i);
+      if (edges.count(edge(to, from)) > 0) continue;
+      refuse(what, "must be watertight, but " + between(from, to) + " borders a hole");
+    }
+  }
+}
+
+}  // namespace
+
+geometry::Mesh closed_mesh(const geometry::Mesh& mesh, const std::string& what) {
+  if (mesh.triangles.cols() > Object::kMaxTriangles) {
+    refuse(what, "must have at most " + std::to_string(Object::kMaxTriangles) + " triangles, not " +
+                     std::to_string(mesh.triangles.cols()));
+  }
+  geometry::validate(mesh, what);
+  geometry::Mesh out = merged(mesh);
+  if (out.triangles.cols() == 0) refuse(what, "must have a volume, but is a point or a line");
+  require_closed(out, what);
+  const double size = diagonal(out.vertices);
+  const double volume = mass_properties(out).volume;
+  if (!(std::abs(volume) > kMinVolume * size * size * size)) {
+    refuse(what, "must have a volume, but has " + std::to_string(volume) + " m^3 at a size of " +
+                     std::to_string(size) + " m");
+  }
+  if (volume < 0) out.triangles.row(1).swap(out.triangles.row(2));
+  return out;
+}
+
+geometry::Mesh box_mesh(const Eigen::Vector3d& size) {
+  geometry::Mesh mesh{Eigen::Matrix3Xd(3, 8), Eigen::Matrix3Xi(3, 12)};
+  for (int i = 0; i < 8; ++i) {
+    mesh.vertices.col(i) =
+        size.cwiseProduct(Eigen::Vector3d(i & 1 ? .5 : -.5, i & 2 ? .5 : -.5, i & 4 ? .5 : -.5));
+  }
+  mesh.triangles << 0, 0, 1, 1, 0, 0, 2, 2, 0, 0, 4, 4,  //
+      4, 6, 3, 7, 1, 5, 6, 7, 2, 3, 5, 7,                //
+      6, 2, 7, 5, 5, 4, 7, 3, 3, 1, 7, 6;
+  return mesh;
+}
+
+MassProperties mass_properties(const geometry::Mesh& mesh) {
+  // Tetrahedra from one point to every triangle; a point amid the mesh keeps the terms small.
+  const Eigen::Vector3d origin =
+      (mesh.vertices.rowwise().maxCoeff() + mesh.vertices.rowwise().minCoeff()) / 2;
+  const Eigen::Matrix3d canonical = (Eigen::Matrix3d::Ones() + Eigen::Matrix3d::Identity()) / 120;
+  MassProperties all;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices.col(mesh.triangles(k, i)) - origin;
+    const double det = corners.determinant();
+    all.volume += det / 6;
+    first += det / 24 * corners.rowwise().sum();
+    second += det * corners * canonical * corners.transpose();
+  }
+  const Eigen::Vector3d center = first / all.volume;
+  second -= all.volume * center * center.transpose();
+  all.center = origin + center;
+  all.inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+  return all;
+}
+
+}  // namespace graspless::fingertip

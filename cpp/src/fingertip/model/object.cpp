@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A polyhedron and what the planner asks of it.
+#include "graspless/fingertip/object.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "graspless/mechanics/contact.hpp"
+
+#include "fingertip/model/closed_mesh.hpp"
+#include "fingertip/model/faces.hpp"
+#include "geometry/convex_hull.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+std::string called(const std::string& name) { return "object '" + name + "'"; }
+
+void require_mass(const std::string& name, double mass) {
+  if (mass > 0 && std::isfinite(mass)) return;
+  throw std::invalid_argument(called(name) + " mass must be positive, not " + std::to_string(mass));
+}
+
+/// Without what is rounding only: symmetric objects are to have symmetric properties.
+template <typename Matrix>
+Matrix cleaned(const Matrix& values, double scale) {
+  return (values.array().abs() < 1e-14 * scale).select(Matrix::Zero(), values);
+}
+
+}  // namespace
+
+Object::Object(std::string name, geometry::Mesh mesh, double mass)
+    : name_(std::move(name)),
+      mesh_(std::move(mesh)),
+      mass_(mass),
+      solid_({{mesh_, Eigen::Isometry3d::Identity()}}, called(name_)) {
+  const geometry::Mesh hull = geometry::convex_hull(mesh_.vertices);
+  hull_ = hull.vertices;
+  is_convex_ = geometry::is_convex(mesh_, hull);
+  size_ = (hull_.rowwise().maxCoeff() - hull_.rowwise().minCoeff()).norm();
+  faces_ = find_faces(mesh_, size_);
+  const MassProperties uniform = mass_properties(mesh_);
+  com_ = cleaned(uniform.center, size_);
+  inertia_ = mass / uniform.volume * uniform.inertia;
+  inertia_ = cleaned(inertia_, inertia_.cwiseAbs().maxCoeff());
+}
+
+Object Object::box(const std::string& name, const Eigen::Vector3d& size, double mass) {
+  geometry::validate(geometry::Box{size}, called(name));
+  return from_mesh(name, box_mesh(size), mass);
+}
+
+Object Object::from_mesh(const std::string& name, const geometry::Mesh& mesh, double mass) {
+  require_mass(name, mass);
+  return Object(name, closed_mesh(mesh, called(name) + " mesh"), mass);
+}
+
+Object Object::with_com(const Eigen::Vector3d& com_O) const {
+  const geometry::Mesh hull = geometry::convex_hull(hull_);
+  bool inside = com_O.allFinite();
+  for (Eigen::Index i = 0; inside && i < hull.triangles.cols(); ++i) {
+    const auto t = hull.triangles.col(i);
+    const Eigen::Vector3d a = hull.vertices.col(t[0]);
+    const Eigen::Vector3d n =
+        (hull.vertices.col(t[1]) - a).cross(hull.vertices.col(t[2]) - a).normalized();
+    inside = n.dot(com_O - a) <= 1e-9 * size_;
+  }
+  if (!inside) {
+    throw std::invalid_argument(called(name_) + " com (" + std::to_string(com_O.x()) + ", " +
+                                std::to_string(com_O.y()) + ", " + std::to_string(com_O.z()) +
+                                ") must lie within the convex hull");
+  }
+  Object other = *this;
+  other.com_ = com_O;
+  return other;
+}
+
+Object Object::with_inertia(const Eigen::Matrix3d& inertia_O) const {
+  mechanics::wrench_scale(mass_, inertia_O);  // refuses what is no inertia
+  Object other = *this;
+  other.inertia_ = inertia_O;
+  return other;
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Logarithm and exponential of SE(3).
+#include "fingertip/model/screw.hpp"
+
+#include <cmath>
+
+namespace graspless::fingertip {
+namespace {
+
+using mechanics::Vector6d;
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& w) {
+  Eigen::Matrix3d W;
+  W << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return W;
+}
+
+/// (1 - a) / theta^2 and the like lose their digits below this angle [rad]; series take over.
+constexpr double kSmallAngle = 1e-3;
+
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& R) {
+  const Eigen::Quaterniond q(R);
+  const double sine = q.vec().norm();
+  if (sine == 0) return Eigen::Vector3d::Zero();
+  const double angle = 2 * std::atan2(sine, std::abs(q.w()));
+  return (q.w() < 0 ? -angle : angle) / sine * q.vec();
+}
+
+}  // namespace
+
+Vector6d screw_between(const Eigen::Isometry3d& X_WO, const Eigen::Isometry3d& X_WO_next) {
+  const Eigen::Matrix3d R = X_WO.linear().transpose() * X_WO_next.linear();
+  const Eigen::Vector3d p =
+      X_WO.linear().transpose() * (X_WO_next.translation() - X_WO.translation());
+  const Eigen::Vector3d w = rotation_vector(R);
+  const double angle = w.norm();
+  const double c = angle < kSmallAngle ? 1.0 / 12 + angle * angle / 720
+                                       : (1 - angle / 2 / std::tan(angle / 2)) / (angle * angle);
+  Vector6d twist;
+  twist << p - w.cross(p) / 2 + c * w.cross(w.cross(p)), w;
+  return twist;
+}
+
+Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WO, const Vector6d& twist_O, double part) {
+  const Eigen::Vector3d v = part * twist_O.head<3>(), w = part * twist_O.tail<3>();
+  const double angle = w.norm(), square = angle * angle;
+  const bool is_small = angle < kSmallAngle;
+  const double a = is_small ? 1 - square / 6 : std::sin(angle) / angle;
+  const double b = is_small ? 0.5 - square / 24 : (1 - std::cos(angle)) / square;
+  const double c = is_small ? 1.0 / 6 - square / 120 : (1 - a) / square;
+  const Eigen::Matrix3d W = skew(w);
+  Eigen::Isometry3d step = Eigen::Isometry3d::Identity();
+  step.linear() += a * W + b * W * W;
+  step.translation() = v + b * w.cross(v) + c * w.cross(w.cross(v));
+  return X_WO * step;
+}
+
+mechanics::BodyState moving_state(const Eigen::Isometry3d& X_WO, const Vector6d& twist_O) {
+  mechanics::BodyState state;
+  state.X_WO = X_WO;
+  state.twist_W << X_WO.linear() * twist_O.head<3>(), X_WO.linear() * twist_O.tail<3>();
+  return state;
+}
+
+mechanics::BodyState resting_state(const Eigen::Isometry3d& X_WO, const Vector6d& twist_O) {
+  mechanics::BodyState state = moving_state(X_WO, twist_O);
+  state.at_rest = true;
+  return state;
+}
+
+}  // namespace graspless::fingertip

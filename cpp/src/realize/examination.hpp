@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// check() of a realization: its promises, one function each, written anew from the plan so that a
+// mistake of the search cannot hide here. Kinematics, FCL and input validation are shared.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graspless/realize/realize.hpp"
+
+#include "realize/allowance.hpp"
+#include "realize/replay.hpp"
+
+namespace graspless::fingertip {
+
+/// What a stretch of joint motion has to be.
+struct Phase {
+  std::string name;
+  int plan_segment;
+  std::vector<Eigen::Isometry3d> X_WO;  // poses the object passes through; one: it stands still
+  std::vector<FingerState> places;      // of each finger
+  std::vector<bool> holds, moves;       // at its place all along; straight on or off its place
+};
+
+/// The pose at `s` in [0, 1] of the screw from X_WA to X_WB, by the screw's axis.
+Eigen::Isometry3d on_screw(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB, double s);
+
+class RealizeExamination {
+ public:
+  RealizeExamination(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+                     const Carrier& carrier, const Realization& realization,
+                     const RealizeOptions& options);
+  std::vector<std::string> run();
+
+ private:
+  void expect_phases();
+  bool has_shape();
+  bool has_sound_rows(const JointSegment& segment);
+  bool assigns_fingertips();
+  void check_joints();
+  void check_object(const JointSegment& segment, const Phase& phase);
+  void check_still(const JointSegment& segment, const Phase& phase);
+  void check_segment(const JointSegment& segment, const Phase& phase);
+  void check_instant(std::size_t row, const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO,
+                     const Phase& phase);
+  void check_tips(std::size_t row, const Eigen::Isometry3d& X_WO, const Phase& phase);
+  void check_scrub(const JointSegment& segment, const Phase& phase);
+  void check_ends(const JointSegment& segment, const Phase& phase);
+  Eigen::Vector3d tip_O(std::size_t finger, const Eigen::Isometry3d& X_WO) const;
+  Eigen::Vector3d center_O(std::size_t finger, const Phase& phase) const;
+
+  void fault(std::size_t row, const std::string& what);  // of the segment looked at; once each
+  void fault(const std::string& what) { faults_.push_back(what); }
+
+  const Problem& problem_;
+  const Plan& plan_;
+  const robot::Robot& robot_;
+  const Carrier& carrier_;
+  const Realization& realization_;
+  const RealizeOptions& options_;
+  std::vector<Phase> phases_;
+  std::vector<int> frame_of_finger_;
+  std::vector<std::vector<std::string>> links_of_finger_;
+  std::size_t segment_ = 0;
+  RealizeReplay replay_;
+  robot::Poses X_WL_;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Joint paths for a fingertip plan: which fingertip plays which finger, and from where to begin.
+#include "graspless/realize/realize.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include "realize/attempt.hpp"
+#include "realize/validate.hpp"
+
+namespace graspless::fingertip {
+namespace {
+
+constexpr double kLittle = 0.01;  // scrub, in radii, that nobody needs to improve
+
+void check_home(const robot::Robot& robot, const Eigen::VectorXd& q_home) {
+  if (q_home.size() != robot.dof()) {
+    throw std::invalid_argument("q_home must have " + std::to_string(robot.dof()) +
+                                " values, one a joint, not " + std::to_string(q_home.size()));
+  }
+  for (int i = 0; i < robot.dof(); ++i) {
+    if (q_home[i] >= robot.lower()[i] - 1e-9 && q_home[i] <= robot.upper()[i] + 1e-9) continue;
+    std::ostringstream fault;
+    fault << "q_home of joint '" << robot.joint_names()[static_cast<std::size_t>(i)]
+          << "' must lie within its limits [" << robot.lower()[i] << ", " << robot.upper()[i]
+          << "], not " << q_home[i];
+    throw std::invalid_argument(fault.str());
+  }
+}
+
+/// finger_of_fingertip, every way to assign them.
+std::vector<std::vector<int>> assignments(int fingers) {
+  std::vector<int> assignment(static_cast<std::size_t>(fingers));
+  std::iota(assignment.begin(), assignment.end(), 0);
+  std::vector<std::vector<int>> all;
+  do all.push_back(assignment);
+  while (std::next_permutation(assignment.begin(), assignment.end()));
+  return all;
+}
+
+std::string home_collision(Hand& hand, const Plan& plan, const Eigen::VectorXd& q_home) {
+  hand.scene.place_object(plan.segments.front().X_WO.front());
+  return hand.scene.collision(q_home);
+}
+
+double total_scrub(const std::vector<JointSegment>& segments) {
+  double sum = 0;
+  for (const JointSegment& segment : segments) sum += segment.scrub;
+  return sum;
+}
+
+void keep_better(const Attempts& attempt, Realization& result) {
+  if (result.found && total_scrub(attempt.segments()) >= total_scrub(result.segments)) return;
+  result.found = true;
+  result.finger_of_fingertip = attempt.finger_of_fingertip();
+  result.segments = attempt.segments();
+}
+
+std::string reason(const planning::Clock& clock, bool is_out, const Misses& misses) {
+  const char* what = clock.was_interrupted() ? "interrupted" : "out of time";
+  return (is_out ? std::string(what) + "; the farthest attempt ended at " : std::string()) +
+         misses.farthest();
+}
+
+}  // namespace
+
+Realization realize(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+                    const Carrier& carrier, const Eigen::VectorXd& q_home,
+                    const RealizeOptions& options, const planning::Budget& budget) {
+  validate_realization(problem, plan, robot, carrier, options);
+  check_home(robot, q_home);
+  planning::Clock clock(budget);
+  std::mt19937_64 rng(budget.seed);
+  Misses misses;
+  std::vector<Attempts> attempts;
+  for (const std::vector<int>& assignment : assignments(problem.fingers.count)) {
+    Hand hand(problem, robot, carrier, assignment, options);
+    attempts.emplace_back(problem, plan, q_home, std::move(hand), clock, rng, misses);
+  }
+  Realization result;
+  result.joint_names = robot.joint_names();
+  Hand home(problem, robot, carrier, assignments(problem.fingers.count).front(), options);
+  result.reason = home_collision(home, plan, q_home);
+  if (!result.reason.empty()) {
+    result.reason = "q_home: " + result.reason;
+    return result;
+  }
+  bool is_out = false;
+  int found = 0;
+  for (int round = 0; round < options.restarts && found < options.solutions && !is_out; ++round) {
+    for (Attempts& attempt : attempts) {
+      is_out = clock.is_out() || !clock.spend();
+      if (is_out) break;
+      if (!attempt.run(round)) continue;
+      ++found;
+      keep_better(attempt, result);
+      if (total_scrub(result.segments) <= kLittle * problem.fingers.radius) return result;
+    }
+  }
+  if (result) return result;
+  result.reason = reason(clock, is_out, misses);
+  return result;
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Inverse kinematics of several fingertips at once: Levenberg and Marquardt's damping, limits by an
+// active set.
+#include "realize/tips.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Cholesky>
+
+namespace graspless::fingertip {
+namespace {
+
+constexpr double kLongestStep = 0.3;    // of a joint in one iteration [rad or m]
+constexpr double kLeastDamping = 1e-9;  // [m^2]
+constexpr double kMostDamping = 1e3;
+
+bool moves(const robot::Robot& robot, int frame, int joint) {
+  const Eigen::VectorXd& lever = robot.reach(frame);
+  return lever[joint] > 0;
+}
+
+}  // namespace
+
+TipIk::TipIk(const robot::Robot& robot, std::vector<int> frames)
+    : robot_(robot), frames_(std::move(frames)) {
+  for (int joint = 0; joint < robot_.dof(); ++joint) {
+    const bool carries = std::any_of(frames_.begin(), frames_.end(),
+                                     [&](int frame) { return moves(robot_, frame, joint); });
+    if (carries) joints_.push_back(joint);
+  }
+}
+
+const std::string& TipIk::fingertip(int finger) const {
+  const auto frame = static_cast<std::size_t>(frames_[static_cast<std::size_t>(finger)]);
+  return robot_.frame_names()[frame];
+}
+
+Eigen::Isometry3d TipIk::pose(int finger, const Eigen::VectorXd& q) const {
+  return robot_.pose(frames_[static_cast<std::size_t>(finger)], q);
+}
+
+double TipIk::errors(const TipTargets& targets, const Eigen::VectorXd& q) {
+  robot_.forward(q, X_WL_);
+  error_.resize(3 * static_cast<Eigen::Index>(frames_.size()));
+  Eigen::Index rows = 0;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    if ((targets.held >> i & 1U) == 0) continue;
+    const Eigen::Vector3d p_WT = X_WL_[static_cast<std::size_t>(frames_[i])].translation();
+    error_.segment<3>(rows) = targets.p_WT.col(static_cast<Eigen::Index>(i)) - p_WT;
+    rows += 3;
+  }
+  error_.conservativeResize(rows);
+  return error_.squaredNorm();
+}
+
+void TipIk::jacobians(const TipTargets& targets) {
+  J_.resize(error_.size(), static_cast<Eigen::Index>(joints_.size()));
+  J_turn_.resize(J_.rows(), J_.cols());
+  Eigen::Index rows = 0;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    if ((targets.held >> i & 1U) == 0) continue;
+    robot_.jacobian(frames_[i], X_WL_, J_frame_);
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      J_.block<3, 1>(rows, column) = J_frame_.block<3, 1>(0, joints_[j]);
+      J_turn_.block<3, 1>(rows, column) = J_frame_.block<3, 1>(3, joints_[j]);
+    }
+    rows += 3;
+  }
+}
+
+/// The damped step from q, with joints that would leave their limits taken out one after the other.
+Eigen::VectorXd TipIk::step(const Eigen::VectorXd& q, double damping) {
+  Eigen::MatrixXd J = J_;
+  Eigen::VectorXd dq;
+  for (std::size_t round = 0; round <= joints_.size(); ++round) {
+    Eigen::MatrixXd A = J * J.transpose();
+    A.diagonal().array() += damping;
+    dq = J.transpose() * A.ldlt().solve(error_);
+    bool stopped = false;
+    for (Eigen::Index j = 0; j < dq.size(); ++j) {
+      const int joint = joints_[static_cast<std::size_t>(j)];
+      const bool at_lower = dq[j] < 0 && q[joint] <= robot_.lower()[joint];
+      const bool at_upper = dq[j] > 0 && q[joint] >= robot_.upper()[joint];
+      if (!at_lower && !at_upper) continue;
+      J.col(j).setZero();
+      stopped = true;
+    }
+    if (!stopped) break;
+  }
+  const double longest = dq.size() == 0 ? 0 : dq.lpNorm<Eigen::Infinity>();
+  return longest > kLongestStep ? Eigen::VectorXd(dq * (kLongestStep / longest)) : dq;
+}
+
+bool TipIk::solve(const TipTargets& targets, double tolerance, int max_iterations,
+                  Eigen::VectorXd& q) {
+  double damping = 1e-6;
+  double now = errors(targets, q);
+  const double enough = tolerance * tolerance;
+  for (int i = 0; i < max_iterations && now > enough && damping < kMostDamping; ++i) {
+    jacobians(targets);
+    const Eigen::VectorXd next = with(q, step(q, damping));
+    const double then = errors(targets, next);
+    if (then < now) {
+      q = next;
+      now = then;
+      damping = std::max(kLeastDamping, 0.1 * damping);
+    } else {
+      damping = std::max(1e-4, 10 * damping);
+      errors(targets, q);  // the Jacobian is taken anew where q still is
+    }
+  }
+  return now <= enough;
+}
+
+Eigen::VectorXd TipIk::with(const Eigen::VectorXd& q, const Eigen::VectorXd& dq) const {
+  Eigen::VectorXd next = q;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    next[joints_[j]] += dq[static_cast<Eigen::Index>(j)];
+  return robot_.clamp(next);
+}
+
+Eigen::VectorXd TipIk::step_along(const TipTargets& targets, const Eigen::Vector3d& turn_W,
+                                  const Eigen::Matrix3Xd& n_W, const Eigen::VectorXd& q) {
+  constexpr double kDamping = 1e-8, kTurnDamping = 1e-3;  // [m^2], [1]
+  errors(targets, q);
+  jacobians(targets);
+  Eigen::VectorXd turns(error_.size());
+  Eigen::Index rows = 0;
+  for (Eigen::Index i = 0; i < n_W.cols(); ++i) {
+    if ((targets.held >> i & 1U) == 0) continue;
+    const Eigen::Matrix3d across =
+        Eigen::Matrix3d::Identity() - n_W.col(i) * n_W.col(i).transpose();
+    turns.segment<3>(rows) = across * turn_W;
+    J_turn_.middleRows<3>(rows) = across * J_turn_.middleRows<3>(rows).eval();
+    rows += 3;
+  }
+  Eigen::MatrixXd A = J_ * J_.transpose();
+  A.diagonal().array() += kDamping;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(A);
+  const Eigen::VectorXd to_targets = J_.transpose() * solver.solve(error_);
+  const Eigen::MatrixXd free = J_turn_ - J_turn_ * J_.transpose() * solver.solve(J_);
+  Eigen::MatrixXd B = free * free.transpose();
+  B.diagonal().array() += kTurnDamping;
+  const Eigen::VectorXd along = free.transpose() * B.ldlt().solve(turns - J_turn_ * to_targets);
+  return with(q, to_targets + along);
+}
+
+std::pair<double, int> TipIk::miss(const TipTargets& targets, const Eigen::VectorXd& q) {
+  errors(targets, q);
+  std::pair<double, int> worst{0, -1};
+  Eigen::Index rows = 0;
+  for (int i = 0; i < static_cast<int>(frames_.size()); ++i) {
+    if ((targets.held >> i & 1U) == 0) continue;
+    const double distance = error_.segment<3>(rows).norm();
+    if (worst.second < 0 || distance > worst.first) worst = {distance, i};
+    rows += 3;
+  }
+  return worst;
+}
+
+}  // namespace graspless::fingertip

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Continuation: joint motions that carry fingertips along prescribed paths, without a jump.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graspless/realize/realize.hpp"
+
+#include "realize/scene.hpp"
+#include "realize/tips.hpp"
+
+namespace graspless::fingertip {
+
+/// Where the fingers of a plan press: column i for finger i, in O.
+struct Grip {
+  Eigen::Matrix3Xd center_O;  // of the spheres [m]
+  Eigen::Matrix3Xd n_O;       // into the object
+};
+
+/// What the held fingertips do while the object moves along screws from pose to pose: their centres
+/// go straight from from_O to to_O, in O.
+struct Stretch {
+  std::vector<Eigen::Isometry3d> X_WO;  // one pose: the object stands still
+  int parts = 1;                        // rows from one pose to the next, at least
+  Eigen::Matrix3Xd from_O, to_O;
+  FingerMask held = 0;
+  /// Normals of the contacts: the fingertips shall turn with the object; empty: as they like.
+  Eigen::Matrix3Xd n_O = {};
+
+  int arcs() const { return X_WO.size() < 2 ? 1 : static_cast<int>(X_WO.size()) - 1; }
+  Eigen::Isometry3d pose(double s) const;  // s in [0, arcs()]
+  TipTargets targets(double s) const;
+};
+
+/// One assignment of the robot's fingertips to a plan's fingers, with what it takes to move them.
+struct Hand {
+  Hand(const Problem& problem, const robot::Robot& robot, const Carrier& carrier,
+       const std::vector<int>& finger_of_fingertip, const RealizeOptions& options);
+
+  std::vector<int> finger_of_fingertip;
+  TipIk ik;
+  HandScene scene;
+  double radius;  // of the fingertips [m]
+  const RealizeOptions& options;
+};
+
+/// Rows as far as they came.
+struct Tracked {
+  std::vector<Eigen::VectorXd> positions;
+  std::vector<Eigen::Isometry3d> X_WO;
+  double reached = 0;  // s of the last row
+  std::string fault;   // why no further; empty when complete
+  bool is_complete() const { return fault.empty(); }
+};
+
+/// Configuration that a stretch is pulled to as far as the fingertips leave room; nothing: away
+/// from the limits only.
+using Bias = std::optional<Eigen::VectorXd>;
+
+/// Follows the stretch from q, which is at its beginning. Contacts are as last set in the scene.
+Tracked track(Hand& hand, const Stretch& stretch, const Eigen::VectorXd& q, const Bias& bias = {});
+
+/// JointSegment::scrub of rows with the held fingers in contact.
+double scrub(const Hand& hand, const JointSegment& rows, const Eigen::Matrix3Xd& n_O,
+             FingerMask held);
+
+/// "fingertip 'a' misses the place of finger 0 by 12.3 mm"
+std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q);
+
+constexpr double kIkTolerance = 1e-7;  // of fingertips at rows [m]
+
+}  // namespace graspless::fingertip
