@@ -1,5 +1,5 @@
 # Each target installs what it needs first: Debian packages (with sudo unless root), .venv and the build.
-.PHONY: demo test lint format stubs bench wheel asan clean
+.PHONY: demo test lint format stubs bench bench-install wheel asan clean
 
 demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.html
 	@tools/install view
@@ -7,6 +7,7 @@ demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.h
 
 test:  ## C++ and Python tests
 	@tools/install test,all GRASPLESS_TESTS=ON
+	@tools/install-bench
 	ctest --test-dir build/make --output-on-failure --no-tests=error
 	.venv/bin/pytest
 
@@ -18,12 +19,16 @@ format:
 	@tools/install lint
 	@tools/lint --fix
 
-stubs:  ## python/graspless/_core/*.pyi, from the extension
+stubs:  ## the *.pyi of both extensions
 	@tools/install test
-	.venv/bin/python tools/stubs.py python/graspless/_core
+	@tools/install-bench
+	.venv/bin/python tools/stubs.py .
 
-bench:  ## the paper's experiments anew, into docs/results: half an hour
-	@tools/install view
+bench-install:  ## the command `graspless bench`: the papers' experiments, and the planners to compare with
+	@tools/install view,sim,batch
+	@tools/install-bench
+
+bench: bench-install  ## the papers' experiments anew, into docs/results: half an hour, and hours of physics
 	@tools/results
 
 wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with those hidden

@@ -15,7 +15,6 @@ void bind_slide(py::module_ m);
 void bind_fingertip(py::module_ m);
 void bind_clasp(py::module_ m);
 void bind_carry(py::module_ m);
-void bind_bench(py::module_ m);
 }  // namespace graspless::bindings
 
 // Table of contents, in dependency order: a signature names only classes already bound.
@@ -38,5 +37,4 @@ PYBIND11_MODULE(_core, m) {
   bind_clasp(m.def_submodule(
       "clasp", "Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic)."));
   bind_carry(m.def_submodule("carry", "Take what the hand holds along a straight way."));
-  bind_bench(m.def_submodule("bench", "What the planners are measured against."));
 }

@@ -1,10 +1,9 @@
-"""Writes the stubs of graspless._core (.pyi) into a folder: `stubs.py python/graspless/_core`."""
+"""Writes the stubs (.pyi) of the installed extensions into a checkout: `stubs.py .`."""
 
 from __future__ import annotations
 
 import pathlib
 import re
-import shutil
 import sys
 import tempfile
 
@@ -16,18 +15,36 @@ ENUMS = [  # for the defaults of arguments
 ]
 
 
-def write_stubs(folder: pathlib.Path) -> None:
-    """Replaces `folder` by stubs of the installed extension."""
+FOLDERS = {  # of a checkout, by module
+    "graspless._core": "python/graspless",
+    "graspless_bench._peers": "benchmarks/graspless_bench",
+}
+
+
+def write_stubs(root: pathlib.Path) -> None:
+    """Replaces the stubs below `root` by those of the installed extensions."""
+    for module, folder in FOLDERS.items():
+        for stub, text in made_stubs(module).items():
+            path = root / folder / stub
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+
+
+def made_stubs(module: str) -> dict[str, str]:
+    """Returns the stubs of a module: their texts by path, relative to the module's package."""
     with tempfile.TemporaryDirectory() as scratch:
         enums = [word for enum in ENUMS for word in ("--enum-class-locations", enum)]
-        pybind11_stubgen.main(["graspless._core", "-o", scratch, "--exit-code", *enums])
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(pathlib.Path(scratch, "graspless", "_core"), folder)
-    for stub in folder.iterdir():
-        text = with_enum_members(stub.read_text())
-        if stub.stem == "fingertip":  # which has a Search of its own
-            text = text.replace("graspless._core.slide.Search", "Search")
-        stub.write_text(text)
+        pybind11_stubgen.main([module, "-o", scratch, "--exit-code", *enums])
+        package = pathlib.Path(scratch, module.partition(".")[0])
+        return {str(p.relative_to(package)): with_names(p) for p in package.rglob("*.pyi")}
+
+
+def with_names(stub: pathlib.Path) -> str:
+    """Text of a stub, with enums named as type checkers want them."""
+    text = with_enum_members(stub.read_text())
+    if stub.stem == "fingertip":  # which has a Search of its own
+        text = text.replace("graspless._core.slide.Search", "Search")
+    return text
 
 
 def with_enum_members(text: str) -> str:

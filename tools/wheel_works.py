@@ -33,6 +33,9 @@ def main() -> int:
     print(f"{plan.status.name} in {plan.statistics.seconds:.3f} s by {package}")
     print(f"{len(own)} libraries from the wheel and its requirements; from elsewhere:")
     print(*(name for name in libraries if name not in own), sep="\n")
+    if list(package.rglob("*bench*")) or list(package.rglob("*peers*")):
+        faults.append("the wheel holds benchmarks")
+        print(faults[-1])
     return 1 if faults else 0
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ._commands import FOUND, NOT_FOUND
 from .errors import TaskError
@@ -19,13 +19,11 @@ if TYPE_CHECKING:
 MESHES = (".stl", ".obj", ".off")
 
 
-def add_parser(commands: Any) -> None:
-    """Adds `loops` to the commands of the command line."""
-    parser = commands.add_parser(
-        "loops",
-        help="find the holes of a point cloud or a mesh",
-        description="Tells the shortest loops around the holes of what a cloud was taken from. "
-        "Exit 1 when the cloud shows no reliable hole.",
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `loops`."""
+    parser.description = (
+        "Tells the shortest loops around the holes of what a cloud was taken from. "
+        "Exit 1 when the cloud shows no reliable hole."
     )
     parser.add_argument("file", metavar="CLOUD", help=".ply, .pcd, .xyz; .stl, .obj, .off: sampled")
     parser.add_argument(

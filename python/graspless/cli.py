@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import importlib.util
 import json
 import os
 import sys
@@ -25,12 +26,7 @@ from ._commands import (
     read_stdin,
     terminable,
 )
-from ._loops import add_parser as _add_loops
-from .batches.cli import add_parser as _add_batch
-from .bench.cli import add_parser as _add_bench
 from .errors import TaskError
-from .exports.cli import add_parser as _add_export
-from .simulation.cli import add_parser as _add_simulate
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -66,12 +62,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str] | None) -> int:
-    options = make_parser().parse_args(arguments)
-    run: Callable[[argparse.Namespace], int] = options.run
+    given = list(sys.argv[1:] if arguments is None else arguments)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
             warnings.showwarning = _show_warning
+            command = next((word for word in given if not word.startswith("-")), "")
+            options = make_parser(command).parse_args(given)
+            run: Callable[[argparse.Namespace], int] = options.run
             return run(options)
     except TaskError as error:
         print(error, file=sys.stderr)
@@ -89,33 +87,49 @@ def _drop_stdout() -> None:
         os.close(nowhere)
 
 
-def make_parser() -> argparse.ArgumentParser:
-    """The parser of all commands; a command is one line here and one function below."""
+def make_parser(command: str) -> argparse.ArgumentParser:
+    """Returns the parser of the command line.
+
+    Parameters
+    ----------
+    command : str
+        The command that gets its arguments. The others have a name and a line of help only, so
+        that their modules need not be imported.
+    """
     parser = argparse.ArgumentParser(
         prog="graspless", description="Plans manipulation of things that cannot simply be grasped."
     )
     parser.add_argument("--version", action="version", version=f"graspless {__version__}")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    _add_plan(commands)
-    _add_check(commands)
-    _add_view(commands)
-    _add_simulate(commands)
-    _add_export(commands)
-    _add_batch(commands)
-    _add_loops(commands)
-    _add_example(commands)
-    _add_bench(commands)
+    for name, (about, add_arguments) in _COMMANDS.items():
+        subparser = commands.add_parser(name, help=about)
+        if name == command:
+            add_arguments(subparser)
     return parser
 
 
-def _add_plan(commands: Any) -> None:
-    parser = commands.add_parser(
-        "plan",
-        help="plan a task, and write the plan",
-        description="Plans a task, checks the plan and writes it, whether one was found or not.",
-        epilog=EXIT_CODES + "\n\nexample: graspless plan task.yaml -o plan.json --html plan.html",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+def _of(module: str) -> Callable[[argparse.ArgumentParser], None]:
+    """Returns what adds the arguments of a command that has a module of its own."""
+    return lambda parser: importlib.import_module(module, __package__).add_arguments(parser)
+
+
+def _add_bench(parser: argparse.ArgumentParser) -> None:
+    if importlib.util.find_spec("graspless_bench") is None:
+        raise TaskError(
+            "bench: the experiments are not part of the installed package; "
+            "`make bench-install` in a checkout of the sources adds them"
+        )
+    _of("graspless_bench.cli")(parser)
+
+
+def _add_plan(parser: argparse.ArgumentParser) -> None:
+    parser.description = (
+        "Plans a task, checks the plan and writes it, whether one was found or not."
     )
+    parser.epilog = (
+        f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
+    )
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument("task", metavar="TASK.yaml", help="see docs/task-files.md; - for stdin")
     parser.add_argument(
         "-o",
@@ -138,18 +152,15 @@ def _add_plan(commands: Any) -> None:
     parser.set_defaults(run=_plan)
 
 
-def _add_check(commands: Any) -> None:
-    parser = commands.add_parser("check", help="replay a plan against its own task")
+def _add_check(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     parser.add_argument("--json", action="store_true", help="print what does not hold as JSON")
     parser.set_defaults(run=_check)
 
 
-def _add_view(commands: Any) -> None:
-    parser = commands.add_parser(
-        "view",
-        help="draw a plan",
-        description="Without --png and --html: serves a viewer with a time slider until Ctrl-C.",
+def _add_view(parser: argparse.ArgumentParser) -> None:
+    parser.description = (
+        "Without --png and --html: serves a viewer with a time slider until Ctrl-C."
     )
     parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     _add_pictures(parser)
@@ -157,8 +168,7 @@ def _add_view(commands: Any) -> None:
     parser.set_defaults(run=_view)
 
 
-def _add_example(commands: Any) -> None:
-    parser = commands.add_parser("example", help="plan, check and draw an example")
+def _add_example(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", nargs="?", help="default: the first")
     parser.add_argument("--list", action="store_true", help="name the examples")
     parser.add_argument("-o", "--output", metavar="DIR", help="default: graspless_NAME")
@@ -168,6 +178,19 @@ def _add_example(commands: Any) -> None:
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--png", metavar="FILE", help="write a picture")
     parser.add_argument("--html", metavar="FILE", help="write a replay: one file, any browser")
+
+
+_COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
+    "plan": ("plan a task, and write the plan", _add_plan),
+    "check": ("replay a plan against its own task", _add_check),
+    "view": ("draw a plan", _add_view),
+    "simulate": ("execute a plan in a physics engine", _of(".simulation.cli")),
+    "export": ("time a plan and write it for other programs", _of(".exports.cli")),
+    "batch": ("plan many tasks", _of(".batches.cli")),
+    "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
+    "example": ("plan, check and draw an example", _add_example),
+    "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),
+}
 
 
 def _plan(options: argparse.Namespace) -> int:

@@ -11,9 +11,9 @@ import threading
 import pytest
 
 from graspless import slide
-from graspless._core import bench as core
-from graspless.bench import grid, report, run, shapes, statistics, summary
 from graspless.cli import main
+from graspless_bench import _peers, statistics, tables
+from graspless_bench.slide import grid, run, shapes, summary
 
 KEYS = {
     *("runs", "solved", "p50_ms", "p90_ms", "p99_ms"),
@@ -144,23 +144,23 @@ def test_ctrl_c_says_that_results_are_partial(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("draw", core.PairDraw)
+@pytest.mark.parametrize("draw", _peers.PairDraw)
 def test_a_pair_repeats(draw):
     trial = grid.Trial(next(grid.starts(1, 1)), range=0.0)
     args = trial.make_problem(), trial.make_options(), draw
-    first, second, other = (core.PairProblem(*args, seed) for seed in (5, 5, 6))
+    first, second, other = (_peers.PairProblem(*args, seed) for seed in (5, 5, 6))
     assert first.has_pair
     assert first.start.tolist() == second.start.tolist() != other.start.tolist()
     assert first.goal.tolist() == second.goal.tolist()
 
 
-@pytest.mark.parametrize("peer", core.Peer)
+@pytest.mark.parametrize("peer", _peers.Peer)
 def test_peers_find_paths_and_these_hold(peer):
     held = 0
     for start in grid.starts(6, 1, tables=("square",)):
         trial = grid.Trial(start, range=0.0)
         problem, options = trial.make_problem(), trial.make_options()
-        pair = core.PairProblem(problem, options, core.PairDraw.fitting, start.draw_seed())
+        pair = _peers.PairProblem(problem, options, _peers.PairDraw.fitting, start.draw_seed())
         plan, seconds = pair.run(peer, trial.make_budget(1))
         assert 0 < seconds < 1.2
         if plan:
@@ -249,5 +249,5 @@ def test_an_unwritable_directory_is_told_before_work(tmp_path, capsys):
 
 
 def test_a_dash_stands_for_never():
-    assert report.milliseconds(None) == "–"
-    assert [report.milliseconds(x) for x in (0.4123, 12.34, 1234.5)] == ["0.412", "12.3", "1234"]
+    assert tables.milliseconds(None) == "–"
+    assert [tables.milliseconds(x) for x in (0.4123, 12.34, 1234.5)] == ["0.412", "12.3", "1234"]

@@ -8,9 +8,9 @@ import json
 import pytest
 
 from graspless import clasp
-from graspless.bench import clasp_bench, clasp_loops, clasp_peers, clasp_report, clasp_run
-from graspless.bench import clasp_grid as grids
 from graspless.cli import main
+from graspless_bench.clasp import grid as grids
+from graspless_bench.clasp import loops, measure, peers, report, run
 
 KEYS = {
     *("hand", "object", "pose", "found", "cycles", "nodes", "seconds"),
@@ -22,7 +22,7 @@ KEYS = {
 def one():
     """The first task of the paper's, as a whole run."""
     trial = next(grids.paper(1))
-    return clasp_bench.Run("paper", [clasp_run.measure(trial, 10)], is_complete=True)
+    return run.Run("paper", [measure.measure(trial, 10)], is_complete=True)
 
 
 def test_a_row_says_all_that_is_asked(one):
@@ -40,20 +40,20 @@ def test_a_row_says_all_that_is_asked(one):
 def test_totals_count_like_the_paper(one):
     row = one.rows[0]
     rows = [row | {"cycles": c} for c in (1, 9, 10, 52, 53)] + [row | {"found": False}]
-    totals = clasp_run.totals(rows)
+    totals = measure.totals(rows)
     assert totals["tasks"] == 6
     assert totals["found"] == 5
     assert totals["within_52_cycles"] == 4
     assert totals["under_10_cycles"] == 2
     assert totals["max_cycles"] is None
-    assert clasp_run.totals(rows[:5])["median_cycles"] == 10
+    assert measure.totals(rows[:5])["median_cycles"] == 10
 
 
 def test_the_paper_grid_is_whole():
     tasks = {(t.hand, t.object, t.pose) for t in grids.paper(1)}
     assert len(tasks) == 60
     assert {name for _, name, _ in tasks} == set(clasp.sample_object_names())
-    assert clasp_bench.count("paper", 2) == 120
+    assert run.count("paper", 2) == 120
 
 
 def test_every_start_is_free():
@@ -75,48 +75,48 @@ def test_the_obstructed_loop_is_in_front_under_the_seat():
 
 def test_a_fault_is_a_complaint(one):
     row = one.rows[0] | {"faults": ["close row 3: touches"]}
-    assert clasp_run.complaints([row]) == [
+    assert measure.complaints([row]) == [
         "kr5_sdh, purse, pose 1, seed 1: close row 3: touches",
     ]
 
 
 def test_a_grasp_of_the_peer():
-    trial = next(clasp_peers.trials(1))
-    found = clasp_peers.grasp(trial, 20)
+    trial = next(peers.trials(1))
+    found = peers.grasp(trial, 20)
     assert found["planner"] == "grasp_rrt"
     if found["found"]:
         assert found["quality"] > 0
         assert found["contacts"] >= 2
-    totals = clasp_peers.totals([found, found | {"envelops": True, "on_handle": True}])
+    totals = peers.totals([found, found | {"envelops": True, "on_handle": True}])
     assert totals["grasp_rrt"]["runs"] == 2
     assert totals["grasp_rrt"]["envelops"] >= 1
 
 
 def test_clouds_of_all_kinds(monkeypatch):
-    monkeypatch.setattr(clasp_loops, "HOLES", {"purse": 1})
-    monkeypatch.setattr(clasp_loops, "CLOUDS", clasp_loops.CLOUDS[:5])
-    rows = list(clasp_loops.rows())
+    monkeypatch.setattr(loops, "HOLES", {"purse": 1})
+    monkeypatch.setattr(loops, "CLOUDS", loops.CLOUDS[:5])
+    rows = list(loops.rows())
     assert [row["loops"] for row in rows] == [1] * 5
     sizes = {row["cloud"]: row["points"] for row in rows}
     assert sizes["one view"] < sizes["two views"] < sizes["clean"]
     assert sizes["missing patches"] < sizes["clean"]
-    assert clasp_loops.totals(rows)["clean"]["right"] == 1
+    assert loops.totals(rows)["clean"]["right"] == 1
 
 
 def test_the_page(one, tmp_path):
-    result = clasp_report.as_result(one, (0.0, 0.0, 0.0))
-    clasp_report.write(result, tmp_path)
+    result = report.as_result(one, (0.0, 0.0, 0.0))
+    report.write(result, tmp_path)
     assert json.loads((tmp_path / "clasp_paper.json").read_text())["totals"]["found"] == 1
     assert (tmp_path / "clasp_linking.png").stat().st_size > 10_000
     page = (tmp_path / "clasp.md").read_text()
     assert "| found | 1 | 60 |" in page
     assert "$" not in page
-    assert "found: 1" in clasp_report.as_text(result)
+    assert "found: 1" in report.as_text(result)
 
 
 def test_the_command(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(clasp_loops, "HOLES", {"bag": 1})
-    monkeypatch.setattr(clasp_loops, "CLOUDS", clasp_loops.CLOUDS[:1])
+    monkeypatch.setattr(loops, "HOLES", {"bag": 1})
+    monkeypatch.setattr(loops, "CLOUDS", loops.CLOUDS[:1])
     arguments = ["bench", "clasp", "--grid", "loops", "--json", "--out", str(tmp_path)]
     assert main(arguments) == 0
     result = json.loads(capsys.readouterr().out)

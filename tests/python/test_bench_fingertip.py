@@ -6,10 +6,10 @@ import json
 
 import pytest
 
-from graspless.bench import fingertip_grid as grids
-from graspless.bench import fingertip_report as report
-from graspless.bench.fingertip_run import Run, complaints, run
 from graspless.cli import main
+from graspless_bench.fingertip import grid as grids
+from graspless_bench.fingertip import report
+from graspless_bench.fingertip.run import Run, complaints, run
 
 KEYS = {"case", "engine", "cost", "regrasps", "z_evaluations", "seconds", "peak_mb"}
 

@@ -15,10 +15,11 @@ import pytest
 import batch_common
 from graspless import TaskError, kinds, simulation
 from graspless.batches import manifest, pools
-from graspless.bench import physics, physics_claims, physics_report, physics_tables, physics_work
 from graspless.cli import main
 from graspless.simulation import Trial
 from graspless.tasks import read_task
+from graspless_bench.physics import claims, report, tables, work
+from graspless_bench.physics import run as physics
 from tasks_common import changed
 
 FAILURES = {"fell": "off the table", "not_grasped": "left behind", "hit": "touched"}
@@ -52,12 +53,12 @@ def engine(monkeypatch):
     measures = MEASURES | dict.fromkeys(SEQUENCES, "sequences")
     kind = types.SimpleNamespace(FAILURES=FAILURES, MEASURES=measures, run=run_trial)
     monkeypatch.setattr(simulation, "simulation_kind", lambda _: kind)
-    monkeypatch.setattr(physics_report, "simulation_kind", lambda _: kind)
-    monkeypatch.setattr(physics_report.importlib.metadata, "version", lambda _: "4")
+    monkeypatch.setattr(report, "simulation_kind", lambda _: kind)
+    monkeypatch.setattr(report.importlib.metadata, "version", lambda _: "4")
     tasks = types.SimpleNamespace(physics_tasks=physics_tasks)
     for name in physics.RUNS:
-        monkeypatch.setitem(sys.modules, f"graspless.bench.physics_{name}", tasks)
-    monkeypatch.setattr(physics_work, "part", lambda *_: types.SimpleNamespace(disturb=disturb))
+        monkeypatch.setitem(sys.modules, f"graspless_bench.physics.{name}_tasks", tasks)
+    monkeypatch.setattr(work, "part", lambda *_: types.SimpleNamespace(disturb=disturb))
     monkeypatch.setattr(
         pools, "opened", lambda jobs, dask: contextlib.nullcontext(batch_common.Here())
     )
@@ -97,22 +98,20 @@ def test_tables_count_what_they_say():
         rows_of(status="no_goal_root"),
     ]
     result = {"part": "slide", "rows": rows, "failures": FAILURES, "measures": MEASURES}
-    totals = physics_tables.totals(rows)
+    totals = tables.totals(rows)
     assert (totals["tasks"], totals["planned"]) == (3, 2)
     assert totals["not_planned"] == {"no_goal_root": 1}
     assert (totals["nominal"], totals["nominal_held"]) == (2, 1)
     assert (totals["varied"], totals["varied_held"]) == (3, 1)
     assert totals["max_seconds"] == 3.0
-    claims = {
-        (c["name"], c["of"]): (c["held"], c["asked"]) for c in physics_tables.claims(result)[0]
-    }
+    claims = {(c["name"], c["of"]): (c["held"], c["asked"]) for c in tables.claims(result)[0]}
     assert claims["within 5 mm and 5 deg after the slide, and stays", "nominal"] == (1, 2)
     assert claims["within 10 mm and 10 deg after the slide, and stays", "varied"] == (1, 3)
     assert claims["lifted", "nominal"] == (2, 2)
     assert claims["lifted", "varied"] == (1, 3)
-    failures = {r["name"]: (r["nominal"], r["varied"]) for r in physics_tables.failures(result)[0]}
+    failures = {r["name"]: (r["nominal"], r["varied"]) for r in tables.failures(result)[0]}
     assert failures == {"fell": (0, 2), "not grasped": (0, 0), "hit": (1, 1)}
-    error = physics_tables.measures(result)[0][0]
+    error = tables.measures(result)[0][0]
     assert (error["name"], error["means"]) == ("position error [mm]", "of the object")
     assert error["nominal"] == pytest.approx({"median": 4, "95 %": 6, "max": 6})
     assert error["varied"] == pytest.approx({"median": 9, "95 %": 20, "max": 20})
@@ -120,7 +119,7 @@ def test_tables_count_what_they_say():
 
 def test_where_nothing_varied_there_is_no_count_of_it():
     result = {"part": "slide", "rows": [rows_of(((), 0.0, 0.0))], "failures": FAILURES}
-    rows, shown = physics_tables.failures(result)
+    rows, shown = tables.failures(result)
     columns = dict(shown)
     assert [columns["nominal"](row) for row in rows] == ["0", "0", "0"]
     assert [columns["varied"](row) for row in rows] == ["–", "–", "–"]
@@ -131,13 +130,13 @@ def test_warnings_of_plans_are_kept(engine, monkeypatch):
     monkeypatch.setattr("graspless.plans.slide.Plan.warnings", told)
     run = physics.run(physics.Grid("slide", runs=2))
     assert [row["warnings"] for row in run.rows] == [told, told]
-    totals = physics_tables.totals(run.rows)
-    assert "; 2 with a warning" in physics_report._counts(totals)
+    totals = tables.totals(run.rows)
+    assert "; 2 with a warning" in report._counts(totals)
     for row in run.rows:  # as in a file of before
         del row["warnings"]
-    assert "warning" not in physics_report._counts(physics_tables.totals(run.rows))
+    assert "warning" not in report._counts(tables.totals(run.rows))
     del totals["warned"]
-    assert "warning" not in physics_report._counts(totals)
+    assert "warning" not in report._counts(totals)
 
 
 @pytest.mark.parametrize(
@@ -151,7 +150,7 @@ def test_warnings_of_plans_are_kept(engine, monkeypatch):
 def test_limits(part, cases, held):
     rows = [rows_of(case) for case in cases]
     result = {"part": part, "rows": rows}
-    first = physics_tables.claims(result)[0][0]
+    first = tables.claims(result)[0][0]
     assert (first["held"], first["asked"]) == (held, len(cases))
 
 
@@ -161,7 +160,7 @@ def test_an_open_hand_is_asked_only_where_something_was_pulled_at():
         return row | {"measures": {"open_pull": [force]}}
 
     rows = [pulled([], 8.0), pulled(["open_hand_holds"], 60.0), pulled(["not_closed"], None)]
-    found, _ = physics_tables.claims({"part": "clasp", "rows": rows})
+    found, _ = tables.claims({"part": "clasp", "rows": rows})
     assert [(c["held"], c["asked"]) for c in found if "open hand" in c["name"]] == [(1, 2)]
 
 
@@ -172,26 +171,26 @@ def test_disturbances_against_the_index():
         return rows_of(disturbed=found)
 
     rows = [broken(4, 0.8, 1.0), broken(6, 0.7, 1.2), broken(4, None, 0.9), broken(9, 0.69, None)]
-    found, _ = physics_tables.claims({"part": "fingertip_disturb", "rows": rows})
+    found, _ = tables.claims({"part": "fingertip_disturb", "rows": rows})
     assert [(c["held"], c["asked"]) for c in found] == [(4, 4), (3, 4), (1, 2), (3, 4)]
     rows[3] = broken(9, 0, 0)
-    found, _ = physics_tables.claims({"part": "fingertip_disturb", "rows": rows})
+    found, _ = tables.claims({"part": "fingertip_disturb", "rows": rows})
     assert [(c["held"], c["asked"]) for c in found] == [(3, 4), (3, 4), (1, 2), (2, 4)]
     rows[3] = broken(9, 0.69, None)
-    shown, _ = physics_tables.disturbances({"rows": rows})
+    shown, _ = tables.disturbances({"rows": rows})
     assert shown[0]["count"] == 3
     assert shown[0]["min"] == 0.69
     rows[0]["disturbed"]["lost_ratio"], rows[1]["disturbed"]["lost_ratio"] = 1.5, 0.75
-    shown, _ = physics_tables.disturbances({"rows": rows})
+    shown, _ = tables.disturbances({"rows": rows})
     lost = next(row for row in shown if "5 mm" in row["name"])
     assert (lost["count"], lost["min"], lost["median"]) == (2, 0.75, 0.75)
 
 
 def test_a_share_never_looks_better_than_it_is():
-    assert physics_tables._share(1999, 2000) == "99.9 %"
-    assert physics_tables._share(199, 200) == "99.5 %"
-    assert physics_tables._share(2000, 2000) == "100 %"
-    assert physics_tables._share(948, 999) == "94.8 %"
+    assert tables._share(1999, 2000) == "99.9 %"
+    assert tables._share(199, 200) == "99.5 %"
+    assert tables._share(2000, 2000) == "100 %"
+    assert tables._share(948, 999) == "94.8 %"
 
 
 def test_interrupted_and_resumed(engine, tmp_path, monkeypatch):
@@ -205,7 +204,7 @@ def test_interrupted_and_resumed(engine, tmp_path, monkeypatch):
         if len(measured) == 2:
             raise KeyboardInterrupt
         measured.append(query.name)
-        return physics_work.measure(query)
+        return work.measure(query)
 
     first = physics.run(grid, log=log, measure=measure)
     assert not first.is_complete
@@ -233,11 +232,11 @@ def test_an_error_or_a_dead_worker_is_a_complaint(engine, monkeypatch):
     monkeypatch.setattr("graspless.plans.plan", broken)
     run = physics.run(physics.Grid("slide", runs=1))
     assert run.complaints == ["000 card 0: RuntimeError: no such thing"]
-    totals = physics_tables.totals(run.rows)
+    totals = tables.totals(run.rows)
     assert (totals["lost"], totals["not_planned"]) == (1, {})
-    assert "1 lost to an error" in physics_report._counts(totals)
-    query = physics_work.Query("a", {}, 1, 1)
-    lost = physics_work.unknown(query, "crashed", "")
+    assert "1 lost to an error" in report._counts(totals)
+    query = work.Query("a", {}, 1, 1)
+    lost = work.unknown(query, "crashed", "")
     assert physics._lost(query, "SIGSEGV\nmore", 2.0) == lost | {
         "reason": "its process died after 2 s: SIGSEGV"
     }
@@ -266,7 +265,7 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
     page = (tmp_path / "physics.md").read_text()
     assert "$" not in page
     assert "2 tasks, 2 planned" in page
-    for claim in physics_claims.CLAIMS[part]:
+    for claim in claims.CLAIMS[part]:
         asked = claim.of == "disturbed" or part != "fingertip_disturb"
         assert (f"| {claim.what} |" in page) == asked
     if part == "fingertip_disturb":
@@ -291,7 +290,7 @@ def test_files_of_before_still_make_a_page(tmp_path):
         for row in result["rows"]:
             row.pop("warnings", None)
         (tmp_path / path.name).write_text(json.dumps(result))
-    physics_report.write_page(tmp_path)
+    report.write_page(tmp_path)
     page = (tmp_path / "physics.md").read_text()
     assert page.count("| `graspless bench physics --kind") == len(files) == 5
     _, ablation = page.split("commanded tip\n", 1)
@@ -314,7 +313,7 @@ def test_page_of_all_parts(engine, tmp_path, capsys):
     ]
 
 
-@pytest.mark.parametrize("part", physics_report.PARTS)
+@pytest.mark.parametrize("part", report.PARTS)
 def test_results_were_made_by_this_code(part):
     """By the names of what is counted and measured; else the file is older than the code."""
     path = Path(__file__).parents[2] / "docs" / "results" / f"physics_{part}.json"
@@ -341,8 +340,8 @@ def test_grids_that_are_none(grid, message):
 
 
 def test_every_kind_is_asked_something():
-    assert set(physics.RUNS) == set(physics_report.PARTS) & set(kinds.KINDS)
-    assert set(physics_claims.CLAIMS) == set(physics_report.PARTS)
+    assert set(physics.RUNS) == set(report.PARTS) & set(kinds.KINDS)
+    assert set(claims.CLAIMS) == set(report.PARTS)
 
 
 def test_a_clasp_that_only_blows_free_is_told_from_one_that_a_wrench_does():
@@ -358,7 +357,7 @@ def test_a_clasp_that_only_blows_free_is_told_from_one_that_a_wrench_does():
         row([], sequences=10.0, held=10.0, held_dragged=10.0),
         row([], sequences=10.0, held=10.0),  # measured before there was such a thing
     ]
-    found, _ = physics_tables.claims({"part": "clasp", "rows": rows})
+    found, _ = tables.claims({"part": "clasp", "rows": rows})
     named = {claim["name"]: (claim["held"], claim["asked"]) for claim in found}
     assert named["holds, the object without momentum"] == (2, 4)
     assert named["holds"] == (2, 5)
@@ -369,6 +368,6 @@ def test_a_clasp_that_only_blows_free_is_told_from_one_that_a_wrench_does():
 )
 def test_tables_say_what_is_met(held, met):
     row = {"held": held, "asked": 100, "must": 0.95, "goal": 0.99}
-    assert dict(physics_tables.CLAIM_COLUMNS)["met"](row) == met
+    assert dict(tables.CLAIM_COLUMNS)["met"](row) == met
     unasked = row | {"must": None, "goal": None}
-    assert dict(physics_tables.CLAIM_COLUMNS)["met"](unasked) == "–"
+    assert dict(tables.CLAIM_COLUMNS)["met"](unasked) == "–"

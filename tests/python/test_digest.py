@@ -4,11 +4,11 @@
 
 import pytest
 
-from graspless.bench.physics_work import Query
 from graspless.tasks.digest import digest
 from graspless.tasks.meshes import checksums
 from graspless.tasks.robots import Robot, resolve_robot, robot_meshes
 from graspless.tasks.source import Source
+from graspless_bench.physics.work import Query
 
 ARM = """<robot name="arm" xmlns:xacro="http://ros.org/wiki/xacro">
 <!-- made in {folder} --><link name="base"/><link name="hand">{shape}</link></robot>"""

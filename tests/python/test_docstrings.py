@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Everything public in the extension says what it is, and no argument is nameless."""
+"""Everything public in the extensions says what it is, and no argument is nameless."""
 
 import enum
 import inspect
@@ -8,8 +8,9 @@ import inspect
 import pytest
 
 from graspless import _core
+from graspless_bench import _peers
 
-ROOMS = [value for _, value in inspect.getmembers(_core, inspect.ismodule)]
+ROOMS = [_peers, *(value for _, value in inspect.getmembers(_core, inspect.ismodule))]
 
 
 def public(owner, prefix):

@@ -222,7 +222,10 @@ def test_files_are_written_whole_or_not_at_all(tmp_path, monkeypatch):
 
 def test_from_the_command_line(tmp_path, capsys):
     for to in FORMATS:
-        assert cli.make_parser().parse_args(["export", "PLAN", "--to", to, "-o", "FILE"]).to == to
+        assert (
+            cli.make_parser("export").parse_args(["export", "PLAN", "--to", to, "-o", "FILE"]).to
+            == to
+        )
     planned("clasp").save(tmp_path / "plan.json")
     out = tmp_path / "plan.csv"
     flags = ["--rate", "20", "--velocity", "0.5", "--acceleration", "2", "--contact-speed", "0.03"]

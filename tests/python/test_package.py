@@ -9,6 +9,7 @@ import sys
 
 import graspless
 from graspless import _core
+from graspless.cli import main
 
 PACKAGE = pathlib.Path(graspless.__file__).parent
 
@@ -37,6 +38,21 @@ def test_holds_types_robots_and_examples_but_no_headers():
     assert (PACKAGE / "examples").is_dir()
     installed = [str(path) for path in importlib.metadata.files("graspless") or []]
     assert not [name for name in installed if name.endswith((".hpp", ".cmake", ".cpp"))]
+
+
+def test_holds_no_benchmarks():
+    installed = [str(path) for path in importlib.metadata.files("graspless") or []]
+    assert not [name for name in installed if "bench" in name or "peers" in name]
+    assert not hasattr(_core, "bench")
+    symbols = pathlib.Path(_core.__file__).read_bytes()
+    assert b"grasp_rrt" not in symbols
+
+
+def test_bench_says_how_to_get_it(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "graspless_bench", None)
+    for arguments in (["--help"], ["slide", "--json"]):
+        assert main(["bench", *arguments]) == 2
+        assert "`make bench-install`" in capsys.readouterr().err
 
 
 def test_version_is_that_of_the_metadata():

@@ -16,7 +16,6 @@ from scipy.spatial import Delaunay, cKDTree
 import graspless
 from clasp_common import PURSE, changed
 from graspless import clasp, geometry
-from graspless.bench.physics_clasp import physics_tasks
 from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, run, surface
 from graspless.simulation.clasp.execution import LOOK, Execution
 from graspless.simulation.clasp.judge import Judge
@@ -25,6 +24,7 @@ from graspless.simulation.robots import set_positions
 from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation, variations
 from graspless.tasks import read_task
+from graspless_bench.physics.clasp_tasks import physics_tasks
 from tasks_common import reread
 
 SHORT = Clasp(sequences=2, seconds=0.6, pull_rate=80.0)
@@ -280,7 +280,7 @@ def test_inertia_is_that_of_a_hollow_sphere():
 def test_tasks_of_the_bench_are_its_own():
     tasks = list(physics_tasks(2))
     assert len(tasks) == 2
-    from graspless.bench.clasp_grid import paper
+    from graspless_bench.clasp.grid import paper
 
     for task, trial in zip(tasks, paper(1), strict=False):
         theirs = trial.make_problem()

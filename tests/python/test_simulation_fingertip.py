@@ -15,8 +15,6 @@ import pytest
 
 import graspless
 from graspless import _data, frames
-from graspless.bench import physics_fingertip
-from graspless.bench.fingertip_grid import CASES
 from graspless.report import simulation as simulation_report
 from graspless.simulation.fingertip import (
     FAILURES,
@@ -36,6 +34,8 @@ from graspless.simulation.fingertip.world import build_world
 from graspless.simulation.settings import Break, Fingertip
 from graspless.simulation.variation import Variation
 from graspless.tasks import read_task, task_from_dict
+from graspless_bench.fingertip.grid import CASES
+from graspless_bench.physics import fingertip_tasks
 
 SLIDE = """\
 kind: fingertip
@@ -51,7 +51,7 @@ motion: {slide: {translation: [0.02, 0, 0]}}
 
 
 def _case(name):
-    return graspless.plan(task_from_dict(physics_fingertip.scaled(CASES[name]), name))
+    return graspless.plan(task_from_dict(fingertip_tasks.scaled(CASES[name]), name))
 
 
 @pytest.fixture(scope="module")
@@ -390,9 +390,9 @@ def test_a_row_that_is_not_there_is_refused(slide):
 
 
 def test_bench_tasks_repeat_and_case_a_is_the_papers():
-    few, many = physics_fingertip.physics_tasks(5), physics_fingertip.physics_tasks(6)
+    few, many = fingertip_tasks.physics_tasks(5), fingertip_tasks.physics_tasks(6)
     assert [task.to_dict() for task in few] == [task.to_dict() for task in many[:5]]
-    assert graspless.plan(few[0]).cost == pytest.approx(10.016453262 * physics_fingertip.UNIT)
+    assert graspless.plan(few[0]).cost == pytest.approx(10.016453262 * fingertip_tasks.UNIT)
 
 
 def test_an_arm_carries_a_plan_out():

@@ -204,7 +204,7 @@ def test_the_inertia_of_a_plate():
 
 @pytest.mark.parametrize("name", ["square", "circle", "triangle", "crescent", "irregular"])
 def test_feet_resist_turning_as_an_even_pressure_does(name):
-    from graspless.bench.shapes import outline_of
+    from graspless_bench.slide.shapes import outline_of
 
     outline = geometry.Polygon(outline_of(name))
     feet, dense = even_points(outline, 60), even_points(outline, 4000)

@@ -12,5 +12,4 @@ from . import slide
 from . import fingertip
 from . import clasp
 from . import carry
-from . import bench
-__all__: list[str] = ['bench', 'carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']
+__all__: list[str] = ['carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']

@@ -9,7 +9,7 @@ import json
 import logging
 import shlex
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND
 
@@ -22,19 +22,17 @@ EXAMPLE = """after Ctrl-C the same command goes on
 example: graspless batch tasks/ -o plans --jobs 2"""
 
 
-def add_parser(commands: Any) -> None:
-    """Adds `batch` to the commands of the command line."""
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `batch`."""
     import argparse
 
-    parser = commands.add_parser(
-        "batch",
-        help="plan many tasks",
-        description="Plans many tasks, checks every plan, and writes both as they come: "
+    parser.description = (
+        "Plans many tasks, checks every plan, and writes both as they come: "
         "DIR/NAME.plan.json, a row of each task in DIR/batch.jsonl, and DIR/summary.json. A task "
-        "whose plan is there, and that says the same as then, is not planned again.",
-        epilog=f"{EXIT_CODES}\n\n{EXAMPLE}",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        "whose plan is there, and that says the same as then, is not planned again."
     )
+    parser.epilog = f"{EXIT_CODES}\n\n{EXAMPLE}"
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(
         "tasks", metavar="TASKS", nargs="+", help="task files, globs, or folders of them"
     )

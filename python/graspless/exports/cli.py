@@ -7,7 +7,7 @@ from __future__ import annotations
 import contextlib
 import re
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._commands import FOUND, add_unchecked, checked_plan
 from ..errors import TaskError
@@ -24,14 +24,12 @@ FLAGS = {
 FIELD = rf"^(to|rate|fingers)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
 
 
-def add_parser(commands: Any) -> None:
-    """Adds `export` to the commands of the command line."""
-    parser = commands.add_parser(
-        "export",
-        help="time a plan and write it for other programs",
-        description="Times a plan within the robot's limits and writes it. ros: "
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `export`."""
+    parser.description = (
+        "Times a plan within the robot's limits and writes it. ros: "
         "trajectory_msgs/JointTrajectory as YAML; mcap: ROS 2 messages; csv: a table; mujoco: MJCF "
-        "with keyframes; json: by trajectory.schema.json. See docs/export.md.",
+        "with keyframes; json: by trajectory.schema.json. See docs/export.md."
     )
     parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     parser.add_argument("--to", required=True, choices=["ros", "mcap", "csv", "mujoco", "json"])

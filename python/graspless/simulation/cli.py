@@ -13,15 +13,13 @@ if TYPE_CHECKING:
     import argparse
 
 
-def add_parser(commands: Any) -> None:
-    """Adds `simulate` to the commands of the command line."""
-    parser = commands.add_parser(
-        "simulate",
-        help="execute a plan in a physics engine",
-        description="Executes a plan in MuJoCo and judges the object. The first trial is as "
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `simulate`."""
+    parser.description = (
+        "Executes a plan in MuJoCo and judges the object. The first trial is as "
         "planned; the others vary friction, mass, the object's place and the time step; of "
         "fingertip plans friction by 10 %, the fingers' places (with an arm the object's) by "
-        "0.1 mm, and the time step, no mass. Exit 1 when a trial failed.",
+        "0.1 mm, and the time step, no mass. Exit 1 when a trial failed."
     )
     parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
     parser.add_argument("--trials", type=int, default=1, metavar="N", help="(%(default)s)")

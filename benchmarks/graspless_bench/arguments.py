@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arguments and exits that the experiments share."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import INTERRUPTED
+from graspless.errors import TaskError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def positive(kind: type) -> Any:
+    """Type of an argument for argparse: a number of this kind above 0."""
+
+    def number(text: str) -> Any:
+        value = kind(text)
+        if not value > 0:
+            raise ValueError
+        return value
+
+    number.__name__ = f"positive {kind.__name__}"
+    return number
+
+
+def check_writable(directory: Path) -> None:
+    """Raises TaskError where results could not be written: before hours of work, not after."""
+    parent = next(p for p in (directory, *directory.absolute().parents) if p.exists())
+    if not parent.is_dir() or not os.access(parent, os.W_OK):
+        raise TaskError(f"--out: {directory}: cannot be written")
+
+
+def say_partial() -> int:
+    """Prints that an interrupted run is not written; returns the exit code."""
+    print("interrupted: the results are partial, and not written", file=sys.stderr)
+    return INTERRUPTED

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless bench clasp`."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import FOUND, NOT_FOUND
+
+from ..arguments import check_writable, positive, say_partial
+
+if TYPE_CHECKING:
+    import argparse
+
+GRIDS = ("paper", "chair", "tolerance", "grasp_rrt", "loops")
+
+
+def add_parser(experiments: Any) -> None:
+    """Adds `clasp` to the experiments."""
+    parser = experiments.add_parser(
+        "clasp",
+        help="Stork, Pokorny and Kragic 2013",
+        description="Clasps five objects with four hands in three poses, or what the paper tries "
+        "beside that, and checks every plan. Exit 1 when a plan fails its check.",
+    )
+    parser.add_argument("--grid", choices=GRIDS, default="paper", help="(%(default)s)")
+    parser.add_argument(
+        "--seeds", type=positive(int), default=1, metavar="N", help="runs of a task (%(default)s)"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, metavar="S", help="of the first run (%(default)s)"
+    )
+    parser.add_argument(
+        "--time", type=positive(float), metavar="S", help="limit of each query [s] (10)"
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results, pictures and clasp.md there"
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from ..bar import Bar
+    from . import report
+    from .run import count, run
+
+    if options.out is not None:
+        check_writable(options.out)
+    load = os.getloadavg()
+    bar = Bar(f"bench clasp, {options.grid}", count(options.grid, options.seeds))
+    result = run(options.grid, options.seeds, options.seed, options.time, bar.tell)
+    bar.close()
+    table = report.as_result(result, load)
+    if options.out is not None and result.is_complete:
+        report.write(table, options.out)
+    print(json.dumps(table) if options.json else report.as_text(table))
+    if not result.is_complete:
+        return say_partial()
+    return NOT_FOUND if table["complaints"] else FOUND

@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Section V-D: how often a planner that knows contacts but no loops envelops a handle."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import _peers
+from . import measure
+from .grid import HANDS, POSES, Trial
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from ..machine import Row
+
+BODY_HEIGHT = 0.185  # of the purse, and a little [m]: what is higher is its handle
+
+
+def trials(seeds: int, start: int = 1) -> Iterator[Trial]:
+    for seed in range(start, start + seeds):
+        for hand in HANDS:
+            for pose, place in enumerate(POSES["purse"], 1):
+                yield Trial(hand, "purse", place, pose, seed)
+
+
+def rows(
+    seeds: int, start: int, seconds: float | None, tell: Callable[[int, str], None]
+) -> Iterator[Row]:
+    """Two rows for every trial: the Grasp-RRT's, and ours."""
+    for done, trial in enumerate(trials(seeds, start)):
+        tell(done, trial.name)
+        yield grasp(trial, seconds)
+        ours = measure.measure(trial, seconds)
+        yield {
+            "planner": "ours",
+            "envelops": ours["found"] and ours["virtual_linking_min"] > 0,
+            "on_handle": ours["found"],
+            **{key: ours[key] for key in ("hand", "pose", "seed", "found", "seconds", "load")},
+        }
+
+
+def grasp(trial: Trial, seconds: float | None) -> Row:
+    """What the Grasp-RRT finds, once."""
+    load = os.getloadavg()[0]
+    grasp = _peers.grasp_rrt(trial.make_problem(), trial.make_budget(seconds))
+    return {
+        "planner": "grasp_rrt",
+        "hand": trial.hand,
+        "pose": trial.pose,
+        "seed": trial.seed,
+        "found": bool(grasp),
+        "envelops": bool(grasp) and grasp.envelops,
+        "on_handle": bool(grasp) and bool(np.all(grasp.contacts[:, 2] > BODY_HEIGHT)),
+        "contacts": len(grasp.contacts),
+        "quality": grasp.quality,
+        "approaches": grasp.approaches,
+        "grasps": grasp.grasps,
+        "nodes": grasp.nodes,
+        "seconds": grasp.seconds,
+        "load": round(load, 2),
+    }
+
+
+def totals(found: list[Row]) -> Row:
+    """Of each planner: how many runs ended with a grasp, on the handle, around it."""
+    return {
+        planner: {
+            "runs": len(of),
+            **{key: sum(row[key] for row in of) for key in ("found", "on_handle", "envelops")},
+        }
+        for planner in ("grasp_rrt", "ours")
+        if (of := [row for row in found if row["planner"] == planner])
+    }

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The grids of `graspless bench clasp`, run one row after the other."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING
+
+from . import loops, measure, peers
+from .grid import GRIDS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from ..machine import Row
+
+
+@dataclasses.dataclass
+class Run:
+    """All that a command measured until Ctrl-C, if that ended it."""
+
+    grid: str
+    rows: list[Row] = dataclasses.field(default_factory=list)
+    is_complete: bool = False
+
+    @property
+    def totals(self) -> Row:
+        if self.grid == "loops":
+            return loops.totals(self.rows)
+        if self.grid == "grasp_rrt":
+            return peers.totals(self.rows)
+        return measure.totals(self.rows)
+
+    @property
+    def complaints(self) -> list[str]:
+        return measure.complaints(row for row in self.rows if "faults" in row)
+
+
+def count(grid: str, seeds: int) -> int:
+    """How many rows there will be, or steps for a progress bar."""
+    if grid == "loops":
+        return len(loops.HOLES) * len(loops.CLOUDS)
+    make = peers.trials if grid == "grasp_rrt" else GRIDS[grid]
+    return sum(1 for _ in make(seeds))
+
+
+def run(
+    grid: str,
+    seeds: int = 1,
+    seed: int = 1,
+    seconds: float | None = None,
+    tell: Callable[[int, str], None] = lambda done, name: None,
+) -> Run:
+    """Measures a grid.
+
+    Parameters
+    ----------
+    grid : str
+        paper, chair, tolerance, grasp_rrt or loops.
+    seeds : int
+        How often each task is run.
+    seed : int
+        The first.
+    seconds : float or None
+        Limit of each query [s].
+    tell : function
+        Told how many steps are done, and which comes next.
+    """
+    result = Run(grid)
+    try:
+        for row in _measured(grid, seeds, seed, seconds, tell):
+            result.rows.append(row)
+        result.is_complete = True
+    except KeyboardInterrupt:
+        pass
+    return result
+
+
+def _measured(
+    grid: str, seeds: int, seed: int, seconds: float | None, tell: Callable[[int, str], None]
+) -> Iterator[Row]:
+    if grid == "loops":
+        yield from loops.rows(tell)
+    elif grid == "grasp_rrt":
+        yield from peers.rows(seeds, seed, seconds, tell)
+    else:
+        for done, trial in enumerate(GRIDS[grid](seeds, seed)):
+            tell(done, trial.name)
+            yield measure.measure(trial, seconds)

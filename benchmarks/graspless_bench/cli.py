@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless bench`; modules that run experiments are imported when they run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .clasp.command import add_parser as _add_clasp
+from .fingertip.command import add_parser as _add_fingertip
+from .physics.command import add_parser as _add_physics
+from .slide.command import add_parser as _add_slide
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds the experiments to the command."""
+    experiments = parser.add_subparsers(metavar="EXPERIMENT", required=True)
+    _add_slide(experiments)
+    _add_fingertip(experiments)
+    _add_clasp(experiments)
+    _add_physics(experiments)

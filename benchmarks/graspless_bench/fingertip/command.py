@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless bench fingertip`."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import FOUND, NOT_FOUND
+
+from ..arguments import check_writable, positive, say_partial
+
+if TYPE_CHECKING:
+    import argparse
+
+GRIDS = ("paper", "weak", "scaling", "fingers", "se2", "faces")
+
+
+def add_parser(experiments: Any) -> None:
+    """Adds `fingertip` to the experiments."""
+    parser = experiments.add_parser(
+        "fingertip",
+        help="Maeda and Arai 2005",
+        description="Plans the paper's four cases and its cork cuboid, or what lies beyond them, "
+        "and checks every plan. The least time of some runs counts: wall clock around one call. "
+        "Exit 1 when a plan fails its check, has another cost than is known, or engines differ.",
+    )
+    parser.add_argument("--grid", choices=GRIDS, default="paper", help="(%(default)s)")
+    parser.add_argument(
+        "--engine",
+        choices=["fast", "paper", "dijkstra"],
+        help="of the search (paper grid: all three; other grids: fast)",
+    )
+    parser.add_argument(
+        "--runs",
+        type=positive(int),
+        metavar="N",
+        help="of each trial (until a second is spent, at most 5)",
+    )
+    parser.add_argument(
+        "--time",
+        type=positive(float),
+        metavar="S",
+        help="limit of each query [s] (fast 60, paper 300, dijkstra 900)",
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results, pictures and fingertip.md there"
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from ..bar import Bar
+    from . import report, run
+    from .grid import GRIDS as MAKERS
+
+    if options.out is not None:
+        check_writable(options.out)
+    make, engines = MAKERS[options.grid]
+    trials = list(make([options.engine] if options.engine else engines))
+    load = os.getloadavg()
+    bar = Bar(f"bench fingertip, {options.grid}", len(trials))
+    result = run.run(trials, options.runs, options.time, bar.tell)
+    bar.close()
+    table = report.as_result(options.grid, result, load)
+    if options.out is not None and result.is_complete:
+        report.write(table, result, options.out)
+    print(json.dumps(table) if options.json else report.as_text(table))
+    if not result.is_complete:
+        return say_partial()
+    return NOT_FOUND if table["complaints"] else FOUND

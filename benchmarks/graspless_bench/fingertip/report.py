@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of the fingertip planner's experiments: at the terminal, as JSON, and as fingertip.md."""
+
+from __future__ import annotations
+
+import json
+import string
+import types
+from typing import TYPE_CHECKING
+
+from .. import machine
+from ..pages import circumstances, template
+from ..tables import aligned, compact, markdown
+from .grid import GRIDS, PAPER_MINUTES, REFERENCE_COSTS
+from .run import complaints
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from ..machine import Row
+    from ..tables import Column
+    from .run import Run
+
+PICTURES = ("a", "b", "c", "d", "cork")  # Figures 7 to 11
+
+
+def as_result(grid: str, run: Run, load: Sequence[float]) -> Row:
+    """All of a run: what `--json` prints; `load` averages are those before it."""
+    rows = [found.row for found in run.found]
+    return {
+        "bench": "fingertip",
+        "grid": grid,
+        "complete": run.is_complete,
+        "rows": rows,
+        "complaints": complaints(rows),
+        "machine": machine.machine(load, 0),
+        "versions": machine.versions(),
+    }
+
+
+def as_text(result: Row) -> str:
+    """What the command prints."""
+    where = result["machine"]
+    lines = [
+        "" if result["complete"] else "INTERRUPTED: these are partial results",
+        f"grid {result['grid']}; the least time of each trial's runs; peak: what a query adds",
+        aligned("", [_named(row) for row in result["rows"]], _columns(result["rows"])),
+        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
+        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
+    ]
+    return "\n".join(line for line in lines if line)
+
+
+def write(result: Row, run: Run, directory: Path) -> None:
+    """Writes fingertip_GRID.json and the pictures of plans, and fingertip.md anew from all such
+    files in the directory.
+    """
+    directory.mkdir(parents=True, exist_ok=True)
+    text = compact(json.dumps(result, indent=1))
+    (directory / f"fingertip_{result['grid']}.json").write_text(text + "\n")
+    if result["grid"] == "paper":
+        _draw(run, directory)
+    results = {
+        grid: json.loads(path.read_text())
+        for grid in GRIDS
+        if (path := directory / f"fingertip_{grid}.json").exists()
+    }
+    text = template("fingertip")["head"]
+    for grid, found in results.items():
+        text += "\n" + string.Template(template("fingertip")[grid]).substitute(_fields(found))
+    end = string.Template(template("fingertip")["circumstances"])
+    text += "\n" + end.substitute(circumstances(results.values()))
+    (directory / "fingertip.md").write_text(text)
+
+
+def _draw(run: Run, directory: Path) -> None:
+    from graspless import plans, view
+
+    for found in run.found:
+        if found.row["case"] in PICTURES and found.row["engine"] == "fast" and found.plan:
+            core = found.plan
+            whole = types.SimpleNamespace(
+                plan=core,
+                realization=None,
+                statistics=core.statistics,
+                status=core.status,
+                reason=core.reason,
+            )
+            plan = plans.from_core(whole, found.task)
+            view.write_png(plan, directory / f"fingertip_{found.row['case']}.png")
+
+
+def _fields(result: Row) -> dict[str, str]:
+    rows = [_named(row) for row in result["rows"]]
+    fields = {"table": markdown(rows, _columns(rows)), "grips": _grips(result["rows"])}
+    if result["grid"] == "paper":
+        fields["costs"] = ", ".join(f"{case} {cost}" for case, cost in REFERENCE_COSTS.items())
+    return fields
+
+
+def _named(row: Row) -> Row:
+    return row | {"name": f"{row['case']}, {row['engine']}"}
+
+
+def _columns(rows: Sequence[Row]) -> list[Column]:
+    shown: list[Column] = [
+        ("cost", lambda r: _cost(r)),
+        ("regrasps", lambda r: _or_dash(r["regrasps"])),
+        ("least z [N]", lambda r: _or_dash(r["weakest"], ".4g")),
+        ("z evaluations", lambda r: f"{r['z_evaluations']}"),
+        ("pivots", lambda r: f"{r['pivots']}"),
+        ("nodes", lambda r: f"{r['nodes']}"),
+        ("seconds", lambda r: f"{r['seconds']:.3g}"),
+        ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
+        ("check [s]", lambda r: _or_dash(r["check_seconds"], ".2g")),
+        ("faults", lambda r: f"{len(r['faults'])}"),
+        ("load", lambda r: f"{r['load']:g}"),
+    ]
+    if any(row["case"] in PAPER_MINUTES for row in rows):
+        shown.insert(7, ("paper [min]", lambda r: _or_dash(r.get("paper_minutes"))))
+    return shown
+
+
+def _cost(row: Row) -> str:
+    if row["cost"] is None:
+        return str(row["status"])
+    optimal = row["cost"] <= row["lower_bound"] * (1 + 1e-9)
+    return f"{row['cost']:.9f}" if optimal else f"{row['cost']:.6f} (>= {row['lower_bound']:.6f})"
+
+
+def _or_dash(value: float | None, form: str = "") -> str:
+    return "–" if value is None else format(value, form)
+
+
+def _grips(rows: Sequence[Row]) -> str:
+    """Who presses where, one line a case: of the first engine that found a plan."""
+    lines = {}
+    for row in rows:
+        if row["cost"] is None or row["case"] in lines:
+            continue
+        steps = [
+            f"{name} ({', '.join(grip)})" if name != "regrasp" else "regrasp"
+            for name, grip in zip(row["segments"], row["grips"], strict=True)
+        ]
+        lines[row["case"]] = f"- {row['case']}: {', then '.join(steps)}"
+    return "\n".join(lines.values())

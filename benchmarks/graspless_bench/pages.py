@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Templates of the pages of results, and the circumstances at the end of each page."""
+
+from __future__ import annotations
+
+import functools
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .tables import markdown
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from .machine import Row
+    from .tables import Column
+
+
+@functools.cache
+def template(page: str) -> dict[str, str]:
+    """Sections of the template of a page, by name; `head` is the text before the first."""
+    text = (Path(__file__).parent / page / "page.md.template").read_text()
+    head, *parts = re.split(r"^<!-- (\w+) -->\n", text, flags=re.MULTILINE)
+    return {"head": head.rstrip() + "\n"} | {
+        name: body.rstrip() + "\n" for name, body in zip(parts[::2], parts[1::2], strict=True)
+    }
+
+
+def circumstances(results: Iterable[Row]) -> dict[str, str]:
+    """When, where and with what results were measured, and what of them does not hold."""
+    ordered = list(results)
+    machine = ordered[0]["machine"]
+    rows = [{"name": f"`{r['machine']['command']}`", **r} for r in ordered]
+    shown: list[Column] = [
+        ("when", lambda r: r["machine"]["date"]),
+        ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
+        ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
+        ("does not hold", lambda r: str(len(r["complaints"]))),
+    ]
+    return {
+        "machine": f"{machine['cpu']}, {machine['cores']} cores",
+        "versions": ", ".join(
+            f"{name} {version}" for name, version in ordered[0]["versions"].items()
+        ),
+        "table": markdown(rows, shown, "command"),
+        "complaints": "\n".join(f"- {c}" for r in ordered for c in r["complaints"]),
+    }

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is asked of plans in the physics engine: each in a line, with the share that is asked."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from ..machine import Row
+
+NOMINAL, VARIED, DISTURBED = "nominal", "varied", "disturbed"
+DEGREE = math.pi / 180
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A share of trials, or of disturbed plans.
+
+    Attributes
+    ----------
+    what : str
+        In words.
+    of : str
+        NOMINAL or VARIED trials, or DISTURBED plans.
+    holds : function
+        Whether one is so: given its failures and measures, or the disturbance; None: not asked.
+    must, goal : float or None
+        The least share.
+    """
+
+    what: str
+    of: str
+    holds: Callable[[Row], bool | None]
+    must: float | None = None
+    goal: float | None = None
+
+
+def cases(rows: list[Row], of: str) -> Iterator[Row]:
+    """Trials of all plans as {failures, seconds, a measure a name}; or their disturbances."""
+    for row in rows:
+        if of == DISTURBED:
+            if row["disturbed"] is not None:
+                yield row["disturbed"]
+            continue
+        for k, failures in enumerate(row["failures"]):
+            if (k == 0) == (of == NOMINAL):
+                figures = {name: values[k] for name, values in row["measures"].items()}
+                yield {"failures": failures, "seconds": row["seconds"][k], **figures}
+
+
+def _at_most(limits: dict[str, float], *failures: str) -> Callable[[Row], bool]:
+    def holds(case: Row) -> bool:
+        known = all(case.get(name) is not None for name in limits)
+        return known and all(case[n] <= most for n, most in limits.items()) and free(case)
+
+    free = _without(*failures)
+    return holds
+
+
+def _without(*failures: str) -> Callable[[Row], bool]:
+    return lambda case: not set(failures) & set(case["failures"])
+
+
+def _where_pulled(failure: str) -> Callable[[Row], bool | None]:
+    """Not asked of a hand that closed without the loop: nothing was pulled at."""
+
+    def holds(case: Row) -> bool | None:
+        was_pulled = case.get("open_pull", 0.0) is not None
+        return failure not in case["failures"] if was_pulled else None
+
+    return holds
+
+
+def _holds_but(*failures: str) -> Callable[[Row], bool]:
+    return lambda case: not set(case["failures"]) - set(failures)
+
+
+def _ratio(name: str, least: float, below_z: float = math.inf) -> Callable[[Row], bool | None]:
+    def holds(case: Row) -> bool | None:
+        if not case["z"] < below_z:
+            return None
+        return case[name] is None or bool(case[name] >= least)  # None: nothing broke it
+
+    return holds
+
+
+def _arrives(of: str, limit: float, must: float | None = None, goal: float | None = None) -> Claim:
+    """Within so many millimetres, and as many degrees."""
+    holds = _at_most({"position_error": limit / 1000, "angle_error": limit * DEGREE}, "fell")
+    what = f"within {limit:g} mm and {limit:g} deg after the slide, and stays"
+    return Claim(what, of, holds, must, goal)
+
+
+def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> Claim:
+    holds = _at_most({"vertex_error": limit / 1000})
+    return Claim(f"vertices within {limit:g} mm", of, holds, must, goal)
+
+
+_LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
+_COMPLIANT = _ratio("compliant_ratio", 1.0)
+_CLASPED = _holds_but("open_hand_holds")
+_CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
+_LOST_OPEN = _where_pulled("open_hand_holds")
+
+
+def _clasped_dragged(case: Row) -> bool | None:
+    held = case.get("held_dragged")
+    return None if held is None else _CLASPED_LOCKED(case) and held == case["sequences"]
+
+
+CLAIMS: dict[str, list[Claim]] = {
+    "slide": [
+        _arrives(NOMINAL, 5, 0.95, 0.995),
+        Claim("lifted", NOMINAL, _LIFTED, 0.90, 0.99),
+        _arrives(VARIED, 10, 0.85, 0.95),
+        Claim("lifted", VARIED, _LIFTED, 0.80, 0.95),
+        Claim("simulated within 20 s", NOMINAL, _at_most({"seconds": 20}), 1.0),
+        Claim("simulated within 5 s", NOMINAL, _at_most({"seconds": 5}), None, 1.0),
+    ],
+    "slide_ablation": [
+        _arrives(NOMINAL, 5),
+        Claim("lifted", NOMINAL, _LIFTED),
+        _arrives(VARIED, 10),
+        Claim("lifted", VARIED, _LIFTED),
+    ],
+    "fingertip": [
+        _vertices(NOMINAL, 1, 0.95, None),
+        _vertices(NOMINAL, 0.6, None, 0.99),
+        _vertices(VARIED, 1.5, 0.95, None),
+        _vertices(VARIED, 0.7, None, 0.99),
+    ],
+    "fingertip_disturb": [
+        Claim("holds while nothing disturbs it", DISTURBED, lambda case: case["smallest"] != 0),
+        Claim("breaks at 0.7 z or more", DISTURBED, _ratio("ratio", 0.7), 0.95),
+        Claim("at 0.9 z or more, where z < 5 N", DISTURBED, _ratio("ratio", 0.9, 5.0), None, 0.95),
+        Claim("at the compliant index or more", DISTURBED, _COMPLIANT, None, 0.99),
+    ],
+    "clasp": [
+        Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
+        Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
+        Claim("holds, the object without momentum", NOMINAL, _clasped_dragged),
+        Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
+        Claim("holds", VARIED, _CLASPED),
+        Claim("holds, the object without momentum", VARIED, _clasped_dragged),
+        Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
+        Claim("the open hand loses it", VARIED, _LOST_OPEN),
+    ],
+}

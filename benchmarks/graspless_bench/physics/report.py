@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of plans in the physics engine: at the terminal, as JSON, and as physics.md."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import string
+from typing import TYPE_CHECKING
+
+from graspless.simulation import simulation_kind
+
+from .. import machine
+from ..pages import circumstances, template
+from ..tables import aligned, markdown
+from . import tables
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from ..machine import Row
+    from .run import Run
+
+PARTS = ("slide", "slide_ablation", "fingertip", "fingertip_disturb", "clasp")
+
+
+def as_result(run: Run, load: Sequence[float]) -> Row:
+    """All of a run; `load` averages are those before it."""
+    kind = simulation_kind(run.grid.kind)
+    return {
+        "bench": "physics",
+        "kind": run.grid.kind,
+        "part": run.grid.part,
+        "seed": run.grid.seed,
+        "trials": run.grid.trials,
+        "complete": run.is_complete,
+        "totals": tables.totals(run.rows),
+        "measures": kind.MEASURES,
+        "failures": kind.FAILURES,
+        "rows": run.rows,
+        "complaints": run.complaints,
+        "machine": machine.machine(load, 0),
+        "versions": machine.versions() | {"mujoco": importlib.metadata.version("mujoco")},
+    }
+
+
+def as_text(result: Row) -> str:
+    """What the command prints."""
+    where = result["machine"]
+    lines = [
+        "" if result["complete"] else "INTERRUPTED: these are partial results",
+        _counts(result["totals"]),
+        *(aligned(title, rows, _short(shown)) for title, (rows, shown) in _tables(result).items()),
+        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
+        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
+    ]
+    return "\n".join(line for line in lines if line)
+
+
+def write(result: Row, directory: Path) -> None:
+    """Writes physics_PART.json, and physics.md anew from all such files there."""
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / f"physics_{result['part']}.json").write_text(_to_json(result))
+    write_page(directory)
+
+
+def write_page(directory: Path) -> None:
+    """Writes physics.md from the physics_PART.json there."""
+    results = {
+        name: json.loads(path.read_text())
+        for name in PARTS
+        if (path := directory / f"physics_{name}.json").exists()
+    }
+    page = template("physics")
+    text = page["head"]
+    for name, found in results.items():
+        text += "\n" + string.Template(page[name]).substitute(_fields(found))
+    end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
+    (directory / "physics.md").write_text(text + "\n" + end)
+
+
+def _tables(result: Row) -> dict[str, tables.Table]:
+    asked = {"asked": tables.claims(result)}
+    if result["part"].endswith("_disturb"):
+        return asked | {"disturbance": tables.disturbances(result)}
+    return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
+
+
+def _short(shown: list[tables.Column]) -> list[tables.Column]:
+    return [column for column in shown if column[0] != tables.MEANING]
+
+
+def _fields(result: Row) -> dict[str, str]:
+    """What a section of the template may name: counts, seconds, and a table each."""
+    names = {"asked": "claims", "failure": "failures", "measure": "measures"}
+    shown = {"disturbance": "disturbances"} | names
+    fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
+    return dict.fromkeys(shown.values(), "") | fields | {"counts": _counts(result["totals"])}
+
+
+def _counts(totals: Row) -> str:
+    """How many there were, in a line."""
+    parts = [f"{totals['tasks']} tasks, {totals['planned']} planned"]
+    missing = ", ".join(f"{name} {count}" for name, count in totals["not_planned"].items())
+    parts += [f"not planned: {missing}"] if missing else []
+    parts += [f"{totals['failed_checks']} that fail their check"] if totals["failed_checks"] else []
+    parts += [f"{totals['warned']} with a warning"] if totals.get("warned") else []
+    parts += [f"{totals['lost']} lost to an error"] if totals["lost"] else []
+    if totals["nominal"]:
+        parts.append(f"{totals['nominal_held']} of {totals['nominal']} held as planned")
+    if totals["varied"]:
+        parts.append(f"{totals['varied_held']} of {totals['varied']} varied trials held")
+    if totals["disturbed"]:
+        parts.append(f"{totals['disturbed']} disturbed")
+    if totals["median_seconds"] is not None:
+        slow = f"at most {totals['max_seconds']:.3g} s"
+        parts.append(f"a simulation took {totals['median_seconds']:.3g} s (median), {slow}")
+    return "; ".join(parts)
+
+
+def _to_json(result: Row) -> str:
+    """A row a line: readable, and short."""
+    rest = {key: value for key, value in result.items() if key != "rows"}
+    rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in result["rows"])
+    text = json.dumps(rest, indent=1, ensure_ascii=False)
+    return text.removesuffix("\n}") + f',\n "rows": [\n{rows}\n ]\n}}\n'

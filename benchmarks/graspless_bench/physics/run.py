@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The planners' problems in the physics engine: planned, executed, and judged by the object."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from graspless.batches import manifest, pools
+from graspless.batches.spread import spread
+from graspless.errors import TaskError
+
+from . import work
+from .tables import LOST
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from graspless.tasks import Task
+
+    from ..machine import Row
+    from .work import Query
+
+RUNS = {"slide": 200, "fingertip": 54, "clasp": 60}  # plans, unless asked otherwise
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Which problems, and what is done with their plans.
+
+    Attributes
+    ----------
+    kind : str
+        slide, fingertip or clasp.
+    runs : int
+        Problems.
+    trials : int
+        Of each plan: the first is nominal.
+    seed : int
+        Of problems and variations; plan k has the variations of seed + k.
+    is_ablation : bool
+        Slide plans by the paper's formula on the commanded tip.
+    disturb : bool
+        Instead of trials: the smallest wrench that breaks a fingertip plan.
+    """
+
+    kind: str
+    runs: int
+    trials: int = 1
+    seed: int = 1
+    is_ablation: bool = False
+    disturb: bool = False
+
+    @property
+    def part(self) -> str:
+        """Of the results: their file is physics_PART.json."""
+        return self.kind + "_ablation" * self.is_ablation + "_disturb" * self.disturb
+
+    def check(self) -> None:
+        """Raises TaskError unless there is such a grid."""
+        for name in ("runs", "trials"):
+            if getattr(self, name) < 1:
+                raise TaskError(f"--{name}: {getattr(self, name)}: should be at least 1")
+        if self.seed < 0:
+            raise TaskError(f"--seed: {self.seed}: should not be negative")
+        if self.is_ablation and self.kind != "slide":
+            raise TaskError(f"--ablation: {self.kind} has none (slide has)")
+        if self.disturb and self.kind != "fingertip":
+            raise TaskError(
+                f"--disturb: {self.kind} plans promise no stability (fingertip plans do)"
+            )
+
+    def queries(self) -> Iterator[Query]:
+        """One a problem."""
+        for k, task in enumerate(self._tasks()):
+            name = f"{k:03} {task.source.file.removeprefix('bench: ')}"
+            yield work.Query(name, task.to_dict(), self.trials, self.seed + k, self.disturb)
+
+    def _tasks(self) -> Iterator[Task]:
+        module = importlib.import_module(f".{self.kind}_tasks", __package__)
+        flags: dict[str, Any] = {"finger_model": "none"} if self.is_ablation else {}
+        yield from module.physics_tasks(self.runs, self.seed, **flags)
+
+
+@dataclass
+class Run:
+    """All that was measured until Ctrl-C, if that ended it."""
+
+    grid: Grid
+    rows: list[Row] = field(default_factory=list)
+    is_complete: bool = False
+
+    @property
+    def complaints(self) -> list[str]:
+        """Plans that fail their check, workers that died, and errors."""
+        found = [f"{row['name']}: {fault}" for row in self.rows for fault in row["faults"]]
+        died = [row for row in self.rows if row["status"] in LOST]
+        return found + [f"{row['name']}: {row['reason']}" for row in died]
+
+
+def run(
+    grid: Grid,
+    jobs: int = 1,
+    log: Path | None = None,
+    tell: Callable[[int, int], None] | None = None,
+    measure: Callable[[Query], Row] = work.measure,
+) -> Run:
+    """Measures a grid in processes of their own.
+
+    Parameters
+    ----------
+    grid : Grid
+    jobs : int
+        Processes.
+    log : Path, optional
+        Where rows are kept as they come; those that are there are not measured again.
+    tell : callable, optional
+        Called with the number of plans that are done, and of all.
+    measure : function
+        Makes a row.
+    """
+    result = Run(grid)
+    before = {} if log is None else manifest.read(log, "key")
+    try:
+        with pools.opened(jobs, None) as pool:
+            for row in _rows(grid, pool, before, log, measure):
+                result.rows.append(row)
+                if tell is not None:
+                    tell(len(result.rows), grid.runs)
+        result.is_complete = True
+    except KeyboardInterrupt:
+        pass
+    result.rows.sort(key=lambda row: row["name"])
+    return result
+
+
+def _rows(
+    grid: Grid,
+    pool: pools.Pool,
+    before: dict[str, Row],
+    log: Path | None,
+    measure: Callable[[Query], Row],
+) -> Iterator[Row]:
+    queries = list(grid.queries())
+    yield from (before[query.key] for query in queries if query.key in before)
+    left = [query for query in queries if query.key not in before]
+    if log is None:
+        yield from spread(measure, left, pool, _lost)
+        return
+    with manifest.opened(log) as kept:
+        for row in spread(measure, left, pool, _lost):
+            kept.add(row)
+            yield row
+
+
+def _lost(query: Query, told: str, seconds: float) -> Row:
+    first = told.strip().partition("\n")[0]
+    return work.unknown(query, "crashed", f"its process died after {seconds:.0f} s: {first}")

@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables of plans in the physics engine."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .claims import CLAIMS, DISTURBED, NOMINAL, VARIED, cases
+
+if TYPE_CHECKING:
+    from ..machine import Row
+    from ..tables import Column as Column
+
+    Table = tuple[list[Row], list[Column]]  # named rows, and the columns to show
+
+UNITS = {"m": (1e3, "mm"), "rad": (180 / np.pi, "deg")}  # as people read them
+LOST = ("crashed", "failed")  # an error, and nothing is known of the plan
+KNOWN = ("solved", *LOST)
+MEANING = "what it is"  # a column for pages, too wide for a terminal
+SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
+LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
+DISTURBANCES = {
+    "ratio": "smallest disturbance that breaks the motion / z",
+    "compliant_ratio": "the same / the compliant index",
+    "lost_ratio": "smallest that moves a corner 5 mm / z",
+    "smallest": "the disturbance itself [N]",
+    "z": "[N]",
+}
+
+
+def totals(rows: list[Row]) -> Row:
+    """Counts of a result."""
+    nominal, varied = list(cases(rows, NOMINAL)), list(cases(rows, VARIED))
+    seconds = [s for row in rows for s in row["seconds"]]
+    return {
+        "tasks": len(rows),
+        "planned": sum(row["status"] == "solved" for row in rows),
+        "not_planned": dict(Counter(r["status"] for r in rows if r["status"] not in KNOWN)),
+        "lost": sum(row["status"] in LOST for row in rows),
+        "failed_checks": sum(bool(row["faults"]) for row in rows),
+        "warned": sum(bool(row.get("warnings")) for row in rows),  # older files have none
+        "nominal": len(nominal),
+        "nominal_held": sum(not case["failures"] for case in nominal),
+        "varied": len(varied),
+        "varied_held": sum(not case["failures"] for case in varied),
+        "disturbed": sum(1 for _ in cases(rows, DISTURBED)),
+        "median_seconds": _quantile(seconds, 0.5),
+        "max_seconds": _quantile(seconds, 1.0),
+    }
+
+
+def claims(result: Row) -> Table:
+    """What is asked, and what came out."""
+    found = []
+    for claim in CLAIMS[result["part"]]:
+        answers = [claim.holds(case) for case in cases(result["rows"], claim.of)]
+        asked = [answer for answer in answers if answer is not None]
+        if asked:
+            row = {"name": claim.what, "of": claim.of, "held": sum(asked), "asked": len(asked)}
+            found.append(row | {"must": claim.must, "goal": claim.goal})
+    return found, CLAIM_COLUMNS
+
+
+def failures(result: Row) -> Table:
+    """Every kind of failure, counted; those that did not come up too. None: there was no trial."""
+    trials = {of: list(cases(result["rows"], of)) for of in (NOMINAL, VARIED)}
+    counts = {
+        of: Counter(f for case in seen for f in case["failures"]) for of, seen in trials.items()
+    }
+    rows = [
+        {
+            "name": name.replace("_", " "),
+            "means": means,
+            **{of: c[name] if trials[of] else None for of, c in counts.items()},
+        }
+        for name, means in result["failures"].items()
+    ]
+    return rows, FAILURE_COLUMNS
+
+
+def measures(result: Row) -> Table:
+    """Quantiles of each measure, nominal and varied."""
+    rows = []
+    for name, means in result["measures"].items():
+        factor, unit, means = _in_units(means)
+        row: Row = {"name": name.replace("_", " ") + unit, "means": means}
+        for of in (NOMINAL, VARIED):
+            values = [c[name] for c in cases(result["rows"], of) if c.get(name) is not None]
+            row[of] = {q: _quantile(values, f, factor) for q, f in SHOWN.items()}
+        rows.append(row)
+    return rows, MEASURE_COLUMNS
+
+
+def disturbances(result: Row) -> Table:
+    """Quantiles of what breaks the motion; what nothing broke is left out."""
+    rows = []
+    for name, means in DISTURBANCES.items():
+        values = [c[name] for c in cases(result["rows"], DISTURBED) if c.get(name) is not None]
+        rows.append({"name": means if name != "z" else f"z {means}", "count": len(values)})
+        rows[-1] |= {q: _quantile(values, fraction) for q, fraction in LOW.items()}
+    return rows, DISTURBANCE_COLUMNS
+
+
+def _quantile(values: list[Any], fraction: float, factor: float = 1.0) -> float | None:
+    """The least value that at least this fraction does not exceed."""
+    if not values:
+        return None
+    return factor * float(np.quantile(values, fraction, method="inverted_cdf"))
+
+
+def _in_units(means: str) -> tuple[float, str, str]:
+    """A factor, its unit, and the meaning without the unit that it ends in."""
+    found = re.fullmatch(r"(.*) \[(.*)\]", means)
+    if found is None:
+        return 1.0, "", means
+    factor, unit = UNITS.get(found[2], (1.0, found[2]))
+    return factor, f" [{unit}]", found[1]
+
+
+def _figure(value: float | None) -> str:
+    return "–" if value is None else f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+
+
+def _share(part: float, whole: float) -> str:
+    """Rounded down, so that a goal that is not met never looks met."""
+    return f"{np.floor(1000 * part / whole + 1e-9) / 10:g} %"
+
+
+def _asked(share: float | None) -> str:
+    return "–" if share is None else f"{100 * share:g} %"
+
+
+def _met(row: Row) -> str:
+    """What a share reaches of what was asked of it."""
+    asked = {"goal": row["goal"], "must": row["must"]}
+    reached = [name for name, share in asked.items() if share is not None]
+    kept = [name for name in reached if row["held"] >= asked[name] * row["asked"] - 1e-9]
+    return "–" if not reached else kept[0] if kept else "missed"
+
+
+def _of(of: str, quantile: str) -> Column:
+    return f"{of} {quantile}", lambda r: _figure(r[of][quantile])
+
+
+CLAIM_COLUMNS: list[Column] = [
+    ("", lambda r: r["of"]),
+    ("share", lambda r: _share(r["held"], r["asked"])),
+    ("count", lambda r: f"{r['held']}/{r['asked']}"),
+    ("must", lambda r: _asked(r["must"])),
+    ("goal", lambda r: _asked(r["goal"])),
+    ("met", _met),
+]
+FAILURE_COLUMNS: list[Column] = [
+    (NOMINAL, lambda r: _figure(r[NOMINAL])),
+    (VARIED, lambda r: _figure(r[VARIED])),
+    (MEANING, lambda r: r["means"]),
+]
+MEASURE_COLUMNS: list[Column] = [
+    *(_of(of, quantile) for of in (NOMINAL, VARIED) for quantile in SHOWN),
+    (MEANING, lambda r: r["means"]),
+]
+
+
+def _low(quantile: str) -> Column:
+    return quantile, lambda r: _figure(r[quantile])
+
+
+DISTURBANCE_COLUMNS: list[Column] = [
+    ("plans", lambda r: str(r["count"])),
+    *(_low(quantile) for quantile in LOW),
+]

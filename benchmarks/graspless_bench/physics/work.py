@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One plan in the physics engine, as a worker of the bench carries it out."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import time
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+from graspless.kinds import part
+from graspless.tasks.digest import digest
+
+if TYPE_CHECKING:
+    from graspless.plans import Plan
+    from graspless.simulation import Trial
+
+    from ..machine import Row
+
+DIGITS = 5  # of a figure in a row
+
+
+@dataclass(frozen=True)
+class Query:
+    """A task, and what is to be done with its plan.
+
+    Attributes
+    ----------
+    name : str
+        Of the task.
+    document : dict
+        The task, whole.
+    trials : int
+        Of the simulation: the first is nominal.
+    seed : int
+        Of the variations.
+    disturb : bool
+        Instead of trials: the smallest wrench that breaks the weakest row of a fingertip plan.
+    """
+
+    name: str
+    document: dict[str, Any]
+    trials: int
+    seed: int
+    disturb: bool = False
+
+    @property
+    def key(self) -> str:
+        """The same for queries that have the same answer."""
+        asked = asdict(self) | {"document": digest(self.document)}
+        return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
+
+
+def measure(query: Query) -> Row:
+    """Plans, checks, and executes a plan that holds; a row of the result."""
+    try:
+        return _measure(query)
+    except Exception as error:  # hours of other rows are worth more than this one
+        return unknown(query, "failed", f"{type(error).__name__}: {error}")
+
+
+def _measure(query: Query) -> Row:
+    from graspless import plans
+    from graspless.tasks import task_from_dict
+
+    plan: Any = plans.plan(task_from_dict(query.document, query.name))
+    faults = plans.check(plan) if plan else []
+    row = {
+        **unknown(query, plan.status, plan.reason),
+        "plan_seconds": _figure(plan.statistics.get("seconds", 0.0)),
+        "faults": faults[:3],
+        "warnings": list(plan.warnings),
+    }
+    if not plan or faults:
+        return row
+    return row | (_disturbed(plan) if query.disturb else _tried(plan, query))
+
+
+def unknown(query: Query, status: str, reason: str) -> Row:
+    """The row of a plan of which nothing is measured; lists have an entry a trial."""
+    return {
+        "name": query.name,
+        "key": query.key,
+        "status": status,
+        "reason": reason,
+        "seed": query.seed,
+        "plan_seconds": None,
+        "faults": [],
+        "warnings": [],
+        "failures": [],
+        "measures": {},
+        "seconds": [],
+        "disturbed": None,
+    }
+
+
+def _tried(plan: Plan, query: Query) -> Row:
+    from graspless import simulation
+
+    trials = simulation.simulate(plan, query.trials, query.seed).trials
+    names = simulation.simulation_kind(plan.kind).MEASURES
+    return {
+        "failures": [list(trial.failures) for trial in trials],
+        "measures": {name: [_measured(trial, name) for trial in trials] for name in names},
+        "seconds": [_figure(trial.seconds) for trial in trials],
+    }
+
+
+def _disturbed(plan: Plan) -> Row:
+    start = time.perf_counter()
+    found: dict[str, Any] = part("simulation", plan.kind).disturb(plan)
+    figures = {
+        name: _figure(value) if isinstance(value, float) else value for name, value in found.items()
+    }
+    return {"disturbed": figures, "seconds": [_figure(time.perf_counter() - start)]}
+
+
+def _measured(trial: Trial, name: str) -> float | None:
+    return _figure(trial.measures[name]) if name in trial.measures else None
+
+
+def _figure(value: float) -> float | None:
+    """Rounded; None for what JSON has no word for."""
+    return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The end of slide.md: parts of a query, and the circumstances of all runs."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+from ..tables import Column, markdown
+from .grid import OMPL_PEERS
+from .tables import PARTS, named
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from .tables import Results
+
+
+def parts(results: Results, directory: Path) -> dict[str, str] | None:
+    """Medians by Google Benchmark, where tools/results could run it."""
+    del results
+    path = directory / "parts.json"
+    if not path.exists():
+        return None
+    found = json.loads(path.read_text())
+    rows = [
+        {"name": what, "median": _duration(*found[name])}
+        for name, what in PARTS.items()
+        if name in found
+    ]
+    return {"table": markdown(rows, [("median", lambda row: row["median"])], "part")}
+
+
+def _duration(value: float, unit: str) -> str:
+    if unit == "ns" and value >= 1000:
+        value, unit = value / 1000, "us"
+    return f"{value:.3g} {unit}"
+
+
+def circumstances(results: Results, directory: Path) -> dict[str, str]:
+    """When, where and with what the results were measured, and what failed its check."""
+    del directory
+    ordered = [result for _, result in sorted(results.items())]
+    rows = [named(result, f"`{result['machine']['command']}`") for result in ordered]
+    shown: list[Column] = [
+        ("when", lambda r: r["machine"]["date"]),
+        ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
+        ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
+        ("query [MB]", lambda r: f"{r['peak_mb']:.0f}"),
+        ("process [MB]", lambda r: f"{r['process_peak_mb']:.0f}"),
+    ]
+    faults = [fault["method"] for result in ordered for fault in result["failed_checks"]]
+    ours = sum(method not in OMPL_PEERS for method in faults)
+    some = ordered[0]
+    return {
+        "machine": f"{some['machine']['cpu']}, {some['machine']['cores']} cores",
+        "table": markdown(rows, shown, "command"),
+        "versions": ", ".join(f"{name} {version}" for name, version in some["versions"].items()),
+        "failed": f"{ours} of ours, {len(faults) - ours} of OMPL's planners",
+    }

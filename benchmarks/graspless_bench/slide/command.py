@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `graspless bench slide`."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import FOUND, NOT_FOUND
+
+from ..arguments import check_writable, positive, say_partial
+
+if TYPE_CHECKING:
+    import argparse
+
+    from .grid import Trial
+
+# Runs (of a method, range or N*; in the paper grid of the frozen section), and time limit [s]: the
+# paper's numbers of runs; its limit was 60 s.
+DEFAULTS = {
+    "paper": (1000, 10.0),
+    "reconfiguration": (500, 10.0),
+    "baselines": (200, 1.0),
+    "roots": (100, 2.0),
+}
+
+
+def add_parser(experiments: Any) -> None:
+    """Adds `slide` to the experiments."""
+    parser = experiments.add_parser(
+        "slide",
+        help="Hang, Morgan and Dollar 2019",
+        description="Plans on a frozen grid of problems, checks every plan, and reports the time "
+        "taken. Times are wall clock around one call; a query that is not solved, or whose plan "
+        "fails its check, counts as infinite (null in JSON). Exit 1 when a plan of ours failed.",
+    )
+    parser.add_argument("--grid", choices=list(DEFAULTS), default="paper", help="(%(default)s)")
+    defaults = ", ".join(f"{grid} {runs}" for grid, (runs, _) in DEFAULTS.items())
+    parser.add_argument(
+        "--runs", type=positive(int), metavar="N", help=f"of each curve ({defaults})"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, metavar="S", help="of the poses (%(default)s)"
+    )
+    limits = ", ".join(f"{grid} {limit:g}" for grid, (_, limit) in DEFAULTS.items())
+    parser.add_argument(
+        "--time", type=positive(float), metavar="S", help=f"limit of each query [s] ({limits})"
+    )
+    parser.add_argument(
+        "--search",
+        choices=["fast", "paper"],
+        help="paper: Algorithm 1 as written (paper grid: fast; other grids: both)",
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results, pictures and slide.md there"
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from ..bar import Bar
+    from . import report, run, summary
+    from .grid import OMPL_PEERS
+
+    if options.out is not None:
+        check_writable(options.out)
+    runs, limit = DEFAULTS[options.grid]
+    runs, limit = options.runs or runs, options.time or limit
+    trials = _trials(options.grid, runs, options.seed, options.search)
+    load = os.getloadavg()
+    bar = Bar(f"bench slide, {options.grid}", len(trials))
+    result = run.run(trials, limit, lambda done, _: bar.tell(done, trials[done - 1].label))
+    bar.close()
+    table = summary.as_result(options.grid, result, options.seed, limit, load)
+    table["search"] = options.search or ("fast" if options.grid == "paper" else "both")
+    if options.out is not None and result.is_complete:
+        report.write(table, options.out)
+    if options.json:
+        print(json.dumps({key: value for key, value in table.items() if key != "curves"}))
+    else:
+        print(report.as_text(table))
+    if not result.is_complete:
+        return say_partial()
+    ours = [fault for fault in table["failed_checks"] if fault["method"] not in OMPL_PEERS]
+    return NOT_FOUND if ours else FOUND
+
+
+def _trials(grid: str, runs: int, seed: int, search: str | None) -> list[Trial]:
+    from . import grid as grids
+
+    if grid == "paper":
+        return list(grids.paper(runs, seed, search or "fast"))
+    if grid == "baselines":
+        return list(grids.baselines(runs, seed))
+    searches = [search] if search else ["fast", "paper"]
+    make = grids.reconfiguration if grid == "reconfiguration" else grids.roots
+    return list(make(runs, seed, searches))

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of the slide planner's experiments: at the terminal, as JSON, and as slide.md."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+from ..tables import aligned, compact
+from . import document
+from .tables import columns
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..machine import Row
+
+
+def write(result: Row, directory: Path) -> None:
+    """Writes slide_GRID.json and makes slide.md and its pictures anew from all such files there."""
+    directory.mkdir(parents=True, exist_ok=True)
+    name = result["grid"]
+    if name == "paper":
+        name += f"_{result['search']}"
+    text = json.dumps(result, indent=1)
+    (directory / f"slide_{name}.json").write_text(compact(text) + "\n")
+    document.write(directory)
+
+
+def as_text(result: Row) -> str:
+    """What the command prints."""
+    shown = columns(
+        *("runs", "median", "90 %", "99 %", "at 100 ms", "at 1 s", "solved", "failed checks")
+    )
+    blocks = []
+    for by in dict.fromkeys(row["by"] for row in result["rows"]):
+        if by != "cell":
+            blocks.append(aligned(by, [r for r in result["rows"] if r["by"] == by], shown))
+    machine = result["machine"]
+    query, process = result["peak_mb"], result["process_peak_mb"]
+    lines = [
+        "" if result["complete"] else "INTERRUPTED: these are partial results",
+        f"grid {result['grid']}, seed {result['seed']}, at most {result['time_limit_s']:g} s each;"
+        " times in ms, a dash is never",
+        *blocks,
+        f"memory: a query adds {query:.0f} MB at its peak, {process:.0f} MB with all of Python",
+        f"on {machine['cpu']}, load {machine['load_before'][0]} before, "
+        f"{machine['load_after'][0]} after",
+    ]
+    lines += [
+        f"FAILED CHECK: {f['start']} ({f['section']}), seed {f['seed']}: {f['first']}"
+        for f in result["failed_checks"]
+    ]
+    return "\n".join(line for line in lines if line)

@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables of results, for pages and for the terminal, and the JSON files behind them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from .machine import Row
+
+Column = tuple[str, "Callable[[Row], str]"]
+
+
+def compact(text: str) -> str:
+    """Lists of numbers on one line."""
+    lines: list[str] = []
+    for line in text.splitlines():
+        is_number = line.strip().rstrip(",").replace(".", "", 1).replace("e-", "").isdigit()
+        if lines and (is_number or (line.strip() in ("]", "],") and lines[-1][-1].isdigit())):
+            lines[-1] += line.strip()
+        else:
+            lines.append(line)
+    return "\n".join(lines)
+
+
+def milliseconds(value: float | None) -> str:
+    """Three figures; an infinite time is a dash."""
+    if value is None:
+        return "–"
+    return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def percent(count: int, runs: int) -> str:
+    if runs == 0:
+        return "–"
+    return f"{100 * count / runs:.1f} %".replace(".0 %", " %")
+
+
+def markdown(rows: Sequence[Row], shown: Sequence[Column], title: str = "") -> str:
+    """A table with the rows' names in front."""
+    head = f"| {title} | " + " | ".join(name for name, _ in shown) + " |"
+    line = "|---|" + "---:|" * len(shown)
+    body = [f"| {r['name']} | " + " | ".join(show(r) for _, show in shown) + " |" for r in rows]
+    return "\n".join([head, line, *body])
+
+
+def aligned(title: str, rows: Sequence[Row], shown: Sequence[Column]) -> str:
+    """A table for the terminal, with the rows' names in front."""
+    cells: list[list[Any]] = [[title, *(name for name, _ in shown)]]
+    cells += [[row["name"], *(show(row) for _, show in shown)] for row in rows]
+    widths = [max(len(line[i]) for line in cells) for i in range(len(cells[0]))]
+    return "\n" + "\n".join(
+        f"{line[0]:{widths[0]}}  "
+        + "  ".join(f"{cell:>{width}}" for cell, width in zip(line[1:], widths[1:], strict=True))
+        for line in cells
+    )

@@ -1,3 +1,0 @@
-# SPDX-FileCopyrightText: 2026 The graspless authors
-# SPDX-License-Identifier: BSD-3-Clause
-"""The papers' experiments, each in one command: `graspless bench slide`."""
