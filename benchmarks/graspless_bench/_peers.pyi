@@ -1,5 +1,5 @@
 """
-What the planners are measured against.
+Planners that ours are compared with.
 """
 from __future__ import annotations
 import enum
@@ -9,63 +9,21 @@ import graspless._core.slide
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Grasp', 'GraspRrtOptions', 'PairDraw', 'PairProblem', 'Peer', 'grasp_rrt', 'libraries']
-class GraspRrtOptions:
-    """
-    How the Grasp-RRT searches.
-    """
-    def __init__(self, *, max_step: typing.SupportsFloat | typing.SupportsIndex = 0.2, approach_probability: typing.SupportsFloat | typing.SupportsIndex = 0.1, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, min_quality: typing.SupportsFloat | typing.SupportsIndex = 0.003) -> None:
-        """
-        Any field by keyword.
-        """
-    def __repr__(self) -> str:
-        ...
-    @property
-    def approach_probability(self) -> float:
-        """
-        Share of the iterations that try to approach.
-        """
-    @approach_probability.setter
-    def approach_probability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def friction(self) -> float:
-        """
-        Of the contacts.
-        """
-    @friction.setter
-    def friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def max_step(self) -> float:
-        """
-        Of an extension, of any joint [rad].
-        """
-    @max_step.setter
-    def max_step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def min_quality(self) -> float:
-        """
-        Of a grasp that is good enough.
-        """
-    @min_quality.setter
-    def min_quality(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
+__all__: list[str] = ['Grasp', 'PairDraw', 'PairProblem', 'Peer', 'grasp_rrt', 'libraries']
 class Grasp:
     """
-    What the Grasp-RRT found. False unless it found a grasp.
+    Result of the Grasp-RRT. False unless it found a grasp.
     """
     def __bool__(self) -> bool:
         """
-        Whether it found one.
+        True if a grasp was found.
         """
     def __repr__(self) -> str:
         ...
     @property
     def approaches(self) -> int:
         """
-        Tried.
+        Number of approaches that were tried.
         """
     @property
     def contacts(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
@@ -75,27 +33,27 @@ class Grasp:
     @property
     def envelops(self) -> bool:
         """
-        Some finger curve is linked with a loop.
+        True if a finger curve is linked with a loop.
         """
     @property
     def grasps(self) -> int:
         """
-        Of these, closed on something.
+        Number of approaches that closed on the object.
         """
     @property
     def linking(self) -> list[int]:
         """
-        Of every closed finger curve, with the loop that it is most linked with.
+        Linking number of each closed finger curve with the loop that it is most linked with.
         """
     @property
     def nodes(self) -> int:
         """
-        Of the tree.
+        Number of nodes of the tree.
         """
     @property
     def q(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (dof,) the hand closed [rad or m].
+        (dof,) configuration with the hand closed [rad or m].
         """
     @property
     def quality(self) -> float:
@@ -109,7 +67,7 @@ class Grasp:
         """
 class Peer(enum.Enum):
     """
-    What the slide planner is measured against.
+    Planners that the slide planner is compared with.
     """
     atlas_rrt_connect = ...
     cbirrt = ...
@@ -120,7 +78,7 @@ class Peer(enum.Enum):
     tangent_bundle_rrt_connect = ...
 class PairDraw(enum.Enum):
     """
-    How a goal is found for a drawn start.
+    Ways to draw the goal for a start that was drawn.
     """
     fitting = ...
     independent = ...
@@ -130,13 +88,15 @@ class PairProblem:
     """
     def __init__(self, problem: graspless._core.slide.Problem, options: graspless._core.slide.Options, draw: PairDraw, seed: typing.SupportsInt | typing.SupportsIndex) -> None:
         """
-        Draws the pair; the same seed gives the same.
+        Draws the pair. The same seed gives the same pair.
         """
     def __repr__(self) -> str:
         ...
     def run(self, peer: Peer, budget: graspless._core.planning.Budget) -> tuple[graspless._core.slide.Plan, float]:
         """
-        (plan, seconds): what the peer found, with the pair's motions before and after, and how long the peer alone took [s].
+        Plans with a peer.
+        
+        Returns (plan, seconds): the peer's path with the pair's motions before and after, and the time that the peer alone took [s].
         """
     @property
     def goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -146,18 +106,18 @@ class PairProblem:
     @property
     def has_pair(self) -> bool:
         """
-        Whether a pair was found.
+        True if a pair was found.
         """
     @property
     def start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         (arm dof,) [rad].
         """
-def grasp_rrt(problem: graspless._core.clasp.Problem, options: GraspRrtOptions, budget: graspless._core.planning.Budget) -> Grasp:
+def grasp_rrt(problem: graspless._core.clasp.Problem, budget: graspless._core.planning.Budget) -> Grasp:
     """
-    A plain Grasp-RRT (Vahrenkamp, Asfour and Dillmann 2012): it knows contacts, and no loops.
+    Runs a plain Grasp-RRT (Vahrenkamp, Asfour and Dillmann 2012). It knows contacts, and no loops.
     """
 def libraries() -> dict[str, str]:
     """
-    What this was built with, by name.
+    Versions of the libraries and the compiler, by name.
     """
