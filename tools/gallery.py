@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import io
 import pathlib
+import re
 import runpy
 import sys
 import tempfile
@@ -16,9 +17,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 import graspless
-from graspless import frames, view
+from graspless import frames, report, view
 from graspless.view import raster
 from graspless.view.raster import Camera
 
@@ -34,21 +36,24 @@ COLORS = (200, 100, 50, 25)  # of a palette, as many as fit
 HEAD = """\
 # Gallery
 
-Every example of [examples/](../examples), planned with its own seed. `tools/gallery.py` draws this
-page.
+Every example in `examples/`, planned with its own seed. In Python, `graspless.plan("examples/01_slide_card.yaml")`
+gives the same plans. `tools/gallery.py` draws this page.
 """
 ENTRY = """
 ## {name}
 
-{about}
+{about}{script}
 
-    {shell}
-
-```python
-{python}
+```sh
+{shell}
 ```
-
+{shown}
 ![{name}](gallery/{name}.png)
+"""
+SHOWN = """
+```output
+{summary}
+```
 """
 
 
@@ -59,28 +64,40 @@ def names() -> list[str]:
 
 
 def entry(name: str) -> str:
-    """What the page says of an example: what it shows, and how it is run."""
+    """Returns the section of an example: its purpose, how to run it, and what its picture shows."""
     task, script = EXAMPLES / f"{name}.yaml", EXAMPLES / f"{name}.py"
+    summary = summary_of(name)
     if task.is_file():
         lines = task.read_text(encoding="utf-8").splitlines()
         about = next(line[2:] for line in lines if line.startswith("# ") and "SPDX" not in line)
-        shell = f"graspless plan examples/{task.name} --png plan.png --html plan.html"
-        python = f'plan = graspless.plan("examples/{task.name}")'
-        if script.is_file():
-            python += f"  # or, without a task file: examples/{script.name}"
+        shell = f"graspless plan examples/{task.name} -o plan.json"
+        also = f" Without a task file: `examples/{script.name}`." if script.is_file() else ""
     else:
         about = script.read_text(encoding="utf-8").split('"""')[1].splitlines()[0]
-        shell, python = SCRIPTS[name]
-    return ENTRY.format(name=name, about=about, shell=shell, python=python)
+        shell, also = SCRIPTS[name], ""
+    shown = SHOWN.format(summary=summary) if summary else ""
+    return ENTRY.format(name=name, about=about, script=also, shell=shell, shown=shown)
 
 
-def picture(name: str) -> Image.Image:
-    """The picture of an example."""
+def summary_of(name: str) -> str:
+    """Returns the summary of the plan that the picture shows: the picture keeps it as a text."""
+    with Image.open(DOCS / "gallery" / f"{name}.png") as picture:
+        return str(picture.info.get("Description", ""))
+
+
+def summary(plan: graspless.Plan) -> str:
+    """Returns the summary of a plan without the search's time and counters."""
+    lines = report.as_text(plan).splitlines()[:-1]
+    return "\n".join(re.sub(r"^(.*solved) in [^,]*,", r"\1 in ...,", line) for line in lines)
+
+
+def picture(name: str) -> tuple[Image.Image, str]:
+    """Draws an example; returns the picture and the summary of its plan."""
     if not (EXAMPLES / f"{name}.yaml").is_file():
-        return PICTURES[name](name)
+        return PICTURES[name](name), ""
     plan = graspless.plan(EXAMPLES / f"{name}.yaml")
     assert plan, f"{name}: {plan.reason}"
-    return _drawn(lambda path: view.write_png(plan, path))
+    return _drawn(lambda path: view.write_png(plan, path)), summary(plan)
 
 
 def _loops(name: str) -> Image.Image:
@@ -137,14 +154,16 @@ def to_image(rgba: Any) -> Image.Image:
     return Image.fromarray(np.round(255 * rgb).astype(np.uint8))
 
 
-def shrunk(drawn: Image.Image) -> bytes:
-    """The picture as a PNG that is not too large, with as many colours as fit."""
+def shrunk(drawn: Image.Image, text: str) -> bytes:
+    """Returns a PNG that is not too large, with as many colours as fit, and a text inside."""
+    notes = PngInfo()
+    notes.add_text("Description", text)
     height = round(drawn.height * WIDTH / drawn.width)
     small = drawn.resize((WIDTH, height), Image.Resampling.LANCZOS)
     for count in COLORS:
         written = io.BytesIO()
         palette = small.quantize(count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-        palette.save(written, "png", optimize=True)
+        palette.save(written, "png", optimize=True, pnginfo=notes)
         if written.tell() <= LARGEST:
             break
     return written.getvalue()
@@ -157,13 +176,9 @@ def write_page() -> None:
 
 PICTURES = {"18_shortest_loops": _loops, "22_many_tasks": _many}
 SCRIPTS = {
-    "18_shortest_loops": (
-        "graspless loops examples/05_point_cloud.ply --png loops.png",
-        "loops = graspless.geometry.shortest_loops(points)  # examples/18_shortest_loops.py",
-    ),
+    "18_shortest_loops": "python examples/18_shortest_loops.py loops.png",
     "22_many_tasks": (
-        "python examples/22_many_tasks.py tasks 1000 && graspless batch tasks -o plans --jobs 2",
-        'summary = graspless.batch("tasks", "plans", jobs=2)  # examples/22_many_tasks.py',
+        "python examples/22_many_tasks.py tasks 8\ngraspless batch tasks -o plans --jobs 2"
     ),
 }
 
@@ -172,7 +187,7 @@ def main(asked: list[str]) -> None:
     """Draws what is asked for, or all."""
     (DOCS / "gallery").mkdir(exist_ok=True)
     for name in asked or names():
-        data = shrunk(picture(name))
+        data = shrunk(*picture(name))
         (DOCS / "gallery" / f"{name}.png").write_bytes(data)
         print(f"{name}: {len(data) // 1000} kB", flush=True)
     write_page()
