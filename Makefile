@@ -1,5 +1,5 @@
 # Each target installs what it needs first: Debian packages (with sudo unless root), .venv and the build.
-.PHONY: demo test lint format stubs bench bench-install wheel asan clean
+.PHONY: demo test lint format docs stubs bench bench-install wheel asan clean
 
 demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.html
 	@tools/install view
@@ -18,6 +18,10 @@ lint:  ## what a commit must pass: ruff, mypy, clang-format, codespell
 format:
 	@tools/install lint
 	@tools/lint --fix
+
+docs:  ## the documentation site, in build/docs; a warning or a broken link is an error
+	@tools/install docs,all
+	@tools/docs
 
 stubs:  ## the *.pyi of both extensions
 	@tools/install test

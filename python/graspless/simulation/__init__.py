@@ -3,7 +3,7 @@
 """Plans in an independent physics engine: MuJoCo executes them and the object is the judge.
 
 The engine reads the robot by its own URDF reader, and makes the object of the task's shape and
-mass. No search, collision test or check() takes part; docs/architecture.md lists what is shared
+mass. No search, collision test or check() takes part; docs/internals/physics.md lists what is shared
 with the planners. `settings` has the parameters.
 """
 

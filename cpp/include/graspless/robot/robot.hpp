@@ -71,7 +71,7 @@ class GRASPLESS_API Robot {
   /// Joint indices of a group of the SRDF. Throws std::invalid_argument that lists the groups.
   const std::vector<int>& group(const std::string& name) const;
   std::vector<std::string> group_names() const;
-  /// The group's configuration of that name in the SRDF (<group_state>), as a whole q; joints it
+  /// The group's configuration of that name in the SRDF (group_state), as a whole q; joints it
   /// does not name are 0 clamped to their limits. States of one name and several groups are one.
   /// Throws std::invalid_argument that lists the states.
   const Eigen::VectorXd& state(const std::string& name) const;
