@@ -36,8 +36,9 @@ COLORS = (200, 100, 50, 25)  # of a palette, as many as fit
 HEAD = """\
 # Gallery
 
-Every example in `examples/`, planned with its own seed. In Python, `graspless.plan("examples/01_slide_card.yaml")`
-gives the same plans. `tools/gallery.py` draws this page.
+Every example in `examples/`, planned with its own seed.
+In Python, `graspless.plan("examples/01_slide_card.yaml")` gives the same plan.
+`tools/gallery.py` draws this page.
 """
 ENTRY = """
 ## {name}
