@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import importlib.util
+import importlib
 import json
 import os
 import sys
@@ -114,7 +114,9 @@ def _of(module: str) -> Callable[[argparse.ArgumentParser], None]:
 
 
 def _add_bench(parser: argparse.ArgumentParser) -> None:
-    if importlib.util.find_spec("graspless_bench") is None:
+    from importlib.util import find_spec
+
+    if find_spec("graspless_bench") is None:
         raise TaskError(
             "bench: the experiments are not part of the installed package; "
             "`make bench-install` in a checkout of the sources adds them"

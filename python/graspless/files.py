@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from pathlib import Path
 
 from .errors import TaskError
@@ -17,8 +16,9 @@ def check_writable(path: str | Path) -> None:
     _check_place(path)
     try:
         if not path.exists() or path.is_file():
-            with tempfile.TemporaryFile(dir=path.parent):
-                pass
+            handle, temporary = _make_temporary(path)
+            os.close(handle)
+            temporary.unlink()
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
@@ -37,6 +37,15 @@ def _check_place(path: Path) -> None:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
+def _make_temporary(path: Path) -> tuple[int, Path]:
+    """Makes a new file beside `path`, readable by its owner alone; returns its handle and path.
+
+    Without `tempfile`, whose import takes longer than the rest of writing a plan.
+    """
+    temporary = path.with_name(f".{path.name}.{os.urandom(4).hex()}")
+    return os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600), temporary
+
+
 def write(path: str | Path, content: str | bytes) -> None:
     """Writes a file at once, through a temporary one beside it; raises TaskError."""
     path = Path(path)
@@ -47,17 +56,17 @@ def write(path: str | Path, content: str | bytes) -> None:
             path.write_bytes(data)
             return
         path = path.resolve()  # through a link to the file, not in its place
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        handle, temporary = _make_temporary(path)
         try:
             with os.fdopen(handle, "wb") as file:
                 file.write(data)
             mask = os.umask(0)
             os.umask(mask)
             mode = path.stat().st_mode & 0o7777 if path.exists() else 0o666 & ~mask
-            Path(temporary).chmod(mode)
-            Path(temporary).replace(path)
+            temporary.chmod(mode)
+            temporary.replace(path)
         except BaseException:
-            Path(temporary).unlink(missing_ok=True)
+            temporary.unlink(missing_ok=True)
             raise
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None

@@ -98,6 +98,8 @@ class Task:
         seed: int | None = None,
     ) -> Task:
         """The same task, searched otherwise; what is None stays."""
+        if (search, seconds, iterations, seed) == (None, None, None, None):
+            return self
         document = self.to_dict()
         changes = {"seconds": seconds, "iterations": iterations, "seed": seed}
         budget = {key: value for key, value in changes.items() if value is not None}

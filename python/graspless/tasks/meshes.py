@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +15,8 @@ if TYPE_CHECKING:
 
 def checksum(path: Path) -> str:
     """sha256 of a file."""
+    import hashlib
+
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 

@@ -48,7 +48,7 @@ class Robot(Fields):
     xacro_args: dict[str, str | float | int | bool] = Field(
         default={}, description="arguments of a .xacro file"
     )
-    pose: Pose = Field(default=Pose(), description="of the root link in the world")
+    pose: Pose = Field(default=Pose.model_construct(), description="of the root link in the world")
     home: Home = Field(
         default="home",
         description="where the robot stands: a state of the SRDF, {joint: value} or all joints",

@@ -34,7 +34,8 @@ Scale3 = Annotated[Size3, BeforeValidator(_along_each_axis)]
 class Fields(BaseModel):
     """Base of all: unknown fields, text for numbers and NaN are refused."""
 
-    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+    # Validators of a file's parts are built with that of the file, and only of the kinds in use.
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
 
     def one_of(self, *names: str, needed: bool = True) -> None:
         """Raises unless exactly one of the fields is given (at most one where not `needed`)."""
@@ -121,7 +122,7 @@ class Obstacle(Fields):
     capsule: Rod | None = None
     cylinder: Rod | None = None
     mesh: MeshFile | None = None
-    pose: Pose = Field(default=Pose(), description="in the world")
+    pose: Pose = Field(default=Pose.model_construct(), description="in the world")
 
     @model_validator(mode="after")
     def _check(self) -> Obstacle:

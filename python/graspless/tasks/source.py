@@ -172,7 +172,8 @@ def parse_yaml(text: str, file: str) -> Source:
 def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
     import yaml
 
-    loader = yaml.SafeLoader(text)
+    # libyaml's parser where PyYAML has it: ten times as fast, with the same nodes and marks.
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)(text)
     loader.yaml_implicit_resolvers = {
         key: [rule for rule in rules if rule[0] != "tag:yaml.org,2002:timestamp"]
         for key, rules in yaml.SafeLoader.yaml_implicit_resolvers.items()

@@ -86,8 +86,8 @@ class CarryTask(Fields):
         default=[], description="obstacles that the object lies on and may be drawn over"
     )
     obstacles: Obstacles | None = None
-    options: Options = Options()
-    budget: Budget = Budget()
+    options: Options = Options.model_construct()
+    budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that the task reads"
     )

@@ -50,8 +50,8 @@ class ChainTask(Fields):
     stages: Annotated[list[dict[str, Any]], Field(min_length=1)] = Field(
         description="each {name, kind, fields of a task of that kind} or {name, file, fields}"
     )
-    options: Options = Options()
-    budget: Budget = Budget()
+    options: Options = Options.model_construct()
+    budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that a stage reads"
     )

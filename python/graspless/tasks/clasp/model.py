@@ -70,7 +70,7 @@ class Object(Fields):
     )
     noise: NotNegative = Field(default=0.0, description="added: a standard deviation [m]")
     seed: Seed = Field(default=1, description="of samples and noise")
-    pose: Pose = Field(default=Pose(), description="of O in the world")
+    pose: Pose = Field(default=Pose.model_construct(), description="of O in the world")
     mass: Positive | None = Field(default=None, description="in simulations [kg]")
     loops: LoopOptions = LoopOptions()
 
@@ -170,8 +170,8 @@ class ClaspTask(Fields):
     object: Object
     clasp: Clasp = Clasp()
     obstacles: Obstacles = []
-    options: Options = Options()
-    budget: Budget = Budget()
+    options: Options = Options.model_construct()
+    budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that the task reads"
     )

@@ -201,8 +201,8 @@ class FingertipTask(Fields):
     robot: Robot | None = Field(default=None, description="carries the fingertips")
     carrier: Carrier | None = None
     realize: Realize | None = None
-    options: Options = Options()
-    budget: Budget = Budget()
+    options: Options = Options.model_construct()
+    budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that the task reads"
     )

@@ -161,8 +161,8 @@ class SlideTask(Fields):
     object: Object
     support: Support
     obstacles: Obstacles = []
-    options: Options = Options()
-    budget: Budget = Budget()
+    options: Options = Options.model_construct()
+    budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="in plan files: sha256 of each mesh that the task reads"
     )
