@@ -29,3 +29,10 @@ endif()
 # OMPL_LIBRARIES drags in ODE and most of Boost; the planners need libompl alone.
 find_package(ompl REQUIRED)
 find_library(GRASPLESS_OMPL_LIBRARY ompl REQUIRED)
+
+# All of them, for the library and for the tests and benchmarks that link its objects.
+add_library(graspless_dependencies INTERFACE)
+target_include_directories(graspless_dependencies SYSTEM INTERFACE "${GRASPLESS_GLPK_INCLUDE_DIR}" "${OMPL_INCLUDE_DIR}")
+target_link_libraries(graspless_dependencies INTERFACE
+  Eigen3::Eigen ompl graspless_kdl urdfdom::urdfdom_model "${GRASPLESS_TINYXML_LIBRARY}" fcl CGAL::CGAL
+  "${GRASPLESS_GLPK_LIBRARY}" "${GRASPLESS_YAML_LIBRARY}" Threads::Threads)

@@ -10,10 +10,10 @@
 namespace graspless::carry {
 namespace {
 
-constexpr double kRowStep = 0.05;  // largest joint step between rows [rad]
+constexpr double kMaxJointStep = 0.05;  // largest joint step between rows [rad]
 
 Segment assemble(const Search& search, const std::vector<Eigen::VectorXd>& path) {
-  Segment segment{"carry", planning::subdivided(path, kRowStep), {}};
+  Segment segment{"carry", planning::subdivided(path, kMaxJointStep), {}};
   for (const Eigen::VectorXd& q : segment.positions)
     segment.object_poses.push_back(search.object_at(q));
   return segment;

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 constexpr double kMinWidth = 1e-9;  // [m]
 
-SurfaceTriangle make(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+SurfaceTriangle surface_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d middle = (a + b + c) / 3;
   const double radius = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
   return {a, b - a, c - a, middle, radius};
@@ -29,12 +29,12 @@ SurfaceTriangle with_width(const Vector3d& a, const Vector3d& b, const Vector3d&
     }
   }
   if (length < kMinWidth) {
-    return make(a, a + kMinWidth * Vector3d::UnitX(), a + kMinWidth * Vector3d::UnitY());
+    return surface_triangle(a, a + kMinWidth * Vector3d::UnitX(), a + kMinWidth * Vector3d::UnitY());
   }
-  if ((b - a).cross(c - a).norm() >= kMinWidth * length) return make(a, b, c);
+  if ((b - a).cross(c - a).norm() >= kMinWidth * length) return surface_triangle(a, b, c);
   // On one line: the ends of the longest side, and a corner beside its middle.
   const Vector3d &from = corners[first], &to = corners[(first + 1) % 3];
-  return make(from, to, (from + to) / 2 + kMinWidth * (to - from).unitOrthogonal());
+  return surface_triangle(from, to, (from + to) / 2 + kMinWidth * (to - from).unitOrthogonal());
 }
 
 }  // namespace

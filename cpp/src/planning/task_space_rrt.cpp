@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kStall = 12;  // control steps without progress that end a connection
 
-double uniform(std::mt19937_64& rng) { return std::uniform_real_distribution<double>(0, 1)(rng); }
+double unit_draw(std::mt19937_64& rng) { return std::uniform_real_distribution<double>(0, 1)(rng); }
 
 }  // namespace
 
@@ -34,7 +34,7 @@ ob::PlannerStatus TaskSpaceRRT::solve(const Termination& ptc) {
       if (is_given_up()) plant(ptc);
       ++num_cycles_;
       ++tree_->cycles;
-      if (uniform(rng_) < random_probability_) {  // 4
+      if (unit_draw(rng_) < random_probability_) {  // 4
         random_task_(rng_, x_rand_);              // 5
         ts_extend(x_rand_);                       // 6
         continue;

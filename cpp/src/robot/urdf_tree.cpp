@@ -59,7 +59,7 @@ void check_type(const TiXmlElement& joint) {
   check_limit(joint, type);
 }
 
-std::set<std::string> read_links(const TiXmlElement& robot) {
+std::set<std::string> declared_links(const TiXmlElement& robot) {
   std::set<std::string> links;
   for (auto* e = robot.FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
     const std::string name = attribute(*e, "name");
@@ -130,7 +130,7 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   }
   const TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::invalid_argument("URDF: there is no <robot> element");
-  const std::set<std::string> links = read_links(*robot);
+  const std::set<std::string> links = declared_links(*robot);
   const std::vector<Edge> edges = read_edges(*robot, links);
   UrdfTree tree;
   tree.root = find_root(*robot, links, edges);

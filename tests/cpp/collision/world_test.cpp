@@ -31,7 +31,7 @@ bool touch(World& world, const Isometry3d& X_WA, const Isometry3d& X_WB) {
 }
 
 // All of these reach 0.5 above and below their origin and are at least 0.2 wide.
-std::vector<std::pair<std::string, Shape>> all_kinds() {
+std::vector<std::pair<std::string, Shape>> named_kinds() {
   return {{"box", geometry::Box{{0.4, 0.6, 1}}},
           {"sphere", geometry::Sphere{0.5}},
           {"capsule", geometry::Capsule{0.2, 0.6}},
@@ -42,8 +42,8 @@ std::vector<std::pair<std::string, Shape>> all_kinds() {
 
 TEST(World, EveryOrderedPairOfKindsTouchesWhereItShould) {
   ::testing::internal::CaptureStderr();
-  for (const auto& [name_a, a] : all_kinds()) {
-    for (const auto& [name_b, b] : all_kinds()) {
+  for (const auto& [name_a, a] : named_kinds()) {
+    for (const auto& [name_b, b] : named_kinds()) {
       SCOPED_TRACE(name_a + " " + name_b);
       World world = two_bodies(a, b);
       const Isometry3d X_WA = translation(1, 2, 3);
@@ -61,8 +61,8 @@ TEST(World, EveryOrderedPairOfKindsTouchesWhereItShould) {
 TEST(World, IsSymmetricAndUnmovedByARigidMotion) {
   std::mt19937 rng(1);
   int touching = 0;
-  for (const auto& [name_a, a] : all_kinds()) {
-    for (const auto& [name_b, b] : all_kinds()) {
+  for (const auto& [name_a, a] : named_kinds()) {
+    for (const auto& [name_b, b] : named_kinds()) {
       SCOPED_TRACE(name_a + " " + name_b);
       World world = two_bodies(a, b), swapped = two_bodies(b, a);
       for (int i = 0; i < 60; ++i) {
@@ -81,7 +81,7 @@ TEST(World, IsSymmetricAndUnmovedByARigidMotion) {
 
 TEST(World, SeesASolidWhollyInside) {
   const Shape small = geometry::Sphere{0.01};
-  for (const auto& [name, shape] : all_kinds()) {
+  for (const auto& [name, shape] : named_kinds()) {
     World world = two_bodies(shape, small);
     EXPECT_EQ(world.collides(), name != "mesh") << name;
   }

@@ -15,7 +15,7 @@
 namespace graspless::fingertip {
 namespace {
 
-Options coarse() {
+Options five_a_side() {
   Options options;
   options.locations_per_side = 5;
   options.explain = false;
@@ -44,7 +44,7 @@ double stability_at(Problem problem, Plan plan, const Options& options, double e
 /// A search that looks at one coefficient alone.
 Plan planned_at(Problem problem, double environment) {
   problem.friction = {environment, environment};
-  return plan(problem, coarse());
+  return plan(problem, five_a_side());
 }
 
 TEST(FindFrictionFailure, NamesACoefficientAtWhichThePlanFails) {
@@ -52,7 +52,7 @@ TEST(FindFrictionFailure, NamesACoefficientAtWhichThePlanFails) {
   const Plan found = planned_at(problem, 0.5);
   ASSERT_TRUE(found);
   problem.friction = {0.5, 5};
-  const Options options = coarse();
+  const Options options = five_a_side();
   Instants instants(problem, options);
   const auto failure = find_friction_failure(problem, options, instants, found);
   ASSERT_TRUE(failure);
@@ -69,7 +69,7 @@ TEST(FindFrictionFailure, NothingWhereAPlanHolds) {
   const Plan found = planned_at(problem, 0.5);
   ASSERT_TRUE(found);
   problem.friction = {0.499, 0.501};
-  const Options options = coarse();
+  const Options options = five_a_side();
   Instants instants(problem, options);
   EXPECT_FALSE(find_friction_failure(problem, options, instants, found));
 }
@@ -77,7 +77,7 @@ TEST(FindFrictionFailure, NothingWhereAPlanHolds) {
 TEST(PlanOverFriction, LooksAtEachCoefficientThatAPlanFailsFor) {
   Problem problem = slide_case(10, 3);
   problem.friction = {0.5, 5};
-  const Options options = coarse();
+  const Options options = five_a_side();
   Instants instants(problem, options);
   int searches = 0;
   const Plan found = plan_over_friction(problem, options, instants, [&] {
@@ -95,12 +95,12 @@ TEST(PlanOverFriction, HoldsAtEveryCoefficient) {
   Problem problem = slide_case(10, 3);
   problem.friction = {0.4, 0.6};
   problem.fingers.friction = {0.6, 0.8};
-  const Plan found = plan(problem, coarse());
+  const Plan found = plan(problem, five_a_side());
   ASSERT_TRUE(found) << found.reason;
-  EXPECT_EQ(check(problem, found, coarse()), std::vector<std::string>());
+  EXPECT_EQ(check(problem, found, five_a_side()), std::vector<std::string>());
   for (const double environment : {0.4, 0.45, 0.5, 0.55, 0.6}) {
     for (const double fingers : {0.6, 0.8}) {
-      EXPECT_GE(stability_at(problem, found, coarse(), environment, fingers), 0.5 - 1e-6)
+      EXPECT_GE(stability_at(problem, found, five_a_side(), environment, fingers), 0.5 - 1e-6)
           << environment << ", " << fingers;
     }
   }
@@ -109,12 +109,12 @@ TEST(PlanOverFriction, HoldsAtEveryCoefficient) {
 TEST(PlanOverFriction, AnIntervalIsNoCheaperThanItsEnds) {
   Problem problem = slide_case(10, 3);
   problem.friction = {0.4, 0.6};
-  const Plan over = plan(problem, coarse());
+  const Plan over = plan(problem, five_a_side());
   ASSERT_TRUE(over) << over.reason;
   for (const double friction : {0.4, 0.6}) {
     Problem exact = problem;
     exact.friction = {friction, friction};
-    const Plan at_end = plan(exact, coarse());
+    const Plan at_end = plan(exact, five_a_side());
     ASSERT_TRUE(at_end);
     EXPECT_LE(at_end.cost, over.cost * (1 + 1e-9));
   }
@@ -122,24 +122,24 @@ TEST(PlanOverFriction, AnIntervalIsNoCheaperThanItsEnds) {
 
 TEST(PlanOverFriction, AnIntervalWithoutWidthIsExactFriction) {
   Problem problem = slide_case(10, 3);
-  const Plan exact = plan(problem, coarse());
+  const Plan exact = plan(problem, five_a_side());
   ASSERT_TRUE(exact);
-  EXPECT_EQ(check(problem, exact, coarse()), std::vector<std::string>());
+  EXPECT_EQ(check(problem, exact, five_a_side()), std::vector<std::string>());
 }
 
 TEST(PlanOverFriction, TumblesOverAnInterval) {
   Problem problem = tumble_case(false, 6);
   problem.friction = {0.45, 0.55};
   problem.fingers.friction = {0.65, 0.75};
-  const Plan found = plan(problem, coarse());
+  const Plan found = plan(problem, five_a_side());
   ASSERT_TRUE(found) << found.reason;
-  EXPECT_EQ(check(problem, found, coarse()), std::vector<std::string>());
+  EXPECT_EQ(check(problem, found, five_a_side()), std::vector<std::string>());
 }
 
 TEST(PlanOverFriction, NoPlanForAnInterval) {
   Problem problem = slide_case(5, 3);
   problem.friction = {0.05, 8};
-  const Plan found = plan(problem, coarse());
+  const Plan found = plan(problem, five_a_side());
   EXPECT_EQ(found.status, Status::unstable);
   EXPECT_FALSE(found.reason.empty());
   EXPECT_TRUE(found.segments.empty());

@@ -13,7 +13,7 @@ namespace graspless::geometry {
 namespace {
 
 /// A circle of radius 1 in n corners; every second one `zigzag` off its plane.
-Eigen::Matrix3Xd circle(int n, double zigzag = 0) {
+Eigen::Matrix3Xd zigzag_circle(int n, double zigzag = 0) {
   Eigen::Matrix3Xd loop(3, n);
   for (int i = 0; i < n; ++i) {
     const double a = 2 * M_PI * i / n;
@@ -37,7 +37,7 @@ TEST(ClaspTargets, OfASquareAreWhereTheyMustBe) {
 
 TEST(ClaspTargets, AreEquallyFarApart) {
   for (const int count : {1, 2, 3, 12, 40}) {
-    const auto targets = clasp_targets(circle(500), count);
+    const auto targets = clasp_targets(zigzag_circle(500), count);
     for (int i = 0; i < count; ++i) {
       const double a = 2 * M_PI * i / count;
       const auto& target = targets[static_cast<std::size_t>(i)];
@@ -48,7 +48,7 @@ TEST(ClaspTargets, AreEquallyFarApart) {
 }
 
 TEST(ClaspTargets, DoNotFollowTheZigzag) {
-  for (const auto& target : clasp_targets(circle(60, 0.05), 12)) {
+  for (const auto& target : clasp_targets(zigzag_circle(60, 0.05), 12)) {
     const Eigen::Vector3d p = target.point;
     EXPECT_GT(target.tangent.dot(Eigen::Vector3d(-p.y(), p.x(), 0).normalized()), 0.97);
     EXPECT_NEAR(target.tangent.norm(), 1, 1e-12);
@@ -65,9 +65,9 @@ TEST(ClaspTargets, AreFiniteOnALoopThatRunsBack) {
 }
 
 TEST(ClaspTargets, RefuseWhatHasNoLength) {
-  Eigen::Matrix3Xd nan = circle(5);
+  Eigen::Matrix3Xd nan = zigzag_circle(5);
   nan(0, 3) = std::numeric_limits<double>::quiet_NaN();
-  expect_refused([] { clasp_targets(circle(5), 0); }, "count must be positive, not 0");
+  expect_refused([] { clasp_targets(zigzag_circle(5), 0); }, "count must be positive, not 0");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd(3, 0), 4); }, "not 0 corners");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd::Ones(3, 4), 4); }, "0.000000 m");
   expect_refused([&] { clasp_targets(nan, 4); }, "point 3");

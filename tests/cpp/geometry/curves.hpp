@@ -10,6 +10,9 @@
 /// Curves that tests wind around one another.
 namespace graspless::geometry {
 
+inline const Eigen::Vector3d kX = Eigen::Vector3d::UnitX(), kY = Eigen::Vector3d::UnitY(),
+                             kZ = Eigen::Vector3d::UnitZ();
+
 /// Corners drawn from the normal distribution: a knot that nobody tied.
 inline Eigen::Matrix3Xd random_curve(int corners, std::mt19937_64& rng) {
   std::normal_distribution<double> normal;

@@ -18,8 +18,6 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-const Vector3d kX = Vector3d::UnitX(), kY = Vector3d::UnitY(), kZ = Vector3d::UnitZ();
-
 Vector3d corner(const Matrix3Xd& curve, int i) {
   return curve.col(i % static_cast<int>(curve.cols()));
 }

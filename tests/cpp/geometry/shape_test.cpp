@@ -15,7 +15,7 @@
 namespace graspless::geometry {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 std::string complaint_about(const Shape& shape) {
@@ -47,7 +47,7 @@ TEST(Validate, AcceptsWholeShapes) {
 TEST(Validate, NamesTheFieldAndTheValue) {
   EXPECT_EQ(complaint_about(Box{{1, 0, 3}}), "link2.size[1] must be in (0, 10000] m, not 0");
   EXPECT_EQ(complaint_about(Sphere{-1}), "link2.radius must be in (0, 10000] m, not -1");
-  EXPECT_EQ(complaint_about(Capsule{kNan, 1}), "link2.radius must be in (0, 10000] m, not nan");
+  EXPECT_EQ(complaint_about(Capsule{kNotANumber, 1}), "link2.radius must be in (0, 10000] m, not nan");
   EXPECT_EQ(complaint_about(Capsule{1, kInf}), "link2.length must be in (0, 10000] m, not inf");
 }
 
@@ -70,7 +70,7 @@ TEST(Validate, RefusesWrongIndices) {
   mesh.triangles(1, 2) = -1;
   EXPECT_NE(complaint_about(mesh), "");
   mesh = tetrahedron();
-  mesh.vertices(0, 0) = kNan;
+  mesh.vertices(0, 0) = kNotANumber;
   EXPECT_NE(complaint_about(mesh).find("vertices must be within 10000 m"), std::string::npos);
   mesh.triangles.resize(3, 0);
   EXPECT_EQ(complaint_about(mesh), "link2.triangles must not be empty");
@@ -199,7 +199,7 @@ TEST_F(ReadMesh, ScalesEachAxisAndKeepsOutwardOutward) {
   EXPECT_DOUBLE_EQ(mesh.vertices.row(2).minCoeff(), -0.5);
   EXPECT_NEAR(volume(mesh), 0.5, 1e-12);
   EXPECT_NE(complaint([&] { read_mesh(path, {1, 0, 1}); }).find("scale"), std::string::npos);
-  EXPECT_NE(complaint([&] { read_mesh(path, {1, kNan, 1}); }).find("scale"), std::string::npos);
+  EXPECT_NE(complaint([&] { read_mesh(path, {1, kNotANumber, 1}); }).find("scale"), std::string::npos);
 }
 
 TEST_F(ReadMesh, NamesThePathOfABadFile) {

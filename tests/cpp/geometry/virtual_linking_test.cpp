@@ -16,8 +16,6 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-const Vector3d kX = Vector3d::UnitX(), kY = Vector3d::UnitY(), kZ = Vector3d::UnitZ();
-
 TEST(VirtualLinking, IsEquationTwo) {
   const Matrix3Xd loop = circle(Vector3d::Zero(), kX, kY, 1, 20);
   const Matrix3Xd finger = circle(kX, kX, kZ, 0.5, 10);

@@ -16,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr FingerMode kPosition = FingerMode::position, kForce = FingerMode::force;
 
 TEST(Compliant, TwoPointsDoNotHoldATurnAboutTheirLine) {
   Equilibrium nominal;

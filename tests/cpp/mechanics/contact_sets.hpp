@@ -12,6 +12,8 @@
 
 namespace graspless::mechanics {
 
+constexpr FingerMode kPosition = FingerMode::position, kForce = FingerMode::force;
+
 /// The paper's cuboid, 5 x 10 x 5 and of mass 1, that slides along +x over a floor with a force or
 /// a pushing finger: on its top, a little ahead of the middle, and behind in the middle.
 inline ContactSet sliding_cuboid(double top_x = 5.0 / 7) {

@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr FingerMode kPosition = FingerMode::position, kForce = FingerMode::force;
 
 /// What is left of balance, in O about the centre of mass.
 Vector6d residual(const ContactSet& set, const Equilibrium& equilibrium) {

@@ -14,7 +14,6 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr FingerMode kPosition = FingerMode::position, kForce = FingerMode::force;
 
 ContactSet with_friction(ContactSet set, double environment, double fingers) {
   for (Contact& contact : set.contacts) contact.friction = environment;

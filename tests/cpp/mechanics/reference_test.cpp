@@ -14,7 +14,6 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr FingerMode kPosition = FingerMode::position, kForce = FingerMode::force;
 
 Stability reference(const ContactSet& set, const std::vector<FingerMode>& modes,
                     const Matrix6Xd& directions = disturbance_directions()) {

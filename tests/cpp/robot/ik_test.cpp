@@ -14,13 +14,13 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::VectorXd;
 
-Ik wam_ik(const Robot& robot, const std::string& frame = "left_fingertip") {
+Ik arm_ik(const Robot& robot, const std::string& frame = "left_fingertip") {
   return Ik(robot, robot.frame(frame), robot.group("arm"));
 }
 
 TEST(Ik, SolveAllSortsAndRepeats) {
   const Robot robot = wam();
-  const Ik ik = wam_ik(robot);
+  const Ik ik = arm_ik(robot);
   const VectorXd q = robot.state("home");
   const Isometry3d X_WF = robot.pose(robot.frame("left_fingertip"), q);
   std::mt19937_64 rng(5), same(5);
@@ -118,7 +118,7 @@ TEST(Ik, SolveNearFollowsSmallMotions) {
 
 TEST(Ik, SolveNearGivesUpOutOfReach) {
   const Robot robot = wam();
-  const Ik ik = wam_ik(robot);
+  const Ik ik = arm_ik(robot);
   Isometry3d X_WF = Isometry3d::Identity();
   X_WF.translation().x() = 3;
   EXPECT_FALSE(ik.solve_near(X_WF, robot.state("home")).has_value());
@@ -156,7 +156,7 @@ TEST(Ik, RefusesGroupsThatDoNotMoveTheFrame) {
   Ik::Options options;
   options.tolerance = 0;
   EXPECT_CONTAINS(complaint([&] { Ik(robot, flange, {0}, options); }), "tolerance");
-  const Ik ik = wam_ik(robot);
+  const Ik ik = arm_ik(robot);
   EXPECT_CONTAINS(complaint([&] { ik.solve_near(Isometry3d::Identity(), VectorXd::Zero(3)); }),
                   "8");
 }

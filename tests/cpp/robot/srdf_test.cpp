@@ -15,7 +15,7 @@ Robot with(const std::string& body) {
   return Robot::from_urdf_file(GRASPLESS_TEST_DATA_DIR "/oddity.urdf", options);
 }
 
-std::string refused(const std::string& body) {
+std::string refused_srdf(const std::string& body) {
   return complaint([&] { with(body); });
 }
 
@@ -49,26 +49,26 @@ TEST(Srdf, DisablesCollisions) {
 }
 
 TEST(Srdf, RefusesUnknownNames) {
-  EXPECT_CONTAINS(refused("<group name='g'><joint name='x'/></group>"),
+  EXPECT_CONTAINS(refused_srdf("<group name='g'><joint name='x'/></group>"),
                   "SRDF line 2: unknown joint 'x'; choose from joint10");
-  EXPECT_CONTAINS(refused("<group name='g'><link name='x'/></group>"), "unknown link 'x'");
-  EXPECT_CONTAINS(refused("<group name='g'><chain base_link='x' tip_link='tip'/></group>"),
+  EXPECT_CONTAINS(refused_srdf("<group name='g'><link name='x'/></group>"), "unknown link 'x'");
+  EXPECT_CONTAINS(refused_srdf("<group name='g'><chain base_link='x' tip_link='tip'/></group>"),
                   "link 'x'");
-  EXPECT_CONTAINS(refused("<group name='g'><chain base_link='tip' tip_link='root'/></group>"),
+  EXPECT_CONTAINS(refused_srdf("<group name='g'><chain base_link='tip' tip_link='root'/></group>"),
                   "'root' does not hang on 'tip'");
-  EXPECT_CONTAINS(refused("<group name='g'><group name='x'/></group>"), "unknown group 'x'");
+  EXPECT_CONTAINS(refused_srdf("<group name='g'><group name='x'/></group>"), "unknown group 'x'");
   EXPECT_CONTAINS(
-      refused("<group name='g'><group name='h'/></group><group name='h'><group name='g'/></group>"),
+      refused_srdf("<group name='g'><group name='h'/></group><group name='h'><group name='g'/></group>"),
       "contains itself");
-  EXPECT_CONTAINS(refused("<group_state name='s' group='x'/>"), "unknown group 'x'");
-  EXPECT_CONTAINS(refused("<disable_collisions link1='tip' link2='x'/>"), "unknown link 'x'");
-  EXPECT_CONTAINS(refused("<disable_collisions link1='tip'/>"), "no attribute 'link2'");
-  EXPECT_CONTAINS(refused("<group name='g'>"), "not XML");
+  EXPECT_CONTAINS(refused_srdf("<group_state name='s' group='x'/>"), "unknown group 'x'");
+  EXPECT_CONTAINS(refused_srdf("<disable_collisions link1='tip' link2='x'/>"), "unknown link 'x'");
+  EXPECT_CONTAINS(refused_srdf("<disable_collisions link1='tip'/>"), "no attribute 'link2'");
+  EXPECT_CONTAINS(refused_srdf("<group name='g'>"), "not XML");
 }
 
 TEST(Srdf, RefusesValuesThatCannotBe) {
   const auto state = [](const std::string& value) {
-    return refused(
+    return refused_srdf(
         "<group name='g'/><group_state name='s' group='g'><joint name='joint10' value='" + value +
         "'/></group_state>");
   };

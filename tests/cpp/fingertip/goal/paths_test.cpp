@@ -11,7 +11,7 @@
 namespace graspless::fingertip {
 namespace {
 
-Eigen::Isometry3d on_floor(double x, double y, double yaw, double height) {
+Eigen::Isometry3d upright(double x, double y, double yaw, double height) {
   Eigen::Isometry3d X(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
   X.translation() << x, y, height;
   return X;
@@ -55,10 +55,10 @@ void expect_legal(const Case& given, const Path& path) {
 }
 
 TEST(GoalPaths, EndAtTheGoalWhateverTheOrder) {
-  Case given(on_floor(0.1, 0.2, 0.3, 0.05));
+  Case given(upright(0.1, 0.2, 0.3, 0.05));
   const Eigen::Isometry3d on_its_side =
       Eigen::Isometry3d(Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitX()));
-  given.goal.X_WO_goal = on_floor(-0.1, 0.15, -1.1, 0.03) * on_its_side;
+  given.goal.X_WO_goal = upright(-0.1, 0.15, -1.1, 0.03) * on_its_side;
   for (const int tumbles : {1, 2, 3}) {
     const auto sequences = given.sequences(tumbles);
     EXPECT_FALSE(sequences.empty());
@@ -78,8 +78,8 @@ TEST(GoalPaths, EndAtTheGoalWhateverTheOrder) {
 }
 
 TEST(GoalPaths, WithoutTumblesASlideIsASlide) {
-  Case given(on_floor(0, 0, 0.4, 0.05));
-  given.goal.X_WO_goal = on_floor(0.1, 0, 0.4, 0.05);
+  Case given(upright(0, 0, 0.4, 0.05));
+  given.goal.X_WO_goal = upright(0.1, 0, 0.4, 0.05);
   given.goal.slide_step = 0.1 / 30;
   const auto paths =
       goal_paths(given.problem, given.goal, given.stances, given.start_face, TumbleSequence{});
@@ -92,8 +92,8 @@ TEST(GoalPaths, WithoutTumblesASlideIsASlide) {
 }
 
 TEST(GoalPaths, HalfATurnGoesBothWays) {
-  Case given(on_floor(0, 0, 0, 0.05));
-  given.goal.X_WO_goal = on_floor(0, 0, std::acos(-1.0), 0.05);
+  Case given(upright(0, 0, 0, 0.05));
+  given.goal.X_WO_goal = upright(0, 0, std::acos(-1.0), 0.05);
   const auto paths =
       goal_paths(given.problem, given.goal, given.stances, given.start_face, TumbleSequence{});
   ASSERT_EQ(paths.size(), 2U);
@@ -104,7 +104,7 @@ TEST(GoalPaths, HalfATurnGoesBothWays) {
 }
 
 TEST(GoalPaths, TumblingThereNeedsNoSlide) {
-  Case given(on_floor(0, 0, 0, 0.05));
+  Case given(upright(0, 0, 0, 0.05));
   const TumbleEdge& edge = given.stances[given.start_face].edges.front();
   given.goal.X_WO_goal = tumbled(given.goal.X_WO_start, edge);
   const auto sequences = given.sequences(1);
@@ -116,7 +116,7 @@ TEST(GoalPaths, TumblingThereNeedsNoSlide) {
 }
 
 TEST(GoalPaths, TumblesAloneRollAlongTheFloor) {
-  Case given(on_floor(0.1, 0.2, 0.3, 0.05));
+  Case given(upright(0.1, 0.2, 0.3, 0.05));
   given.goal.X_WO_goal = given.goal.X_WO_start;  // only the faces matter
   for (const TumbleSequence& sequence : given.sequences(3)) {
     const Path path = tumbles_alone(given.goal, sequence);

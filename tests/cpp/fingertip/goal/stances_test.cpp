@@ -10,7 +10,6 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 
 Object prism() {
   geometry::Mesh mesh;
@@ -50,7 +49,7 @@ TEST(Stances, BoxHasSixFacesOfFourEdges) {
   for (int i = 0; i < 6; ++i) {
     EXPECT_TRUE(stances[i].is_stable);
     ASSERT_EQ(stances[i].edges.size(), 4U);
-    for (const TumbleEdge& edge : stances[i].edges) EXPECT_NEAR(edge.angle, kPi / 2, 1e-12);
+    for (const TumbleEdge& edge : stances[i].edges) EXPECT_NEAR(edge.angle, std::acos(-1.0) / 2, 1e-12);
   }
 }
 

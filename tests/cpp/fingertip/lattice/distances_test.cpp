@@ -3,6 +3,7 @@
 #include "fingertip/lattice/distances.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 
 namespace graspless::fingertip {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(LatticeDistances, AreTheLeastOverNeighbours) {
   const Problem problem = lattice_problem();
@@ -21,13 +20,13 @@ TEST(LatticeDistances, AreTheLeastOverNeighbours) {
   LatticeSpace space(workshop, std::get<Lattice>(problem.motion));
   LatticeDistances distances(space, workshop.locations);
   for (int l = 0; l < workshop.locations.size(); ++l) {
-    const double* to_goal = distances.to_goal(l, kInfinity);
+    const double* to_goal = distances.to_goal(l, std::numeric_limits<double>::infinity());
     EXPECT_EQ(to_goal[space.goal()], 0);
     for (int pose = 0; pose < space.num_poses(); ++pose) {
       const double straight = (space.center_W(pose, l) - space.center_W(space.goal(), l)).norm();
       EXPECT_GE(to_goal[pose], straight * (1 - 1e-9));
       if (pose == space.goal()) continue;
-      double least = kInfinity;
+      double least = std::numeric_limits<double>::infinity();
       for (int move = 0; move < LatticeSpace::kMoves; ++move) {
         const int to = space.next(pose, move);
         if (to < 0) continue;
@@ -47,11 +46,11 @@ TEST(LatticeDistances, ALimitLeavesOutOnlyWhatCannotBeOnTheWay) {
   LatticeDistances all(space, workshop.locations), limited(space, workshop.locations);
   int left_out = 0;
   for (int l = 0; l < workshop.locations.size(); ++l) {
-    const double* exact = all.to_goal(l, kInfinity);
+    const double* exact = all.to_goal(l, std::numeric_limits<double>::infinity());
     const double limit = exact[space.start()] * 1.1;
     const double* some = limited.to_goal(l, limit);
     for (int pose = 0; pose < space.num_poses(); ++pose) {
-      if (some[pose] < kInfinity) {
+      if (some[pose] < std::numeric_limits<double>::infinity()) {
         EXPECT_NEAR(some[pose], exact[pose], 1e-12);
         continue;
       }
