@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What callers give, where it is not as it may be."""
+"""Validation of arguments."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .errors import TaskError
 
 
 def require_integer(name: str, value: Any, least: int) -> int:
-    """The value; raises TaskError unless it is a whole number, `least` or above."""
+    """Returns the value; raises TaskError unless it is a whole number of at least `least`."""
     try:
         number = operator.index(value)  # also numpy's
     except TypeError:
@@ -28,7 +28,7 @@ def require_integer(name: str, value: Any, least: int) -> int:
 
 
 def require_above_zero(name: str, value: Any) -> None:
-    """Raises TaskError unless the value is a number above 0; it may be infinite."""
+    """Raises TaskError unless the value is a number above 0, possibly infinite."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TaskError(f"{name}: {value!r}: should be a number")
     if not float(value) > 0:
@@ -36,7 +36,10 @@ def require_above_zero(name: str, value: Any) -> None:
 
 
 def require_path(name: str, value: Any, other: str) -> str | Path:
-    """The value; raises TaskError unless it is a path. It might have been `other` instead."""
+    """Returns the value; raises TaskError unless it is a path.
+
+    `other` describes what else the argument could be, for the error message.
+    """
     if isinstance(value, str):
         return value
     if isinstance(value, os.PathLike):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the commands of the command line share: exit codes, signals, files that may be stdin."""
+"""Shared by all commands: exit codes, signals, and reading files or stdin."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ if TYPE_CHECKING:
 FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE, TERMINATED = 0, 1, 2, 130, 141, 143
 
 EXIT_CODES = """exit codes:
-  0    found, and it holds
-  1    not found, or it does not hold
+  0    success: a plan was found, and it passes its check
+  1    no plan was found, or a plan fails its check
   2    bad input, or output that cannot be written
   130  interrupted
-  141  the reader of our output has gone
+  141  the reader of the output closed the pipe
   143  terminated (SIGTERM)"""
 
 
 @contextlib.contextmanager
 def terminable() -> Iterator[Callable[[int], int]]:
-    """SIGTERM ends the block as Ctrl-C does, so that worker processes and half files go too.
+    """Makes SIGTERM end the block as Ctrl-C does, so that workers and unfinished files go too.
 
-    Gives what makes the exit code of an interruption that of SIGTERM, if that it was.
+    Yields a function of an exit code: it turns INTERRUPTED into TERMINATED after a SIGTERM.
     """
     came = False
 
     def end(*_: Any) -> None:
         nonlocal came
         came = True
-        # `timeout` sends it twice; the second would stop the tidying up.
+        # `timeout` sends it twice; the second would stop the clean-up.
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
         raise KeyboardInterrupt
 
@@ -58,23 +58,30 @@ def terminable() -> Iterator[Callable[[int], int]]:
 
 
 def given_plan(path: str) -> Plan:
-    """The plan in a file; - for stdin."""
+    """Returns the plan in a file; - stands for stdin."""
     from . import plans
 
     return plans.load_plan(path) if path != "-" else plans.read_plan(read_stdin(), "stdin")
 
 
 def add_unchecked(parser: argparse.ArgumentParser) -> None:
-    """The flag of commands whose plan is to hold."""
+    """Adds the flag --unchecked, for commands that check their plan first."""
     parser.add_argument(
-        "--unchecked", action="store_true", help="go on with a plan that graspless check refuses"
+        "--unchecked",
+        action="store_true",
+        help="do not check the plan first: accept one that graspless check refuses",
     )
 
 
 def checked_plan(options: argparse.Namespace) -> Plan:
-    """The plan in a file, which may have been edited; raises TaskError unless it holds.
+    """Returns the plan in a file, which may have been edited since it was written.
 
-    With --unchecked it need not. One without a solution is left to who is given it.
+    A plan without a solution is returned as it is; the caller reports it.
+
+    Raises
+    ------
+    TaskError
+        The plan fails its check, and --unchecked was not given.
     """
     from . import plans, progress
 
@@ -91,7 +98,7 @@ def checked_plan(options: argparse.Namespace) -> Plan:
 
 
 def read_stdin() -> str:
-    """All of stdin; raises TaskError unless it is text."""
+    """Returns all of stdin; raises TaskError unless it is text."""
     try:
         return sys.stdin.buffer.read().decode("utf-8")
     except (OSError, AttributeError):  # closed

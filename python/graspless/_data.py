@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the robots and examples that come with graspless are."""
+"""Locations of the robots and examples that come with graspless."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def directory(name: str) -> Path:
-    """`urdf` or `examples`: in the installed package, or at the root of a checkout."""
+    """Returns the folder `urdf` or `examples`, of the installed package or of a checkout."""
     package = Path(__file__).resolve().parent
     installed = package / name
     return installed if installed.is_dir() else package.parents[1] / name
@@ -20,7 +20,7 @@ def robots() -> list[str]:
 
 
 def robot(name: str) -> Path | None:
-    """The URDF or xacro file of a built-in robot."""
+    """Returns the URDF or xacro file of a built-in robot, or None if there is no such robot."""
     for suffix in (".urdf", ".urdf.xacro"):
         path = directory("urdf") / f"{name}{suffix}"
         if path.is_file():

@@ -22,30 +22,50 @@ MESHES = (".stl", ".obj", ".off")
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `loops`."""
     parser.description = (
-        "Tells the shortest loops around the holes of what a cloud was taken from. "
-        "Exit 1 when the cloud shows no reliable hole."
-    )
-    parser.add_argument("file", metavar="CLOUD", help=".ply, .pcd, .xyz; .stl, .obj, .off: sampled")
-    parser.add_argument(
-        "--unit", choices=["m", "mm"], default="m", help="of the file (%(default)s)"
+        "Find the holes of an object from a point cloud or mesh of its surface, and the shortest "
+        "loop around each. The exit code is 1 if no hole is reliable."
     )
     parser.add_argument(
-        "--points", type=int, default=2000, metavar="N", help="sampled of a mesh (%(default)s)"
+        "file", metavar="CLOUD", help="point cloud (.ply, .pcd, .xyz) or mesh (.stl, .obj, .off)"
     )
     parser.add_argument(
-        "--seed", type=int, default=1, metavar="N", help="of these points (%(default)s)"
+        "--unit",
+        choices=["m", "mm"],
+        default="m",
+        help="unit of length of the file (default: %(default)s)",
     )
     parser.add_argument(
-        "--edge", type=float, metavar="D", help="longest edge of the complex [m]; default: derived"
+        "--points",
+        type=int,
+        default=2000,
+        metavar="N",
+        help="number of points to sample on a mesh (default: %(default)s)",
     )
     parser.add_argument(
-        "--lowest", action="store_true", help="take the lowest plateau, not the widest"
+        "--seed",
+        type=int,
+        default=1,
+        metavar="N",
+        help="seed of the sampling (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--edge",
+        type=float,
+        metavar="D",
+        help="longest edge of the simplicial complex [m] (default: derived from the cloud)",
+    )
+    parser.add_argument(
+        "--lowest",
+        action="store_true",
+        help="use the lowest plateau of the Betti curve, not the widest",
     )
     parser.add_argument(
         "--polish", action="store_true", help="shorten the loops of a large cloud on all its points"
     )
-    parser.add_argument("--json", action="store_true", help="print loops and Betti curve as JSON")
-    parser.add_argument("--png", metavar="FILE", help="write a picture")
+    parser.add_argument(
+        "--json", action="store_true", help="print the loops and the Betti curve as JSON"
+    )
+    parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
     parser.set_defaults(run=_run)
 
 
@@ -76,16 +96,16 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
-    """The points of a cloud, or `count` on the surface of a mesh.
+    """Returns the points of a cloud, or samples points on the surface of a mesh.
 
     Parameters
     ----------
     path : str
-        A cloud (.ply, .pcd, .xyz) or a mesh (.stl, .obj, .off).
+        Cloud (.ply, .pcd, .xyz) or mesh (.stl, .obj, .off).
     unit : str
-        m or mm, of the file.
+        Unit of length of the file: m or mm.
     count, seed : int
-        Of the points of a mesh.
+        Number of points on a mesh, and seed of their sampling.
 
     Returns
     -------

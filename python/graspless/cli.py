@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: one parser of all commands, and what plan, check, view and example do."""
+"""The command line: the parser, and the commands plan, check, view and example."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def _run(arguments: Sequence[str] | None) -> int:
 
 
 def _drop_stdout() -> None:
-    """What is still buffered goes nowhere, or Python would try again when it ends."""
+    """Discards buffered output, which Python would otherwise try to write again as it ends."""
     with contextlib.suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
@@ -97,7 +97,10 @@ def make_parser(command: str) -> argparse.ArgumentParser:
         that their modules need not be imported.
     """
     parser = argparse.ArgumentParser(
-        prog="graspless", description="Plans manipulation of things that cannot simply be grasped."
+        prog="graspless",
+        description="Plan how a robot moves objects that it cannot simply grasp: slide them over "
+        "an edge, push and tumble them with fingertips, or clasp them through a hole.",
+        epilog="graspless COMMAND --help describes a command. Start with: graspless example",
     )
     parser.add_argument("--version", action="version", version=f"graspless {__version__}")
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
@@ -109,7 +112,7 @@ def make_parser(command: str) -> argparse.ArgumentParser:
 
 
 def _of(module: str) -> Callable[[argparse.ArgumentParser], None]:
-    """Returns what adds the arguments of a command that has a module of its own."""
+    """Returns a function that adds the arguments of a command with its own module."""
     return lambda parser: importlib.import_module(module, __package__).add_arguments(parser)
 
 
@@ -126,69 +129,94 @@ def _add_bench(parser: argparse.ArgumentParser) -> None:
 
 def _add_plan(parser: argparse.ArgumentParser) -> None:
     parser.description = (
-        "Plans a task, checks the plan and writes it, whether one was found or not."
+        "Plan a task, check the plan and write it. A plan file is written in any case;\n"
+        "if no plan was found, it says why."
     )
     parser.epilog = (
         f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
     )
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.add_argument("task", metavar="TASK.yaml", help="see docs/task-files.md; - for stdin")
+    parser.add_argument(
+        "task", metavar="TASK.yaml", help="task file (docs/task-files.md); - for stdin"
+    )
     parser.add_argument(
         "-o",
         "--output",
         metavar="FILE",
         default="plan.json",
-        help="(%(default)s); - for stdout, with the summary on stderr",
+        help="plan file to write (default: %(default)s); - for stdout, with the summary on stderr",
     )
-    parser.add_argument("--seed", type=int, metavar="N", help="of all randomness")
-    parser.add_argument("--time", type=float, metavar="S", help="stop after this long [s]")
-    parser.add_argument("--iterations", type=int, metavar="N", help="stop after so many rounds")
+    parser.add_argument(
+        "--seed", type=int, metavar="N", help="seed of the random numbers; instead of the task's"
+    )
+    parser.add_argument(
+        "--time", type=float, metavar="S", help="time limit [s]; instead of the task's"
+    )
+    parser.add_argument(
+        "--iterations",
+        type=int,
+        metavar="N",
+        help="maximum number of iterations of the search; instead of the task's",
+    )
     parser.add_argument(
         "--search",
         choices=["dijkstra", "paper", "fast"],
-        help="dijkstra (fingertip tasks), as published, or the faster one, the default; "
-        "clasp tasks have one search",
+        help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
+        "(fingertip tasks only); clasp tasks have a single algorithm",
     )
-    parser.add_argument("--json", action="store_true", help="print the statistics as JSON")
+    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     _add_pictures(parser)
     parser.set_defaults(run=_plan)
 
 
 def _add_check(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
-    parser.add_argument("--json", action="store_true", help="print what does not hold as JSON")
+    parser.description = (
+        "Replay a plan against its own task, with none of the code of the search. The exit code "
+        "is 1 if the plan fails its check."
+    )
+    parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.set_defaults(run=_check)
 
 
 def _add_view(parser: argparse.ArgumentParser) -> None:
     parser.description = (
-        "Without --png and --html: serves a viewer with a time slider until Ctrl-C."
+        "Draw a plan. Without --png and --html, a viewer with a time slider is served until Ctrl-C."
     )
-    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
+    parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
     _add_pictures(parser)
-    parser.add_argument("--port", type=int, default=8080, help="of the viewer (%(default)s)")
+    parser.add_argument(
+        "--port", type=int, default=8080, help="port of the viewer (default: %(default)s)"
+    )
     parser.set_defaults(run=_view)
 
 
 def _add_example(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("name", metavar="NAME", nargs="?", help="default: the first")
-    parser.add_argument("--list", action="store_true", help="name the examples")
-    parser.add_argument("-o", "--output", metavar="DIR", help="default: graspless_NAME")
+    parser.description = "Plan, check and draw an example, into a folder of its own."
+    parser.add_argument(
+        "name", metavar="NAME", nargs="?", help="example to run (default: the first)"
+    )
+    parser.add_argument("--list", action="store_true", help="list the examples")
+    parser.add_argument(
+        "-o", "--output", metavar="DIR", help="folder to write to (default: graspless_NAME)"
+    )
     parser.set_defaults(run=_example)
 
 
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--png", metavar="FILE", help="write a picture")
-    parser.add_argument("--html", metavar="FILE", help="write a replay: one file, any browser")
+    parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
+    parser.add_argument(
+        "--html", metavar="FILE", help="write a replay to FILE: a single page for any browser"
+    )
 
 
 _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
-    "plan": ("plan a task, and write the plan", _add_plan),
-    "check": ("replay a plan against its own task", _add_check),
-    "view": ("draw a plan", _add_view),
-    "simulate": ("execute a plan in a physics engine", _of(".simulation.cli")),
-    "export": ("time a plan and write it for other programs", _of(".exports.cli")),
-    "batch": ("plan many tasks", _of(".batches.cli")),
+    "plan": ("plan a task and write the plan", _add_plan),
+    "check": ("check a plan by replaying it", _add_check),
+    "view": ("view a plan, or draw it to a file", _add_view),
+    "simulate": ("execute a plan in the MuJoCo physics engine", _of(".simulation.cli")),
+    "export": ("export a timed plan for ROS, MuJoCo and others", _of(".exports.cli")),
+    "batch": ("plan many tasks in parallel", _of(".batches.cli")),
     "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),
@@ -228,13 +256,16 @@ def _plan(options: argparse.Namespace) -> int:
 
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
-    """The task with what the command line says instead; its faults name the flags."""
+    """Returns the task with the values of the command line; errors name the flags."""
     from .tasks import searches
 
     flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
     if options.search is not None and options.search not in (choices := searches(task.kind)):
-        shown = ", ".join(choices) or "it has one alone"
-        raise TaskError(f"--search: {options.search}: no such search of {task.kind} ({shown})")
+        shown = ", ".join(choices) or "none, there is a single one"
+        raise TaskError(
+            f"--search: {options.search}: not a search algorithm of {task.kind} tasks "
+            f"(choices: {shown})"
+        )
     try:
         return task.with_changes(search=options.search, **flags)
     except TaskError as error:
@@ -269,7 +300,7 @@ def _view(options: argparse.Namespace) -> int:
 
 
 def _check_pictures(options: argparse.Namespace) -> None:
-    """Raises TaskError before work whose pictures could not be written."""
+    """Raises TaskError, before any planning, if a picture could not be written."""
     from . import files, view
 
     if options.png is not None:
@@ -280,7 +311,7 @@ def _check_pictures(options: argparse.Namespace) -> None:
 
 
 def _draw(plan: Plan, options: argparse.Namespace) -> list[str]:
-    """Writes the pictures that are asked for; returns their names."""
+    """Writes the requested pictures; returns their paths."""
     from . import progress, view
 
     asked = ((options.png, view.write_png), (options.html, view.write_html))

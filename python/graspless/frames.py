@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Poses as the files write them: 4 x 4 matrices from angles and quaternions, and back."""
+"""Conversions of poses: 4 x 4 matrices, angles, quaternions, and rows of plan files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def translation(p_AB: ArrayLike) -> Matrix:
-    """X_AB without rotation.
+    """Returns X_AB without rotation.
 
     Parameters
     ----------
@@ -31,12 +31,12 @@ def translation(p_AB: ArrayLike) -> Matrix:
 
 
 def planar(x: float, y: float, yaw: float) -> Matrix:
-    """A pose in the plane z = 0 [m, m, rad]."""
+    """Returns the 4 x 4 pose at x, y and yaw in the plane z = 0 [m, m, rad]."""
     return translation([x, y, 0.0]) @ from_rpy([0.0, 0.0, yaw])
 
 
 def from_rpy(rpy: Sequence[float]) -> Matrix:
-    """Rz(yaw) Ry(pitch) Rx(roll), as URDF does [rad]."""
+    """Returns the 4 x 4 rotation Rz(yaw) Ry(pitch) Rx(roll), as in URDF [rad]."""
     (cr, cp, cy), (sr, sp, sy) = map(math.cos, rpy), map(math.sin, rpy)
     X_AB = np.eye(4)
     X_AB[:3, :3] = [
@@ -48,7 +48,7 @@ def from_rpy(rpy: Sequence[float]) -> Matrix:
 
 
 def from_quaternion(wxyz: ArrayLike) -> Matrix:
-    """A rotation from a quaternion (w, x, y, z), normalised first."""
+    """Returns the 4 x 4 rotation of a quaternion (w, x, y, z), which is normalised first."""
     w, x, y, z = np.asarray(wxyz, dtype=float) / np.linalg.norm(wxyz)
     X_AB = np.eye(4)
     X_AB[:3, :3] = [
@@ -60,7 +60,7 @@ def from_quaternion(wxyz: ArrayLike) -> Matrix:
 
 
 def to_quaternion(X_AB: ArrayLike) -> Matrix:
-    """The unit quaternion (w, x, y, z), w >= 0, of a pose's rotation."""
+    """Returns the unit quaternion (w, x, y, z), w >= 0, of the rotation of a pose [4, 4]."""
     R = np.asarray(X_AB, dtype=float)[:3, :3]
     # Bar-Itzhack: the eigenvector of the largest eigenvalue, good for every angle.
     K = np.empty((4, 4))
@@ -72,18 +72,18 @@ def to_quaternion(X_AB: ArrayLike) -> Matrix:
 
 
 def to_row(X_AB: ArrayLike) -> list[float]:
-    """A pose as plan files write it: x y z [m], qw qx qy qz."""
+    """Returns the row of a pose [4, 4] in plan files: x y z [m], qw qx qy qz."""
     X = np.asarray(X_AB, dtype=float)
     return [*X[:3, 3].tolist(), *to_quaternion(X).tolist()]
 
 
 def from_row(row: Sequence[float]) -> Matrix:
-    """The 4 x 4 pose of `to_row`'s seven numbers."""
+    """Returns the 4 x 4 pose of a row of `to_row`."""
     return translation(row[:3]) @ from_quaternion(row[3:])
 
 
 def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
-    """The pose a part t of the way from X_A to X_B: 0 to 1, positions along a line."""
+    """Interpolates between two poses [4, 4]: X_A at t = 0, X_B at t = 1, positions linearly."""
     a, b = to_quaternion(X_A), to_quaternion(X_B)
     b = -b if a @ b < 0 else b
     p = (1 - t) * X_A[:3, 3] + t * X_B[:3, 3]
@@ -91,14 +91,14 @@ def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
 
 
 def along(poses: Matrix, rows: Matrix) -> Matrix:
-    """[M, 4, 4] at `rows` [M] of poses [N, 4, 4]: 2.25 is a quarter of the way from 2 to 3."""
+    """Interpolates poses [N, 4, 4] at fractional `rows` [M], such as 2.25; returns [M, 4, 4]."""
     before = np.floor(rows).astype(int).clip(0, len(poses) - 1)
     after = np.minimum(before + 1, len(poses) - 1)
     return mixed(places(poses), before, after, np.clip(rows - before, 0.0, 1.0))
 
 
 def places(poses: Matrix) -> tuple[Matrix, Matrix]:
-    """[N, 3] positions and [N, 4] unit quaternions of poses [N, 4, 4]."""
+    """Returns positions [N, 3] and unit quaternions [N, 4] of poses [N, 4, 4]."""
     same = (poses[1:] == poses[:-1]).all(axis=(1, 2))  # an object mostly stands still
     new = np.concatenate([[True], ~same]) if len(poses) else np.zeros(0, dtype=bool)
     quaternions = np.array([to_quaternion(X) for X in poses[new]]).reshape(-1, 4)
@@ -108,7 +108,10 @@ def places(poses: Matrix) -> tuple[Matrix, Matrix]:
 def mixed(
     given: tuple[Matrix, Matrix], before: NDArray[np.int64], after: NDArray[np.int64], t: Matrix
 ) -> Matrix:
-    """[M, 4, 4] as `between`, a part t [M] of the way from places before [M] to after [M]."""
+    """Interpolates as `between` does, at parameters t [M] from index before [M] to after [M].
+
+    `given` are positions and quaternions of `places`; returns poses [M, 4, 4].
+    """
     points, quaternions = given
     a, b = quaternions[before], quaternions[after]
     b = np.where(np.einsum("ij,ij->i", a, b)[:, None] < 0, -b, b)

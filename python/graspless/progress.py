@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sign of life on long work: on stderr, only at a terminal."""
+"""Progress messages of long work, on stderr and only at a terminal."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @contextlib.contextmanager
 def waiting(what: str, patience: float = 0.5) -> Iterator[None]:
-    """Says what is done and for how long, once it has taken `patience` [s]."""
+    """Shows what is being done and for how long, once it has taken `patience` [s]."""
     if not sys.stderr.isatty():
         yield
         return

@@ -276,7 +276,9 @@ def test_interrupted_and_resumed(tasks, tmp_path):
     assert process.returncode == 130, err
     assert time.monotonic() - start < 10
     # a worker that was just being started may have said something before
-    assert err.splitlines()[-1].startswith("interrupted; this goes on: graspless batch ")
+    assert err.splitlines()[-1].startswith(
+        "interrupted; this command resumes the batch: graspless batch "
+    )
     before = rows_of(output)
     assert 5 <= len(before) < 80
     assert f"{len(before)} of 80 tasks done" in out
@@ -310,7 +312,9 @@ def test_sigterm_leaves_no_worker_behind(tasks, tmp_path):
     _, err = process.communicate(timeout=30)
     assert process.returncode == 143, err
     # a worker that was just being started may have said something before
-    assert err.splitlines()[-1].startswith("interrupted; this goes on: graspless batch ")
+    assert err.splitlines()[-1].startswith(
+        "interrupted; this command resumes the batch: graspless batch "
+    )
     deadline = time.monotonic() + 5
     while left := _session(process.pid):
         assert time.monotonic() < deadline, left

@@ -329,7 +329,7 @@ def test_results_were_made_by_this_code(part):
     ("grid", "message"),
     [
         (physics.Grid("clasp", 1, is_ablation=True), "--ablation: clasp has none"),
-        (physics.Grid("slide", 1, disturb=True), "--disturb: slide plans promise no stability"),
+        (physics.Grid("slide", 1, disturb=True), "--disturb: slide plans have no stability margin"),
         (physics.Grid("slide", 0), "--runs: 0: should be at least 1"),
         (physics.Grid("slide", 1, seed=-1), "--seed: -1: should not be negative"),
     ],

@@ -66,7 +66,8 @@ def test_out_of_reach_is_told(task, capsys):
 def test_there_is_no_other_search(task, capsys):
     code, _, err = run(capsys, "plan", "task.yaml", "--search", "dijkstra")
     assert code == 2
-    assert err == "--search: dijkstra: no such search of clasp (it has one alone)\n"
+    told = "not a search algorithm of clasp tasks (choices: none, there is a single one)"
+    assert err == f"--search: dijkstra: {told}\n"
 
 
 def test_loops_of_a_cloud(cloud, capsys):

@@ -53,7 +53,9 @@ def test_each_kind_has_its_searches(task, capsys):
     task.write_text(GOOD)
     code, _, err = run(capsys, "plan", "task.yaml", "--search", "dijkstra")
     assert code == 2
-    assert err == "--search: dijkstra: no such search of slide (paper, fast)\n"
+    assert (
+        err == "--search: dijkstra: not a search algorithm of slide tasks (choices: paper, fast)\n"
+    )
 
 
 def test_not_found_exits_1_and_says_what_blocks(task, capsys):

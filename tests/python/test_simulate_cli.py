@@ -196,7 +196,7 @@ def test_without_viser_a_replay_is_refused_before_the_work(
     [
         (["--trials", "0"], "trials: 0: should be at least 1"),
         (["--seed", "-1"], "seed: -1: should not be negative"),
-        (["--disturb"], "--disturb: slide plans promise no stability"),
+        (["--disturb"], "--disturb: slide plans have no stability margin"),
     ],
 )
 def test_bad_flags_are_named(plan_file, engine, capsys, flags, said):

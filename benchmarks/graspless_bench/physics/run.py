@@ -70,7 +70,7 @@ class Grid:
             raise TaskError(f"--ablation: {self.kind} has none (slide has)")
         if self.disturb and self.kind != "fingertip":
             raise TaskError(
-                f"--disturb: {self.kind} plans promise no stability (fingertip plans do)"
+                f"--disturb: {self.kind} plans have no stability margin (fingertip plans do)"
             )
 
     def queries(self) -> Iterator[Query]:

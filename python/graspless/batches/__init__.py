@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Many tasks: planned, checked and written as they come; what is done is not done again.
+"""Batches: many tasks planned in parallel, with results written as they arrive.
 
 >>> import graspless
 >>> summary = graspless.batch("tasks/", "plans/", jobs=2)  # doctest: +SKIP
@@ -43,40 +43,40 @@ def batch(
     patience: float = PATIENCE,
     progress: Callable[[int, int], None] | None = None,
 ) -> Summary:
-    """Plans many tasks, checks every plan, and writes both as they come.
+    """Plans many tasks, checks every plan, and writes results as they arrive.
 
-    Where the plan of a task is there already, and the task says the same as then, it stands. No
-    task stops the others, whatever becomes of it. Ctrl-C ends the batch; what is done is kept.
+    A task that already has a plan and has not changed since is not planned again. A task that
+    fails, crashes or hangs does not stop the others. Ctrl-C ends the batch and keeps all results.
 
     Parameters
     ----------
     tasks : str, Path or several of them
-        Task files, globs, or folders of them.
+        Task files, glob patterns, or folders of task files.
     output : str or Path
-        A folder, made where there is none: NAME.plan.json of each task, batch.jsonl with a row
-        of each, and summary.json.
+        Folder, created if missing. It gets NAME.plan.json for each task, batch.jsonl with one row
+        per task, and summary.json.
     jobs : int
-        Processes, each with one thread.
+        Number of worker processes, each with one thread.
     dask : str, optional
-        Address of a Dask scheduler, whose workers do it instead.
+        Address of a Dask scheduler whose workers plan instead of local processes.
     seed, seconds, iterations : optional
-        Instead of every task's own [s].
+        Budget of every task, instead of its own; `seconds` in [s].
     patience : float
-        How long a task may take beyond its own budget before its process is ended [s]. Not with
-        Dask workers that have several threads.
+        Time beyond its budget after which the process of a task is stopped [s]. It has no effect
+        on Dask workers with several threads.
     progress : callable, optional
-        Called with the number of tasks that are done, and of all.
+        Called with the number of finished tasks and the number of all tasks.
 
     Returns
     -------
     Summary
-        Not complete when Ctrl-C ended the batch: the same call goes on.
+        Its `is_complete` is False after Ctrl-C; the same call then resumes the batch.
 
     Raises
     ------
     TaskError
-        No tasks, jobs that are no whole number from 1, an output that cannot be written, no Dask
-        scheduler or worker.
+        There are no tasks, jobs is not a whole number of at least 1, the output cannot be
+        written, or there is no Dask scheduler or worker.
     """
     changes = {"seed": seed, "seconds": seconds, "iterations": iterations}
     jobs = require_integer("jobs", jobs, least=1)
@@ -92,7 +92,7 @@ def batch(
 
 
 def _check(changes: dict[str, Any]) -> None:
-    """Raises TaskError for what no task could be changed to."""
+    """Raises TaskError for values that no budget may have."""
     from pydantic import ValidationError
 
     from ..tasks.budget import Budget
@@ -127,7 +127,7 @@ class _Run:
         self.kept = 0
 
     def carry_out(self, pool: pools.Pool, do: Callable[[Job], Outcome]) -> Summary:
-        """Has `do` carry out all tasks, and writes what comes of them."""
+        """Has `do` carry out all tasks, and writes the outcomes."""
         start = time.monotonic()
         try:
             with manifest.opened(self.manifest) as log:
@@ -155,7 +155,7 @@ class _Run:
             yield work.inline(job) if pool.is_elsewhere else job
 
     def _known(self, name: str) -> str | None:
-        """The hash of the task whose plan is there, as it was written."""
+        """Returns the hash of the task that the plan in the output was made for, or None."""
         row = self.before.get(name)
         if row is None or row["plan"] is None:
             return None
@@ -199,7 +199,7 @@ class _Run:
 
 
 def _exit_codes(told: str) -> str:
-    """What loky says how processes ended: SIGSEGV(-11), EXIT(3); Dask does not know."""
+    """Returns the exit codes that loky reports, such as SIGSEGV(-11); Dask reports none."""
     _, _, codes = told.partition("The exit codes of the workers are ")
     return codes.partition("\n")[0].strip("{}")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless batch`. Imports what runs only when it runs."""
+"""The command `graspless batch`; the planners are imported when it runs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Iterator
 
-EXAMPLE = """after Ctrl-C the same command goes on
+EXAMPLE = """after Ctrl-C, the same command resumes the batch
 
 example: graspless batch tasks/ -o plans --jobs 2"""
 
@@ -27,32 +27,57 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     import argparse
 
     parser.description = (
-        "Plans many tasks, checks every plan, and writes both as they come: "
-        "DIR/NAME.plan.json, a row of each task in DIR/batch.jsonl, and DIR/summary.json. A task "
-        "whose plan is there, and that says the same as then, is not planned again."
+        "Plan many tasks and check every plan. Results are written as they arrive: plans\n"
+        "to DIR/NAME.plan.json, one row per task to DIR/batch.jsonl, and DIR/summary.json\n"
+        "at the end. A task that already has a plan and has not changed since is not\n"
+        "planned again."
     )
     parser.epilog = f"{EXIT_CODES}\n\n{EXAMPLE}"
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(
-        "tasks", metavar="TASKS", nargs="+", help="task files, globs, or folders of them"
+        "tasks",
+        metavar="TASKS",
+        nargs="+",
+        help="task files, glob patterns, or folders of task files",
     )
-    parser.add_argument("-o", "--output", metavar="DIR", required=True, help="made where missing")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="DIR",
+        required=True,
+        help="folder to write to; created if missing",
+    )
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
-        "--jobs", type=int, default=1, metavar="N", help="processes, a thread each (%(default)s)"
+        "--jobs",
+        type=int,
+        default=1,
+        metavar="N",
+        help="number of worker processes (default: %(default)s)",
     )
     where.add_argument(
-        "--dask", metavar="ADDRESS", help="of a scheduler whose workers do it: tcp://host:8786"
+        "--dask",
+        metavar="ADDRESS",
+        help="address of a Dask scheduler whose workers plan: tcp://host:8786",
     )
-    parser.add_argument("--seed", type=int, metavar="N", help="instead of every task's own")
-    parser.add_argument("--time", type=float, metavar="S", help="likewise: stop after so long [s]")
-    parser.add_argument("--iterations", type=int, metavar="N", help="likewise: after so many")
+    parser.add_argument(
+        "--seed", type=int, metavar="N", help="seed of the random numbers; instead of each task's"
+    )
+    parser.add_argument(
+        "--time", type=float, metavar="S", help="time limit [s]; instead of each task's"
+    )
+    parser.add_argument(
+        "--iterations",
+        type=int,
+        metavar="N",
+        help="maximum number of iterations; instead of each task's",
+    )
     parser.add_argument(
         "--patience",
         type=float,
         default=600,
         metavar="S",
-        help="end a task that takes so much longer than its own budget [s] (%(default)s)",
+        help="time beyond its budget after which a task is stopped [s] (default: %(default)s)",
     )
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.set_defaults(run=_batch)
@@ -78,13 +103,13 @@ def _batch(options: argparse.Namespace) -> int:
     print(json.dumps(summary.as_dict()) if options.json else summary.as_text())
     if not summary.is_complete:
         command = shlex.join(["graspless", *sys.argv[1:]])
-        print(f"interrupted; this goes on: {command}", file=sys.stderr)
+        print(f"interrupted; this command resumes the batch: {command}", file=sys.stderr)
         return INTERRUPTED
     return FOUND if summary else NOT_FOUND
 
 
 def _quiet_dask() -> None:
-    """What goes wrong is ours to say, in a line; Dask would add tracebacks."""
+    """Silences Dask, whose tracebacks would bury the error message of graspless."""
     with contextlib.suppress(ImportError):
         import distributed  # noqa: F401  which sets the levels of its loggers
     for name in ("distributed", "distributed.client", "tornado.application"):
@@ -93,8 +118,9 @@ def _quiet_dask() -> None:
 
 @contextlib.contextmanager
 def bar(what: str) -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar on stderr, only at a terminal and with rich; gives what is called with done
-    and total.
+    """Shows a progress bar on stderr, if that is a terminal and rich is installed.
+
+    Yields a function of the numbers of finished and of all tasks, or None without a bar.
     """
     if not sys.stderr.isatty() or not _has_rich():
         yield None
@@ -111,6 +137,6 @@ def bar(what: str) -> Iterator[Callable[[int, int], None] | None]:
 def _has_rich() -> bool:
     try:
         import rich.progress  # noqa: F401
-    except ImportError:  # a bar is no reason to end work that needs none
+    except ImportError:  # the bar is optional
         return False
     return True

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The manifest of a batch: a row a task, in JSON lines, written as results come."""
+"""Manifest of a batch: JSON lines, one row per task, written as results arrive."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NAME = "batch.jsonl"
 
 
 def read(path: Path, key: str = "name") -> dict[str, Row]:
-    """Rows by name; of several the last. A line that was cut short is none."""
+    """Returns the rows by name, the last one of each; truncated lines are skipped."""
     if not path.exists():
         return {}
     rows = {}
@@ -37,7 +37,7 @@ class Log:
     """A file of rows that grows."""
 
     def __init__(self, path: Path) -> None:
-        """Raises TaskError when it cannot be written, or somebody else writes it."""
+        """Raises TaskError if the file cannot be written, or another process is writing it."""
         files.check_writable(path)
         self._file = path.open("ab")
         try:
@@ -51,7 +51,7 @@ class Log:
             self._file.write(b"\n")  # after a line that was cut short
 
     def add(self, row: Row) -> None:
-        """At once, so that nothing that is done is lost."""
+        """Writes a row and flushes it, so that no result is lost."""
         self._file.write(_line(row).encode())
         self._file.flush()
 
@@ -69,7 +69,7 @@ def opened(path: Path) -> Iterator[Log]:
 
 
 def rewrite(path: Path, rows: Iterable[Row]) -> None:
-    """All rows anew, whole or not at all."""
+    """Rewrites all rows, atomically."""
     files.write(path, "".join(map(_line, rows)))
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which files a batch has, and what each is called in the output."""
+"""Task files of a batch, and their names in the output."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ OF_HANDS = tuple(f".{what}{ending}" for what in ("hand", "clasp") for ending in 
 
 @dataclass(frozen=True)
 class Entry:
-    """A task file, and its name in the output: a path without an ending."""
+    """A task file and its name in the output: a path without a suffix."""
 
     name: str
     path: Path
 
 
 def find(tasks: str | Path | Iterable[str | Path]) -> list[Entry]:
-    """The task files of a batch, sorted by name, each once.
+    """Returns the task files of a batch, each once, sorted by name.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def _files(text: str) -> list[Path]:
 
 
 def _named(paths: list[Path], base: Path) -> list[Entry]:
-    """Without their endings, but where two would then be the same."""
+    """Returns the paths without their suffixes, unless two would then be equal."""
     relative = {path: path.relative_to(base).as_posix() for path in paths}
     short = {path: name.removesuffix(path.suffix) for path, name in relative.items()}
     count = Counter(short.values())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where work is done: processes of this machine (joblib's loky), or a Dask cluster."""
+"""Pools of workers: processes of this machine (joblib's loky), or a Dask cluster."""
 
 from __future__ import annotations
 
@@ -32,35 +32,35 @@ class Pool(Protocol):
     """Workers that may die."""
 
     capacity: int
-    """How many jobs keep all workers busy."""
+    """Number of jobs that keeps all workers busy."""
 
     workers: int
-    """How many there are."""
+    """Number of workers."""
 
     is_elsewhere: bool
-    """Whether workers may not see our files."""
+    """True if workers may be unable to read local files."""
 
     one_thread_each: bool
-    """Whether a worker's process does one job at a time."""
+    """True if the process of a worker does one job at a time."""
 
     crashes: Crashes
-    """What a future raises when the worker has died."""
+    """Exceptions that a future raises after its worker has died."""
 
     def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
-        """Has something done; `work` must be importable there."""
+        """Submits items to a worker; `work` must be importable there."""
 
     def look(self) -> None:
-        """Now and then, while nothing comes back: raises TaskError when nothing can."""
+        """Raises TaskError if no result can arrive any more; called now and then while waiting."""
 
     def restart(self) -> None:
-        """After a crash, which may have taken all jobs with it."""
+        """Restarts the workers after a crash, which may have lost all jobs."""
 
     def close(self, at_once: bool = False) -> None:
-        """Ends the workers; at once, whatever they do."""
+        """Ends the workers; with `at_once` whatever they are doing."""
 
 
 class Processes:
-    """Processes of this machine, one thread each; also one of them is a process of its own."""
+    """Worker processes on this machine, with one thread each; even a single job gets a process."""
 
     is_elsewhere = False
     one_thread_each = True
@@ -94,7 +94,7 @@ class Processes:
 
 
 class Cluster:
-    """The workers of a Dask scheduler, as many as there are at the beginning."""
+    """Workers of a Dask scheduler, as many as there are at the start."""
 
     is_elsewhere = True
     lonely_seconds = 60.0  # without a worker, until it is given up
@@ -169,7 +169,7 @@ def _version() -> str:
 
 @contextlib.contextmanager
 def opened(jobs: int, dask: str | None) -> Iterator[Pool]:
-    """A pool that ends with the block: in peace, or at once when an exception leaves it."""
+    """Opens a pool for a block; it ends with the block, at once if that raises."""
     pool: Pool = Processes(jobs) if dask is None else Cluster(dask)
     try:
         yield pool
@@ -181,7 +181,7 @@ def opened(jobs: int, dask: str | None) -> Iterator[Pool]:
 
 @contextlib.contextmanager
 def _without_last_words() -> Iterator[None]:
-    """Told to drop what waits, loky's own thread may look one of these up once more, and die."""
+    """Keeps loky's own thread from dying of a lookup after its pending jobs were dropped."""
     before: Any = threading.excepthook
 
     def told(thrown: Any) -> None:
@@ -197,7 +197,7 @@ def _without_last_words() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _shielded() -> Iterator[None]:
-    """Processes that are started meanwhile never see Ctrl-C: we alone answer it."""
+    """Makes processes that are started in the block ignore Ctrl-C; this process handles it."""
     before: Any = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Many things done by a pool whose workers may die: whatever happens, each gets its answer."""
+"""Distribution of work to a pool whose workers may die; every item gets a result."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def spread(
 
 
 class _Together(Generic[Given, Result]):
-    """Jobs in flight, enough to keep all workers busy; short ones several at once."""
+    """Jobs in flight: enough to keep all workers busy, short ones in chunks."""
 
     def __init__(self, work: Callable[[Given], Result], pool: Pool, items: Iterator[Given]) -> None:
         self._work, self._pool, self._items = partial(_each, work), pool, items
@@ -73,7 +73,7 @@ class _Together(Generic[Given, Result]):
         self.suspects: list[Given] = []
 
     def fill(self) -> bool:
-        """Submits what there is room for; False when all is done."""
+        """Submits as many items as there is room for; returns False when all are done."""
         while len(self._running) < self._pool.capacity and not self._is_broken:
             items = list(islice(self._items, self._chunk))
             if not items:
@@ -82,7 +82,7 @@ class _Together(Generic[Given, Result]):
         return bool(self._running) or self._is_broken
 
     def results(self) -> Iterator[Result]:
-        """Waits for some; after a crash for all, before workers are started anew."""
+        """Waits for some results; after a crash for all, before workers are restarted."""
         when = ALL_COMPLETED if self._is_broken else FIRST_COMPLETED
         for future in _wait(self._running, self._pool, when):
             items = self._running.pop(future)
@@ -108,7 +108,7 @@ class _Together(Generic[Given, Result]):
 
 
 def _wait(futures: Collection[Future[Result]], pool: Pool, when: str) -> set[Future[Result]]:
-    """Those that are done; raises what the pool raises when it cannot go on."""
+    """Returns the finished futures; raises the error of a pool that cannot continue."""
     while True:
         done, left = wait(futures, LOOK_SECONDS, when)
         if not left or (done and when == FIRST_COMPLETED):
@@ -117,6 +117,6 @@ def _wait(futures: Collection[Future[Result]], pool: Pool, when: str) -> set[Fut
 
 
 def _each(work: Callable[[Given], Result], items: list[Given]) -> tuple[list[Result], float]:
-    """In the worker: results, and how long they took [s]."""
+    """Returns results, and the time that they took [s]; runs in the worker."""
     start = time.perf_counter()
     return [work(item) for item in items], time.perf_counter() - start

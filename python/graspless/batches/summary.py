@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What came of a batch: counts, times, and why tasks came to no plan."""
+"""Summary of a batch: counts, times, and the reasons of tasks without a plan."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ import numpy as np
 
 Row = dict[str, Any]
 QUANTILES = {"p50": 0.5, "p90": 0.9, "p99": 0.99, "max": 1.0}
-MOST_REASONS = 5  # printed of each status
+MOST_REASONS = 5  # of each status that are printed
 LONGEST = 160  # characters of a reason
 
 
 @dataclass(frozen=True)
 class Summary:
-    """A batch. True if all tasks have a plan that holds.
+    """Result of a batch. True if all tasks have a plan that passes its check.
 
     Attributes
     ----------
     rows : list of dict
-        Of the tasks that are done, in order of their names: name, task (its file), hash, status,
-        reason, seconds (of planning), seed, plan (its file), plan_hash (the file's sha256), holds,
-        faults, warnings and total_seconds (with reading and checking).
+        Finished tasks, sorted by name, with the keys name, task (file), hash, status, reason,
+        seconds (planning time), seed, plan (file), plan_hash (sha256 of the file), holds, faults,
+        warnings and total_seconds (reading and checking included).
     tasks : int
-        How many there are; more than rows where the batch was interrupted.
+        Number of tasks; more than rows if the batch was interrupted.
     kept : int
-        How many of the rows were there before.
+        Number of rows that were kept from an earlier run.
     jobs : int
-        Workers.
+        Number of workers.
     seconds : float
-        Wall clock of this run.
+        Wall clock of this run [s].
     """
 
     rows: list[Row]
@@ -47,27 +47,27 @@ class Summary:
 
     @property
     def is_complete(self) -> bool:
-        """Whether every task was carried out."""
+        """True if every task was carried out."""
         return len(self.rows) == self.tasks
 
     @property
     def solved(self) -> int:
-        """How many tasks have a plan."""
+        """Number of tasks with a plan."""
         return self.statuses.get("solved", 0)
 
     @property
     def held(self) -> int:
-        """How many plans hold by check()."""
+        """Number of plans that pass their check."""
         return sum(row["holds"] for row in self.rows)
 
     @property
     def statuses(self) -> dict[str, int]:
-        """How often each status came out, the most frequent first."""
+        """Number of tasks by status, the most frequent first."""
         return dict(Counter(row["status"] for row in self.rows).most_common())
 
     @property
     def planning_seconds(self) -> dict[str, float]:
-        """p50, p90, p99 and max over all tasks that were planned, solved or not [s]."""
+        """Quantiles p50, p90, p99 and max of the planning time of all tasks, solved or not [s]."""
         seconds = [row["seconds"] for row in self.rows if row["seconds"] is not None]
         if not seconds:
             return {}
@@ -76,7 +76,7 @@ class Summary:
 
     @property
     def reasons(self) -> dict[str, dict[str, int]]:
-        """Of each status but solved, how often which reason was given; faults of check() too."""
+        """Number of tasks by status and reason, without solved tasks but with failed checks."""
         reasons: dict[str, Counter[str]] = {}
         for row in self.rows:
             if row["faults"]:
@@ -86,7 +86,7 @@ class Summary:
         return {status: dict(counts.most_common()) for status, counts in reasons.items()}
 
     def as_dict(self) -> dict[str, Any]:
-        """In plain types, without the rows: what summary.json holds."""
+        """Returns the summary in plain types and without its rows, as in summary.json."""
         new = len(self.rows) - self.kept
         return {
             "tasks": self.tasks,
@@ -104,7 +104,7 @@ class Summary:
         }
 
     def as_text(self) -> str:
-        """A few lines for people."""
+        """Returns the summary as a few lines of text."""
         new = len(self.rows) - self.kept
         lines = [
             f"{len(self.rows)} of {self.tasks} tasks done, {self.kept} of them before; "

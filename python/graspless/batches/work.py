@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a worker does: reads a task, plans it, checks the plan, and says what came of it."""
+"""Work of one worker: read a task, plan it, check the plan, and report the outcome."""
 
 from __future__ import annotations
 
@@ -24,15 +24,20 @@ if TYPE_CHECKING:
     from ..tasks import Task
 
 Row = dict[str, Any]
-MOST_FAULTS = 5  # of check(), kept in a row
-LATE = "EXIT(1)"  # how a process ends that is watched, in the words of loky
-FOREVER = 1e9  # [s]; a watch cannot be set to much more
+MOST_FAULTS = 5  # faults of check() that a row keeps
+LATE = "EXIT(1)"  # loky's name for the exit of a process that the watchdog ended
+FOREVER = 1e9  # [s]; the watchdog accepts hardly more
 
-BAD_TASK = "bad_task"  # the task file is not as it may be
-CRASHED = "crashed"  # the worker process ended
-TIMED_OUT = "timed_out"  # the worker process was ended
-FAILED = "failed"  # an exception that is a fault of ours
-STATUSES = (BAD_TASK, CRASHED, TIMED_OUT, FAILED)  # beside those of plans: there is no plan file
+BAD_TASK = "bad_task"  # the task file is not valid
+CRASHED = "crashed"  # the worker process died
+TIMED_OUT = "timed_out"  # the worker process was stopped
+FAILED = "failed"  # an exception: a bug in graspless
+STATUSES = (
+    BAD_TASK,
+    CRASHED,
+    TIMED_OUT,
+    FAILED,
+)  # of rows without a plan file; other rows have the status of their plan
 
 
 @dataclass(frozen=True)
@@ -42,21 +47,21 @@ class Job:
     Attributes
     ----------
     name : str
-        In the output.
+        Name of the task in the output.
     path : str
-        The task file; where `document` is given, for errors alone.
+        Task file. Only used in error messages if `document` is given.
     changes : dict
-        Of `Task.with_changes`.
+        Arguments of `Task.with_changes`.
     known : str or None
-        Hash of the task of which there is a plan already.
+        Hash of the task that the existing plan was made for.
     document : dict or None
-        The whole task, for a worker that does not see our files.
+        The whole task, for a worker that cannot read local files.
     output : str or None
-        The folder that the worker writes the plan to, where it has one in common with us.
+        Folder that the worker writes the plan to; None if it shares no folder with this process.
     fault : str or None
-        Why the task is not as it may be, where that is known before.
+        Error in the task file, if already known.
     patience : float or None
-        How long the task may take beyond its own budget [s].
+        Time beyond its budget that the task may take [s].
     """
 
     name: str
@@ -71,9 +76,9 @@ class Job:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a job: a row of the manifest, and the plan's text unless it is written.
+    """Outcome of a job: a row of the manifest, and the text of the plan unless already written.
 
-    Without a row, the plan that is there stands.
+    Without a row, the existing plan is still valid.
     """
 
     name: str
@@ -82,7 +87,7 @@ class Outcome:
 
 
 def carry_out(job: Job) -> Outcome:
-    """Reads, plans and checks; no fault of a task leaves it.
+    """Reads a task, plans it and checks the plan. Errors of the task go into the outcome.
 
     Raises
     ------
@@ -109,13 +114,16 @@ def carry_out(job: Job) -> Outcome:
 
 
 def without_plan(job: Job, status: str, reason: str, seconds: float | None = None) -> Outcome:
-    """A task that came to no plan, of `STATUSES`; after how long [s], where that is known."""
+    """Returns the outcome of a task without a plan.
+
+    `status` is one of `STATUSES`; `seconds` is the time that the task took [s], if known.
+    """
     row = _row(job, None, status, reason)
     return Outcome(job.name, row if seconds is None else row | {"total_seconds": seconds})
 
 
 def inline(job: Job) -> Job:
-    """The job with its task whole, so that no file of ours but meshes is needed beside it."""
+    """Returns the job with the whole task inline, so that a worker needs no file but meshes."""
     try:
         return replace(job, document=_read(job).to_dict(), changes={})
     except TaskError as error:
@@ -123,17 +131,17 @@ def inline(job: Job) -> Job:
 
 
 def hash_of(task: Task) -> str:
-    """The same for tasks that say the same in the end, whatever files they are written in."""
+    """Returns a hash that is equal for tasks with equal content, whatever files they are in."""
     return digest(task.to_dict())
 
 
 def sha256(data: bytes) -> str:
-    """In hexadecimal digits."""
+    """Returns the sha256 in hexadecimal digits."""
     return hashlib.sha256(data).hexdigest()
 
 
 def is_row(row: Row) -> bool:
-    """Whether a row of a manifest is as this version writes them, and not somebody else's."""
+    """True if a row of a manifest has the fields and types that this version writes."""
     return all(
         key in row and isinstance(row[key], (type(empty), *_MAY_BE.get(key, ())))
         for key, empty in _empty_row().items()
@@ -163,19 +171,19 @@ def _carry_out(job: Job) -> Outcome:
 
 
 def plan_file(name: str) -> str:
-    """Of a task of this name, in the output."""
+    """Returns the name of the plan file of a task, in the output."""
     return f"{name}.plan.json"
 
 
 def write(output: Path, row: Row, plan: str) -> None:
-    """Writes the plan of a row, whole or not at all; raises TaskError."""
+    """Writes the plan of a row atomically; raises TaskError."""
     path = output / row["plan"]
     make_folder(path.parent)
     files.write(path, plan)
 
 
 def make_folder(path: Path) -> None:
-    """With those above it; raises TaskError."""
+    """Makes a folder and its parents; raises TaskError."""
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -183,7 +191,7 @@ def make_folder(path: Path) -> None:
 
 
 def sweep(output: Path) -> None:
-    """Removes what processes that were killed had begun to write."""
+    """Removes unfinished files of processes that were killed."""
     for path in output.rglob(plan_file(".*") + ".*"):
         path.unlink(missing_ok=True)
 
@@ -234,7 +242,7 @@ _MAY_BE: dict[str, tuple[type, ...]] = {  # beside None
 
 @contextlib.contextmanager
 def _watched(seconds: float | None) -> Iterator[None]:
-    """Ends this process unless the work in it is done in time; also while C++ holds the GIL."""
+    """Ends this process unless the block finishes in time, even while C++ holds the GIL."""
     if seconds is not None:
         _watch(seconds)
     try:
@@ -251,4 +259,6 @@ def _watch(seconds: float) -> None:
     faulthandler.dump_traceback_later(min(seconds, FOREVER), exit=True, file=_nowhere)
 
 
-_nowhere: int | None = None  # a descriptor that stays open for as long as a watch may need it
+_nowhere: int | None = (
+    None  # a descriptor that stays open, as the watchdog may write to it at any time
+)

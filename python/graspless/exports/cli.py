@@ -27,37 +27,43 @@ FIELD = rf"^(to|rate|fingers)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `export`."""
     parser.description = (
-        "Times a plan within the robot's limits and writes it. ros: "
+        "Time a plan within the limits of the robot and write it for another program. ros: "
         "trajectory_msgs/JointTrajectory as YAML; mcap: ROS 2 messages; csv: a table; mujoco: MJCF "
         "with keyframes; json: by trajectory.schema.json. See docs/export.md."
     )
-    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
+    parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
     parser.add_argument("--to", required=True, choices=["ros", "mcap", "csv", "mujoco", "json"])
     parser.add_argument(
         "-o",
         "--output",
         metavar="FILE",
         required=True,
-        help="mcap: FILE.mcap, or a new folder; of the others - for stdout",
+        help="file to write; mcap: FILE.mcap or a new folder; the others: - for stdout",
     )
     for flag, what in (
-        ("--velocity", "[rad/s, m/s]; the URDF's hold besides"),
-        ("--acceleration", "[rad/s^2, m/s^2] (5 and 1)"),
+        ("--velocity", "velocity limit [rad/s, m/s]; the limits of the URDF hold as well"),
+        ("--acceleration", "acceleration limit [rad/s^2, m/s^2] (default: 5 and 1)"),
     ):
         parser.add_argument(
             flag,
             type=_limit,
             action="append",
             metavar="V",
-            help=f"of every joint at most {what}; JOINT=V: of that joint, may be repeated",
+            help=f"{what} of every joint; JOINT=V sets it for one joint and may be repeated",
         )
     for flag, unit, what in (
-        ("--rate", "HZ", "moments a second (100)"),
-        ("--contact-speed", "V", "of what touches [m/s] (0.05; fingertip plans 0.02)"),
+        ("--rate", "HZ", "samples per second (default: 100)"),
+        (
+            "--contact-speed",
+            "V",
+            "speed limit of parts in contact [m/s] (default: 0.05; fingertip plans: 0.02)",
+        ),
     ):
         parser.add_argument(flag, type=float, metavar=unit, help=what)
     parser.add_argument(
-        "--fingers", action="store_true", help="the bare fingertips of a plan that has an arm"
+        "--fingers",
+        action="store_true",
+        help="export the bare fingertips of a plan that has an arm",
     )
     add_unchecked(parser)
     parser.set_defaults(run=_run)

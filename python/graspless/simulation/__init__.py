@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans in an independent physics engine: MuJoCo executes them and the object is the judge.
+"""Simulation of plans in an independent physics engine, judged by the motion of the object.
 
 The engine reads the robot by its own URDF reader, and makes the object of the task's shape and
-mass. No search, collision test or check() takes part; docs/internals/physics.md lists what is shared
-with the planners. `settings` has the parameters.
+mass. No search, collision test or check() takes part; docs/internals/physics.md lists what is
+shared with the planners. `settings` has the parameters.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ if TYPE_CHECKING:
     from ..plans import Plan
     from .settings import Spread
 
-OLDEST = 4  # version of MuJoCo that was tested; early 3.3 lacks parts of MjSpec
+OLDEST = 4  # tested major version of MuJoCo; early 3.3 lacks parts of MjSpec
 
 
 class SimulationKind(Protocol):
-    """What `simulation` needs of a kind."""
+    """Interface that `simulation` needs of each kind of plan."""
 
     FAILURES: dict[str, str]
-    """What can go wrong: name, and what it means."""
+    """Possible failures: meaning by name."""
 
     MEASURES: dict[str, str]
-    """What is measured: name, and what it means with its unit."""
+    """Measured quantities: meaning and unit by name."""
 
-    # SPREAD, a settings.Spread, where trials vary otherwise than Spread() says.
+    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread().
 
     def run(self, plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
-        """Executes a plan that is solved."""
+        """Executes a solved plan."""
 
 
 def simulate(
@@ -51,28 +51,33 @@ def simulate(
     record: bool = False,
     progress: Callable[[int], None] | None = None,
 ) -> Simulation:
-    """Executes a plan in MuJoCo, and says what became of the object.
+    """Executes a plan in MuJoCo and judges it by the motion of the object.
 
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in. It is not checked: `check` does that.
+        Solved plan, or the path of its file. It is not checked first; `check` does that.
     trials : int
-        The first is nominal; the others vary friction, mass, the object's place and the time step.
-        Of fingertip plans: friction by 10 %, the fingers' places (with an arm the object's) by
-        0.1 mm, and the time step, but no mass.
+        Number of trials. The first is nominal. The others vary friction, mass, the position of
+        the object and the time step. For fingertip plans they vary friction by 10 %, the positions
+        of the fingers (with an arm: of the object) by 0.1 mm, and the time step.
     seed : int
-        Of these variations.
+        Seed of the variations.
     record : bool
-        Whether the first trial keeps what moved.
+        Keep a recording of the first trial.
     progress : callable, optional
-        Called with the number of trials that are done.
+        Called with the number of finished trials.
+
+    Returns
+    -------
+    Simulation
+        True if all trials held.
 
     Raises
     ------
     TaskError
-        The plan is not solved, trials is no whole number from 1 or seed none from 0, or MuJoCo is
-        not installed.
+        The plan is not solved, trials is not a whole number of at least 1, seed is not one of at
+        least 0, or MuJoCo is not installed.
     """
     plan = as_plan(plan)
     if not plan:
@@ -90,7 +95,7 @@ def simulate(
 
 
 def simulation_kind(name: str) -> SimulationKind:
-    """What is a kind's own; raises TaskError without MuJoCo."""
+    """Returns the simulation of a kind of plan; raises TaskError without MuJoCo."""
     try:
         require_mujoco()
         kind: SimulationKind = part("simulation", name)
@@ -105,7 +110,7 @@ def simulation_kind(name: str) -> SimulationKind:
 
 
 def require_mujoco() -> None:
-    """Raises TaskError where an older MuJoCo is installed than was tested, ImportError without."""
+    """Raises TaskError if MuJoCo is older than the tested version, ImportError if it is missing."""
     import mujoco
 
     version = str(mujoco.__version__)

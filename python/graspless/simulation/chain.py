@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A chain, executed in one go: a slide, and where the hand takes the object then.
+"""Simulation of chains: a slide followed by carries, executed in one run.
 
-The carries stand where a slide alone is lifted by 10 cm; a chain of one slide is that slide. Other
-chains are not executed.
+The carries replace the lift by 10 cm of a slide alone. A chain of one slide is simulated as that
+slide. Other chains are not simulated.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ MEASURES = {
 def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
-    """Executes a plan that is solved; `settings` are for tests."""
+    """Executes a solved plan; `settings` are for tests."""
     first, *others = kinds = [stage.kind for stage in plan.stages]
     if first != "slide" or set(others) - {"carry"}:
         raise TaskError(
@@ -66,7 +66,7 @@ def run(
 
 
 def _with_plan(recording: Recording, plan: Plan) -> Recording:
-    """The recording with where the plan has the object: as it slides, then in the hand."""
+    """Adds the planned poses of the object to a recording: on the support, then in the hand."""
     slide, *carries = plan.stages
     poses = timing.time(slide).followed(recording.names, recording.times)
     after = np.isin(recording.names, (RAISE, HOLD))
@@ -81,7 +81,7 @@ def _with_plan(recording: Recording, plan: Plan) -> Recording:
 
 
 class _Carried(Execution):
-    """A slide whose lift is the plan's own carries."""
+    """Execution of a slide whose lift is replaced by the carries of the plan."""
 
     def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
         slide: Any = plan.stages[0]
@@ -123,12 +123,12 @@ class _Carried(Execution):
 
 
 def obstacles_of(stages: list[Any]) -> list[Any]:
-    """Of all stages, each once; not a carry's support, which the scene has as its table."""
+    """Returns the obstacles of all stages, each once, without the support, which is the table."""
     found: list[Any] = []
     known: list[Any] = []
     for stage in stages:
         given = stage.task.fields.obstacles or []
-        # A carry's support comes after what its task gives.
+        # The support of a carry comes after the obstacles of its task.
         for fields, obstacle in zip(given, stage.task.problem.obstacles, strict=False):
             if fields not in known:
                 known.append(fields)
@@ -137,15 +137,15 @@ def obstacles_of(stages: list[Any]) -> list[Any]:
 
 
 def with_carries(program: Program, carries: list[AnyPlan], timestep: float) -> Program:
-    """The program of a slide with the motions of carries for its lift.
+    """Returns the program of a slide with its lift replaced by the motions of carries.
 
     Parameters
     ----------
     program : Program
     carries : list of plans
-        Of kind carry.
+        Plans of kind carry.
     timestep : float
-        [s].
+        Time step [s].
     """
     begin, hold = program.last(SQUEEZE) + 1, program.names.index(HOLD)
     moved = [stretch(timing.time(stage), 0, timestep) for stage in carries]

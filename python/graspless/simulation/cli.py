@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless simulate`. Imports what runs only when it runs."""
+"""The command `graspless simulate`; the simulation itself is imported when it runs."""
 
 from __future__ import annotations
 
@@ -16,22 +16,28 @@ if TYPE_CHECKING:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `simulate`."""
     parser.description = (
-        "Executes a plan in MuJoCo and judges the object. The first trial is as "
-        "planned; the others vary friction, mass, the object's place and the time step; of "
-        "fingertip plans friction by 10 %, the fingers' places (with an arm the object's) by "
-        "0.1 mm, and the time step, no mass. Exit 1 when a trial failed."
+        "Execute a plan in MuJoCo and judge it by the motion of the object. The first trial is "
+        "nominal. The others vary friction, mass, the position of the object and the time step. "
+        "For fingertip plans they vary friction by 10 %, the positions of the fingers (with an "
+        "arm: of the object) by 0.1 mm, and the time step. The exit code is 1 if a trial failed."
     )
-    parser.add_argument("plan", metavar="PLAN", help="a plan file; - for stdin")
-    parser.add_argument("--trials", type=int, default=1, metavar="N", help="(%(default)s)")
+    parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
     parser.add_argument(
-        "--seed", type=int, default=0, metavar="S", help="of the variations (%(default)s)"
+        "--trials", type=int, default=1, metavar="N", help="number of trials (default: %(default)s)"
     )
-    parser.add_argument("--html", metavar="FILE", help="write the first trial as a replay")
+    parser.add_argument(
+        "--seed",
+        type=int,
+        default=0,
+        metavar="S",
+        help="seed of the variations (default: %(default)s)",
+    )
+    parser.add_argument("--html", metavar="FILE", help="write a replay of the first trial to FILE")
     parser.add_argument(
         "--disturb",
         action="store_true",
-        help="of a fingertip plan: also the least disturbance that breaks its weakest row (slow); "
-        "held by bare fingertips, whether or not the plan has an arm",
+        help="for fingertip plans: also find the smallest disturbance that breaks the weakest row "
+        "(slow); the object is held by bare fingertips, even if the plan has an arm",
     )
     add_unchecked(parser)
     parser.add_argument("--json", action="store_true", help="print the trials as JSON")
@@ -49,7 +55,9 @@ def _run(options: argparse.Namespace) -> int:
         view.check_html(options.html)
     plan = checked_plan(options)
     if options.disturb and plan.kind != "fingertip":
-        raise TaskError(f"--disturb: {plan.kind} plans promise no stability (fingertip plans do)")
+        raise TaskError(
+            f"--disturb: {plan.kind} plans have no stability margin (fingertip plans do)"
+        )
     with progress.waiting(f"simulating, {count(options.trials, 'trials')}"):
         found = simulate(plan, options.trials, options.seed, record=options.html is not None)
     disturbed = _disturb(plan) if options.disturb else None

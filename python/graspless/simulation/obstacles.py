@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Obstacles of a task in MuJoCo."""
+"""Obstacles of tasks in MuJoCo."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from .shapes import add_placed, add_skin
 
 
 def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
-    """Fixes a problem's obstacle to the world: `skin` is half the thickness of a mesh [m], `touch`
-    how its geoms collide.
+    """Adds an obstacle of a problem, fixed to the world.
+
+    `skin` is half the thickness of meshes [m]; `touch` are the contact parameters of its geoms.
     """
     for i, placed in enumerate(obstacle.shapes):
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What became of the object."""
+"""Results of a simulation."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Recording:
-    """What moved, at even times.
+    """Recorded motion, at even times.
 
     Attributes
     ----------
     times : array [N]
-        [s].
+        Times [s].
     positions : array [N, dof]
-        As they were, not as commanded [rad or m]; no columns without an arm.
+        Actual joint positions, not the commanded ones [rad or m]; no columns without an arm.
     object_poses : array [N, 4, 4]
-        X_WO.
+        Poses X_WO of the object.
     fingers : array [N, n, 3]
-        Centres of the fingertips in the world [m], of fingertip plans; else n is 0.
+        Centres of the fingertips in the world [m]; n is 0 except for fingertip plans.
     names : list of str
-        What went on.
+        Name of the phase at each time.
     planned_poses : array [N, 4, 4], optional
-        X_WO as the plan has it at that moment, for a viewer to show beside what happened.
+        Planned poses X_WO at the same times, for a viewer to show beside the actual ones.
     """
 
     times: Matrix
@@ -48,7 +48,7 @@ class Recording:
 
     @staticmethod
     def of_arm(rows: Sequence[tuple[float, Matrix, Matrix, str]]) -> Recording:
-        """Of an arm's rows: time, positions, X_WO, name."""
+        """Returns the recording of an arm from rows of time, positions, X_WO and name."""
         times, positions, poses, names = zip(*rows, strict=True)
         fingers = np.zeros((len(times), 0, 3))
         return Recording(
@@ -63,15 +63,15 @@ class Trial:
     Attributes
     ----------
     variation : Variation
-        What differed from the plan's model.
+        Differences from the model of the plan.
     failures : tuple of str
-        Names out of the kind's FAILURES, in the order in which they were seen; none: it held.
+        Names of failures, of the FAILURES of the kind, in order of time; empty if the plan held.
     measures : dict
-        Figures by name out of the kind's MEASURES; one that was not reached is missing.
+        Measured values by name, of the MEASURES of the kind; without those that were not reached.
     seconds : float
-        Of computation.
+        Computation time [s].
     recording : Recording or None
-        Where one was asked for.
+        Recording, if requested.
     """
 
     variation: Variation
@@ -84,7 +84,7 @@ class Trial:
         return not self.failures
 
     def as_dict(self) -> dict[str, Any]:
-        """In plain types, without the recording; None for what is no number, as JSON has none."""
+        """Returns the trial in plain types without its recording; values not finite are None."""
         known = {n: v if math.isfinite(v) else None for n, v in self.measures.items()}
         return {
             "held": bool(self),
@@ -97,7 +97,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class Simulation:
-    """The trials of a plan: the first is nominal, the others are varied. True if all held."""
+    """Trials of a plan: the first is nominal, the others are varied. True if all held."""
 
     plan: Plan
     seed: int
@@ -112,16 +112,16 @@ class Simulation:
 
     @property
     def held(self) -> int:
-        """How many trials held."""
+        """Number of trials that held."""
         return sum(map(bool, self.trials))
 
     @property
     def failures(self) -> dict[str, int]:
-        """How many trials failed in what way, the most frequent first."""
+        """Number of trials by kind of failure, the most frequent first."""
         return dict(Counter(f for trial in self.trials for f in trial.failures).most_common())
 
     def as_dict(self) -> dict[str, Any]:
-        """In plain types."""
+        """Returns the simulation in plain types."""
         return {
             "kind": self.plan.kind,
             "seed": self.seed,

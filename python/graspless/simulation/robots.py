@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A task's robot in MuJoCo: read from its URDF by MuJoCo, with a position servo on every joint."""
+"""Robots in MuJoCo, which reads their URDF; every joint gets a position servo."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) -> Any:
-    """The world with the robot alone: an mujoco.MjSpec.
+    """Returns a mujoco.MjSpec of a world with the robot alone.
 
     Bodies and joints have the URDF's names, an actuator that of its joint. Pairs of links that
     the planner never tests do not collide; gravity is compensated; mimic joints are coupled.
@@ -28,11 +28,11 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
     Parameters
     ----------
     robot : Robot
-        For the order of its joints, its base and its pairs of links.
+        Gives the order of joints, the base and the pairs of links.
     fields : tasks.robots.Robot
-        A resolved task's: has the URDF's text.
+        Fields of a resolved task, with the text of the URDF.
     servo : Servo, optional
-        Of all joints.
+        Servo of all joints.
     """
     servo = servo or Servo()
     spec = mujoco.MjSpec.from_string(_with_compiler(fields))
@@ -54,7 +54,7 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
 
 
 def apply(spec: Any, solver: Solver | None = None) -> None:
-    """Gives a model the solver's settings."""
+    """Sets the parameters of the solver in a model."""
     solver = solver or Solver()
     spec.option.timestep = solver.timestep
     spec.option.cone = getattr(mujoco.mjtCone, f"mjCONE_{solver.cone.upper()}")
@@ -66,12 +66,12 @@ def apply(spec: Any, solver: Solver | None = None) -> None:
 
 
 def joint_addresses(model: Any, robot: Robot) -> Any:
-    """[dof] where each of the robot's joints stands in qpos."""
+    """Returns the indices [dof] of the joints of the robot in qpos."""
     return np.array([model.joint(name).qposadr[0] for name in robot.joint_names])
 
 
 def set_positions(model: Any, data: Any, robot: Robot, q: Any) -> None:
-    """The robot at rest at q, [dof], told to stay there; mimic joints with theirs."""
+    """Puts the robot at rest at q [dof], commanded to stay there, mimic joints included."""
     data.qpos[joint_addresses(model, robot)] = data.ctrl[:] = q
     for equality in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
         follower, leader = model.eq_obj1id[equality], model.eq_obj2id[equality]
@@ -82,7 +82,7 @@ def set_positions(model: Any, data: Any, robot: Robot, q: Any) -> None:
 
 
 def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:
-    """A position servo that sags by `servo.sag` at its greatest effort."""
+    """Adds a position servo that deflects by `servo.sag` at its maximum effort."""
     effort = effort if np.isfinite(effort) and effort > 0 else servo.effort
     stiffness = effort / servo.sag
     joint = spec.joint(name)
@@ -93,7 +93,7 @@ def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:
 
 
 def _with_compiler(fields: RobotFields) -> str:
-    """The URDF with absolute mesh files, and told to keep its links as they are."""
+    """Returns the URDF with absolute paths of meshes and with all links kept separate."""
     root = ET.fromstring(fields.urdf_text or "")
     for mesh in root.iter("mesh"):
         path = mesh_path(mesh.get("filename", ""), fields.packages, fields.directory)

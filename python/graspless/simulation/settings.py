@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Parameters of the physics engine and of its judges, with where each comes from.
 
-"A choice" has no source. How often something is looked at, recorded or sampled stands where it is.
+"A choice" has no source. Rates of checks, recordings and samples are in the files that use them.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Literal
 
 @dataclass(frozen=True)
 class Solver:
-    """What MuJoCo's defaults get wrong for slow contact with friction."""
+    """Solver parameters; the defaults of MuJoCo are wrong for slow contact with friction."""
 
     timestep: float = 0.002  # MuJoCo's own [s]
     cone: Literal["elliptic", "pyramidal"] = "elliptic"  # Coulomb's; a pyramid slips sooner along
@@ -37,13 +37,13 @@ class Servo:
 
     @property
     def lag(self) -> float:
-        """By which it follows a steady motion unless the velocity is fed forward [s]."""
+        """Delay behind a steady motion without velocity feed-forward [s]."""
         return 2 * self.damping_ratio / self.bandwidth
 
 
 @dataclass(frozen=True)
 class Spread:
-    """Half widths of what trials vary."""
+    """Half widths of the variations of trials."""
 
     friction: float = 0.3  # of its value; what the robot touches and what supports, each its own
     mass: float = 0.2  # of its value
@@ -52,7 +52,7 @@ class Spread:
     timestep: float = 0.25  # of its value
 
 
-# Of fingertip plans, as they are asked for: friction 10 %, the fingers' places 0.1 mm, no mass.
+# Of fingertip plans: friction by 10 %, the positions of the fingers by 0.1 mm, no mass.
 FINGERTIP_SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0)
 
 
@@ -171,9 +171,9 @@ class Slide:
     # flexures push with 8 N a finger then
     squeeze_seconds: float = 0.8  # from the first touch to the lift [s]
     pause: float = 0.3  # after pressing and after sliding, until servos and object rest [s]
-    lift_height: float = 0.1  # what the issue asks for [m]
+    lift_height: float = 0.1  # a choice: enough to see whether the grasp holds [m]
     lift_seconds: float = 2.0
-    hold_seconds: float = 1.0  # what the issue asks for
+    hold_seconds: float = 1.0  # a choice
     off_target: tuple[float, float] = (0.005, 0.0873)  # nominal: 5 mm, 5 degrees [m, rad]
     off_target_varied: tuple[float, float] = (0.010, 0.1745)  # varied: 10 mm, 10 degrees
     tipped: float = 0.175  # an object that tilts by 10 degrees is about to fall [rad]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shapes of a task as MuJoCo's geoms."""
+"""Shapes of tasks as geoms of MuJoCo."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any) -> Any:
-    """A geom of a shape in the body's frame; a mesh stands for its convex hull."""
+    """Adds the geom of a placed shape to a body; a mesh becomes its convex hull."""
     shape, X_BG = placed.shape, np.array(placed.X_BG)
     pose = {"pos": X_BG[:3, 3], "quat": frames.to_quaternion(X_BG)}
     if isinstance(shape, geometry.Box):
@@ -35,8 +35,9 @@ def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any)
 
 
 def give_inertia(body: Any, mass: float, com: ArrayLike, moments: ArrayLike) -> None:
-    """Mass [kg], centre of mass [3] [m] and moments of inertia about it [3, 3] [kg m^2], in the
-    body's frame, instead of what its geoms would give.
+    """Sets mass [kg], centre of mass [3] [m] and inertia about it [3, 3] [kg m^2] of a body.
+
+    They are in the frame of the body and replace those that follow from its geoms.
     """
     J = np.asarray(moments)
     body.explicitinertial, body.mass, body.ipos = True, mass, com
@@ -46,8 +47,10 @@ def give_inertia(body: Any, mass: float, com: ArrayLike, moments: ArrayLike) -> 
 def add_skin(
     spec: Any, name: str, body: str, p_B: Matrix, triangles: ArrayLike, radius: float, **touch: Any
 ) -> None:
-    """A rigid surface of triangles over points [N, 3] of a body: MuJoCo would fill a mesh to its
-    convex hull. `radius` is half its thickness [m], `touch` how it collides.
+    """Adds a rigid surface of triangles over points [N, 3] of a body.
+
+    MuJoCo would replace a mesh by its convex hull. `radius` is half the thickness of the surface
+    [m]; `touch` are its contact parameters.
     """
     spec.add_flex(
         name=name,
@@ -62,7 +65,7 @@ def add_skin(
 
 
 def add_plane(spec: Any, plane: Any, name: str, **given: Any) -> None:
-    """A fingertip.Plane, fixed to the world."""
+    """Adds a fingertip.Plane, fixed to the world."""
     normal, quaternion = np.asarray(plane.n_W), np.zeros(4)
     mujoco.mju_quatZ2Vec(quaternion, normal)
     pose = {"pos": plane.offset * normal, "quat": quaternion}
@@ -71,7 +74,7 @@ def add_plane(spec: Any, plane: Any, name: str, **given: Any) -> None:
 
 
 def add_hull(spec: Any, body: Any, points: Matrix, given: dict[str, Any]) -> Any:
-    """A geom over points [N, 3] in the body's frame: their convex hull."""
+    """Adds the convex hull of points [N, 3], in the frame of the body, as a geom."""
     name = f"hull{len(spec.meshes)}"
     spec.add_mesh(name=name, uservert=points.ravel().tolist())
     return body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, **given)

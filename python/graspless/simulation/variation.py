@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What differs from the plan's model in a trial."""
+"""Variations of the model of a plan from trial to trial."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Variation:
-    """Factors and offsets; as it stands, nothing differs.
+    """Factors and offsets of a trial; the default is nominal.
 
     Attributes
     ----------
     friction : float
-        Factor of the coefficients of what the robot touches.
+        Factor of the friction coefficients of contacts with the robot.
     support_friction : float
-        Factor of those of what the object lies or stands on; how far it turns with the finger that
-        slides it depends on the ratio of both.
+        Factor of the friction coefficients between object and support. The ratio of both factors
+        decides how far an object turns with the finger that slides it.
     mass : float
         Factor of the object's mass and inertia.
     x, y : float
-        How far the object stands from where the task says [m].
+        Offset of the object from its position in the task [m].
     yaw : float
-        How far it is turned [rad].
+        Rotation of the object from its orientation in the task [rad].
     timestep : float
         Factor of the physics engine's time step.
     """
@@ -46,16 +46,16 @@ class Variation:
 
     @property
     def is_nominal(self) -> bool:
-        """Whether nothing differs."""
+        """True if nothing differs from the model."""
         return self == Variation()
 
     def as_dict(self) -> dict[str, float]:
-        """By name."""
+        """Returns all values by name."""
         return {field.name: float(getattr(self, field.name)) for field in fields(self)}
 
 
 def draw(random: Generator, spread: Spread | None = None) -> Variation:
-    """A variation, uniform within the spread; the place within a disc."""
+    """Draws a variation uniformly within the spread, the position within a disc."""
     spread = spread or Spread()
     friction, mass, timestep, turn = random.uniform(-1, 1, 4)
     far, way = np.sqrt(random.uniform()) * spread.position, random.uniform(-np.pi, np.pi)
@@ -72,7 +72,7 @@ def draw(random: Generator, spread: Spread | None = None) -> Variation:
 
 
 def variations(trials: int, seed: int, spread: Spread | None = None) -> list[Variation]:
-    """One a trial: the first is nominal, and trial k is the same however many there are."""
+    """Returns one variation per trial; trial k does not depend on the number of trials."""
     drawn = [
         draw(np.random.default_rng([seed, trial]), spread) for trial in range(1, max(trials, 1))
     ]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans in time: the fastest motion through their rows within limits, by toppra."""
+"""Timing of plans: the fastest motion through their rows within limits, by toppra."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
 
 class TimingKind(Protocol):
-    """What `timing` needs of a kind."""
+    """Functions that `timing` needs of each kind of plan."""
 
     def robot(self, plan: Any, fingers: bool) -> Robot | None:
-        """That the plan was made for; `fingers`: none is to be moved."""
+        """Returns the robot of the plan; None if bare fingertips are timed (`fingers`)."""
 
     def trajectory(self, plan: Any, settings: Settings) -> Trajectory:
-        """A plan that is solved, in time."""
+        """Times a solved plan."""
 
 
 def time(
@@ -41,47 +41,49 @@ def time(
     pause: float | None = None,
     fingers: bool = False,
 ) -> Trajectory:
-    """A plan in time: as fast as its limits allow, segment by segment from rest to rest.
+    """Times a plan: as fast as its limits allow, with each segment from rest to rest.
 
-    Between rows the joints move along straight lines, and round corners by at most 1e-3 (rad or
-    m), 2e-4 where something is touched. Limits hold at every moment. Where something is touched,
-    joint accelerations are a tenth of their limits, and an object in fingertips is moved so slowly
-    that its inertia takes a tenth of the least `stability` of the segment.
+    Between rows the joints move along straight lines. Corners are rounded by at most 1e-3 (rad or
+    m), and by 2e-4 during contact. Limits hold at every moment. During contact, joint
+    accelerations are a tenth of their limits. Fingertips move an object so slowly that its inertia
+    takes at most a tenth of the least `stability` of the segment.
 
-    A fingertip plan without an arm has no joints; rows go from -0.5 to N - 0.5, from the first of
-    `X_WO` to the last. In a regrasp they go from 0 to 1: until 1/3 the finger leaves along the
-    contact's normal, until 2/3 it moves above its new place, until 1 it touches.
+    A fingertip plan without an arm has no joints. Its rows go from -0.5 to N - 0.5, from the first
+    pose of `X_WO` to the last. During a regrasp they go from 0 to 1: up to 1/3 the finger leaves
+    along the contact normal, up to 2/3 it moves above its new contact, up to 1 it approaches it.
 
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in. It is not checked: `check` does that.
+        Solved plan, or the path of its file. It is not checked first; `check` does that.
     robot : Robot, optional
-        Instead of the plan's own, with the same joints: for its limits.
+        Robot whose limits are used instead of those of the plan's robot. It must have the same
+        joints.
     max_velocity : float or dict, optional
-        Of all joints or by joint [rad/s, m/s]; the URDF's limits hold besides. Where there is
-        neither: 1 rad/s, 0.25 m/s.
+        Limit of all joints, or limits by joint name [rad/s, m/s]. The limits of the URDF hold as
+        well. Default for joints without any: 1 rad/s, 0.25 m/s.
     max_acceleration : float or dict, optional
-        Of all joints or by joint [rad/s^2, m/s^2]; URDFs have none. Default: 5 rad/s^2, 1 m/s^2.
+        Limit of all joints, or limits by joint name [rad/s^2, m/s^2]. Default: 5 rad/s^2, 1 m/s^2.
     contact_speed : float, optional
-        Of what touches or is about to [m/s]: the sliding fingertip while it presses, slides and
-        lifts, the hand on the last way to a grasp and while it carries, every point of fingers
-        that close; of fingertip plans the object. Default 0.05, of fingertip plans 0.02.
+        Speed limit of parts in contact or about to be [m/s]: the sliding fingertip while it
+        presses, slides and lifts; the hand on its approach to a grasp and while it carries; every
+        point of closing fingers; the object of fingertip plans. Default: 0.05, for fingertip
+        plans 0.02.
     rate : float, optional
-        Moments a second that the trajectory has; between them it is linear. Default 100.
+        Samples of the trajectory per second [1/s]. Default: 100.
     pause : float, optional
-        Between segments, where contacts change [s]. Default 0.05. Above 0: the end of one segment
-        and the start of the next are moments of their own, and no two are at the same time.
+        Rest between segments, while contacts change [s]; above 0, so that the end of one segment
+        and the start of the next are separate samples. Default: 0.05.
     fingers : bool
-        Of a fingertip plan that has an arm: the bare fingertips' `segments` all the same, also
-        where its status is not_realized.
+        Time the bare fingertips of a plan that has an arm. This also works for a plan whose
+        status is not_realized.
 
     Raises
     ------
     TaskError
-        The plan is not solved, the robot is another one, a limit is not positive or so small that
-        the trajectory has more than 1e6 moments or takes more than 2^31 - 1 s, or toppra is not
-        installed.
+        The plan is not solved; the robot has other joints; a limit is not positive, or so small
+        that the trajectory has more than 1e6 samples or takes more than 2^31 - 1 s; or toppra is
+        not installed.
     """
     from . import settings as defaults
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Carries in time: what the hand holds moves slowly."""
+"""Timing of carries: the held object moves slowly."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """The plan in time."""
+    """Times the plan."""
     assert settings.robot is not None
     speed = settings.speed(defaults.CONTACT_SPEED)
     slow = {"carry": [paces.frame_speed(settings.robot, plan.task.problem.frame, speed)]}

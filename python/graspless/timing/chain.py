@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Chains in time: stage after stage, each as its own kind."""
+"""Timing of chains: one stage after the other, each by its own kind."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 
 def robot(plan: Plan, fingers: bool) -> Robot | None:
-    """That all stages were made for."""
+    """Returns the robot that all stages share."""
     robots = [part("timing", stage.kind).robot(stage, fingers) for stage in plan.stages]
     first: Robot | None = robots[0]
     return first
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """The plan in time; the object's poses are those of the first stage's object."""
+    """Times the plan; object poses are those of the object of the first stage."""
     stages = [part("timing", stage.kind).trajectory(stage, settings) for stage in plan.stages]
     of_first = [
         dataclasses.replace(stage, object_poses=stage.object_poses @ np.linalg.inv(X_OO))

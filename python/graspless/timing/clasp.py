@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clasps in time: the hand closes slowly."""
+"""Timing of clasps: the hand closes slowly."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """The plan in time."""
+    """Times the plan."""
     assert settings.robot is not None
     slow = {"close": [paces.link_speed(settings.robot, settings.speed(defaults.CONTACT_SPEED))]}
     return joints.trajectory(plan, plan.segments, slow, settings)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A segment in time."""
+"""Timing of one segment."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Clip:
-    """N moments of one segment, from rest to rest.
+    """Timed motion of one segment from rest to rest: N samples.
 
     Attributes
     ----------
     times : array [N]
-        From 0 [s].
+        Times from 0 [s].
     rows : array [N]
-        Where between the points that it goes through: 2.25 is a quarter of the way from 2 to 3.
+        Fractional index of the given points: 2.25 is a quarter of the way from point 2 to 3.
     coordinates, velocities, accelerations : array [N, n]
     """
 
@@ -39,9 +39,9 @@ class Clip:
 
 
 def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate) -> Clip:
-    """The fastest motion through points [N, n], as many moments a second as `rate` says.
+    """Returns the fastest motion through points [N, n], sampled at `rate`.
 
-    It rests at its ends and where the points turn back; points that do not move are one moment.
+    It rests at its ends and where the points turn back. Equal points give a single sample.
     """
     parts: list[Clip] = []
     for rows in stretches(points):
@@ -55,7 +55,7 @@ def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate) -> Clip:
 
 
 def joined(parts: list[Clip]) -> Clip:
-    """Clips of which each begins where and when the one before ends."""
+    """Joins clips; each begins where and when the one before ends."""
     starts = np.cumsum([0.0, *(part.times[-1] for part in parts[:-1])])
     first = [0] + [1] * (len(parts) - 1)
     times = [part.times[k:] + t for k, t, part in zip(first, starts, parts, strict=True)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fastest motion along a path, from rest to rest: toppra, and a check of what it gives."""
+"""The fastest motion along a path from rest to rest: toppra, and a check of its result."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ if TYPE_CHECKING:
 
     Pace = Callable[[Matrix, Matrix], Matrix]
 
-logging.getLogger("toppra").setLevel(logging.CRITICAL)  # what fails is told by us
+logging.getLogger("toppra").setLevel(logging.CRITICAL)  # graspless reports failures itself
 
-CHECKS = 4  # moments between two grid points at which the limits are looked at again
+CHECKS = 4  # moments between two grid points at which limits are checked
 FINAL_CHECKS = 24
-REFINEMENTS = 4  # of the grid, at most
-MARGIN = 1e-4  # for what lies between the moments that are looked at
-ACCEPTED = 0.01  # how much too fast before the grid is refined
+REFINEMENTS = 4  # maximum number of refinements of the grid
+MARGIN = 1e-4  # for excess between the checked moments
+ACCEPTED = 0.01  # relative excess above which the grid is refined
 
 _NO_MOTION = (
     "toppra found no motion along a path within max_velocity, max_acceleration and contact_speed: "
@@ -44,15 +44,15 @@ _NO_MOTION = (
 
 @dataclass(frozen=True)
 class Limits:
-    """What holds along a path of n coordinates.
+    """Limits along a path of n coordinates.
 
     Attributes
     ----------
     velocity, acceleration : array [n]
-        Of each coordinate; inf where there is none.
+        Limits of each coordinate; inf for none.
     paces : list of callable
-        Of coordinates [N, n] and their derivatives [N, n] along the path: [N] the seconds that a
-        unit of the path takes at least.
+        Functions of coordinates [N, n] and their derivatives [N, n] along the path. Each returns
+        the least time per unit of the path [N].
     """
 
     velocity: Matrix
@@ -60,7 +60,7 @@ class Limits:
     paces: Sequence[Pace] = ()
 
     def pace(self, path: Path, s: Matrix) -> Matrix:
-        """[N] the slowest of the paces."""
+        """Returns the slowest of the paces [N]."""
         slowest = np.zeros(len(s))
         if self.paces:
             q, dq = path(s), path(s, 1)
@@ -71,10 +71,10 @@ class Limits:
 
 @dataclass(frozen=True)
 class Motion:
-    """A path in time.
+    """A timed path.
 
-    toppra's tolerances are absolute: it is given the path as one of length 1, and a unit of time
-    in which that takes about 1.
+    The tolerances of toppra are absolute, so the path is scaled to length 1 and to a duration of
+    about 1.
     """
 
     path: Path
@@ -83,18 +83,18 @@ class Motion:
 
     @property
     def duration(self) -> float:
-        """[s]."""
+        """Duration [s]."""
         return float(self._arc.duration) * self._unit
 
     def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-        """[N] where on the path, its speed and its acceleration at `t` [N] [s]."""
+        """Returns position, speed and acceleration along the path [N] at times `t` [N] [s]."""
         scaled = np.clip(t / self._unit, 0.0, self._arc.duration)
         s, ds, dds = (self._arc(scaled, order)[:, 0] * self.path.length for order in range(3))
         s = np.where(scaled < self._arc.duration, s, self.path.length)  # exactly, at the end
         return s.clip(0.0, self.path.length), ds / self._unit, dds / self._unit**2
 
     def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-        """[N, n] coordinates, velocities and accelerations at `t` [N] [s]."""
+        """Returns coordinates, velocities and accelerations [N, n] at times `t` [N] [s]."""
         s, ds, dds = self.at(t)
         dq = self.path(s, 1)
         accelerations = self.path(s, 2) * ds[:, None] ** 2 + dq * dds[:, None]
@@ -102,10 +102,10 @@ class Motion:
 
 
 def fastest(path: Path, limits: Limits) -> Motion:
-    """The fastest motion along `path`; its limits hold at every moment.
+    """Returns the fastest motion along `path` whose limits hold at every moment.
 
-    toppra looks at them at the points of a grid. Where they are broken between these, the grid is
-    made finer; by what is left the whole motion is slowed down.
+    toppra evaluates limits at the points of a grid. The grid is refined where they are exceeded
+    between two points. The remaining excess slows down the whole motion.
     """
     grid = path.grid() / path.length
     motion, excess = _solved(path, limits, grid)
@@ -122,7 +122,7 @@ def fastest(path: Path, limits: Limits) -> Motion:
 
 
 def _solved(path: Path, limits: Limits, grid: Matrix) -> tuple[Motion, Matrix]:
-    """What toppra finds, and by how much it is too fast between two points of the grid [M - 1]."""
+    """Returns the motion of toppra, and its relative excess between points of the grid [M - 1]."""
     unit = _unit_of_time(path, limits)
     constraints = [
         JointVelocityConstraint(np.minimum(limits.velocity * unit, 1e6)),
@@ -133,7 +133,7 @@ def _solved(path: Path, limits: Limits, grid: Matrix) -> tuple[Motion, Matrix]:
     speeds = result[1]
     if speeds is None or not np.isfinite(speeds).all():
         raise TaskError(_NO_MOTION)
-    with np.errstate(all="ignore"):  # speeds too small to divide by are told
+    with np.errstate(all="ignore"):  # speeds too small to divide by are reported below
         motion = Motion(path, ParametrizeConstAccel(_Arc(), grid, np.maximum(speeds, 0.0)), unit)
     if not np.isfinite(motion.duration):
         raise TaskError(_NO_MOTION)
@@ -141,13 +141,13 @@ def _solved(path: Path, limits: Limits, grid: Matrix) -> tuple[Motion, Matrix]:
 
 
 def _unit_of_time(path: Path, limits: Limits) -> float:
-    """In which a path from rest is passed with the accelerations that it allows [s]."""
+    """Returns the time that the path takes from rest at its maximum accelerations [s]."""
     slopes = np.abs(path(np.linspace(0.0, path.length, 50), 1)).max(axis=0)
     return float(np.sqrt((path.length * slopes / limits.acceleration).max()))
 
 
 def _excess(motion: Motion, limits: Limits, checks: int = CHECKS) -> Matrix:
-    """By how much a motion is too fast between two points of its grid: 0.01 is a hundredth."""
+    """Returns the relative excess of a motion between points of its grid; 0.01 is one percent."""
     times = np.asarray(motion._arc._ts) * motion._unit
     parts = np.linspace(1e-6, 1 - 1e-6, checks + 2)
     t = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
@@ -162,7 +162,7 @@ def _excess(motion: Motion, limits: Limits, checks: int = CHECKS) -> Matrix:
 
 
 class _Given(AbstractGeometricPath):  # type: ignore[misc]
-    """Our path as toppra asks for one, of length 1."""
+    """A path with the interface of toppra, scaled to length 1."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -181,7 +181,7 @@ class _Given(AbstractGeometricPath):  # type: ignore[misc]
 
 
 class _Arc(AbstractGeometricPath):  # type: ignore[misc]
-    """The parameter itself as a path of one coordinate."""
+    """The path parameter as a path of one coordinate."""
 
     def __call__(self, path_positions: Any, order: int = 0) -> Matrix:
         s = np.asarray(path_positions, dtype=float).reshape(-1, 1)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fingertip plans in time: slow against their stability, with an arm or without."""
+"""Timing of fingertip plans, with or without an arm: slow relative to their stability."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def robot(plan: Plan, fingers: bool) -> Robot | None:
-    """That the plan was made for."""
+    """Returns the robot of the plan; None for bare fingertips."""
     if fingers or not plan.joint_segments:
         return None
     mine: Robot = plan.task.arm.robot
@@ -36,7 +36,7 @@ def robot(plan: Plan, fingers: bool) -> Robot | None:
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """The plan in time."""
+    """Times the plan."""
     if settings.robot is None:
         segments: list[Any] = list(plan.segments)
         timed = [_bare(plan, i, settings) for i in range(len(segments))]
@@ -50,7 +50,7 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
 
 
 def _bare(plan: Plan, index: int, settings: Settings) -> tuple[Clip, Matrix]:
-    """A segment without joints, and poses of the object."""
+    """Times a segment without joints; returns it with the poses of the object."""
     segment = plan.segments[index]
     if segment.name == "regrasp":
         timed = regrasp(plan, index, settings)
@@ -73,7 +73,7 @@ def _limits(path: ObjectPath, segment: Segment, settings: Settings) -> Limits:
 
 
 def _carried(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Clip, Matrix]:
-    """A segment of joint motion, and poses of the object."""
+    """Times a segment of joint motion; returns it with the poses of the object."""
     moved = plan.segments[segment.plan_segment] if segment.plan_segment >= 0 else None
     if moved is None or moved.name == "regrasp":
         return _free(plan, segment, settings)
@@ -92,7 +92,7 @@ def _carried(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Cli
 
 
 def _free(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Clip, Matrix]:
-    """Joint motion while the object rests."""
+    """Times joint motion while the object rests."""
     assert settings.robot is not None
     share, tolerance = 1.0, defaults.TOLERANCE
     tips: Sequence[str] = ()

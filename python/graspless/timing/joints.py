@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Segments of joint rows in time, as slide and clasp plans have them."""
+"""Timing of segments of joint positions, as in slide and clasp plans."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def robot(plan: Any, fingers: bool) -> Robot:
-    """That the plan was made for."""
+    """Returns the robot of the plan."""
     if fingers:
         raise TaskError(f"fingers: {fingers}: a {plan.kind} plan has no bare fingertips")
     mine: Robot = plan.task.problem.robot
@@ -40,7 +40,10 @@ def trajectory(
     slow: Mapping[str, Sequence[Pace]],
     settings: Settings,
 ) -> Trajectory:
-    """Segments of `positions` [N, dof] and `object_poses` [N, 4, 4], slow by their names."""
+    """Times segments of `positions` [N, dof] and `object_poses` [N, 4, 4].
+
+    `slow` are the speed limits of a segment, by its name.
+    """
     assert settings.robot is not None
     clips, poses = [], []
     for segment in segments:

@@ -25,24 +25,24 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ObjectPath:
-    """Rows [N, 4, 4] of an object's poses X_WO."""
+    """Path of an object through poses X_WO [N, 4, 4]."""
 
     object: Object
     poses: Matrix
 
     @property
     def gyration(self) -> float:
-        """k [m]."""
+        """Radius of gyration k [m]."""
         greatest = np.linalg.eigvalsh(self.object.inertia).max()
         return float(np.sqrt(greatest / self.object.mass))
 
     def coordinates(self) -> Matrix:
-        """[N, 6] of each row [m]."""
+        """Returns coordinates [N, 6] of each row [m]."""
         com = self.poses[:, :3, :3] @ self.object.com + self.poses[:, :3, 3]
         return np.hstack([com, self.gyration * self._turned()])
 
     def at(self, coordinates: Matrix, rows: Matrix) -> Matrix:
-        """[M, 4, 4] poses at coordinates [M, 6] on the path, near rows [M]."""
+        """Returns poses [M, 4, 4] at coordinates [M, 6] on the path, near rows [M]."""
         near = np.rint(rows).astype(int).clip(0, len(self.poses) - 1)
         turns = coordinates[:, 3:] / self.gyration - self._turned()[near]
         X_WO: Matrix = self.poses[near].copy()
@@ -51,7 +51,7 @@ class ObjectPath:
         return X_WO
 
     def acceleration(self, stability: float) -> Matrix:
-        """[6] limits under which inertia takes a share of `stability` [N].
+        """Returns limits [6] under which inertia takes at most a fixed share of `stability` [N].
 
         The force is bounded by m (|a| + k |alpha|): by the greatest moment of inertia, and with
         the torque taken over the arm k.
@@ -62,9 +62,10 @@ class ObjectPath:
         return np.full(6, each)
 
     def slow(self, name: str, speed: float) -> Pace:
-        """Sliding and turning: no point of the object is faster than `speed` [m/s].
+        """Returns the speed limits of a segment.
 
-        A tumble: nor is the centre of mass, and it turns by TUMBLE_SPEED at most.
+        While it slides or turns, no point of the object is faster than `speed` [m/s]. While it
+        tumbles, this holds for the centre of mass, and the object turns at most at TUMBLE_SPEED.
         """
         k = self.gyration
         reach = np.linalg.norm(self.object.hull - self.object.com, axis=1).max()

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def frame_speed(robot: Robot, frame: str, speed: float) -> Pace:
-    """The origin of a link moves at most at `speed` [m/s]."""
+    """Returns a pace that keeps the origin of a link at or below `speed` [m/s]."""
 
     def pace(q: Matrix, dq: Matrix) -> Matrix:
         joints, rates = q[:, : robot.dof], dq[:, : robot.dof]
@@ -32,7 +32,7 @@ def frame_speed(robot: Robot, frame: str, speed: float) -> Pace:
 
 
 def link_speed(robot: Robot, speed: float) -> Pace:
-    """No point of any link moves faster than `speed` [m/s], by the links' own bounds."""
+    """Returns a pace that keeps every point of all links at or below `speed` [m/s]."""
     reach = np.array([robot.reach(frame) for frame in robot.frame_names])
 
     def pace(_: Matrix, dq: Matrix) -> Matrix:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rows as a path that can be driven: straight between them, rounded where it bends.
+"""Paths through rows: straight between them, with rounded corners.
 
 The path's parameter is the length of the rows' polyline. Before and after a row i where it turns
 from direction u to direction v, over a distance d on either side, the direction is
@@ -30,9 +30,9 @@ class Path:
     Attributes
     ----------
     knots : array [K]
-        Of the parameter, from 0: where the rows are.
+        Values of the parameter at the rows, from 0.
     rows : array [K]
-        Which rows these are; one that does not differ from the one before is missing.
+        Indices of these rows, without rows that are equal to the row before.
     curve : PPoly
         From the parameter to the coordinates.
     """
@@ -43,23 +43,23 @@ class Path:
 
     @property
     def length(self) -> float:
-        """Of the polyline."""
+        """Length of the polyline."""
         return float(self.knots[-1])
 
     def __call__(self, s: Matrix, order: int = 0) -> Matrix:
-        """[N, n] coordinates at `s` [N], or their derivatives of an order."""
+        """Returns coordinates [N, n] at `s` [N], or their derivatives of the given order."""
         values: Matrix = self.curve(s, order)
         return values
 
     def row(self, s: Matrix) -> Matrix:
-        """[N] where in the rows."""
+        """Returns fractional rows [N] at `s` [N]."""
         return np.interp(s, self.knots, self.rows)
 
     def grid(self) -> Matrix:
-        """[M] where a parametrisation looks at the limits: denser in bends and at the ends."""
+        """Returns parameters [M] at which to evaluate limits: denser in bends and at the ends."""
         breaks = self.curve.x
         inner = [np.linspace(a, b, 7)[:-1] for a, b in zip(breaks, breaks[1:], strict=False)]
-        # A slow stretch has reached its speed long before the first bend.
+        # A slow segment reaches its speed long before the first bend.
         ends = self.length * 0.5 * np.geomspace(1e-5, 1.0, 24)
         even = np.linspace(0.0, self.length, 60)
         points = np.concatenate([*inner, even, ends, self.length - ends])
@@ -69,7 +69,7 @@ class Path:
 
 
 def stretches(points: Matrix) -> list[slice]:
-    """Rows [N, n] cut where they turn back on themselves: there a path comes to rest."""
+    """Splits rows [N, n] where they turn back on themselves; a path must come to rest there."""
     rows, _, directions = _legs(points)
     cosines = np.einsum("ij,ij->i", directions[1:], directions[:-1])
     cuts = [0, *(rows[1:-1][cosines < REVERSAL].tolist()), len(points) - 1]
@@ -77,9 +77,9 @@ def stretches(points: Matrix) -> list[slice]:
 
 
 def rounded(points: Matrix, tolerance: Matrix) -> Path | None:
-    """The path through rows [N, n], no coordinate farther from them than its tolerance [n].
+    """Returns a path along rows [N, n] that deviates by at most `tolerance` [n] per coordinate.
 
-    None where they do not move.
+    None if the rows do not move.
     """
     rows, lengths, directions = _legs(points)
     if len(rows) < 2:
@@ -104,7 +104,7 @@ def rounded(points: Matrix, tolerance: Matrix) -> Path | None:
 
 
 def _legs(points: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """The rows that differ from those before, and lengths and directions between them."""
+    """Returns the rows that differ from the row before, and lengths and directions between them."""
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     moving = np.flatnonzero(steps > 1e-9)
     rows = np.array([0, *(moving + 1)])
@@ -116,7 +116,7 @@ def _legs(points: Matrix) -> tuple[Matrix, Matrix, Matrix]:
 
 
 def _bend(change: Matrix, before: float, after: float, tolerance: Matrix) -> float:
-    """How far before and after a row the path leaves the polyline."""
+    """Returns the distance from a row at which the path leaves the polyline."""
     moved = np.abs(change)
     if moved.max() < 1e-9:
         return 0.0
@@ -131,6 +131,6 @@ def _straight(start: Matrix, u: Matrix) -> Matrix:
 
 
 def _rounding(start: Matrix, u: Matrix, v: Matrix, bend: float) -> Matrix:
-    """Coefficients of the integral of u + (v - u) h, from the fourth power down."""
+    """Returns the coefficients of the integral of u + (v - u) h, fourth power first."""
     width, change = 2 * bend, v - u
     return np.array([-change / (2 * width**3), change / width**2, 0 * u, u, start])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How many moments a second, and how many at most."""
+"""Sampling rate of trajectories, and the largest number of samples."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ MOST_MOMENTS = 10**6  # of a trajectory: more fills the memory before it fills a
 
 
 class Rate:
-    """Moments a second of one trajectory, counted over all its stretches.
+    """Sampling rate of one trajectory; counts the samples over all its parts.
 
     Attributes
     ----------
     hertz : float
-        [1/s].
+        Samples per second [1/s].
     """
 
     def __init__(self, hertz: float) -> None:
@@ -30,12 +30,12 @@ class Rate:
         self._seconds = self._moments = 0.0
 
     def times(self, duration: float) -> Matrix:
-        """[N] even times from 0 to `duration` [s], of the next stretch of the trajectory.
+        """Returns even times [N] from 0 to `duration` [s] for the next part of the trajectory.
 
         Raises
         ------
         TaskError
-            With those before they are more than MOST_MOMENTS.
+            The trajectory would have more than MOST_MOMENTS samples.
         """
         count = np.maximum(2.0, np.ceil(float(duration) * self.hertz - 1e-9) + 1)  # also nan
         self._seconds += duration

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A fingertip without an arm on its way to another place.
+"""Timing of a regrasp: a fingertip without an arm moves to another contact.
 
 Three parts, each from rest to rest and a third of a row long: it leaves along the contact's normal
 by twice its radius, it moves to as far above its new place, and it touches.
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
 
 def regrasp(plan: Plan, index: int, settings: Settings) -> Clip:
-    """The regrasp that is segment `index`, without coordinates: rows from 0 to 1."""
+    """Times the regrasp in segment `index`: rows from 0 to 1, without coordinates."""
     clearance = 2 * plan.task.problem.fingers.radius
     slow, free = settings.speed(FINGERTIP_SPEED), FREE_FINGER_SPEED
     parts = [
         _part(i, distance, speed, settings.rate)
         for i, (distance, speed) in enumerate(
-            [(clearance, slow), (_way(plan, index) + clearance, free), (clearance, slow)]
+            [(clearance, slow), (_distance(plan, index) + clearance, free), (clearance, slow)]
         )
     ]
     whole = joined(parts)
@@ -50,8 +50,8 @@ def _part(i: int, distance: float, speed: float, rate: Rate) -> Clip:
     )
 
 
-def _way(plan: Plan, index: int) -> float:
-    """From contact to contact [m], and the object's size for what is in between."""
+def _distance(plan: Plan, index: int) -> float:
+    """Returns the distance between the two contacts plus the size of the object [m]."""
     finger = plan.segments[index].finger
     old = _seen(plan, finger, range(index - 1, -1, -1), -1)
     new = _seen(plan, finger, range(index + 1, len(plan.segments)), 0)
@@ -62,7 +62,7 @@ def _way(plan: Plan, index: int) -> float:
 
 
 def _seen(plan: Plan, finger: int, segments: range, row: int) -> Matrix | None:
-    """[3] where a finger touches, in O, in the first of the segments in which it does."""
+    """Returns the contact point [3] in O of a finger in the first segment where it touches."""
     for i in segments:
         point: Matrix = plan.segments[i].fingers[row, finger]
         if np.isfinite(point).all():

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How fast: every default of the timing, and what a caller says instead."""
+"""Settings of the timing: all defaults, and the values of the caller."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ TOLERANCE = 1e-3  # how far joints round the corners of free motions [rad or m]
 CONTACT_TOLERANCE = 2e-4  # and where something is touched [rad or m]
 OBJECT_TOLERANCE = 1e-4  # how far an object in fingertips rounds its corners [m]
 
-# Where a URDF has none, and it never has accelerations: a turning joint's, a sliding joint's.
+# Limits where the URDF has none, of turning and of sliding joints. URDFs have no accelerations.
 VELOCITY = (1.0, 0.25)  # [rad/s], [m/s]
 ACCELERATION = (5.0, 1.0)  # [rad/s^2], [m/s^2]
-CONTACT_SHARE = 0.1  # of joint accelerations where something is touched: no jerk breaks it loose
+CONTACT_SHARE = 0.1  # of joint accelerations during contact, so that no jerk breaks it
 
-CONTACT_SPEED = 0.05  # of what touches or is about to [m/s]
+CONTACT_SPEED = 0.05  # of parts in contact or about to be [m/s]
 FINGERTIP_SPEED = 0.02  # of an object in fingertips: faster sliding chatters [m/s]
 TUMBLE_SPEED = math.pi / 6  # 90 degrees in 3 s hold in a physics engine, in 1 s not [rad/s]
 STABILITY_SHARE = 0.1  # of the disturbance withstood that inertia may take
@@ -41,25 +41,25 @@ FREE_FINGER_ACCELERATION = 0.5  # [m/s^2]
 
 RATE = 100.0  # [1/s]
 PAUSE = 0.05  # between segments, where contacts change [s]
-LONGEST = 2**31 - 1  # that ROS's messages can say [s]
+LONGEST = 2**31 - 1  # duration that ROS messages can hold [s]
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What was asked for.
+    """Settings of one call of `time`.
 
     Attributes
     ----------
     robot : Robot or None
-        That moves; None where fingertips have no arm.
+        Robot that moves; None for fingertips without an arm.
     velocity, acceleration : array [dof]
-        Limits of its joints.
+        Limits of its joints [rad/s, rad/s^2], or [m/s, m/s^2] for sliding joints.
     contact_speed : float or None
-        None: each kind of plan has its own [m/s].
+        Speed limit of parts in contact [m/s]; None for the default of the kind of plan.
     rate : Rate
-        Moments a second.
+        Sampling rate.
     pause : float
-        Between segments [s].
+        Rest between segments [s].
     """
 
     robot: Robot | None
@@ -70,16 +70,16 @@ class Settings:
     pause: float
 
     def speed(self, default: float) -> float:
-        """Of what touches [m/s]."""
+        """Returns the speed limit of parts in contact [m/s]."""
         return default if self.contact_speed is None else self.contact_speed
 
 
 def joint_limits(
     robot: Robot | None, max_velocity: PerJoint | None, max_acceleration: PerJoint | None
 ) -> tuple[Matrix, Matrix]:
-    """[dof] velocities and [dof] accelerations of a robot, in the order of its joints.
+    """Returns velocity and acceleration limits [dof] of a robot, in the order of its joints.
 
-    A velocity is the least of the URDF's and the caller's.
+    A velocity limit is the smaller one of the URDF and the caller.
     """
     if robot is None:
         for name, given in (("max_velocity", max_velocity), ("max_acceleration", max_acceleration)):
@@ -96,7 +96,7 @@ def joint_limits(
 
 
 def require_positive(name: str, value: float) -> float:
-    """The value; raises TaskError unless it is a finite positive number."""
+    """Returns the value; raises TaskError unless it is a finite positive number."""
     if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
         raise TaskError(f"{name}: {value!r}: should be a number")
     if not math.isfinite(value) or value <= 0:
@@ -105,7 +105,7 @@ def require_positive(name: str, value: float) -> float:
 
 
 def require_sayable(trajectory: Trajectory, pause: float) -> Trajectory:
-    """The trajectory; raises TaskError where it takes longer than LONGEST."""
+    """Returns the trajectory; raises TaskError if it takes longer than LONGEST."""
     if trajectory.duration <= LONGEST:
         return trajectory
     takes = f"{trajectory.duration:.3g} s in all, more than {LONGEST}"
@@ -115,7 +115,7 @@ def require_sayable(trajectory: Trajectory, pause: float) -> Trajectory:
 
 
 def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix | float) -> Matrix:
-    """[dof] what a caller says, and a default where it does not."""
+    """Returns limits [dof]: the values of the caller, and a default for other joints."""
     values: Matrix = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
     if isinstance(given, Mapping):
         names = list(robot.joint_names)
@@ -129,7 +129,7 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
 
 
 def _slides(robot: Robot) -> NDArray[np.bool_]:
-    """[dof] whether a joint turns nothing."""
+    """Returns a mask [dof] of the joints that turn nothing."""
     q = np.zeros(robot.dof)
     turns = [np.abs(robot.jacobian(frame, q)[3:]).max(axis=0) for frame in robot.frame_names]
     slides: NDArray[np.bool_] = np.max(turns, axis=0) < 1e-9

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Slides in time: what touches, or is about to, is slow."""
+"""Timing of slides: parts in contact, or about to be, move slowly."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """The plan in time."""
+    """Times the plan."""
     assert settings.robot is not None
     hand, speed = plan.task.problem.hand, settings.speed(defaults.CONTACT_SPEED)
     tip = [paces.frame_speed(settings.robot, hand.fingertip, speed)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan in time."""
+"""Timed trajectories of plans."""
 
 from __future__ import annotations
 
@@ -27,26 +27,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """Where everything is at each moment of a plan: N moments.
+    """A timed plan: positions of joints and object at N moments.
 
     Attributes
     ----------
     plan : Plan
-        What it was made of.
+        Plan that was timed.
     segments : list
-        The plan's, or of a fingertip plan with an arm its joint_segments: each has a name.
+        Segments of the plan; for a fingertip plan with an arm, its joint_segments. Each has a name.
     times : array [N]
-        [s], from 0, increasing.
+        Times from 0, increasing [s].
     segment_index : array [N]
-        Which of `segments`.
+        Index into `segments` at each moment.
     rows : array [N]
-        Where in that segment, in rows of the plan: 2.25 is a quarter of the way from row 2 to 3.
+        Fractional row of that segment: 2.25 is a quarter of the way from row 2 to row 3.
     joint_names : list of str
-        The columns of positions; none where fingertips have no arm.
+        Names of the columns of positions; empty for fingertips without an arm.
     positions, velocities, accelerations : array [N, dof]
-        [rad, rad/s, rad/s^2], or metres.
+        Joint motion [rad, rad/s, rad/s^2], or [m, m/s, m/s^2] for sliding joints.
     object_poses : array [N, 4, 4]
-        X_WO.
+        Poses X_WO of the object.
     """
 
     plan: Plan
@@ -69,23 +69,23 @@ class Trajectory:
 
     @property
     def duration(self) -> float:
-        """[s]."""
+        """Duration [s]."""
         return float(self.times[-1])
 
     @property
     def names(self) -> list[str]:
-        """The segment's name of each moment."""
+        """Name of the segment at each moment."""
         return [str(self.segments[i].name) for i in self.segment_index]
 
     def at(self, times: ArrayLike) -> Trajectory:
-        """The moments at `times` [s], linear between those that it has; ends are held."""
+        """Returns the trajectory at other `times` [s], interpolated linearly; its ends are held."""
         asked = np.atleast_1d(np.asarray(times, dtype=float))
         last = len(self.times) - 1
         after = np.searchsorted(self.times, asked).clip(min(1, last), last)
         before = np.maximum(after - 1, 0)
         gap = self.times[after] - self.times[before]
         t = np.clip((asked - self.times[before]) / np.where(gap > 0, gap, 1.0), 0.0, 1.0)
-        # Between two segments there is no row: the later one has begun.
+        # Between two segments there is no row, so the later one counts as begun.
         same = self.segment_index[before] == self.segment_index[after]
         rows = np.where(same, _mix(self.rows, before, after, t), self.rows[after])
         segment_index = np.where(t > 0, self.segment_index[after], self.segment_index[before])
@@ -106,20 +106,20 @@ class Trajectory:
         return frames.places(self.object_poses)
 
     def followed(self, names: Sequence[str], times: ArrayLike) -> Matrix:
-        """[N, 4, 4] X_WO that this asks of an execution, which may rest where this does not.
+        """Returns the planned poses X_WO for an execution, which may pause where this does not.
 
         Parameters
         ----------
         names : list of str
-            What is executed at each moment: a segment's name, or another.
+            Name of what is executed at each moment: a segment, or something else.
         times : array [N]
-            The moments [s], increasing.
+            Times of the execution, increasing [s].
 
         Returns
         -------
         array [N, 4, 4]
-            In a stretch of a segment's name as that segment goes from its start, and at its end
-            when it is over; under any other name where the last segment left the object.
+            While a segment is executed: the pose of that segment at the elapsed time. Under any
+            other name: the last pose of the segment before.
         """
         now, of = np.asarray(times, dtype=float), np.array(names)
         found = np.repeat(self.object_poses[:1], len(now), axis=0)
@@ -133,7 +133,7 @@ class Trajectory:
         return found
 
     def sampled(self, rate: float) -> Trajectory:
-        """The moments at even times, `rate` a second and at most 1e6, the last one at the end."""
+        """Returns at most 1e6 samples of the trajectory, `rate` per second and one at its end."""
         return self.at(Rate(require_positive("rate", rate)).times(self.duration))
 
 
@@ -151,7 +151,7 @@ def assembled(
     object_poses: list[Matrix],
     pause: float,
 ) -> Trajectory:
-    """One clip a segment, `pause` [s] between them."""
+    """Joins one clip per segment to a trajectory, with `pause` [s] between them."""
     lengths = [clip.times[-1] + pause for clip in clips]
     starts = np.cumsum([0.0, *lengths[:-1]])
     dof = len(joint_names)
@@ -170,7 +170,7 @@ def assembled(
 
 
 def concatenated(plan: Plan, parts: list[Trajectory], pause: float) -> Trajectory:
-    """Trajectories of the same joints one after the other, `pause` [s] between them."""
+    """Joins trajectories of the same joints, with `pause` [s] between them."""
     starts = np.cumsum([0.0, *(part.duration + pause for part in parts[:-1])])
     counts = np.cumsum([0, *(len(part.segments) for part in parts[:-1])])
     return Trajectory(

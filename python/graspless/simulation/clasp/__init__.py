@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clasps in MuJoCo: the hand reaches, closes until its motors have had enough, and is pulled at.
+"""Simulation of clasps: the hand reaches, closes to its grip torque, and the object is pulled.
 
 Until then the object stands on a level floor under its lowest points, by its own weight; one that
 cannot stand on them is held. Then floor and weight are taken away, so that a pull in any direction
@@ -69,7 +69,7 @@ def run(
     settings: Clasp | None = None,
     solids: Sequence[geometry.PlacedShape] | None = None,
 ) -> Trial:
-    """Executes a plan that is solved.
+    """Executes a solved plan.
 
     `settings` instead of the defaults; `solids`, in O, instead of the cloud's skin.
     """
@@ -88,7 +88,7 @@ def run(
         failures.append("hit")
     if measures["linking"] == 0:
         failures.append("not_closed")
-    if judge.linked():  # else the loop never was in the hand, and cannot come out of it
+    if judge.linked():  # otherwise the loop was never in the hand
         seeds = _seeds(plan, variation, settings.sequences)
         pulled, found = _pulled(execution, seeds, _pull_direction(problem.pull_W, judge))
         measures |= found
@@ -154,7 +154,7 @@ def _seeds(plan: Plan, variation: Variation, count: int) -> list[list[int]]:
 def _shaken(
     execution: Execution, closed: Any, seeds: list[list[int]], recorder: Recorder | None
 ) -> dict[str, float]:
-    """Sequences of random wrenches from the closed hand; the first is recorded.
+    """Runs sequences of random wrenches on the object in the closed hand; records the first.
 
     One that frees the loop is run again with drag on the object, and with motors that nothing can
     turn. A free object gathers speed from wrench to wrench: what drag keeps in the hand was lost to
@@ -184,7 +184,7 @@ def _shaken(
 
 
 def _opened(execution: Execution, seeds: list[list[int]], direction_W: Matrix) -> dict[str, float]:
-    """The negative control: what the open hand holds of the same."""
+    """Runs the negative control: the same wrenches with the open hand."""
     execution.open()
     measures = {"open_linked": float(execution.judge.linked())}
     opened = execution.save()
@@ -197,7 +197,7 @@ def _opened(execution: Execution, seeds: list[list[int]], direction_W: Matrix) -
 
 
 def _pull_direction(pull_W: Matrix | None, judge: Judge) -> Matrix:
-    """Of the force on the object: it drags behind a hand that pulls it, else out of the hand."""
+    """Returns the direction of the force on the object: against the pull, or out of the hand."""
     if pull_W is None:
         return judge.forward()
     along = np.asarray(pull_W)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is done with a clasp, one thing after the other: reach, close, grip, pull."""
+"""Execution of a clasp: reach, close, grip, pull."""
 
 from __future__ import annotations
 
@@ -23,26 +23,26 @@ if TYPE_CHECKING:
     from .judge import Judge
     from .model import World
 
-LOOK = 0.02  # between two looks of the judge, and two rows of a recording [s]
+LOOK = 0.02  # between two observations, and two rows of a recording [s]
 
 
 @dataclass
 class Recorder:
-    """Rows of a recording; they go on where the world was set back."""
+    """Rows of a recording; time continues when the world is reset."""
 
     rows: list[tuple[float, Matrix, Matrix, str]] = field(default_factory=list)
 
     def add(self, world: World, name: str) -> None:
-        """A row, LOOK after the one before."""
+        """Adds a row, LOOK after the one before."""
         self.rows.append((len(self.rows) * LOOK, world.positions, world.object_pose, name))
 
     def recording(self) -> Recording:
-        """All rows."""
+        """Returns the recording of all rows."""
         return Recording.of_arm(self.rows)
 
 
 class Execution:
-    """A world that runs on, looked at every LOOK seconds.
+    """A running world, observed every LOOK seconds.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Execution:
         self._open = robot.clamp(robot.state(hand.open))
 
     def run(self, name: str, commands: Matrix | None = None) -> None:
-        """From one look to the next, with a command [steps, dof] a step, or as it was."""
+        """Runs to the next observation, with commands [steps, dof] or unchanged ones."""
         world = self.world
         if commands is None:
             mujoco.mj_step(world.model, world.data, nstep=self._steps)
@@ -75,13 +75,13 @@ class Execution:
             self.recorder.add(world, name)
 
     def settle(self, seconds: float) -> None:
-        """Nothing moves but what falls."""
+        """Lets the object settle while the robot holds still."""
         for _ in range(_looks(seconds)):
             self.run("settle")
 
     def follow(self, trajectory: Trajectory) -> dict[str, float]:
-        """The arm and the hand as planned; how far the object was from where it stood, at most,
-        by segment [m].
+        """Moves arm and hand as planned; returns the largest displacement of the object by segment
+        [m].
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
@@ -95,13 +95,13 @@ class Execution:
         return moved
 
     def surface(self) -> Matrix:
-        """The object's points in W [m]."""
+        """Points of the object in W [m]."""
         X_WO = self.world.object_pose
         points: Matrix = self.world.points_O @ X_WO[:3, :3].T + X_WO[:3, 3]
         return points
 
     def moved(self, resting: Matrix) -> float:
-        """The most that a point of the object is from where it was [m]."""
+        """Returns the largest distance of a point of the object from its earlier position [m]."""
         return float(np.linalg.norm(self.surface() - resting, axis=1).max())
 
     def grip(self) -> Matrix:
@@ -128,14 +128,14 @@ class Execution:
         return self.effort()
 
     def effort(self) -> Matrix:
-        """[n] torque of the hand's joints now, as a part of each one's greatest."""
+        """Torques of the joints of the hand [n], relative to their maxima."""
         model, data = self.world.model, self.world.data
         limits = model.actuator_forcerange[self._fingers, 1]
         effort: Matrix = np.abs(data.actuator_force[self._fingers]) / limits
         return effort
 
     def open(self) -> None:
-        """The hand goes back to its pre-shape, the arm stays."""
+        """Opens the hand to its pre-shape; the arm stays."""
         start, data = self.world.data.ctrl.copy(), self.world.data
         looks = _looks(self.world.settings.open_seconds)
         for look in range(1, looks + 1):
@@ -144,7 +144,7 @@ class Execution:
             self.run("open")
 
     def shake(self, random: np.random.Generator) -> bool:
-        """One sequence of random wrenches; whether the loop is still in the hand."""
+        """Runs one sequence of random wrenches; returns True if the loop is still in the hand."""
         settings, body = self.world.settings, self.world.body
         most, reach = _looks(settings.seconds), self.judge.reach()
         for look in range(most):
@@ -160,7 +160,7 @@ class Execution:
 
     @contextmanager
     def dragged(self) -> Iterator[None]:
-        """The object in something viscous: a wrench moves it, but it gathers no momentum."""
+        """Adds viscous drag to the object: a wrench moves it, but it gathers no momentum."""
         model, settings = self.world.model, self.world.settings
         first = model.body_dofadr[self.world.body]
         model.dof_damping[first : first + 3] = settings.force / settings.drag_speed
@@ -172,7 +172,7 @@ class Execution:
 
     @contextmanager
     def locked(self) -> Iterator[None]:
-        """The hand's motors as strong as it takes to stay where they are, and its gears rigid."""
+        """Locks the hand: motors strong enough to hold their positions, and rigid gears."""
         model, data, settings = self.world.model, self.world.data, self.world.settings
         data.ctrl[self._fingers] = self.world.positions[self._fingers]
         joints = model.actuator_trnid[self._fingers, 0]
@@ -215,7 +215,7 @@ class Execution:
         return min(force, settings.pull_most)
 
     def save(self) -> Any:
-        """All that set_back needs."""
+        """Returns the state for `set_back`."""
         model, data = self.world.model, self.world.data
         kind = mujoco.mjtState.mjSTATE_INTEGRATION
         state = np.empty(mujoco.mj_stateSize(model, kind))
@@ -223,7 +223,7 @@ class Execution:
         return state
 
     def set_back(self, state: Any) -> None:
-        """The world as it was."""
+        """Resets the world to a state."""
         model, data = self.world.model, self.world.data
         mujoco.mj_setState(model, data, state, mujoco.mjtState.mjSTATE_INTEGRATION)
         mujoco.mj_forward(model, data)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the hand still has the loop: geometry of simulated poses.
+"""Judge of a clasp: decides from simulated poses if the hand still holds the loop.
 
 Links are counted by the planner's own `geometry`; where hand and object are is the engine's.
 """
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Judge:
-    """Looks at the curves of a hand and the loop that it clasps."""
+    """Evaluates the curves of a hand and the loop that it clasps."""
 
     def __init__(self, hand: clasp.Hand, world: World, loop_O: Matrix) -> None:
         self._fingers = [_bodies(finger, world.model) for finger in hand.fingers]
@@ -33,38 +33,38 @@ class Judge:
         self._loop_O = np.asarray(loop_O)
 
     def curves(self) -> list[Matrix]:
-        """[K, 3] of each finger, from its tip over the palm to the thumb's tip, in W [m]."""
+        """Curves [K, 3] of the fingers, from tip over palm to the tip of the thumb, in W [m]."""
         thumb = self._points(self._thumb)
         return [np.concatenate([self._points(finger)[::-1], thumb]) for finger in self._fingers]
 
     def loop(self) -> Matrix:
-        """[K, 3] in W [m]."""
+        """Returns the loop [K, 3] in W [m]."""
         X_WO = self._world.object_pose
         points: Matrix = self._loop_O @ X_WO[:3, :3].T + X_WO[:3, 3]
         return points
 
     def linked(self) -> int:
-        """How many fingers' curves, closed from tip to tip, are linked with the loop."""
+        """Number of finger curves, closed from tip to tip, that are linked with the loop."""
         loop = geometry.PreparedLoop(self.loop())
         return sum(number != 0 for number in loop.linking_numbers(self.curves()))
 
     def linking(self) -> float:
-        """|VLk| of the loop and the fingers' curves, the least."""
+        """Least |VLk| of the loop and the finger curves."""
         loop = self.loop()
         return min(abs(geometry.virtual_linking(loop, curve)) for curve in self.curves())
 
     def distance(self) -> float:
-        """Of the loop from the middle of the hand's curves [m]."""
+        """Distance of the loop from the middle of the finger curves [m]."""
         corners = np.concatenate(self.curves())
         middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
         return _distance(self.loop(), middle)
 
     def reach(self) -> float:
-        """Half the length of the longest curve [m]: no hand reaches farther from its middle."""
+        """Half the length of the longest curve [m]: the reach of the hand from its middle."""
         return max(float(_lengths(curve).sum()) for curve in self.curves()) / 2
 
     def forward(self) -> Matrix:
-        """Unit, out of the palm, in W."""
+        """Unit vector out of the palm, in W."""
         forward: Matrix = self._world.data.xmat[self._palm].reshape(3, 3) @ self._forward_H
         return forward
 
@@ -83,7 +83,7 @@ def _lengths(curve: Matrix) -> Matrix:
 
 
 def _distance(loop: Matrix, p: Matrix) -> float:
-    """Of a point from a closed polyline."""
+    """Returns the distance of a point from a closed polyline."""
     sides = np.roll(loop, -1, axis=0) - loop
     squares = np.maximum((sides**2).sum(axis=1), 1e-18)
     along = np.clip(((p - loop) * sides).sum(axis=1) / squares, 0, 1)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A clasp task in MuJoCo: robot, obstacles, and the object with its holes open."""
+"""World of a clasp task in MuJoCo: robot, obstacles, and the object with open holes."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ if TYPE_CHECKING:
     from ...tasks import Task
     from ..variation import Variation
 
-_ROBOT_BIT = 1  # of what collides: obstacles have the robot's
+_ROBOT_BIT = 1  # collision bit of robot and obstacles
 
 
 @dataclass(frozen=True)
 class World:
-    """A model and what the execution must know of it.
+    """A model, and the indices that the execution needs.
 
     Attributes
     ----------
@@ -57,20 +57,20 @@ class World:
 
     @property
     def object_pose(self) -> Matrix:
-        """X_WO now."""
+        """Present pose X_WO."""
         return frames.translation(self.data.xpos[self.body]) @ frames.from_quaternion(
             self.data.xquat[self.body]
         )
 
     @property
     def positions(self) -> Matrix:
-        """[dof] of the robot now [rad or m]."""
+        """Present configuration [dof] of the robot [rad or m]."""
         q: Matrix = self.data.qpos[self.joints].copy()
         return q
 
     @property
     def touches_obstacle(self) -> bool:
-        """Whether the robot touches one now: nothing else meets what is fixed to the world."""
+        """True if the robot touches an obstacle; nothing else can touch fixed geoms."""
         contact, model = self.data.contact, self.model
         geoms, skins = contact.geom, contact.flex  # -1 where a contact is not of one
         # The object's skin is the one that moves; those of meshes are fixed.
@@ -79,7 +79,7 @@ class World:
         return bool((fixed.any(axis=1) & (contact.dist < 0)).any())
 
     def let_go(self) -> None:
-        """Takes floor and gravity away: what holds the object is the hand alone."""
+        """Removes floor and gravity, so that the hand alone holds the object."""
         self.model.opt.gravity[:] = 0.0
         self.data.mocap_pos[self.model.body(STAND).mocapid[0], 2] -= 100.0
         self.data.eq_active[self.model.equality(OBJECT).id] = 0
@@ -91,7 +91,7 @@ def make_world(
     settings: Clasp,
     solids: Sequence[geometry.PlacedShape] | None = None,
 ) -> World:
-    """The world at rest, the robot where the plan begins.
+    """Makes the world at rest, with the robot at the start of the plan.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def make_world(
 
 
 def _moved(X_WO: Matrix, variation: Variation) -> Matrix:
-    """Turned about the vertical through its origin, and moved."""
+    """Returns the pose, turned about the vertical through its origin and shifted."""
     moved: Matrix = frames.from_rpy([0.0, 0.0, variation.yaw]) @ X_WO
     moved[:3, 3] = X_WO[:3, 3] + [variation.x, variation.y, 0.0]
     return moved

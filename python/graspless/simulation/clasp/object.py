@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The object of a clasp in MuJoCo: its holes stay open, and it stands."""
+"""Object of a clasp in MuJoCo: its holes stay open, and it stands."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 OBJECT, STAND = "graspless_object", "graspless_stand"
-OBJECT_BIT = 2  # of what collides
+OBJECT_BIT = 2  # collision bit of the object
 
 
 def add_object(
@@ -34,7 +34,7 @@ def add_object(
     variation: Variation,
     settings: Clasp,
 ) -> None:
-    """A free body with the skin of K_d, or made of solids; on feet if it can stand, else held.
+    """Adds a free body with the skin of K_d, or of solids; on feet if it can stand, else held.
 
     `mass` is the one before it is varied [kg].
     """
@@ -64,7 +64,7 @@ def add_object(
 
 
 def _add_hold(spec: Any, *, is_active: bool) -> None:
-    """What keeps the object where it is."""
+    """Adds a weld that keeps the object in place."""
     held = spec.add_equality(name=OBJECT, type=mujoco.mjtEq.mjEQ_WELD, active=is_active)
     held.name1, held.name2 = OBJECT, "world"
     held.objtype = mujoco.mjtObj.mjOBJ_BODY
@@ -78,7 +78,7 @@ def _add_stand(
     radius: float,
     friction: list[float],
 ) -> None:
-    """A level plane under small feet. Nothing else touches it: the planner knows of no floor."""
+    """Adds a level plane under small feet. Nothing else touches it, as the planner has no floor."""
     height = 0.0 if standing is None else standing[:, 2].min()
     # A body that can be moved: MuJoCo works out the places of what is fixed to the world once.
     stand = spec.worldbody.add_body(name=STAND, mocap=True, pos=[0, 0, height])

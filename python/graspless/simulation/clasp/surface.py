@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a physics engine must know of a cloud: its skin, and what it stands on."""
+"""Skin and feet of a point cloud, for the physics engine."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
     from ...frames import Matrix
 
-_DIRECTIONS = 16  # in which feet are looked for
+_DIRECTIONS = 16  # of the search for feet
 
 
 def skin(surface: geometry.Complex) -> NDArray[np.int32]:
-    """The triangles of K_d that bound it: [T, 3] indices of its points.
+    """Returns the triangles of K_d that bound it: indices [T, 3] of its points.
 
     A triangle between two tetrahedra is inside and never touched. What is left is as open as K_d,
     and has no part that a convex hull would close.
@@ -43,7 +43,7 @@ def skin(surface: geometry.Complex) -> NDArray[np.int32]:
 
 
 def feet(points: Matrix, depth: float) -> Matrix | None:
-    """What an object stands on.
+    """Returns the feet that an object stands on.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def feet(points: Matrix, depth: float) -> Matrix | None:
 
 
 def inertia(points: Matrix) -> Matrix:
-    """[3, 3] of one kilogram spread evenly over points [N, 3], about their mean [m^2]."""
+    """Returns the inertia [3, 3] of one kilogram spread evenly over points [N, 3] [m^2]."""
     p = points - points.mean(axis=0)
     squares = p.T @ p / len(p)
     spread: Matrix = np.trace(squares) * np.eye(3) - squares

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fingertip plans in MuJoCo: spheres under position or force control, as the plan says, or an arm.
+"""Simulation of fingertip plans: spheres under position or force control, or an arm.
 
 Trials vary friction by 10 % and the fingers' places by 0.1 mm: `x` and `y` of a variation say
 where the first finger is beside its place; the others are beside theirs as far, in directions
@@ -53,7 +53,7 @@ MEASURES = {
 
 
 def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
-    """Executes a plan that is solved, by its arm or, without one, by bare fingertips."""
+    """Executes a solved plan by its arm or, without one, by bare fingertips."""
     start = time.perf_counter()
     by = carry_out_by_arm if plan.joint_segments else carry_out
     world, script, log = by(plan, variation)
@@ -88,7 +88,7 @@ def carry_out(
 
 
 def finger_offsets(variation: Variation, fingers: int) -> Matrix:
-    """[n, 3] by how much each finger is beside its place, level [m]."""
+    """Returns the horizontal offset of each finger from its position [n, 3] [m]."""
     turns = 2 * np.pi * np.arange(fingers) / fingers
     x, y = variation.x, variation.y
     along, across = np.cos(turns) * x - np.sin(turns) * y, np.sin(turns) * x + np.cos(turns) * y
@@ -96,7 +96,7 @@ def finger_offsets(variation: Variation, fingers: int) -> Matrix:
 
 
 def measure(world: World, script: Script, log: Log) -> dict[str, float]:
-    """What became of the object."""
+    """Returns the measures of an execution."""
     stage = script.stage[log.moments]
     moves = np.isin([script.names[k] for k in stage], ["slide", "turn", "tumble"])
     touches = np.array(log.pressed) > 0
@@ -113,7 +113,7 @@ def measure(world: World, script: Script, log: Log) -> dict[str, float]:
 
 
 def finger_slips(world: World, script: Script, log: Log) -> Matrix:
-    """[K] how far the worst fingertip is from its place on the object, along the surface [m]."""
+    """Returns the largest slip of a fingertip along the surface of the object [K] [m]."""
     slips = []
     for i, place, centers in zip(log.moments, log.places, log.centers, strict=True):
         X_OW = np.linalg.inv(frames.from_row(place.tolist()))
@@ -130,7 +130,7 @@ def finger_slips(world: World, script: Script, log: Log) -> Matrix:
 def judge(
     measures: dict[str, float], settings: Fingertip | None = None, *, varied: bool = False
 ) -> tuple[str, ...]:
-    """Names out of FAILURES; what is not a number is within no limit."""
+    """Returns names of FAILURES; a value that is not a number exceeds every limit."""
     limits = settings or Fingertip()
     tolerance = limits.varied_tolerance if varied else limits.tolerance
     holds = {
@@ -144,7 +144,7 @@ def judge(
 
 
 def recording(script: Script, log: Log) -> Recording:
-    """What moved."""
+    """Returns the recording."""
     return Recording(
         times=script.times[log.moments],
         positions=np.array(log.joints),

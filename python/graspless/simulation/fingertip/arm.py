@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A fingertip plan carried out by its robot: joint paths, with nominal forces fed forward."""
+"""Execution of a fingertip plan by its robot: joint paths with feed-forward of nominal forces."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ArmWorld(World):
-    """With a robot in place of bare fingertips.
+    """World with a robot in place of bare fingertips.
 
     Attributes
     ----------
@@ -46,25 +46,25 @@ class ArmWorld(World):
 
     @property
     def centers(self) -> Matrix:
-        """[n, 3] of the fingertips [m]."""
+        """Positions of the fingertips [n, 3] [m]."""
         centers: Matrix = self.data.xpos[self.tips]
         return centers
 
     @property
     def joint_positions(self) -> Matrix:
-        """[dof] of the robot [rad or m]."""
+        """Configuration [dof] of the robot [rad or m]."""
         q: Matrix = self.data.qpos[self.joints]
         return q
 
     def stand(self, place: Matrix, q: Matrix) -> None:
-        """Puts the object [7] and the robot [dof] where they are told, at rest."""
+        """Puts the object [7] and the robot [dof] at the given positions, at rest."""
         self.object_qpos[:] = place
         self.data.qvel[:] = 0
         set_positions(self.model, self.data, self.robot, q)
 
 
 def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
-    """The task's robot with planes, obstacles and object, which only fingers are to touch."""
+    """Makes the world: robot, planes, obstacles, and the object, which only fingers may touch."""
     problem, arm, settings = plan.task.problem, plan.task.arm, Fingertip()
     spec = robot_spec(arm.robot, plan.task.fields.robot)
     apply(spec, Solver(timestep=settings.timestep * variation.timestep))
@@ -85,7 +85,7 @@ def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
 
 
 def _fingertip(plan: Plan, finger: int) -> int:
-    """Which of the carrier's fingertips plays a finger of the plan."""
+    """Returns the index of the robot's fingertip that acts as a finger of the plan."""
     found = plan.fields.realization
     assert found is not None
     return found.finger_of_fingertip.index(finger)
@@ -96,7 +96,7 @@ def _frame(plan: Plan, finger: int) -> str:
 
 
 def _name_finger_geoms(spec: Any, plan: Plan) -> list[list[str]]:
-    """Names of the geoms of each finger's links, given here."""
+    """Names the geoms of the links of each finger; returns the names."""
     by_finger: list[list[str]] = []
     for finger in range(plan.task.problem.fingers.count):
         by_finger.append([])
@@ -108,7 +108,7 @@ def _name_finger_geoms(spec: Any, plan: Plan) -> list[list[str]]:
 
 
 def carry_out_by_arm(plan: Plan, variation: Variation) -> tuple[World, Script, Log]:
-    """As `carry_out`; `x`, `y` and `yaw` of a variation are of the object's place."""
+    """Executes a plan as `carry_out` does; `x`, `y` and `yaw` of the variation move the object."""
     world = build_arm_world(plan, variation)
     script = arm_program(plan, world.settings)
     script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
@@ -120,7 +120,7 @@ def carry_out_by_arm(plan: Plan, variation: Variation) -> tuple[World, Script, L
 
 
 def arm_program(plan: Plan, settings: Fingertip) -> Script:
-    """What the robot does: its joint paths in time; forces come and go while the object rests."""
+    """Returns the script of the robot: timed joint paths; forces change while the object rests."""
     trajectory = timed(plan, contact_speed=settings.arm_speed)
     parts: list[Script] = []
     for k, segment in enumerate(trajectory.segments):
@@ -145,7 +145,7 @@ def _part(plan: Plan, trajectory: Trajectory, k: int, segment: JointSegment) -> 
 
 
 def _rows(X_WO: Matrix, count: int, poses: Matrix) -> Matrix:
-    """[T] which of `count` rows each pose is at, by its way along the lattice's poses."""
+    """Returns the row [T], of `count`, of each pose, by its distance along the lattice poses."""
     if len(X_WO) == 1:
         return np.zeros(len(poses))
     lattice, asked = X_WO[:, :3].reshape(len(X_WO), -1), poses[:, :3].reshape(len(poses), -1)
@@ -160,7 +160,7 @@ def _rows(X_WO: Matrix, count: int, poses: Matrix) -> Matrix:
 
 
 class ArmServo:
-    """Moves a robot's joints as a script says, moment by moment.
+    """Moves the joints of a robot along a script, step by step.
 
     Every joint is under position control, with the nominal forces of the fingers fed forward by
     its Jacobian; both together stay within the motors' greatest effort. The joints that move one
@@ -179,7 +179,7 @@ class ArmServo:
         self._own = self._joints_of_one_finger()
 
     def command(self, i: int) -> None:
-        """Sets joint places and torques for moment i."""
+        """Sets joint positions and torques for moment i."""
         world, script = self._world, self._script
         is_new = i > 0 and script.stage[i] != script.stage[i - 1]
         if is_new and script.names[script.stage[i - 1]] in LOADING:
@@ -192,11 +192,11 @@ class ArmServo:
             if script.holds[i, finger] == 0:
                 free = self._own[finger]
                 places[free] = world.data.qpos[world.joints[free]]
-        # As a place, not as qfrc_applied: that would come on top of what the motors can give.
+        # As a position, not as qfrc_applied, which would exceed the limits of the motors.
         world.data.ctrl[:] = places + torques / self._stiffness
 
     def _jacobian(self, finger: int, normal: Matrix) -> Matrix:
-        """[3, dof] of where a fingertip touches, in W."""
+        """Returns the Jacobian [3, dof] of the contact point of a fingertip, in W."""
         world = self._world
         jacobian = np.zeros((3, world.model.nv))
         body = world.tips[finger]
@@ -205,7 +205,7 @@ class ArmServo:
         return jacobian[:, world.joints]
 
     def _joints_of_one_finger(self) -> list[Any]:
-        """[n][dof] whether a joint moves this fingertip and no other."""
+        """Returns masks [n][dof] of the joints that move this fingertip and no other."""
         mujoco.mj_forward(self._world.model, self._world.data)
         moves = [
             np.abs(self._jacobian(f, np.zeros(3))).max(axis=0) > 1e-9

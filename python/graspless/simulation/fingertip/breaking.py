@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How large a disturbance breaks the motion, against what the planner promised: z."""
+"""Smallest disturbance that breaks a motion, compared with the stability z of the plan."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Breaking:
-    """Of one row of a plan.
+    """Result for one row of a plan.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Breaking:
     compliant_stability: float
 
     def as_dict(self) -> dict[str, Any]:
-        """By name, with ratios; None where nothing broke it, which JSON has no number for."""
+        """Returns all values and ratios by name; None if nothing broke the motion."""
         z, compliant = self.stability, max(self.compliant_stability, 1e-12)
         return {
             "segment": self.segment,
@@ -83,14 +83,14 @@ def _finite(value: float) -> float | None:
 
 
 def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
-    """As `break_test`, in plain types."""
+    """Runs `break_test`; returns its result in plain types."""
     return break_test(plan, row).as_dict()
 
 
 def break_test(
     plan: Plan, row: tuple[int, int] | None = None, settings: Break | None = None
 ) -> Breaking:
-    """Wrenches along the task's directions grow until one moves a corner 1 mm off; and 5 mm.
+    """Increases wrenches along the directions of the task until a corner is off by 1 and 5 mm.
 
     The object begins at rest a little before the row, held by the fingers' nominal forces, and
     moves slowly past it, while the wrench comes and stays. Where friction is an interval, that of
@@ -128,7 +128,7 @@ def break_test(
 
 
 class Disturbed:
-    """A row of a plan that moves on, and what comes of wrenches there."""
+    """A row of a moving plan, and the effect of wrenches there."""
 
     def __init__(self, plan: Plan, segment: Segment, row: int, settings: Break) -> None:
         problem, self._settings = plan.task.problem, settings
@@ -148,7 +148,7 @@ class Disturbed:
 
     @property
     def undisturbed(self) -> float:
-        """How far a corner is from its planned place without any wrench, at worst [m]."""
+        """Returns the largest distance of a corner from its plan without any wrench [m]."""
         moments = range(self._start, len(self._script))
         looked_at = [i for i in moments if i % self._settings.every == 0]
         return max(
@@ -157,16 +157,16 @@ class Disturbed:
         )
 
     def wrench_O(self, direction: int) -> Matrix:
-        """[6] of 1 N along one of the task's directions."""
+        """Returns the wrench [6] of 1 N along one direction of the task."""
         wrench_O: Matrix = self._wrenches_O[direction]
         return wrench_O
 
     def breaks(self, wrench_O: Matrix, distance: float) -> bool:
-        """Whether a wrench about the centre of mass, in O [N, N m], moves a corner so far [m]."""
+        """True if a wrench about the centre of mass, in O [N, N m], moves a corner so far [m]."""
         return len(self._run(wrench_O, distance)) < len(self._undisturbed)
 
     def smallest(self, z: float, distance: float) -> tuple[float, int]:
-        """Factor [N] and number of the direction of the smallest wrench that does.
+        """Returns factor [N] and index of the direction of the smallest wrench that does.
 
         0 and -1: it goes so far from its planned place without any; inf and -1: none does.
         """
@@ -187,7 +187,7 @@ class Disturbed:
         return (best if direction >= 0 else np.inf), direction
 
     def _settled(self) -> Matrix:
-        """The world's state just before the wrench comes."""
+        """Returns the state of the world just before the wrench."""
         world, script = self._world, self._script
         held = script.places[0]
         world.place(frames.from_row(held.tolist()), script.centers[0])
@@ -202,7 +202,7 @@ class Disturbed:
         return state
 
     def _run(self, wrench_O: Matrix, distance: float | None = None) -> list[Matrix]:
-        """Places of the object every few steps; fewer than undisturbed where it goes too far."""
+        """Returns poses of the object every few steps, up to where it moves too far."""
         world, settings = self._world, self._settings
         mujoco.mj_setState(world.model, world.data, self._state, _WHOLE)
         self._servo.zero_O = self._zero_O
@@ -228,7 +228,7 @@ _WHOLE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 
 
 def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
-    """The fingers are loaded before the row, and the object then moves slowly past it."""
+    """Returns a script that loads the fingers and then moves the object slowly past the row."""
     times = np.arange(0, settings.until - settings.still, settings.sampling)
     poses = slow_poses(plan, segment, row, times, settings)
     problem = plan.task.problem
@@ -243,7 +243,7 @@ def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
 
 
 def slow_poses(plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break) -> Matrix:
-    """[T, 4, 4] X_WO: at the row when the wrench is half over, no corner faster than allowed."""
+    """Returns poses X_WO [T, 4, 4]: at the row halfway through the wrench, with limited speed."""
     arcs = len(segment.X_WO) - 1
     if arcs == 0:
         return np.repeat(segment.X_WO[:1], len(times), axis=0)

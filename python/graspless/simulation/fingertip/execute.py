@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Carries a script out, and looks at the object on the way."""
+"""Execution of a script, with observations of the object."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class Log:
-    """What was seen, every few steps: K looks, n fingers.
+    """Observations every few steps: K samples, n fingers.
 
     Attributes
     ----------
@@ -54,14 +54,14 @@ class Log:
 
 
 class Commands(Protocol):
-    """What moves the fingers."""
+    """Controller of the fingers."""
 
     def command(self, i: int) -> None:
         """Sets the engine's controls for moment i."""
 
 
 def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -> Log:
-    """Plays a script, a moment a step, from its first moment on; stops when all is lost.
+    """Executes a script, one moment per step; stops when the object is lost.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -
 
 
 def look(world: World, script: Script, i: int, log: Log) -> None:
-    """Adds what is now to the log, by moment i."""
+    """Adds the present state to the log, as moment i."""
     log.moments.append(i)
     log.places.append(world.object_qpos.copy())
     log.centers.append(world.centers.copy())
@@ -104,14 +104,14 @@ def look(world: World, script: Script, i: int, log: Log) -> None:
 
 
 def corner_error(hull: Matrix, place: Matrix, wanted: Matrix) -> float:
-    """How far the worst corner is from where it is to be [m]; both [7]."""
+    """Returns the largest distance of a corner from its planned position [m]; poses are [7]."""
     X_WO, X_WO_wanted = frames.from_row(place.tolist()), frames.from_row(wanted.tolist())
     off = hull @ (X_WO - X_WO_wanted)[:3, :3].T + (X_WO - X_WO_wanted)[:3, 3]
     return float(np.linalg.norm(off, axis=1).max())
 
 
 def contact_forces(world: World) -> tuple[float, Matrix]:
-    """Normal forces on the object: of all planes together, and of each finger [N]."""
+    """Returns normal forces on the object: of all planes together, and of each finger [N]."""
     planes, fingers, force = 0.0, np.zeros(world.fingers), np.zeros(6)
     for k, geoms in enumerate(world.data.contact.geom):
         kinds = set(world.kinds[geoms])
@@ -126,7 +126,7 @@ def contact_forces(world: World) -> tuple[float, Matrix]:
 
 
 def hit_depth(world: World) -> float:
-    """How deep something is in what it is not to touch; 0 where nothing is [m].
+    """Returns the depth of the deepest forbidden contact, or 0 [m].
 
     That is anything in an obstacle, the robot in a plane, and what is no fingertip in the object.
     """

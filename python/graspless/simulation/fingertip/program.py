@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A whole plan as a script: touch, load, move, regrasp, rest."""
+"""Script of a whole plan: touch, load, move, regrasp, rest."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def program(plan: Plan, trajectory: Trajectory, settings: Fingertip | None = Non
 
 
 def touch(first: Script, settings: Fingertip) -> Script:
-    """The fingers come along their normals to where `first` begins, without force."""
+    """Returns the approach of the fingers along their normals to the start of `first`."""
     start = still(first, 0, settings.load_seconds, "touch")
     centers = start.centers.copy()
     centers[0] -= settings.approach * start.normals[0]
@@ -55,7 +55,7 @@ def _moving(plan: Plan, trajectory: Trajectory, s: int) -> Script:
 
 
 def _regrasp(plan: Plan, moves: list[Script], s: int) -> Script:
-    """The finger leaves along its normal, goes round the object and comes along the next one."""
+    """Returns a regrasp: the finger leaves along its normal, rounds the object and approaches."""
     stay, finger = moves[s], plan.segments[s].finger
     thing = plan.task.problem.object
     X_WO = plan.segments[s].object_poses[0]
@@ -67,7 +67,7 @@ def _regrasp(plan: Plan, moves: list[Script], s: int) -> Script:
         before.centers[-1, finger], before.normals[-1, finger],
         after.centers[0, finger], after.normals[0, finger], middle, far,
     )  # fmt: skip
-    # At an even pace over the time that the trajectory gives it.
+    # At constant speed over the time of the trajectory.
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))])
     times = along / along[-1] * max(stay.duration, 1e-3)
     held = still(stay, 0, stay.duration, "regrasp").at(times)
@@ -79,7 +79,7 @@ def _regrasp(plan: Plan, moves: list[Script], s: int) -> Script:
 
 
 def way_round(p: Matrix, n: Matrix, q: Matrix, m: Matrix, middle: Matrix, far: float) -> Matrix:
-    """[T, 3] from p against normal n, round a ball, and along normal m to q.
+    """Returns a path [T, 3] from p against normal n, round a ball, and along normal m to q.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def way_round(p: Matrix, n: Matrix, q: Matrix, m: Matrix, middle: Matrix, far: f
 
 
 def _leave(p: Matrix, n: Matrix, middle: Matrix, far: float) -> Matrix:
-    """Where the ray from p against n leaves the ball."""
+    """Returns the point where the ray from p against n leaves the ball."""
     d = p - middle
     along = -float(d @ n)
     outside = along**2 - (float(d @ d) - far**2)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What fingertips are told to do: places, control modes and forces at every moment."""
+"""Scripts of fingertips: positions, control modes and forces at every moment."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Script:
-    """T moments, n fingers.
+    """Commands of n fingers at T moments.
 
     Attributes
     ----------
@@ -67,11 +67,11 @@ class Script:
 
     @property
     def duration(self) -> float:
-        """[s]."""
+        """Duration [s]."""
         return float(self.times[-1])
 
     def at(self, times: Matrix) -> Script:
-        """The moments at `times` [s], linear between those that it has; modes and stages jump."""
+        """Returns the script at other `times` [s], interpolated linearly; modes and stages jump."""
         after = np.searchsorted(self.times, times, side="left").clip(1, len(self) - 1)
         gap = self.times[after] - self.times[after - 1]
         t = ((times - self.times[after - 1]) / np.where(gap > 0, gap, 1)).clip(0, 1)
@@ -90,7 +90,7 @@ class Script:
         )  # fmt: skip
 
     def velocities(self) -> Matrix:
-        """[T, n, 3] of the fingertips' centres [m/s]."""
+        """Velocities of the centres of the fingertips [T, n, 3] [m/s]."""
         if len(self) < 2:
             return np.zeros_like(self.centers)
         steps = np.diff(self.centers, axis=0) / np.diff(self.times).reshape(-1, 1, 1)
@@ -98,7 +98,7 @@ class Script:
 
 
 def joined(parts: Sequence[Script]) -> Script:
-    """One script after another; times go on, quaternions do not jump."""
+    """Joins scripts; times continue, and quaternions do not jump."""
     start, names, shifted = 0.0, 0, []
     for part in parts:
         shifted.append(replace(part, times=part.times + start, stage=part.stage + names))
@@ -117,7 +117,7 @@ def joined(parts: Sequence[Script]) -> Script:
 def moving(
     segment: Segment, times: Matrix, rows: Matrix, object_poses: Matrix, radius: float
 ) -> Script:
-    """A segment as it is carried out.
+    """Returns the script of a segment.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def moving(
 
 
 def still(script: Script, i: int, seconds: float, name: str) -> Script:
-    """All as at moment i, for a while."""
+    """Returns a script that holds moment i for a while."""
     held = {
         field.name: np.repeat(getattr(script, field.name)[[i, i]][:1], 2, axis=0)
         for field in fields(Script)
@@ -172,7 +172,7 @@ def still(script: Script, i: int, seconds: float, name: str) -> Script:
 
 
 def blended(before: Script, after: Script, seconds: float) -> Script:
-    """From the forces at the end of one script to those at the beginning of the next, at rest.
+    """Returns a script at rest from the last forces of one script to the first of the next.
 
     All fingers are in force control; those that hold their places afterwards hold those that they
     then have.
@@ -184,6 +184,6 @@ def blended(before: Script, after: Script, seconds: float) -> Script:
 
 
 def _standing(segment: Segment) -> tuple[Matrix, Matrix]:
-    """[n, 3] points and normals; zero for a finger that is off the object."""
+    """Returns points and normals [n, 3]; zero for a finger that is off the object."""
     on = segment.touches[0][:, None]
     return np.where(on, segment.fingers[0], 0.0), np.where(on, segment.normals[0], 0.0)

@@ -19,7 +19,7 @@ LOADING = ("load", "settle")
 
 
 class Servo:
-    """Moves the fingertips of a world as a script says, moment by moment.
+    """Moves the fingertips of a world along a script, step by step.
 
     Along the surface every finger is a spring about its place, with the nominal force fed forward.
     Along the normal so is one in position control, within its greatest force; one in force control
@@ -72,7 +72,7 @@ class Servo:
 
     @property
     def zero_O(self) -> Matrix:
-        """[n, 3] where the fingers' places are zeroed to, turning with the object [m]."""
+        """Offsets of the finger positions [n, 3], turning with the object [m]."""
         zero_O: Matrix = self._zero_O.copy()
         return zero_O
 
@@ -99,7 +99,7 @@ class Servo:
             applied[finger, 3:] = self._turning * self._error
 
     def _zero(self, i: int, R_WO: Matrix) -> None:
-        """Takes the fingers' present places for what they are told, where it is time to."""
+        """Takes the present positions of fingers as their commands, when it is time to."""
         script = self._script
         is_new = script.stage[i] != script.stage[i - 1]
         starts = script.holds[i] > script.holds[i - 1]
@@ -110,5 +110,5 @@ class Servo:
             normals_O = script.normals[i] @ R_WO
             more = ((off - self._zero_O) * normals_O).sum(axis=1) * starts
             self._zero_O = self._zero_O + more[:, None] * normals_O
-        if is_new:  # who is not on the object goes where it is told
+        if is_new:  # a finger off the object follows its command
             self._zero_O[~script.forces[i].any(axis=1)] = 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A fingertip task in MuJoCo: planes, object, and spheres that servos move."""
+"""World of a fingertip task in MuJoCo: planes, object, and spheres that servos move."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 PLANE, OBJECT, FINGER, OBSTACLE = "plane", "object", "finger", "obstacle"
 
-# Bits of contact. What the plan lets touch does so in pairs that are named; the rest is a hit.
+# Collision bits. Allowed contacts are explicit pairs; any other contact counts as a hit.
 _ROBOT, _OBSTACLE = 1, 2  # a URDF's geoms have MuJoCo's own bit, on either side
 _PLANE_TOUCHES = {"contype": _ROBOT, "conaffinity": 0}
 _OBJECT_TOUCHES = {"contype": _ROBOT, "conaffinity": _OBSTACLE}
@@ -41,7 +41,7 @@ _NOTHING = {"contype": 0, "conaffinity": 0}
 
 @dataclass(frozen=True)
 class World:
-    """A model and what is where in it.
+    """A model and the indices of its parts.
 
     Attributes
     ----------
@@ -60,12 +60,12 @@ class World:
 
     @cached_property
     def hull(self) -> Matrix:
-        """[N, 3] corners of the object in O [m]."""
+        """Corners of the object [N, 3] in O [m]."""
         return np.array(self.problem.object.hull)
 
     @cached_property
     def kinds(self) -> NDArray[np.str_]:
-        """[G + 1] what each geom is: object, plane, finger, robot or obstacle.
+        """Role of each geom [G + 1]: object, plane, finger, robot or obstacle.
 
         The last is what MuJoCo numbers -1, no geom: a mesh that is an obstacle.
         """
@@ -81,39 +81,39 @@ class World:
 
     @cached_property
     def fingers(self) -> int:
-        """How many."""
+        """Number of fingers."""
         return self.problem.fingers.count
 
     @cached_property
     def radius(self) -> float:
-        """Of the fingertips [m]."""
+        """Radius of the fingertips [m]."""
         return self.problem.fingers.radius
 
     @cached_property
     def object_qpos(self) -> Matrix:
-        """[7] place [m] and quaternion of the object; a view."""
+        """Position [m] and quaternion of the object [7]; a view."""
         at = self.model.jnt_qposadr[self.model.body(OBJECT).jntadr[0]]
         qpos: Matrix = self.data.qpos[at : at + 7]
         return qpos
 
     @property
     def X_WO(self) -> Matrix:
-        """Where the object is."""
+        """Pose of the object."""
         return frames.from_row(self.object_qpos.tolist())
 
     @property
     def centers(self) -> Matrix:
-        """[n, 3] of the fingertips [m]."""
+        """Positions of the fingertips [n, 3] [m]."""
         centers: Matrix = self.data.qpos[7:].reshape(-1, 7)[:, :3]
         return centers
 
     @property
     def joint_positions(self) -> Matrix:
-        """[0] of an arm: there is none."""
+        """Configuration of the arm: empty, as there is none."""
         return np.zeros(0)
 
     def place(self, X_WO: Matrix, centers: Matrix) -> None:
-        """Puts all where it is told, at rest; fingertips are turned as the object is."""
+        """Puts everything at the given positions, at rest; fingertips turn with the object."""
         self.object_qpos[:] = frames.to_row(X_WO)
         fingers = self.data.qpos[7:].reshape(-1, 7)
         fingers[:, :3], fingers[:, 3:] = centers, frames.to_quaternion(X_WO)
@@ -121,25 +121,25 @@ class World:
         mujoco.mj_forward(self.model, self.data)
 
     def push(self, wrench_O: Matrix) -> None:
-        """A wrench on the object about its centre of mass, in O [N, N m], from now on."""
+        """Applies a constant wrench to the object about its centre of mass, in O [N, N m]."""
         body = self.model.body(OBJECT).id
         R_WO = frames.from_quaternion(self.object_qpos[3:])[:3, :3]
         self.data.xfrc_applied[body] = np.concatenate([R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]])
 
     def stiffen(self) -> None:
-        """Gives all contacts the parameters of what sticks."""
+        """Sets the parameters of all contacts to sticking."""
         s = self.settings
         self.model.pair_solref[:], self.model.pair_solimp[:] = s.stick_solref, s.stick_solimp
 
     def soften(self, *, slides: bool) -> None:
-        """Gives contacts with planes the parameters for an object that slides, or that does not."""
+        """Sets the parameters of contacts with planes for an object that slides, or does not."""
         s, planes = self.settings, slice(0, len(self.problem.planes))
         self.model.pair_solref[planes] = s.slide_solref if slides else s.stick_solref
         self.model.pair_solimp[planes] = s.slide_solimp if slides else s.stick_solimp
 
 
 def middle(interval: Iterable[float]) -> float:
-    """Of an interval of friction."""
+    """Returns the middle of an interval of friction."""
     return float(np.mean(list(interval)))
 
 
@@ -150,7 +150,7 @@ def build_world(
     *,
     friction_at: FrictionAt = middle,
 ) -> World:
-    """A world for a problem, friction and mass varied; nothing has its place yet.
+    """Makes the world of a problem with varied friction and mass; positions are not set yet.
 
     Of these only what the planner lets touch can touch: the object's hull with planes, its surface
     with fingertips. Obstacles stop both. `friction_at` says what is taken of friction's
@@ -177,7 +177,7 @@ def add_scene(
     variation: Variation,
     friction_at: FrictionAt = middle,
 ) -> None:
-    """Planes, the object that may touch them, and obstacles."""
+    """Adds planes, the object, which may touch them, and obstacles."""
     spec.option.gravity = problem.gravity_W
     body = _add_object(spec, problem.object, variation.mass)
     if not problem.object.is_convex:
@@ -197,7 +197,7 @@ def add_finger_pairs(
     names: Sequence[str],
     friction_at: FrictionAt = middle,
 ) -> None:
-    """Contact of fingers' geoms with the object; after that with the planes."""
+    """Adds the contact pairs of fingers with the object, then with the planes."""
     friction = friction_at(problem.fingers.friction) * variation.friction
     surface = [OBJECT]
     if not problem.object.is_convex:
@@ -224,7 +224,7 @@ def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> Any:
 
 
 def _add_skin(spec: Any, body: Any, thing: fingertip.Object, depth: float) -> None:
-    """A prism under every triangle of the surface: together they are not convex."""
+    """Adds a prism under every triangle of the surface, so that the object need not be convex."""
     for i, triangle in enumerate(np.asarray(thing.mesh.triangles)):
         corners = np.asarray(thing.mesh.vertices)[triangle]
         out = np.cross(corners[1] - corners[0], corners[2] - corners[0])
@@ -237,19 +237,19 @@ def _add_skin(spec: Any, body: Any, thing: fingertip.Object, depth: float) -> No
 
 
 def _box_size(hull: Matrix) -> Matrix | None:
-    """Side lengths where the corners are those of a box along O's axes."""
+    """Returns the side lengths if the corners are those of a box along the axes of O, else None."""
     lower, upper = hull.min(axis=0), hull.max(axis=0)
     at_corner = np.minimum(np.abs(hull - lower), np.abs(hull - upper)).max() < 1e-9
     return upper - lower if len(hull) == 8 and at_corner else None
 
 
 def _add_finger(spec: Any, name: str, radius: float, settings: Fingertip) -> None:
-    """A sphere on three slides along the world's axes and a ball joint; servos turn it."""
+    """Adds a sphere on three sliding joints along the world axes and a ball joint with servos."""
     body = spec.worldbody.add_body(name=name, gravcomp=1)
     damping = 2 * settings.damping_ratio * np.sqrt(settings.stiffness * settings.mass)
     for axis in np.eye(3):
         body.add_joint(type=mujoco.mjtJoint.mjJNT_SLIDE, axis=axis, damping=[damping, 0, 0])
-    # The same natural frequency for turning, with the stiffness that is asked for.
+    # The same natural frequency for rotation, at the given stiffness.
     share = settings.turning * radius**2
     body.add_joint(type=mujoco.mjtJoint.mjJNT_BALL, damping=[damping * share, 0, 0])
     body.explicitinertial, body.mass = True, settings.mass
@@ -261,5 +261,5 @@ def _add_finger(spec: Any, name: str, radius: float, settings: Fingertip) -> Non
 
 
 def _add_pair(spec: Any, name: str, friction: float, part: str = OBJECT) -> None:
-    """Contact with the object; MuJoCo would else take the larger coefficient of two."""
+    """Adds a contact pair with the object; otherwise MuJoCo takes the larger friction of two."""
     spec.add_pair(geomname1=name, geomname2=part, condim=3, friction=[friction] * 5)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A slide, executed by the whole arm: is the object where the plan says, and can it be lifted?"""
+"""Simulation of slides by the whole arm: checks the pose of the object, and lifts it."""
 
 from __future__ import annotations
 
@@ -38,15 +38,15 @@ MEASURES = {
     "creep": "how far the object moved in the hand while it was lifted and held [m]",
 }
 
-_LOOK = 0.01  # between looks of the judge [s]
+_LOOK = 0.01  # between observations of the judge [s]
 _RECORD = 50.0  # moments a second
-_NEVER = -1.0  # a margin of contact below which nothing comes [m]
+_NEVER = -1.0  # a contact margin that disables contact [m]
 
 
 def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
-    """Executes a plan that is solved; `settings` are for tests."""
+    """Executes a solved plan; `settings` are for tests."""
     start = time.perf_counter()
     execution = Execution(plan, variation, settings or Slide())
     if record:
@@ -63,7 +63,7 @@ def run(
 
 
 class Execution:
-    """A model in motion, and what is noted of it."""
+    """A running model and its observations."""
 
     def __init__(
         self,
@@ -92,15 +92,15 @@ class Execution:
         set_positions(model, self.data, plan.task.problem.robot, self.program.positions[0])
 
     def record(self) -> None:
-        """Keeps what moves from now on."""
+        """Starts the recording."""
         self._rows = []
 
     def recording(self) -> Recording:
-        """What was kept."""
+        """Returns the recording."""
         return Recording.of_arm(self._rows or [])
 
     def run(self, until: str = HOLD) -> None:
-        """To the end of a phase, or until the object has fallen."""
+        """Runs to the end of a phase, or until the object has fallen."""
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
@@ -156,7 +156,7 @@ class Execution:
             self.judge.note("off_target")
 
     def _let_finger_grasp(self) -> None:
-        """From here on the sliding finger touches with its own shapes, as the plan knows them."""
+        """Lets the sliding finger touch with its own shapes from now on, as in the plan."""
         model, groups = self.scene.model, self.scene.groups
         model.geom_contype[groups[SLIDING]] = FINGER_GRASPS.contype
         model.geom_conaffinity[groups[SLIDING]] = FINGER_GRASPS.conaffinity
@@ -186,7 +186,7 @@ class Execution:
 
 
 def overhang(plan: Plan, X_WO: Matrix) -> float:
-    """How far the outline of an object there lies outside the support [m]; 0 where it does not."""
+    """Returns the distance by which the outline of an object is outside the support, or 0 [m]."""
     support, thing = plan.task.problem.support, plan.task.problem.object
     X_SO = np.linalg.inv(support.X_WS) @ X_WO
     corners = np.array(thing.outline.vertices) @ X_SO[:2, :2].T + X_SO[:2, 3]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fingers that flex: each turns about one flexure behind its tip, held by a spring.
+"""Flexing fingers: each turns about one flexure behind its tip, held by a spring.
 
 Frame F is the sliding finger's: X along the line contact, Z out of the tip, Y towards the other
 finger. The other finger is its mirror image in the hand's frame H.
@@ -28,7 +28,7 @@ _MIRROR = np.diag([1.0, -1.0, 1.0, 1.0])
 
 @dataclass(frozen=True)
 class Bits:
-    """Who may touch whom: MuJoCo's contype and conaffinity."""
+    """Collision bits of a geom: contype and conaffinity of MuJoCo."""
 
     contype: int
     conaffinity: int
@@ -63,7 +63,7 @@ def add_flexing_fingers(
 
 
 def _flexing_links(problem: slide.Problem) -> dict[str, str]:
-    """Which link carries a fingertip."""
+    """Returns the link that carries a fingertip."""
     robot, hand = problem.robot, problem.hand
     index = robot.frame(hand.fingertip)
     while robot.frame_names[index] not in hand.sliding_finger and robot.parent(index) >= 0:
@@ -86,7 +86,7 @@ def _add_flexure(
     body = spec.body(link)
     X_LX = _behind(X_LT, hand.flexure_length)
     flex = body.add_body(name=name, pos=X_LX[:3, 3], quat=frames.to_quaternion(X_LX), gravcomp=1.0)
-    # The finger's mass turns about the flexure; the link keeps next to none.
+    # The mass of the finger turns about the flexure; the link keeps hardly any.
     p_XC = np.linalg.inv(X_LX)[:3] @ [*body.ipos, 1.0]
     mass, own = float(body.mass), float(np.max(body.fullinertia[:3]))
     flex.mass, flex.ipos, flex.inertia = mass, p_XC, [own, own, own]
@@ -101,7 +101,7 @@ def _add_flexure(
 
 
 def _move_shapes(link: Any, flex: Any, X_XL: Matrix) -> None:
-    """Gives the link's geoms to the flexing body."""
+    """Moves the geoms of the link to the flexing body."""
     for geom in list(link.geoms):
         X_XG = X_XL @ frames.translation(geom.pos) @ frames.from_quaternion(geom.quat)
         flex.add_geom(
@@ -116,7 +116,7 @@ def _move_shapes(link: Any, flex: Any, X_XL: Matrix) -> None:
 
 
 def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:
-    """The flexing body is not tested where its link is not."""
+    """Excludes the flexing body from the pairs from which its link is excluded."""
     names, own = robot.frame_names, robot.frame(link)
     for pair in sorted(robot.ignored_pairs):
         if own in pair:
@@ -125,7 +125,7 @@ def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:
 
 
 def _rub(geom: Any, hand: slide.Hand, settings: Slide) -> None:
-    """A soft pad: its patch withstands moments about the normal and across it."""
+    """Adds a soft pad, whose patch withstands moments about the normal and across it."""
     mu, a = hand.pad_friction, settings.pad_softness
     geom.friction = [mu, 2 / 3 * mu * a, a]
     geom.solref = [settings.tip_solref, 1.0]
@@ -144,6 +144,6 @@ def _add_pad(flex: Any, hand: slide.Hand, settings: Slide) -> None:
 
 
 def pad_offsets(width: float, n: int) -> Matrix:
-    """[n] where along X_F the pad's points are [m]: the middles of equal parts."""
+    """Returns the positions of the points of the pad along X_F [n] [m]: centres of equal parts."""
     offsets: Matrix = ((np.arange(n) + 0.5) / n - 0.5) * width
     return offsets

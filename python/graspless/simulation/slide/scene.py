@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The world of a slide in MuJoCo: robot with flexing fingers, table, obstacles, object.
+"""World of a slide in MuJoCo: robot with flexing fingers, table, obstacles, object.
 
 The object stands on feet, small spheres spread evenly over its underside: faces that lie on each
 other would touch in their corners only, and resist turning twice as much as an even pressure.
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 OBJECT, TABLE, OBSTACLE, FOOT, EDGE = "object", "table", "obstacle", "foot", "edge"
 
-# Bits of contact. Feet, edge and pad touch in pairs that are named, with friction of their own.
+# Collision bits. Feet, edge and pad touch in explicit pairs with their own friction.
 _ROBOT, _TABLE, _OBSTACLE, _OBJECT, _FINGER, _GRASP = 1, 2, 4, 8, 16, 32
 FINGER_SLIDES = Bits(_FINGER, _ROBOT)
 FINGER_GRASPS = Bits(_FINGER | _GRASP, _ROBOT)
@@ -45,11 +45,11 @@ _BITS = {
 
 @dataclass(frozen=True)
 class Scene:
-    """What is executed in: a model, and where things are in it."""
+    """A model, and the indices of its parts."""
 
     model: Any
-    X_WO: Matrix  # where the object lies at first
-    groups: dict[str, Any]  # indices of geoms by what they are
+    X_WO: Matrix  # initial pose of the object
+    groups: dict[str, Any]  # indices of geoms by role
 
 
 def build_scene(
@@ -58,7 +58,7 @@ def build_scene(
     settings: Slide | None = None,
     obstacles: Sequence[Any] | None = None,
 ) -> Scene:
-    """The model of a plan's own task, varied; `obstacles` instead of the task's."""
+    """Makes the varied model of the task of a plan; `obstacles` replace those of the task."""
     settings = settings or Slide()
     problem = plan.task.problem
     spec = robot_spec(problem.robot, plan.task.fields.robot)
@@ -80,7 +80,7 @@ def build_scene(
 
 
 def varied_start(problem: Any, variation: Variation) -> Matrix:
-    """X_WO: moved in the plane of the support, and turned about the object's own origin."""
+    """Returns X_WO, shifted in the plane of the support and turned about the origin of O."""
     X_WS = np.array(problem.support.X_WS)
     X_SO = np.linalg.inv(X_WS) @ problem.X_WO_start
     moved = frames.translation([variation.x, variation.y, 0.0])
@@ -99,7 +99,7 @@ def _add_table(spec: Any, plan: Plan, settings: Slide) -> None:
 
 
 def _edge_points(plan: Plan, settings: Slide) -> Matrix:
-    """[N, 2] along the table's outline, in S, where the object comes."""
+    """Returns points [N, 2] in S along the outline of the table, where the object may come."""
     problem = plan.task.problem
     points = points_along(problem.support.polygon, settings.rim_spacing)
     reach = np.linalg.norm(np.array(problem.object.outline.vertices), axis=1).max() + 0.02
@@ -144,7 +144,7 @@ def _mark(geom: Any, what: str) -> None:
 
 
 def _add_pairs(spec: Any, problem: Any, settings: Slide, variation: Variation) -> None:
-    """What slides on what, with one friction a pair."""
+    """Adds the sliding contact pairs, each with its friction."""
     names = [geom.name for geom in spec.geoms]
     of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
     parts = [n for n in names if n.startswith(OBJECT)]
