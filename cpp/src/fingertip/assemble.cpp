@@ -193,13 +193,13 @@ void find_weakest(Plan& plan) {
 
 }  // namespace
 
-std::vector<Stage> stages_of(const PathQuery& query, const Route& route) {
+std::vector<Stage> stages_of(const PoseGraph& graph, const Route& route) {
   std::vector<Stage> stages;
   for (const Node& node : route.nodes) {
     if (stages.empty() || stages.back().placement != node.placement) {
       stages.push_back({node.placement, {}});
     }
-    stages.back().X_WO.push_back(query.X_WO[static_cast<std::size_t>(node.pose)]);
+    stages.back().X_WO.push_back(graph.X_WO(node.pose));
   }
   return stages;
 }

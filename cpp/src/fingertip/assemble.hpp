@@ -7,7 +7,7 @@
 #include "fingertip/model/evaluator.hpp"
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
-#include "fingertip/model/path_query.hpp"
+#include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
 
@@ -19,7 +19,7 @@ struct Stage {
 };
 
 /// A route of the manipulation-feasibility graph as stages.
-std::vector<Stage> stages_of(const PathQuery& query, const Route& route);
+std::vector<Stage> stages_of(const PoseGraph& graph, const Route& route);
 
 /// Fills a plan's segments, rows, cost, weakest row, regrasps and warnings. The cost is computed
 /// anew by (9) and (10). A stage that carries the object along different ways (slide, turn, tumble)

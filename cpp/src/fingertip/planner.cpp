@@ -11,29 +11,33 @@
 #include "fingertip/assemble.hpp"
 #include "fingertip/explain.hpp"
 #include "fingertip/friction.hpp"
-#include "fingertip/motions.hpp"
+#include "fingertip/goal/goal.hpp"
+#include "fingertip/lattice/search.hpp"
+#include "fingertip/lazy/search.hpp"
+#include "fingertip/search/graph_search.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
-Plan plan_path(Workshop& workshop, const Path& path, planning::Clock& clock) {
+template <typename Motion>
+Plan plan_graph(SearchContext& context, const Motion& motion, planning::Clock& clock) {
   Plan plan;
-  const PathQuery query(workshop.problem, path, workshop.locations, workshop.instants,
-                        workshop.options);
-  const Route route = search(query, workshop, clock, plan.statistics);
+  const PoseGraph graph(context.problem, motion, context.locations, context.instants,
+                        context.options);
+  const Route route = search(graph, context, clock, plan.statistics);
+  plan.lower_bound = route.lower_bound;
   if (route.found) {
-    assemble(stages_of(query, route), workshop.locations, workshop.instants,
-             workshop.evaluators.front(), plan);
+    assemble(stages_of(graph, route), context.locations, context.instants,
+             context.evaluators.front(), plan);
     plan.status = Status::solved;
-    plan.lower_bound = route.is_complete ? plan.cost : route.lower_bound;
+    if (route.is_complete) plan.lower_bound = plan.cost;
   } else {
-    plan.lower_bound = route.lower_bound;
-    explain_failure(query, route, clock, plan);
+    explain_failure(graph, route, clock, plan);
   }
   return plan;
 }
 
-/// What was found, in a sentence.
+/// One sentence on the plan found.
 std::string summary(const Plan& plan) {
   const Row& weakest = plan.segments[static_cast<std::size_t>(plan.weakest_segment)]
                            .rows[static_cast<std::size_t>(plan.weakest_row)];
@@ -46,29 +50,33 @@ std::string summary(const Plan& plan) {
 
 }  // namespace
 
-Workshop::Workshop(const Problem& problem_in, const Options& options_in)
+SearchContext::SearchContext(const Problem& problem_in, const Options& options_in)
     : problem(problem_in),
       options(options_in),
       locations(problem.object, problem.fingers, options),
       instants(problem, options) {
-  for (int i = 0; i < std::max(kLanes, options.threads); ++i) {
+  for (int i = 0; i < std::max(kPoolSize, options.threads); ++i) {
     evaluators.emplace_back(instants, locations, options);
   }
 }
 
-Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
+Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& clock,
              Statistics& statistics, double limit) {
-  if (workshop.options.search == Search::fast) {
-    return search_fast(query, workshop.evaluators, clock, statistics, limit);
+  Evaluator& evaluator = context.evaluators.front();
+  if (context.options.search != Search::fast) {
+    GraphSearch settings;
+    settings.heuristic = context.options.search == Search::paper;
+    settings.limit = limit;
+    return search_graph(graph, evaluator, settings, clock, statistics);
   }
-  return search_graph(query, workshop.evaluators.front(), workshop.options.search == Search::paper,
-                      clock, statistics, limit);
+  return graph.is_path() ? search_fast(graph, context.evaluators, clock, statistics, limit)
+                         : search_lattice(graph, evaluator, clock, statistics);
 }
 
-void count(const Workshop& workshop, const planning::Clock& clock, Statistics& statistics) {
+void count(const SearchContext& context, const planning::Clock& clock, Statistics& statistics) {
   statistics.seconds = clock.seconds();
-  statistics.locations = workshop.locations.size();
-  for (const Evaluator& evaluator : workshop.evaluators) {
+  statistics.locations = context.locations.size();
+  for (const Evaluator& evaluator : context.evaluators) {
     const auto& counters = evaluator.solver().counters();
     statistics.z_evaluations += counters.evaluations;
     statistics.bounded_tests += counters.bounded_tests;
@@ -77,19 +85,19 @@ void count(const Workshop& workshop, const planning::Clock& clock, Statistics& s
 }
 
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock) {
-  Workshop workshop(problem, options);
-  Plan plan = plan_over_friction(problem, options, workshop.instants, [&] {
-    for (Evaluator& evaluator : workshop.evaluators) evaluator.forget();
+  SearchContext context(problem, options);
+  Plan plan = plan_over_friction(problem, options, context.instants, [&] {
+    for (Evaluator& evaluator : context.evaluators) evaluator.forget();
     if (const auto* path = std::get_if<Path>(&problem.motion)) {
-      return plan_path(workshop, *path, clock);
+      return plan_graph(context, *path, clock);
     }
     if (const auto* goal = std::get_if<Goal>(&problem.motion)) {
-      return plan_goal(workshop, *goal, clock);
+      return plan_goal(context, *goal, clock);
     }
-    return plan_lattice(workshop, std::get<Lattice>(problem.motion), clock);
+    return plan_graph(context, std::get<Lattice>(problem.motion), clock);
   });
   if (plan) plan.reason = summary(plan);
-  count(workshop, clock, plan.statistics);
+  count(context, clock, plan.statistics);
   return plan;
 }
 

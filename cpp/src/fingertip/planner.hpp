@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "fingertip/model/evaluator.hpp"
-#include "fingertip/model/path_query.hpp"
+#include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
 
-/// What every kind of motion needs: the lattice of locations, the instants met so far, an evaluator
-/// a thread. Problem and options must outlive it.
-struct Workshop {
-  Workshop(const Problem& problem, const Options& options);
+/// Tables that all searches of a problem share: fingertip locations, the instants met so far, and
+/// an evaluator for each thread. Problem and options must outlive it.
+struct SearchContext {
+  SearchContext(const Problem& problem, const Options& options);
 
   const Problem& problem;
   const Options& options;
@@ -22,19 +22,19 @@ struct Workshop {
   std::vector<Evaluator> evaluators;
 };
 
-/// Searches a path by the engine of the options, which does not look for routes of `limit`
-/// or more.
-Route search(const PathQuery& query, Workshop& workshop, planning::Clock& clock,
+/// Searches a graph by the engine of the options. Routes of `limit` or more are not searched for,
+/// in a path.
+Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& clock,
              Statistics& statistics, double limit = std::numeric_limits<double>::infinity());
 
-/// plan() without validation and explanation; what explain() asks with other values.
+/// plan() without validation and explanation.
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock);
 
-/// Counters of the evaluators, and the time.
-void count(const Workshop& workshop, const planning::Clock& clock, Statistics& statistics);
+/// Adds the evaluators' counters to the statistics, and the time.
+void count(const SearchContext& context, const planning::Clock& clock, Statistics& statistics);
 
-/// What a plan that was not found is to say: the first pose at which geometry allows no placement.
-void explain_failure(const PathQuery& query, const Route& route, planning::Clock& clock,
+/// Fills status and reason of a plan that was not found: geometry, stability or time.
+void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,
                      Plan& plan);
 
 }  // namespace graspless::fingertip

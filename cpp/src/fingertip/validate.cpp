@@ -69,10 +69,6 @@ void check_planes(const std::vector<Plane>& planes) {
 
 void check_lattice_options(const Problem& problem, const Options& options, double locations) {
   if (!std::holds_alternative<Lattice>(problem.motion)) return;
-  if (options.search != Search::fast) {
-    throw std::invalid_argument(std::string("options.search must be 'fast' for a Lattice, not '") +
-                                (options.search == Search::paper ? "paper" : "dijkstra") + "'");
-  }
   const double bytes = lattice_memory(problem, locations);
   if (bytes <= options.max_memory) return;
   std::ostringstream text;

@@ -10,9 +10,9 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/mechanics/contact_patch.hpp"
 
-#include "fingertip/lattice/space.hpp"
 #include "fingertip/model/clearance.hpp"
 #include "fingertip/model/instants.hpp"
+#include "fingertip/model/pose_graph.hpp"
 #include "fingertip/model/screw.hpp"
 #include "fingertip/validate.hpp"
 
@@ -176,12 +176,7 @@ void check_motion(const Problem& problem) {
 double lattice_memory(const Problem& problem, double num_locations) {
   const auto* lattice = std::get_if<Lattice>(&problem.motion);
   if (lattice == nullptr) return 0;
-  const double yaws = lattice->counts[2];
-  const double poses = 1.0 * lattice->counts[0] * lattice->counts[1] * yaws;
-  // A pose: moves and their kinds, marks of the search; a location: clearance and distance.
-  const double moves = LatticeSpace::kMoves;
-  return poses * (2 * sizeof(int) * moves + 64 + num_locations * (1 + sizeof(double))) +
-         yaws * num_locations * sizeof(double) * (moves + 3);
+  return PoseGraph::memory_needed(*lattice, num_locations);
 }
 
 double memory_needed(const Problem& problem, const Options& options, double num_locations) {

@@ -15,19 +15,21 @@ struct Instance {
         options(std::move(options_in)),
         locations(problem.object, problem.fingers, options),
         instants(problem, options),
-        query(problem, std::get<Path>(problem.motion), locations, instants, options),
+        graph(problem, std::get<Path>(problem.motion), locations, instants, options),
         evaluator(instants, locations, options) {}
 
   Route search(bool heuristic, const planning::Budget& budget = {}) {
     planning::Clock clock(budget);
-    return search_graph(query, evaluator, heuristic, clock, statistics);
+    GraphSearch settings;
+    settings.heuristic = heuristic;
+    return search_graph(graph, evaluator, settings, clock, statistics);
   }
 
   Problem problem;
   Options options;
   Locations locations;
   Instants instants;
-  PathQuery query;
+  PoseGraph graph;
   Evaluator evaluator;
   Statistics statistics;
 };

@@ -26,7 +26,7 @@ enum class Search {
 
 /// How to search. The paper's values where it gives one.
 struct Options {
-  Search search = Search::fast;  ///< a Lattice: fast only
+  Search search = Search::fast;  ///< all find the same cost
   /// Fingertip locations along each side of a face's rectangle, cell-centred; the paper's 7 x 7.
   int locations_per_side = 7;
   /// Instead: distance between locations [m]; 0 takes locations_per_side.

@@ -13,9 +13,11 @@
 namespace graspless::fingertip::checking {
 namespace {
 
-constexpr double kRound = 1e-7;  // relative, of stabilities
+constexpr double kRoundStability = 1e-7;  // relative, of stabilities
 
-bool differs(double a, double b) { return !(std::abs(a - b) <= kRound * std::max(1.0, b)); }
+bool differs(double a, double b) {
+  return !(std::abs(a - b) <= kRoundStability * std::max(1.0, b));
+}
 
 std::vector<mechanics::Plane> planes_of(const Problem& problem) {
   std::vector<mechanics::Plane> planes;
@@ -120,9 +122,9 @@ void Examination::check_mechanics(std::size_t s, std::size_t r) {
   const Verdict& found = judged(instant);
   if (!found.is_bounded) fault(place(s, r), "modes: the fingers can jam the object");
   // With friction as an interval a plan may promise less than what both ends allow.
-  const bool short_of = is_interval() ? row.stability > found.stability * (1 + kRound)
+  const bool short_of = is_interval() ? row.stability > found.stability * (1 + kRoundStability)
                                       : differs(row.stability, found.stability);
-  if (short_of || row.stability < options_.min_stability * (1 - kRound)) {
+  if (short_of || row.stability < options_.min_stability * (1 - kRoundStability)) {
     fault(place(s, r), "stability: " + figure(found.stability) + ", promised " +
                            figure(row.stability) + " (needed " + figure(options_.min_stability) +
                            ")");

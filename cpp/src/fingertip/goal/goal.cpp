@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From pose to pose with any face down: contact states first, then the search of each path.
+#include "fingertip/goal/goal.hpp"
+
 #include <stdexcept>
 #include <string>
 
+#include "fingertip/goal/contact_states.hpp"
 #include "fingertip/goal/paths.hpp"
 #include "fingertip/goal/search.hpp"
-#include "fingertip/goal/stances.hpp"
-#include "fingertip/motions.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -16,16 +17,16 @@ namespace {
 constexpr int kMaxSequences = 200;  // of one number of tumbles: a bound for hulls of many faces
 
 /// The face that the object stands on by itself.
-int standing_face(const Problem& problem, const Stances& stances, const Eigen::Isometry3d& X_WO,
-                  const std::string& field) {
+int standing_face(const Problem& problem, const ContactStates& states,
+                  const Eigen::Isometry3d& X_WO, const std::string& field) {
   const Plane& floor = problem.planes.front();
   const double tolerance = kContactTolerance * problem.object.size();
-  const int face = stances.standing(X_WO, floor, tolerance);
+  const int face = states.standing(X_WO, floor, tolerance);
   if (face < 0) {
     throw std::invalid_argument(field + " must have a face of the object's convex hull flush on '" +
                                 floor.name + "'");
   }
-  if (!stances[face].is_stable) {
+  if (!states[face].is_stable) {
     throw std::invalid_argument(field + " must have the centre of mass over the face on '" +
                                 floor.name + "': there the object would tip over");
   }
@@ -63,25 +64,25 @@ void admit_truncation(Plan& plan) {
 
 }  // namespace
 
-Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock) {
-  const Problem& problem = workshop.problem;
+Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock) {
+  const Problem& problem = context.problem;
   require_motion(problem, goal);
-  const Stances stances(problem.object);
-  const int from = standing_face(problem, stances, goal.X_WO_start, "motion.X_WO_start");
-  const int to = standing_face(problem, stances, goal.X_WO_goal, "motion.X_WO_goal");
-  const int needed = stances.tumbles_to(to)[static_cast<std::size_t>(from)];
+  const ContactStates states(problem.object);
+  const int from = standing_face(problem, states, goal.X_WO_start, "motion.X_WO_start");
+  const int to = standing_face(problem, states, goal.X_WO_goal, "motion.X_WO_goal");
+  const int needed = states.tumbles_to(to)[static_cast<std::size_t>(from)];
   if (needed < 0 || needed > goal.max_tumbles) return out_of_reach(needed, goal);
 
-  GoalSearch search(workshop, clock);
+  GoalSearch search(context, clock);
   bool is_truncated = false;
   for (int tumbles = needed; tumbles <= goal.max_tumbles; ++tumbles) {
-    auto sequences = tumble_sequences(stances, from, to, tumbles, kMaxSequences + 1);
+    auto sequences = tumble_sequences(states, from, to, tumbles, kMaxSequences + 1);
     if (sequences.size() > kMaxSequences) {
       is_truncated = true;
       sequences.resize(kMaxSequences);
     }
     for (const TumbleSequence& sequence : sequences) {
-      search.add(goal_paths(problem, goal, stances, from, sequence), tumbles_alone(goal, sequence));
+      search.add(goal_paths(problem, goal, states, from, sequence), tumbles_alone(goal, sequence));
     }
     if (search.run()) break;
   }

@@ -116,23 +116,23 @@ class PathMaker {
 };
 
 /// The times at which the object stands by itself.
-std::vector<std::size_t> standing_times(const Stances& stances, int start_face,
+std::vector<std::size_t> standing_times(const ContactStates& states, int start_face,
                                         const TumbleSequence& tumbles) {
   std::vector<std::size_t> times;
   for (std::size_t time = 0; time <= tumbles.size(); ++time) {
     const int face = time == 0 ? start_face : tumbles[time - 1]->to;
-    if (stances[face].is_stable) times.push_back(time);
+    if (states[face].is_stable) times.push_back(time);
   }
   return times;
 }
 
 }  // namespace
 
-std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const Stances& stances,
+std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const ContactStates& states,
                              int start_face, const TumbleSequence& tumbles) {
   using Order = Schedule::Order;
   const PathMaker maker(problem, goal, tumbles);
-  const std::vector<std::size_t> times = standing_times(stances, start_face, tumbles);
+  const std::vector<std::size_t> times = standing_times(states, start_face, tumbles);
   std::vector<Schedule> schedules;
   for (const double yaw : maker.yaws()) {
     for (const std::size_t turn : maker.turns() ? times : std::vector<std::size_t>{0}) {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fingertip/goal/stances.hpp"
+#include "fingertip/goal/contact_states.hpp"
 
 namespace graspless::fingertip {
 
@@ -16,7 +16,7 @@ namespace graspless::fingertip {
 /// X_WO_goal (X_WO_start tumbles)^-1, one turn and one slide. The paths differ in when each comes:
 /// every pair of times, either order at one time, and both at once as a turn about the pole of the
 /// motion.
-std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const Stances& stances,
+std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const ContactStates& states,
                              int start_face, const TumbleSequence& tumbles);
 
 /// The tumbles one after the other, without slides and turns.

@@ -15,7 +15,6 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // When regrasps are needed, paths that could be cheaper by less than this part are left out.
 constexpr double kGap = 1e-3;
 
@@ -31,11 +30,11 @@ std::string plane_entered(const Problem& problem, const Eigen::Isometry3d& X_WO)
 
 }  // namespace
 
-GoalSearch::GoalSearch(Workshop& workshop, planning::Clock& clock)
-    : workshop_(workshop),
+GoalSearch::GoalSearch(SearchContext& context, planning::Clock& clock)
+    : context_(context),
       clock_(clock),
-      clearance_(workshop.problem),
-      floor_problem_(workshop.problem),
+      clearance_(context.problem),
+      floor_problem_(context.problem),
       lower_bound_(kInfinity),
       best_cost_(kInfinity) {
   floor_problem_.planes.resize(1);
@@ -49,7 +48,7 @@ void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
     const std::string complaint = fault(path);
     if (complaint.empty()) {
       const Bounds least = bounds(path);
-      const double bound = std::min(least.whole, least.pieces + workshop_.options.regrasp_cost);
+      const double bound = std::min(least.whole, least.pieces + context_.options.regrasp_cost);
       const int sequence = static_cast<int>(sequences_.size()) - 1;
       candidates_.push_back({path, bound, least.pieces, least.most, sequence});
     } else if (fault_.empty()) {
@@ -60,7 +59,7 @@ void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
 
 /// What the object runs into.
 std::string GoalSearch::fault(const Path& path) {
-  const int P = workshop_.options.samples_per_arc;
+  const int P = context_.options.samples_per_arc;
   for (std::size_t i = 0; i < path.X_WO.size(); ++i) {
     const bool is_last = i + 1 == path.X_WO.size();
     const auto twist_O = is_last ? mechanics::Vector6d(mechanics::Vector6d::Zero())
@@ -68,7 +67,7 @@ std::string GoalSearch::fault(const Path& path) {
     for (int j = 0; j < (is_last ? 1 : 1 + P); ++j) {
       const Eigen::Isometry3d X_WO =
           j == 0 ? path.X_WO[i] : along_screw(path.X_WO[i], twist_O, (j - 0.5) / P);
-      const std::string plane = plane_entered(workshop_.problem, X_WO);
+      const std::string plane = plane_entered(context_.problem, X_WO);
       if (!plane.empty()) return "the object would enter plane '" + plane + "'";
       const std::string obstacle = clearance_.obstacle_at(X_WO);
       if (!obstacle.empty()) return "the object would touch '" + obstacle + "'";
@@ -79,13 +78,13 @@ std::string GoalSearch::fault(const Path& path) {
 
 /// Without regrasps some location goes all the way; with them each arc has its own, at least.
 GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
-  std::vector<double> whole(static_cast<std::size_t>(workshop_.locations.size()), 0.0);
+  std::vector<double> whole(static_cast<std::size_t>(context_.locations.size()), 0.0);
   Bounds bounds{kInfinity, 0, 0};
   for (std::size_t i = 0; i + 1 < path.X_WO.size(); ++i) {
     const auto twist_O = screw_between(path.X_WO[i], path.X_WO[i + 1]);
     double least = kInfinity, most = 0;
-    for (int l = 0; l < workshop_.locations.size(); ++l) {
-      const double moved = sphere_speed(twist_O, workshop_.locations[l]);
+    for (int l = 0; l < context_.locations.size(); ++l) {
+      const double moved = sphere_speed(twist_O, context_.locations[l]);
       whole[static_cast<std::size_t>(l)] += moved;
       least = std::min(least, moved);
       most = std::max(most, moved);
@@ -93,7 +92,7 @@ GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
     bounds.pieces += least;
     bounds.most += most;
   }
-  const Options& options = workshop_.options;
+  const Options& options = context_.options;
   bounds.most *= (1 + options.stability_weight / options.min_stability) * (1 + 1e-9);
   for (const double moved : whole) bounds.whole = std::min(bounds.whole, moved);
   return bounds;
@@ -103,7 +102,7 @@ bool GoalSearch::run() {
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
   // Most of the work goes into regrasps: first all paths without, then with one, then the rest.
-  const double X_regr = workshop_.options.regrasp_cost;
+  const double X_regr = context_.options.regrasp_cost;
   for (const double limit : {X_regr, 2 * X_regr, kInfinity}) {
     for (Candidate& candidate : candidates_) {
       const double near = limit > X_regr ? best_cost_ * (1 - kGap) : best_cost_;
@@ -124,18 +123,18 @@ bool GoalSearch::run() {
 bool GoalSearch::needs_regrasp(Sequence& sequence) {
   if (!sequence.failed) return false;
   if (!sequence.needs_regrasp) {
-    if (!on_floor_) on_floor_ = std::make_unique<Workshop>(floor_problem_, workshop_.options);
-    const PathQuery query(floor_problem_, sequence.tumbles, on_floor_->locations,
-                          on_floor_->instants, workshop_.options);
+    if (!on_floor_) on_floor_ = std::make_unique<SearchContext>(floor_problem_, context_.options);
+    const PoseGraph graph(floor_problem_, sequence.tumbles, on_floor_->locations,
+                          on_floor_->instants, context_.options);
     const Route route =
-        search(query, *on_floor_, clock_, statistics_, workshop_.options.regrasp_cost);
+        search(graph, *on_floor_, clock_, statistics_, context_.options.regrasp_cost);
     sequence.needs_regrasp = route.is_complete && !route.found;
   }
   return *sequence.needs_regrasp;
 }
 
 void GoalSearch::look_at(Candidate& candidate, double limit) {
-  const double X_regr = workshop_.options.regrasp_cost;
+  const double X_regr = context_.options.regrasp_cost;
   Sequence& sequence = sequences_[static_cast<std::size_t>(candidate.sequence)];
   // Then what a route costs says how many regrasps it has.
   const bool regrasps_rule = candidate.most < X_regr;
@@ -144,16 +143,16 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
     return;
   }
   ++statistics_.candidates;
-  std::optional<PathQuery> query;
+  std::optional<PoseGraph> graph;
   try {
-    query.emplace(workshop_.problem, candidate.path, workshop_.locations, workshop_.instants,
-                  workshop_.options);
+    graph.emplace(context_.problem, candidate.path, context_.locations, context_.instants,
+                  context_.options);
   } catch (const std::invalid_argument& error) {
     candidate.bound = kInfinity;
     if (fault_.empty()) fault_ = error.what();  // contacts that points cannot stand for
     return;
   }
-  const Route route = search(*query, workshop_, clock_, statistics_, limit);
+  const Route route = search(*graph, context_, clock_, statistics_, limit);
   candidate.bound = std::max(candidate.bound, route.lower_bound);
   if (route.is_complete && !route.found) {
     // Nothing below the limit: as many regrasps as that has room for, and one more.
@@ -164,7 +163,7 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
   }
   if (!route.found || route.cost >= best_cost_) return;
   best_cost_ = route.cost;
-  best_ = stages_of(*query, route);
+  best_ = stages_of(*graph, route);
 }
 
 Plan GoalSearch::plan() {
@@ -173,7 +172,7 @@ Plan GoalSearch::plan() {
   if (on_floor_) count(*on_floor_, clock_, plan.statistics);
   if (best_cost_ < kInfinity) {
     plan.status = Status::solved;
-    assemble(best_, workshop_.locations, workshop_.instants, workshop_.evaluators.front(), plan);
+    assemble(best_, context_.locations, context_.instants, context_.evaluators.front(), plan);
     plan.lower_bound = std::min(lower_bound_, plan.cost);
   } else {
     fail(plan);

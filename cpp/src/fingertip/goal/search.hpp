@@ -19,7 +19,7 @@ namespace graspless::fingertip {
 /// instants, stabilities) is worked out once.
 class GoalSearch {
  public:
-  GoalSearch(Workshop& workshop, planning::Clock& clock);
+  GoalSearch(SearchContext& context, planning::Clock& clock);
 
   /// Paths to be looked at by run(), but those on which the object hits something. All tumble over
   /// the same edges; `tumbles` does nothing else (one pose: there are none).
@@ -55,11 +55,11 @@ class GoalSearch {
   void look_at(Candidate& candidate, double limit);
   void fail(Plan& plan) const;
 
-  Workshop& workshop_;
+  SearchContext& context_;
   planning::Clock& clock_;
   Clearance clearance_;
   Problem floor_problem_;  // without walls and obstacles
-  std::unique_ptr<Workshop> on_floor_;
+  std::unique_ptr<SearchContext> on_floor_;
   Statistics statistics_;
   std::vector<Candidate> candidates_;  // not yet searched
   std::vector<Sequence> sequences_;

@@ -18,29 +18,31 @@ constexpr double kPolar = 1e-12;     // y . g of a functional of length 1 that c
 constexpr float kRounding = 1e-5F;   // of single precision, relative to the terms added
 constexpr double kProgress = 0.999;  // a functional must bound by that much better to be kept
 
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-LatticeBounds::LatticeBounds(Workshop& workshop)
-    : workshop_(workshop), row_(ix(workshop.locations.size())) {
-  const Locations& locations = workshop.locations;
+LatticeBounds::LatticeBounds(const PoseGraph& graph, Evaluator& evaluator)
+    : locations_(graph.locations),
+      options_(graph.options),
+      evaluator_(evaluator),
+      row_(at(graph.locations.size())) {
   const std::size_t L = row_.size();
-  num_edges_ = L == 0 ? 0 : static_cast<int>(locations.wrenches(0).generators.cols());
-  edges_.resize(ix(num_edges_) * 6 * L);
-  for (int l = 0; l < locations.size(); ++l) {
-    const mechanics::FingerWrenches& wrenches = locations.wrenches(l);
+  num_edges_ = L == 0 ? 0 : static_cast<int>(locations_.wrenches(0).generators.cols());
+  edges_.resize(at(num_edges_) * 6 * L);
+  for (int l = 0; l < locations_.size(); ++l) {
+    const mechanics::FingerWrenches& wrenches = locations_.wrenches(l);
     for (int j = 0; j < num_edges_; ++j) {
       const Vector6d w =
           wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
-      for (int c = 0; c < 6; ++c) edges_[ix(j * 6 + c) * L + ix(l)] = static_cast<float>(w[c]);
+      for (int c = 0; c < 6; ++c) edges_[at(j * 6 + c) * L + at(l)] = static_cast<float>(w[c]);
     }
   }
 }
 
 LatticeBounds::Table& LatticeBounds::table(int instant) {
-  if (ix(instant) >= tables_.size()) tables_.resize(ix(instant) + 1);
-  Table& table = tables_[ix(instant)];
+  if (at(instant) >= tables_.size()) tables_.resize(at(instant) + 1);
+  Table& table = tables_[at(instant)];
   if (table.h.empty()) {
     table.h.assign(row_.size() * kWidth, 0.0F);
     table.offsets.assign(kWidth, kFree);
@@ -57,18 +59,17 @@ double LatticeBounds::bound(int instant, const Placement& placement) {
   const float* rows[1 + mechanics::kMaxFingers] = {t.offsets.data()};
   int count = 1;
   for (const std::int32_t location : placement) {
-    if (location >= 0) rows[count++] = t.h.data() + ix(location) * kWidth;
+    if (location >= 0) rows[count++] = t.h.data() + at(location) * kWidth;
   }
   return static_cast<double>(least_sum(rows, count, (t.size + kStep - 1) / kStep * kStep));
 }
 
 double LatticeBounds::solve(int instant, const Placement& placement) {
-  Evaluator& evaluator = workshop_.evaluators.front();
-  const double known = evaluator.known(instant, placement);
+  const double known = evaluator_.known(instant, placement);
   if (known >= 0) return known;
-  evaluator.solver().clear_supports();
-  const double z = evaluator.stability(instant, placement);
-  for (const Vector6d& y : evaluator.solver().supports()) learn(instant, y, placement);
+  evaluator_.solver().clear_supports();
+  const double z = evaluator_.stability(instant, placement);
+  for (const Vector6d& y : evaluator_.solver().supports()) learn(instant, y, placement);
   return z;
 }
 
@@ -80,9 +81,9 @@ void LatticeBounds::learn(int instant, const Vector6d& y, const Placement& place
 /// Keeps a functional if it is one here, and bounds the placement better than what is there.
 bool LatticeBounds::store(int instant, Table& t, const Vector6d& y_in, const Placement* placement) {
   const mechanics::EnvironmentWrenches& environment =
-      workshop_.instants[instant].environments.front();
+      evaluator_.instants()[instant].environments.front();
   if ((environment.generators.transpose() * y_in).maxCoeff() > kPolar * y_in.norm()) return false;
-  const double sigma = (workshop_.options.disturbance_directions.transpose() * y_in).maxCoeff();
+  const double sigma = (options_.disturbance_directions.transpose() * y_in).maxCoeff();
   if (!(sigma > 1e-9 * y_in.norm())) return false;
   const Vector6d y = y_in / sigma;
   const float known = static_cast<float>(y.dot(environment.known));
@@ -90,7 +91,7 @@ bool LatticeBounds::store(int instant, Table& t, const Vector6d& y_in, const Pla
   if (placement != nullptr) {
     float sum = known + slack;
     for (const std::int32_t location : *placement) {
-      if (location >= 0) sum += row_[ix(location)];
+      if (location >= 0) sum += row_[at(location)];
     }
     if (static_cast<double>(sum) >= kProgress * bound(instant, *placement)) return false;
   }
@@ -102,8 +103,8 @@ bool LatticeBounds::store(int instant, Table& t, const Vector6d& y_in, const Pla
     column = t.oldest;
     t.oldest = (t.oldest + 1) % kWidth;
   }
-  t.offsets[ix(column)] = known + slack;
-  for (std::size_t l = 0; l < row_.size(); ++l) t.h[l * kWidth + ix(column)] = row_[l];
+  t.offsets[at(column)] = known + slack;
+  for (std::size_t l = 0; l < row_.size(); ++l) t.h[l * kWidth + at(column)] = row_[l];
   return true;
 }
 
@@ -113,7 +114,7 @@ float LatticeBounds::row(const Vector6d& y) {
   std::fill(row_.begin(), row_.end(), 0.0F);
   const Eigen::Matrix<float, 6, 1> f = y.cast<float>();
   for (int j = 0; j < num_edges_; ++j) {
-    const float* w = edges_.data() + ix(j) * 6 * L;
+    const float* w = edges_.data() + at(j) * 6 * L;
     for (std::size_t l = 0; l < L; ++l) {
       const float sum = f[0] * w[l] + f[1] * w[L + l] + f[2] * w[2 * L + l] + f[3] * w[3 * L + l] +
                         f[4] * w[4 * L + l] + f[5] * w[5 * L + l];

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "fingertip/planner.hpp"
+#include "fingertip/model/evaluator.hpp"
+#include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
 
@@ -15,7 +16,7 @@ namespace graspless::fingertip {
 /// one solution teaches bounds other placements, and other instants for which y is as good.
 class LatticeBounds {
  public:
-  explicit LatticeBounds(Workshop& workshop);
+  LatticeBounds(const PoseGraph& graph, Evaluator& evaluator);
 
   /// At least z.
   double bound(int instant, const Placement& placement);
@@ -39,7 +40,9 @@ class LatticeBounds {
   bool store(int instant, Table& table, const mechanics::Vector6d& y, const Placement* placement);
   float row(const mechanics::Vector6d& y);
 
-  Workshop& workshop_;
+  const Locations& locations_;
+  const Options& options_;
+  Evaluator& evaluator_;
   std::vector<Table> tables_;  // instants
   std::vector<mechanics::Vector6d> pool_;
   std::vector<float> edges_;  // f_max c_j / normal_j: edge, component, location

@@ -1,151 +1,139 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Placements first, poses second, stabilities last: without regrasps.
+// Lattices without regrasps first; with regrasps to the end in small graphs, greedily in large
+// ones.
 #include "fingertip/lattice/search.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <random>
+#include <map>
+#include <utility>
 
-#include "fingertip/lattice/way.hpp"
+#include "fingertip/lattice/pose_search.hpp"
+#include "fingertip/search/graph_search.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kSamples = 300;
+constexpr double kSmallGraph = 3e5;         // nodes that are searched to the end
+constexpr std::size_t kMaxNodes = 2000000;  // of a larger one
+constexpr double kGreedOfRegrasps = 2.5;
 
-/// A location, and how far its sphere has to go at least.
-struct Reach {
-  double distance;
-  int location;
-  bool operator<(const Reach& other) const {
-    return distance < other.distance || (distance == other.distance && location < other.location);
-  }
-};
-
-class PlacementSearch {
+/// Costs of arcs by bounds of stability, for all placements that a search meets.
+class LazyArcCosts : public ArcCosts {
  public:
-  PlacementSearch(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                  LatticeDistances& distances, planning::Clock& clock, Statistics& statistics)
-      : workshop_(workshop),
-        space_(space),
-        bounds_(bounds),
-        clock_(clock),
-        statistics_(statistics),
-        astar_(space, distances) {
-    for (int l = 0; l < workshop.locations.size(); ++l) {
-      if (!space.is_clear(space.start(), l) || !space.is_clear(space.goal(), l)) continue;
-      const double distance =
-          (space.center_W(space.goal(), l) - space.center_W(space.start(), l)).norm();
-      reaches_.push_back({distance, l});
-    }
-    std::sort(reaches_.begin(), reaches_.end());
-    route_.cost = kInfinity;
-  }
+  LazyArcCosts(const PoseGraph& graph, LatticeBounds& bounds) : graph_(graph), bounds_(bounds) {}
 
-  Route run() {
-    const int count = workshop_.problem.fingers.count;
-    find_any(count);
-    // All placements whose farthest sphere is this one have the same bound.
-    for (std::size_t last = 0; last < reaches_.size(); ++last) {
-      if (reaches_[last].distance >= route_.cost) break;
-      if (!extend(with(kNoFingers, reaches_[last].location), last, count - 1)) {
-        route_.lower_bound = std::min(route_.cost, reaches_[last].distance);
-        return route_;
-      }
-    }
-    route_.is_complete = !clock_.is_out();
-    if (route_.is_complete) route_.lower_bound = route_.cost;
-    return route_;
+  double cost(int pose, int move, const Placement& placement) override {
+    return costs(placement).cost(pose, move);
+  }
+  double settle(int pose, int move, const Placement& placement) override {
+    return costs(placement).solve(pose, move);
   }
 
  private:
-  /// A first route from random placements, so that the rest can be refused by their bounds.
-  void find_any(int count) {
-    std::mt19937 random(1);
-    for (int i = 0; i < kSamples && !clock_.is_out(); ++i) {
-      // Only placements that could be cheaper than what is there.
-      const auto end = std::lower_bound(reaches_.begin(), reaches_.end(), Reach{route_.cost, -1});
-      const auto choices = static_cast<std::size_t>(end - reaches_.begin());
-      Placement placement = kNoFingers;
-      for (int k = 0; k < count && choices > 0; ++k) {
-        const int location = reaches_[random() % choices].location;
-        if (fits(placement, location)) placement = with(placement, location);
-      }
-      if (num_fingers(placement) == count) look_at(placement, true);
+  PlacementCosts& costs(const Placement& placement) {
+    if (last_ == nullptr || last_->placement() != placement) {
+      last_ = &all_.try_emplace(placement, graph_, bounds_, placement).first->second;
     }
+    return *last_;
   }
 
-  bool fits(const Placement& placement, int location) const {
-    return std::none_of(placement.begin(), placement.end(), [&](int other) {
-      return other >= 0 && (other == location || !workshop_.locations.are_apart(other, location));
-    });
-  }
-
-  /// Adds `missing` fingers on locations before `last`; false when time is up.
-  bool extend(const Placement& placement, std::size_t last, int missing) {
-    if (missing == 0) {
-      if (clock_.is_out() || !clock_.spend()) return false;
-      look_at(placement, false);
-      return true;
-    }
-    for (std::size_t i = 0; i < last; ++i) {
-      const int location = reaches_[i].location;
-      if (!fits(placement, location)) continue;
-      if (!extend(with(placement, location), i, missing - 1)) return false;
-    }
-    return true;
-  }
-
-  void look_at(const Placement& placement, bool soon) {
-    if (!can_leave(placement, space_.start(), 1) || !can_leave(placement, space_.goal(), -1)) {
-      return;
-    }
-    LatticeCosts costs(space_, bounds_, workshop_.options, placement);
-    const LatticeWay way = soon ? astar_.find_soon(costs, route_.cost, clock_, statistics_)
-                                : astar_.find(costs, route_.cost, clock_, statistics_);
-    if (!way.found) return;
-    route_.found = true;
-    route_.cost = way.cost;
-    route_.nodes.clear();
-    for (const int pose : way.poses) route_.nodes.push_back({pose, placement});
-  }
-
-  /// Whether the bounds allow a first move, or a last one.
-  bool can_leave(const Placement& placement, int pose, int direction) {
-    for (int move = 0; move < LatticeSpace::kMoves; ++move) {
-      const int other = space_.next(pose, direction > 0 ? move : LatticeSpace::reverse(move));
-      if (other < 0) continue;
-      const int kind = space_.arc_kind(direction > 0 ? pose : other, move);
-      if (kind < 0) continue;
-      const std::vector<int>& instants = space_.instants(kind);
-      if (std::all_of(instants.begin(), instants.end(), [&](int instant) {
-            return bounds_.bound(instant, placement) >= workshop_.options.min_stability;
-          })) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  Workshop& workshop_;
-  LatticeSpace& space_;
+  const PoseGraph& graph_;
   LatticeBounds& bounds_;
-  planning::Clock& clock_;
-  Statistics& statistics_;
-  LatticeAstar astar_;
-  std::vector<Reach> reaches_;  // ascending
-  Route route_;
+  std::map<Placement, PlacementCosts> all_;
+  PlacementCosts* last_ = nullptr;
 };
+
+/// Number of nodes at most, hubs aside.
+double num_nodes(const PoseGraph& graph) {
+  double nodes = graph.num_poses();
+  for (int i = 0; i < graph.num_fingers; ++i) nodes *= (graph.locations.size() - i) / (i + 1.0);
+  return nodes;
+}
+
+/// Least displacement of any sphere: some finger goes all the way if there is but one regrasp.
+double least_displacement(const PoseGraph& graph, RemainingDistance& remaining) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int l = 0; l < graph.locations.size(); ++l) {
+    least = std::min(least, remaining.to_goal(l)[graph.start()]);
+  }
+  return least;
+}
+
+/// A greedy search finds some route; a regrasp counts as much as part of the displacement, first
+/// less and then more. The cost is not proven optimal then.
+Route search_greedily(const PoseGraph& graph, Evaluator& evaluator, GraphSearch settings,
+                      planning::Clock& clock, Statistics& statistics) {
+  const Options& options = graph.options;
+  const double least = least_displacement(graph, *settings.remaining);
+  settings.greed = kGreedOfRegrasps;
+  Route best;
+  best.cost = std::numeric_limits<double>::infinity();
+  for (const double share : {0.1, 1.0}) {
+    settings.regrasp_cost = std::min(options.regrasp_cost, share * least);
+    const Route route = search_graph(graph, evaluator, settings, clock, statistics);
+    if (route.is_complete && !route.found) return route;  // there is none
+    if (!route.found) break;
+    if (num_regrasps(route) <= options.max_regrasps && route.cost < best.cost) best = route;
+    if (best.found && num_regrasps(best) <= 1) break;
+  }
+  // Without regrasps all is known; with one, one finger at least goes all the way.
+  const double displacement = graph.num_fingers > 1 ? least : 0;
+  best.lower_bound =
+      std::min(best.cost, options.regrasp_cost + std::min(displacement, options.regrasp_cost));
+  best.is_complete = false;
+  return best;
+}
+
+/// Routes with regrasps, if there are none without, or only dear ones; lower_bound holds for routes
+/// with regrasps.
+Route search_regrasps(const PoseGraph& graph, Evaluator& evaluator, LatticeBounds& bounds,
+                      RemainingDistance& remaining, planning::Clock& clock,
+                      Statistics& statistics) {
+  LazyArcCosts costs(graph, bounds);
+  GraphSearch settings;
+  settings.lazy = &costs;
+  settings.remaining = &remaining;
+  settings.max_nodes = kMaxNodes;
+  if (num_nodes(graph) <= kSmallGraph) {
+    return search_graph(graph, evaluator, settings, clock, statistics);
+  }
+  return search_greedily(graph, evaluator, settings, clock, statistics);
+}
+
+/// The cheaper one of a route without regrasps and of those with some.
+Route with_regrasps(const PoseGraph& graph, Evaluator& evaluator, LatticeBounds& bounds,
+                    RemainingDistance& remaining, Route route, planning::Clock& clock,
+                    Statistics& statistics) {
+  const double X_regr = graph.options.regrasp_cost;
+  if (graph.options.max_regrasps == 0 || (route.found && route.cost <= X_regr)) return route;
+  if (!route.is_complete) {
+    route.lower_bound = std::min(route.lower_bound, X_regr);
+    return route;
+  }
+  if (!route.found) return search_regrasps(graph, evaluator, bounds, remaining, clock, statistics);
+  RemainingDistance whole(graph);  // the tables so far leave out what costs more than the route
+  Route other = search_regrasps(graph, evaluator, bounds, whole, clock, statistics);
+  Route& best = other.found && other.cost < route.cost ? other : route;
+  best.lower_bound = std::min(route.cost, other.lower_bound);
+  best.is_complete = other.is_complete;
+  return best;
+}
 
 }  // namespace
 
-Route search_placements(Workshop& workshop, LatticeSpace& space, LatticeBounds& bounds,
-                        LatticeDistances& distances, planning::Clock& clock,
-                        Statistics& statistics) {
-  return PlacementSearch(workshop, space, bounds, distances, clock, statistics).run();
+Route search_lattice(const PoseGraph& graph, Evaluator& evaluator, planning::Clock& clock,
+                     Statistics& statistics) {
+  LatticeBounds bounds(graph, evaluator);
+  RemainingDistance remaining(graph);
+  Route route = search_placements(graph, bounds, remaining, clock, statistics);
+  route = with_regrasps(graph, evaluator, bounds, remaining, std::move(route), clock, statistics);
+  statistics.supports += bounds.count();
+  statistics.memory =
+      std::max(statistics.memory, graph.memory() + bounds.memory() + remaining.memory());
+  return route;
 }
 
 }  // namespace graspless::fingertip

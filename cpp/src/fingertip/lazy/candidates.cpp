@@ -8,12 +8,6 @@
 
 namespace graspless::fingertip {
 
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 std::size_t PlacementHash::operator()(const Placement& placement) const {
   std::uint64_t hash = 0;
   for (const std::int32_t location : placement) {
@@ -23,29 +17,29 @@ std::size_t PlacementHash::operator()(const Placement& placement) const {
   return static_cast<std::size_t>(hash);
 }
 
-Candidates::Candidates(const PathQuery& query, const Supports& supports)
-    : query_(query), supports_(supports) {
+Candidates::Candidates(const PoseGraph& graph, const StabilityBounds& bounds)
+    : graph_(graph), bounds_(bounds) {
   std::unordered_map<int, int> slot_of;
-  for (int arc = 0; arc < query.num_arcs(); ++arc) {
-    for (int j = 0; j < query.options.samples_per_arc; ++j) {
-      const int instant = query.instant(arc, j);
+  for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+    for (int j = 0; j < graph.options.samples_per_arc; ++j) {
+      const int instant = graph.instant(arc, j);
       const auto [entry, is_new] = slot_of.emplace(instant, static_cast<int>(instants_.size()));
       if (is_new) instants_.push_back(instant);
       slots_.push_back(entry->second);
     }
   }
-  for (int location = 0; location < query.locations.size(); ++location) {
-    for (int arc = 0; arc < query.num_arcs(); ++arc) {
-      const bool is_clear = query.is_clear(arc, location) && query.is_clear(arc + 1, location);
-      ways_.push_back(is_clear ? query.displacement(arc, location) : kInfinity);
+  for (int location = 0; location < graph.locations.size(); ++location) {
+    for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+      const bool is_clear = graph.is_clear(arc, location) && graph.is_clear(arc + 1, location);
+      displacements_.push_back(is_clear ? graph.displacement(arc, location) : kInfinity);
     }
   }
 }
 
 std::vector<int> Candidates::instants(int arc) const {
   std::vector<int> distinct;
-  for (int j = 0; j < query_.options.samples_per_arc; ++j) {
-    const int instant = query_.instant(arc, j);
+  for (int j = 0; j < graph_.options.samples_per_arc; ++j) {
+    const int instant = graph_.instant(arc, j);
     if (std::find(distinct.begin(), distinct.end(), instant) == distinct.end()) {
       distinct.push_back(instant);
     }
@@ -55,7 +49,7 @@ std::vector<int> Candidates::instants(int arc) const {
 
 void Candidates::reserve(std::size_t more) {
   const std::size_t count = all_.size() + more;
-  const auto arcs = static_cast<std::size_t>(query_.num_arcs());
+  const auto arcs = static_cast<std::size_t>(graph_.num_arcs());
   all_.reserve(count);
   index_.reserve(count);
   arcs_.reserve(count * arcs);
@@ -67,11 +61,11 @@ int Candidates::open(const Placement& placement) {
   if (!is_new) return entry->second;
   const int c = size();
   all_.push_back({placement});
-  const auto poses = static_cast<std::size_t>(query_.num_poses());
+  const auto poses = static_cast<std::size_t>(graph_.num_poses());
   before_.resize(before_.size() + poses);
   after_.resize(after_.size() + poses);
-  for (int arc = 0; arc < query_.num_arcs(); ++arc) {
-    arcs_.push_back(reach(arc, placement) * query_.options.samples_per_arc);
+  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
+    arcs_.push_back(displacement(arc, placement) * graph_.options.samples_per_arc);
   }
   add_up(c);
   return c;
@@ -79,17 +73,17 @@ int Candidates::open(const Placement& placement) {
 
 /// How far the finger moves that moves farthest, in a P-th of an arc; infinite where one is not
 /// clear.
-double Candidates::reach(int arc, const Placement& placement) const {
+double Candidates::displacement(int arc, const Placement& placement) const {
   double reach = 0;
-  for (int i = 0; i < query_.num_fingers; ++i) {
-    reach = std::max(reach, ways_[arc_index(placement[static_cast<std::size_t>(i)], arc)]);
+  for (int i = 0; i < graph_.num_fingers; ++i) {
+    reach = std::max(reach, displacements_[arc_index(placement[static_cast<std::size_t>(i)], arc)]);
   }
   return reach;
 }
 
 /// Without a look at the bounds: that is for when the candidate is part of a best route.
 void Candidates::add_up(int c) {
-  const int arcs = query_.num_arcs();
+  const int arcs = graph_.num_arcs();
   double* before = &before_[sum_index(c, 0)];
   double* after = &after_[sum_index(c, 0)];
   const double* cost = &arcs_[arc_index(c, 0)];
@@ -98,7 +92,7 @@ void Candidates::add_up(int c) {
   for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
 }
 
-void Candidates::look_at(int c) {
+void Candidates::add_samples(int c) {
   if (at(c).row >= 0) return;
   at(c).row = rows_++;
   z_.resize(z_.size() + instants_.size(), kInfinity);
@@ -109,16 +103,16 @@ void Candidates::look_at(int c) {
 void Candidates::set_stability(int c, int slot, double z) {
   const std::size_t i = slot_index(c, slot);
   z_[i] = z;
-  weight_[i] = z > 0 ? 1 + query_.options.stability_weight / z : kInfinity;
+  weight_[i] = z > 0 ? 1 + graph_.options.stability_weight / z : kInfinity;
 }
 
 bool Candidates::tighten(int c, int slot) {
   const std::size_t i = slot_index(c, slot);
   const int instant = instants_[static_cast<std::size_t>(slot)];
-  if (known_[i] == Known::solved || supports_.stamp(instant) <= at(c).stamp) return false;
-  const auto bound = static_cast<double>(supports_.bound(instant, at(c).placement));
+  if (known_[i] == Known::solved || bounds_.stamp(instant) <= at(c).stamp) return false;
+  const auto bound = static_cast<double>(bounds_.bound(instant, at(c).placement));
   if (bound >= z_[i]) return false;
-  set_stability(c, slot, bound < query_.options.min_stability ? 0 : bound);
+  set_stability(c, slot, bound < graph_.options.min_stability ? 0 : bound);
   return true;
 }
 
@@ -127,13 +121,13 @@ double Candidates::tighten_arc(int c, int arc, bool& changed) {
   double& cost = arcs_[arc_index(c, arc)];
   if (cost == kInfinity) return cost;
   bool is_lower = cost < 0;  // not computed yet
-  const int samples = query_.options.samples_per_arc;
+  const int samples = graph_.options.samples_per_arc;
   for (int j = 0; j < samples; ++j) is_lower |= tighten(c, slot(arc, j));
   // Slots that several arcs share tell only the first of them.
-  if (is_lower || static_cast<int>(instants_.size()) < query_.num_arcs() * samples) {
+  if (is_lower || static_cast<int>(instants_.size()) < graph_.num_arcs() * samples) {
     double weight = 0;
     for (int j = 0; j < samples; ++j) weight += weight_[slot_index(c, slot(arc, j))];
-    const double now = weight < kInfinity ? reach(arc, at(c).placement) * weight : kInfinity;
+    const double now = weight < kInfinity ? displacement(arc, at(c).placement) * weight : kInfinity;
     changed |= now != cost;
     cost = now;
   }
@@ -141,14 +135,14 @@ double Candidates::tighten_arc(int c, int arc, bool& changed) {
 }
 
 bool Candidates::refresh(int c) {
-  if (at(c).stamp >= supports_.stamp()) return false;
+  if (at(c).stamp >= bounds_.stamp()) return false;
   return update(c);
 }
 
 bool Candidates::update(int c) {
-  look_at(c);
+  add_samples(c);
   bool changed = false;
-  const int arcs = query_.num_arcs();
+  const int arcs = graph_.num_arcs();
   double* before = &before_[sum_index(c, 0)];
   double* after = &after_[sum_index(c, 0)];
   before[0] = after[arcs] = 0;
@@ -164,25 +158,25 @@ bool Candidates::update(int c) {
                         : after[arc + 1] + (dead == arcs ? arcs_[arc_index(c, arc)]
                                                          : tighten_arc(c, arc, changed));
   }
-  for (int arc = dead; arc < arcs && keeps_middles_; ++arc) tighten_arc(c, arc, changed);
-  at(c).stamp = supports_.stamp();
+  for (int arc = dead; arc < arcs && keeps_inner_arcs_; ++arc) tighten_arc(c, arc, changed);
+  at(c).stamp = bounds_.stamp();
   return changed;
 }
 
-void Candidates::keep_middles() {
-  keeps_middles_ = true;
+void Candidates::keep_inner_arcs() {
+  keeps_inner_arcs_ = true;
   for (int c = 0; c < size(); ++c) {
     at(c).stamp = 0;
     update(c);
   }
 }
 
-bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& questions) {
-  look_at(c);
+bool Candidates::request(int c, int first_arc, int last_arc, std::vector<StabilityQuery>& queries) {
+  add_samples(c);
   std::vector<int> open;
   bool any = false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
-    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+    for (int j = 0; j < graph_.options.samples_per_arc; ++j) {
       const int s = slot(arc, j);
       const Known known = known_[slot_index(c, s)];
       any |= known != Known::solved;
@@ -199,14 +193,14 @@ bool Candidates::ask(int c, int first_arc, int last_arc, std::vector<Question>& 
                       const double za = z_[slot_index(c, a)], zb = z_[slot_index(c, b)];
                       return za != zb ? za < zb : a < b;
                     });
-  for (std::size_t i = 0; i < count; ++i) ask_slot(c, open[i], questions);
+  for (std::size_t i = 0; i < count; ++i) request_slot(c, open[i], queries);
   return any;
 }
 
 bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
   if (at(c).row < 0) return false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
-    for (int j = 0; j < query_.options.samples_per_arc; ++j) {
+    for (int j = 0; j < graph_.options.samples_per_arc; ++j) {
       if (known_[slot_index(c, slot(arc, j))] != Known::solved) return false;
     }
     if (arcs_[arc_index(c, arc)] == kInfinity) return false;
@@ -214,40 +208,40 @@ bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
   return true;
 }
 
-void Candidates::ask_slot(int c, int slot, std::vector<Question>& questions) {
-  look_at(c);
+void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& queries) {
+  add_samples(c);
   Known& known = known_[slot_index(c, slot)];
   if (known != Known::bound) return;
-  known = Known::asked;
-  Question question;
-  question.index = c;
-  question.slot = slot;
-  question.instant = instants_[static_cast<std::size_t>(slot)];
-  question.placement = at(c).placement;
-  questions.push_back(std::move(question));
+  known = Known::requested;
+  StabilityQuery query;
+  query.index = c;
+  query.slot = slot;
+  query.instant = instants_[static_cast<std::size_t>(slot)];
+  query.placement = at(c).placement;
+  queries.push_back(std::move(query));
 }
 
-void Candidates::learn(const Question& question) {
-  const int c = question.index;
-  set_stability(c, question.slot, question.z);
-  known_[slot_index(c, question.slot)] = Known::solved;
+void Candidates::record(const StabilityQuery& query) {
+  const int c = query.index;
+  set_stability(c, query.slot, query.z);
+  known_[slot_index(c, query.slot)] = Known::solved;
   ++at(c).solved;
-  for (int arc = 0; arc < query_.num_arcs(); ++arc) {
+  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
     double& cost = arcs_[arc_index(c, arc)];
-    for (int j = 0; j < query_.options.samples_per_arc && cost < kInfinity; ++j) {
-      if (slot(arc, j) == question.slot) cost = -1;  // to be computed anew
+    for (int j = 0; j < graph_.options.samples_per_arc && cost < kInfinity; ++j) {
+      if (slot(arc, j) == query.slot) cost = -1;  // to be computed anew
     }
   }
   update(c);
 }
 
-std::int64_t Candidates::bytes_each(const PathQuery& query) {
-  return 100 + (3 * query.num_arcs() + 2) * 8;
+std::int64_t Candidates::bytes_each(const PoseGraph& graph) {
+  return 100 + (3 * graph.num_arcs() + 2) * 8;
 }
 
 std::int64_t Candidates::memory() const {
   const auto samples = static_cast<std::int64_t>(instants_.size());
-  return size() * bytes_each(query_) + rows_ * samples * 17;
+  return size() * bytes_each(graph_) + rows_ * samples * 17;
 }
 
 }  // namespace graspless::fingertip

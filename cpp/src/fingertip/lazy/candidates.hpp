@@ -4,13 +4,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <unordered_map>
 #include <vector>
 
-#include "fingertip/lazy/lanes.hpp"
-#include "fingertip/lazy/supports.hpp"
-#include "fingertip/model/path_query.hpp"
+#include "fingertip/lazy/bounds.hpp"
+#include "fingertip/lazy/evaluator_pool.hpp"
+#include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
 
@@ -18,17 +17,11 @@ struct PlacementHash {
   std::size_t operator()(const Placement& placement) const;
 };
 
-/// Calls found(placement) for all placements on these locations (ascending) of which the bounds at
-/// these instants allow min_stability, in lexicographic order, until it returns false.
-void for_each_placement(const PathQuery& query, const Supports& supports, int count,
-                        const std::vector<int>& locations, const std::vector<int>& instants,
-                        const std::function<bool(const Placement&)>& found);
-
 /// Arc costs of placements by (9), with z where it has been solved and an upper bound of z where it
 /// has not: lower bounds, exact where all samples have been solved.
 class Candidates {
  public:
-  Candidates(const PathQuery& query, const Supports& supports);
+  Candidates(const PoseGraph& graph, const StabilityBounds& bounds);
 
   void reserve(std::size_t more);
   /// The candidate of this placement, made when there is none; it costs its displacement alone
@@ -45,26 +38,26 @@ class Candidates {
   /// Takes up new bounds. Whether any cost has changed.
   bool refresh(int c);
   /// From now on costs of arcs between impossible ones are kept too.
-  void keep_middles();
+  void keep_inner_arcs();
 
-  /// Adds questions about the most critical samples of these arcs that are open, more each time;
+  /// Adds queries about the most critical samples of these arcs that are open, more each time;
   /// returns whether any is open, asked already or not.
-  bool ask(int c, int first_arc, int last_arc, std::vector<Question>& questions);
+  bool request(int c, int first_arc, int last_arc, std::vector<StabilityQuery>& queries);
   /// Whether all samples of these arcs have been solved, and are stable.
   bool is_solved(int c, int first_arc, int last_arc) const;
-  /// Adds the question about one sample, by its place in instants(), if it is open.
-  void ask_slot(int c, int slot, std::vector<Question>& questions);
+  /// Adds the query about one sample, by its place in instants(), if it is open.
+  void request_slot(int c, int slot, std::vector<StabilityQuery>& queries);
   /// Takes the answer.
-  void learn(const Question& question);
+  void record(const StabilityQuery& query);
 
   /// Distinct instants of the motion, in its order.
   const std::vector<int>& instants() const { return instants_; }
   std::vector<int> instants(int arc) const;  // of an arc's samples, each once
   std::int64_t memory() const;
-  static std::int64_t bytes_each(const PathQuery& query);  // until they are looked at
+  static std::int64_t bytes_each(const PoseGraph& graph);  // until they are looked at
 
  private:
-  enum class Known : std::uint8_t { bound, asked, solved };
+  enum class Known : std::uint8_t { bound, requested, solved };
   struct Candidate {
     Placement placement;
     std::int64_t stamp = 0;
@@ -74,31 +67,31 @@ class Candidates {
   const Candidate& at(int c) const { return all_[static_cast<std::size_t>(c)]; }
   Candidate& at(int c) { return all_[static_cast<std::size_t>(c)]; }
   std::size_t sum_index(int c, int pose) const {
-    return static_cast<std::size_t>(c) * static_cast<std::size_t>(query_.num_poses()) +
+    return static_cast<std::size_t>(c) * static_cast<std::size_t>(graph_.num_poses()) +
            static_cast<std::size_t>(pose);
   }
   std::size_t arc_index(int c, int arc) const {
-    return static_cast<std::size_t>(c) * static_cast<std::size_t>(query_.num_arcs()) +
+    return static_cast<std::size_t>(c) * static_cast<std::size_t>(graph_.num_arcs()) +
            static_cast<std::size_t>(arc);
   }
   std::size_t slot_index(int c, int slot) const {
     return static_cast<std::size_t>(at(c).row) * instants_.size() + static_cast<std::size_t>(slot);
   }
   int slot(int arc, int sample) const {
-    return slots_[static_cast<std::size_t>(arc * query_.options.samples_per_arc + sample)];
+    return slots_[static_cast<std::size_t>(arc * graph_.options.samples_per_arc + sample)];
   }
-  double reach(int arc, const Placement& placement) const;
+  double displacement(int arc, const Placement& placement) const;
   void add_up(int c);
-  void look_at(int c);
+  void add_samples(int c);
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);
   void set_stability(int c, int slot, double z);
   bool update(int c);
 
-  const PathQuery& query_;
-  const Supports& supports_;
+  const PoseGraph& graph_;
+  const StabilityBounds& bounds_;
   std::vector<int> instants_, slots_;
-  std::vector<double> ways_;  // locations x arcs: of a P-th of it; infinite: not clear
+  std::vector<double> displacements_;  // locations x arcs: of a P-th of it; infinite: not clear
   std::vector<Candidate> all_;
   int rows_ = 0;
   std::vector<double> z_;               // rows x slots
@@ -107,7 +100,7 @@ class Candidates {
   std::vector<double> arcs_;            // candidates x arcs
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
-  bool keeps_middles_ = false;
+  bool keeps_inner_arcs_ = false;
 };
 
 }  // namespace graspless::fingertip

@@ -8,11 +8,11 @@
 
 namespace graspless::fingertip {
 
-Hubs::Hubs(const PathQuery& query, const Supports& supports, const Candidates& candidates)
-    : query_(query), supports_(supports), candidates_(candidates) {
+Hubs::Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Candidates& candidates)
+    : graph_(graph), bounds_(bounds), candidates_(candidates) {
   std::unordered_map<int, int> slot_of;
-  for (int pose = 0; pose < query.num_poses(); ++pose) {
-    const int instant = query.rest_instant(pose);
+  for (int pose = 0; pose < graph.num_poses(); ++pose) {
+    const int instant = graph.rest_instant(pose);
     const auto [entry, is_new] = slot_of.emplace(instant, static_cast<int>(instants_.size()));
     if (is_new) instants_.push_back(instant);
     slots_.push_back(entry->second);
@@ -46,9 +46,9 @@ const std::vector<Hubs::Neighbor>& Hubs::neighbors(int hub) {
   }
   std::vector<Neighbor> found;
   const Placement kept = this->kept(hub);
-  for (int location = 0; location < query_.locations.size(); ++location) {
+  for (int location = 0; location < graph_.locations.size(); ++location) {
     const auto is_apart = [&](std::int32_t finger) {
-      return finger < 0 || (finger != location && query_.locations.are_apart(finger, location));
+      return finger < 0 || (finger != location && graph_.locations.are_apart(finger, location));
     };
     if (!std::all_of(kept.begin(), kept.end(), is_apart)) continue;
     for (const std::int32_t finger : kept) {
@@ -60,14 +60,14 @@ const std::vector<Hubs::Neighbor>& Hubs::neighbors(int hub) {
   return neighbors_[static_cast<std::size_t>(hub)];
 }
 
-bool Hubs::may_rest(int hub, int pose) {
+bool Hubs::may_be_stable(int hub, int pose) {
   Known& state = known(hub, slot(pose));
   if (state == Known::open &&
-      static_cast<double>(supports_.bound(query_.rest_instant(pose), kept(hub))) <
-          query_.options.min_stability) {
-    state = Known::falls;
+      static_cast<double>(bounds_.bound(graph_.rest_instant(pose), kept(hub))) <
+          graph_.options.min_stability) {
+    state = Known::unstable;
   }
-  return state != Known::falls;
+  return state != Known::unstable;
 }
 
 Hubs::Regrasp Hubs::best(int hub, int pose) {
@@ -83,28 +83,28 @@ Hubs::Regrasp Hubs::best(int hub, int pose) {
       best.after = c;
     }
   }
-  const double cost = before + after + query_.options.regrasp_cost;
-  if (cost < best.cost && may_rest(hub, pose)) best.cost = cost;
+  const double cost = before + after + graph_.options.regrasp_cost;
+  if (cost < best.cost && may_be_stable(hub, pose)) best.cost = cost;
   return best;
 }
 
-bool Hubs::ask(int hub, int pose, std::vector<Question>& questions) {
+bool Hubs::request(int hub, int pose, std::vector<StabilityQuery>& queries) {
   Known& state = known(hub, slot(pose));
   if (state == Known::open) {
-    state = Known::asked;
-    Question question;
-    question.of = Question::Of::hub;
-    question.index = hub;
-    question.slot = slot(pose);
-    question.instant = query_.rest_instant(pose);
-    question.placement = kept(hub);
-    questions.push_back(std::move(question));
+    state = Known::requested;
+    StabilityQuery query;
+    query.of = StabilityQuery::Of::hub;
+    query.index = hub;
+    query.slot = slot(pose);
+    query.instant = graph_.rest_instant(pose);
+    query.placement = kept(hub);
+    queries.push_back(std::move(query));
   }
-  return state == Known::asked;
+  return state == Known::requested;
 }
 
-void Hubs::learn(const Question& question) {
-  known(question.index, question.slot) = question.z > 0 ? Known::rests : Known::falls;
+void Hubs::record(const StabilityQuery& query) {
+  known(query.index, query.slot) = query.z > 0 ? Known::stable : Known::unstable;
 }
 
 }  // namespace graspless::fingertip

@@ -17,7 +17,7 @@ namespace graspless::fingertip {
 /// an arc for each pair of placements, X_regr on the way in and nothing on the way out.
 class Hubs {
  public:
-  Hubs(const PathQuery& query, const Supports& supports, const Candidates& candidates);
+  Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Candidates& candidates);
 
   /// Links candidates that are new since the last call to the hubs of all their subsets of one
   /// finger less.
@@ -37,10 +37,10 @@ class Hubs {
   const std::vector<Neighbor>& neighbors(int hub);
 
   /// Whether the object may rest there as far as is known.
-  bool may_rest(int hub, int pose);
+  bool may_be_stable(int hub, int pose);
 
   /// Whether it has been shown to rest there.
-  bool rests(int hub, int pose) { return known(hub, slot(pose)) == Known::rests; }
+  bool is_stable(int hub, int pose) { return known(hub, slot(pose)) == Known::stable; }
 
   /// The cheapest route with one regrasp, there, and its candidates.
   struct Regrasp {
@@ -49,25 +49,25 @@ class Hubs {
   };
   Regrasp best(int hub, int pose);
 
-  /// Adds the question whether it rests there when that is open; returns whether it is open, asked
+  /// Adds the query whether it rests there when that is open; returns whether it is open, asked
   /// already or not.
-  bool ask(int hub, int pose, std::vector<Question>& questions);
-  void learn(const Question& question);
+  bool request(int hub, int pose, std::vector<StabilityQuery>& queries);
+  void record(const StabilityQuery& query);
 
   std::int64_t memory() const { return memory_; }  // of the neighbors
   /// Distinct instants at rest.
   const std::vector<int>& instants() const { return instants_; }
 
  private:
-  enum class Known : std::uint8_t { open, asked, rests, falls };
+  enum class Known : std::uint8_t { open, requested, stable, unstable };
   int slot(int pose) const { return slots_[static_cast<std::size_t>(pose)]; }
   Known& known(int hub, int slot) {
     return known_[static_cast<std::size_t>(hub) * instants_.size() +
                   static_cast<std::size_t>(slot)];
   }
 
-  const PathQuery& query_;
-  const Supports& supports_;
+  const PoseGraph& graph_;
+  const StabilityBounds& bounds_;
   const Candidates& candidates_;
   int linked_ = 0;
   std::int64_t memory_ = 0;

@@ -1,38 +1,39 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// All placements that the bounds allow, finger by finger.
-#include <algorithm>
-#include <array>
+//
+// All placements that the bounds allow, finger by finger, and first bounds from a few of them.
+#include "fingertip/lazy/placements.hpp"
 
-#include "fingertip/lazy/candidates.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace graspless::fingertip {
 
 namespace {
 
-using Step = Supports::Step;
+using Step = StabilityBounds::Step;
 
 /// Depth-first over fingers. Sums of the table's rows over the fingers so far bound what any
 /// completion can reach: those with the best location for each missing finger.
 class Enumeration {
  public:
-  Enumeration(const PathQuery& query, const Supports& supports, int count,
+  Enumeration(const PoseGraph& graph, const StabilityBounds& bounds, int count,
               const std::vector<int>& locations, const std::vector<int>& instants,
               const std::function<bool(const Placement&)>& found)
-      : query_(query),
-        supports_(supports),
+      : graph_(graph),
+        bounds_(bounds),
         count_(count),
         locations_(locations),
         instants_(instants),
         found_(found),
-        needed_(static_cast<float>(query.options.min_stability)),
-        used_(supports.used(instants.front())) {
+        needed_(static_cast<float>(graph.options.min_stability)),
+        used_(bounds.used(instants.front())) {
     sums_.resize(static_cast<std::size_t>(count + 1) * static_cast<std::size_t>(used_));
     best_.assign(static_cast<std::size_t>(used_), 0.0F);
-    for (int k = 0; k < used_; ++k) sum(0)[k] = supports.offsets(instants.front())[k];
+    for (int k = 0; k < used_; ++k) sum(0)[k] = bounds.offsets(instants.front())[k];
     if (used_ == 0) return;
     for (const int location : locations) {
-      const float* h = supports.block(instants.front(), location);
+      const float* h = bounds.block(instants.front(), location);
       for (int k = 0; k < used_; ++k)
         best_[static_cast<std::size_t>(k)] = std::max(best_[static_cast<std::size_t>(k)], h[k]);
     }
@@ -47,7 +48,7 @@ class Enumeration {
 
   bool is_apart(int depth, int location) const {
     for (int i = 0; i < depth && i < mechanics::kMaxFingers; ++i) {
-      if (!query_.locations.are_apart(placement_[static_cast<std::size_t>(i)], location)) {
+      if (!graph_.locations.are_apart(placement_[static_cast<std::size_t>(i)], location)) {
         return false;
       }
     }
@@ -57,7 +58,7 @@ class Enumeration {
   // Whether the sums with `missing` more fingers at their best reach what is needed.
   bool extend(int depth, int location, int missing) {
     if (used_ == 0) return true;
-    const float* h = supports_.block(instants_.front(), location);
+    const float* h = bounds_.block(instants_.front(), location);
     for (int i = 0; i < used_; i += kStep) {
       Eigen::Map<Step> to(sum(depth + 1) + i);
       to = Eigen::Map<const Step>(sum(depth) + i) + Eigen::Map<const Step>(h + i);
@@ -82,13 +83,13 @@ class Enumeration {
 
   bool accept() {
     for (std::size_t i = 1; i < instants_.size(); ++i) {
-      if (supports_.bound(instants_[i], placement_) < needed_) return true;
+      if (bounds_.bound(instants_[i], placement_) < needed_) return true;
     }
     return found_(placement_);
   }
 
-  const PathQuery& query_;
-  const Supports& supports_;
+  const PoseGraph& graph_;
+  const StabilityBounds& bounds_;
   const int count_;
   const std::vector<int>& locations_;
   const std::vector<int>& instants_;
@@ -99,12 +100,97 @@ class Enumeration {
   Placement placement_ = kNoFingers;
 };
 
+constexpr int kRounds = 12;          // at an instant
+constexpr std::size_t kEach = 2;     // placements solved a round
+constexpr double kMany = 60000;      // placements that represent all
+constexpr double kStagnation = 0.9;  // what is left of them, when it no longer pays
+
+/// Every so many-th location, such that there are at most kMany placements.
+std::vector<int> thinned(const std::vector<int>& locations, int count) {
+  double placements = 1;
+  for (int i = 0; i < count; ++i) {
+    placements *= (static_cast<double>(locations.size()) - i) / (i + 1);
+  }
+  const double stride = std::max(1.0, std::pow(placements / kMany, 1.0 / count));
+  std::vector<int> some;
+  for (double i = 0; i < static_cast<double>(locations.size()); i += stride) {
+    some.push_back(locations[static_cast<std::size_t>(i)]);
+  }
+  return some;
+}
+
 }  // namespace
 
-void for_each_placement(const PathQuery& query, const Supports& supports, int count,
+void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, int count,
                         const std::vector<int>& locations, const std::vector<int>& instants,
                         const std::function<bool(const Placement&)>& found) {
-  Enumeration(query, supports, count, locations, instants, found).run();
+  Enumeration(graph, bounds, count, locations, instants, found).run();
+}
+
+void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
+                 const std::vector<int>& instants) {
+  const std::vector<int> some = thinned(locations, lazy.count);
+  for (const int instant : instants) {
+    std::vector<Placement> left;
+    for_each_placement(lazy.graph, lazy.bounds, lazy.count, some, {instant},
+                       [&](const Placement& placement) {
+                         left.push_back(placement);
+                         return true;
+                       });
+    const auto& slots = lazy.candidates.instants();
+    const auto slot = std::find(slots.begin(), slots.end(), instant);
+    double drawn = 0.5;
+    int idle = 0;
+    for (int round = 0; round < kRounds && !left.empty() && idle < 2; ++round) {
+      if (lazy.clock.is_out()) return;
+      std::vector<StabilityQuery> queries;
+      for (std::size_t i = 0; i < std::min(kEach, left.size()); ++i) {
+        drawn = std::fmod(drawn + 0.6180339887498949, 1.0);
+        const Placement& placement =
+            left[static_cast<std::size_t>(drawn * static_cast<double>(left.size()))];
+        const int c = lazy.candidates.open(placement);
+        lazy.candidates.request_slot(c, static_cast<int>(slot - slots.begin()), queries);
+      }
+      if (queries.empty()) break;
+      lazy.solve(queries);
+      const std::size_t before = left.size();
+      const auto refused = [&](const Placement& placement) {
+        return static_cast<double>(lazy.bounds.bound(instant, placement)) <
+               lazy.graph.options.min_stability;
+      };
+      left.erase(std::remove_if(left.begin(), left.end(), refused), left.end());
+      idle = static_cast<double>(left.size()) > kStagnation * static_cast<double>(before) ? idle + 1
+                                                                                          : 0;
+    }
+  }
+}
+
+void open_all(LazyState& lazy, const std::vector<int>& locations,
+              const std::vector<int>& instants) {
+  std::vector<Placement> found;
+  for_each_placement(lazy.graph, lazy.bounds, lazy.count, locations, instants,
+                     [&](const Placement& placement) {
+                       found.push_back(placement);
+                       if (found.size() % LazyState::kWatch == 0) {
+                         lazy.watch_memory(static_cast<std::int64_t>(found.size()));
+                       }
+                       return true;
+                     });
+  lazy.watch_memory(static_cast<std::int64_t>(found.size()));
+  lazy.candidates.reserve(found.size());
+  for (const Placement& placement : found) lazy.candidates.open(placement);
+}
+
+std::vector<int> clear_locations(const PoseGraph& graph, int first, int last) {
+  std::vector<int> clear;
+  for (int location = 0; location < graph.locations.size(); ++location) {
+    bool is_clear = true;
+    for (int pose = first; pose <= last && is_clear; ++pose) {
+      is_clear = graph.is_clear(pose, location);
+    }
+    if (is_clear) clear.push_back(location);
+  }
+  return clear;
 }
 
 }  // namespace graspless::fingertip

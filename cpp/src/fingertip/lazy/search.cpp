@@ -1,71 +1,281 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What all parts of the fast search share, and its beginning and end.
+//
+// Section 4 turned round for paths: placements first, poses second, stabilities last.
+//
+// An entry of the queue stands for a route, or for many. Its cost is a lower bound: (9) with an
+// upper bound in place of each stability z_j that is not solved yet, and (10). The cheapest entry
+// is refined until nothing about it is open; then its cost is exact and no route is cheaper.
 #include "fingertip/lazy/search.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
-#include <string>
+#include <functional>
+#include <queue>
+#include <tuple>
+
+#include "fingertip/lazy/placements.hpp"
+#include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
-
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-9;    // of costs summed in another order
+constexpr std::size_t kWaiting = 16;  // entries that wait for stabilities
+constexpr std::size_t kBatch = 4;     // stabilities requested together
 
-/// The cheapest route of which everything is solved, when there is no time for more.
-Route best_solved(FastSearch& search) {
-  const int K = search.query.num_arcs();
-  Route best;
-  best.cost = search.limit;
-  const auto take = [&](double cost, int first, int second, int pose) {
-    if (cost >= best.cost) return;
-    best.found = true;
-    best.cost = cost;
-    best.nodes = nodes_of(search, first, second, pose);
+struct Entry {
+  enum class Kind {
+    candidate,     // one placement all the way
+    placement,     // the same before it is a candidate, by its displacement
+    hub,           // all routes with one regrasp, at this pose with these fingers kept
+    one_regrasp,   // all routes with one regrasp
+    more_regrasps  // all other routes
   };
-  Candidates& candidates = search.candidates;
-  for (int c = 0; c < candidates.size(); ++c) {
-    if (candidates.is_solved(c, 0, K)) take(candidates.after(c, 0), c, c, K);
+  double cost;
+  Kind kind;
+  int index = -1;                             // of the candidate, placement or hub
+  int pose = -1;                              // of the hub
+  bool operator<(const Entry& other) const {  // the top of a std heap is its greatest
+    return std::tie(other.cost, other.kind, other.index, other.pose) <
+           std::tie(cost, kind, index, pose);
   }
-  for (int hub = 0; hub < search.hubs.size(); ++hub) {
-    for (int pose = 1; pose < K; ++pose) {
-      if (!search.hubs.rests(hub, pose)) continue;
-      int first = -1, second = -1;
-      for (const int c : search.hubs.members(hub)) {
-        if (candidates.is_solved(c, 0, pose) &&
-            (first < 0 || candidates.before(c, pose) < candidates.before(first, pose))) {
-          first = c;
-        }
-        if (candidates.is_solved(c, pose, K) &&
-            (second < 0 || candidates.after(c, pose) < candidates.after(second, pose))) {
-          second = c;
-        }
+  bool is_stage() const { return kind >= Kind::one_regrasp; }
+};
+
+class LazySearch {
+ public:
+  explicit LazySearch(LazyState& lazy)
+      : lazy_(lazy),
+        X_regr_(lazy.graph.options.regrasp_cost),
+        max_regrasps_(lazy.graph.options.max_regrasps) {}
+
+  Route run() {
+    list_placements();         // Figure 5(a): cost (9)
+    if (max_regrasps_ >= 1) {  // Figure 5(b): cost (10)
+      push({lazy_.least_displacement + X_regr_, Entry::Kind::one_regrasp});
+    }
+    std::vector<StabilityQuery> queries;
+    bool is_finished = refine(queries);
+    while (!is_finished && least_cost() < lazy_.limit) {
+      if (lazy_.clock.is_out() || !lazy_.clock.spend()) return unfinished(least_cost());
+      lazy_.start(queries);  // Problem (6), in other threads
+      lazy_.record_last();   // meanwhile bounds from the last
+      for (const Entry& entry : last_waiting_) push_again(entry);
+      last_waiting_.swap(waiting_);
+      waiting_.clear();
+      is_finished = refine(queries);
+      lazy_.finish();
+    }
+    if (!is_finished) return none();
+    return route_.is_complete ? route_ : unfinished(route_.lower_bound);
+  }
+
+ private:
+  /// Refines the cheapest entries, and collects the stabilities that this takes. True if the
+  /// cheapest entry is exact: route_ is the optimum.
+  bool refine(std::vector<StabilityQuery>& queries) {
+    queries.clear();
+    while (queries.size() < kBatch && waiting_.size() < kWaiting && !queue_.empty()) {
+      const Entry entry = queue_.top();
+      if (entry.cost >= lazy_.limit) break;
+      if (entry.is_stage() && !(waiting_.empty() && last_waiting_.empty())) break;
+      queue_.pop();
+      if (entry.kind == Entry::Kind::one_regrasp) {
+        list_hubs();  // now that no route without regrasps can be cheaper
+      } else if (entry.kind == Entry::Kind::more_regrasps) {
+        route_ = search_many_regrasps(lazy_, max_regrasps_);
+        return true;
+      } else if (entry.kind == Entry::Kind::placement) {
+        open(entry);
+      } else if (tighten(entry) || cost(entry) > entry.cost) {
+        push_again(entry);  // by functionals that other placements have left behind: no LP
+      } else if (request(entry, queries)) {
+        waiting_.push_back(entry);  // its most critical samples are solved: LPs (5) and (6)
+      } else if (least_cost() >= entry.cost) {
+        return finish(entry);  // all is solved, and nothing that waits can be cheaper
+      } else {
+        waiting_.push_back(entry);
+        break;
       }
-      if (first < 0 || second < 0) continue;
-      take(candidates.before(first, pose) + candidates.after(second, pose) +
-               search.query.options.regrasp_cost,
-           first, second, pose);
+    }
+    return false;
+  }
+
+  void push(const Entry& entry) {
+    if (entry.cost < kInfinity) queue_.push(entry);
+  }
+  void push_again(Entry entry) {
+    entry.cost = cost(entry);
+    push(entry);
+  }
+
+  /// Of all that is left: the queue, and what waits for stabilities.
+  double least_cost() const {
+    double least = queue_.empty() ? kInfinity : queue_.top().cost;
+    for (const auto* waiting : {&waiting_, &last_waiting_}) {
+      for (const Entry& entry : *waiting) least = std::min(least, entry.cost);
+    }
+    return least;
+  }
+
+  double cost(const Entry& entry) {
+    switch (entry.kind) {
+      case Entry::Kind::candidate:
+        return lazy_.candidates.after(entry.index, 0);
+      case Entry::Kind::hub:
+        return lazy_.hubs.best(entry.index, entry.pose).cost;
+      default:
+        return entry.cost;
     }
   }
-  return best;
-}
+
+  /// Lists placements that can carry the object all the way, as far as a few instants tell.
+  void list_placements() {
+    const std::vector<int> locations = clear_locations(lazy_.graph, 0, lazy_.graph.num_arcs());
+    const std::vector<int>& all = lazy_.candidates.instants();
+    std::vector<int> instants = {all.front(), all.back(), all[all.size() / 2]};
+    if (all.size() < instants.size()) instants = all;
+    seed_bounds(lazy_, locations, instants);
+    sum_displacements();
+    std::vector<Entry> entries;
+    for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations, instants,
+                       [&](const Placement& placement) {
+                         entries.push_back({least_cost_of(placement), Entry::Kind::placement,
+                                            static_cast<int>(placements_.size())});
+                         placements_.push_back(placement);
+                         if (++lazy_.unopened % LazyState::kWatch == 0) lazy_.watch_memory();
+                         return true;
+                       });
+    queue_ = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
+  }
+
+  void sum_displacements() {
+    displacements_.assign(static_cast<std::size_t>(lazy_.graph.locations.size()), 0.0);
+    for (int arc = 0; arc < lazy_.graph.num_arcs(); ++arc) {
+      for (int l = 0; l < lazy_.graph.locations.size(); ++l) {
+        displacements_[static_cast<std::size_t>(l)] +=
+            lazy_.graph.displacement(arc, l) * lazy_.graph.options.samples_per_arc;
+      }
+    }
+  }
+
+  /// A placement's least cost all the way, without a look at each arc.
+  double least_cost_of(const Placement& placement) const {
+    double longest = 0;
+    for (int i = 0; i < lazy_.count; ++i) {
+      const std::int32_t location = placement[static_cast<std::size_t>(i)];
+      longest = std::max(longest, displacements_[static_cast<std::size_t>(location)]);
+    }
+    const std::vector<int>& instants = lazy_.candidates.instants();
+    if (instants.size() == 1) {
+      const auto z = static_cast<double>(lazy_.bounds.bound(instants.front(), placement));
+      if (z < lazy_.graph.options.min_stability) return kInfinity;
+      longest *= 1 + lazy_.graph.options.stability_weight / z;
+    }
+    return longest * (1 - kRounding);
+  }
+
+  void open(Entry entry) {
+    const Placement& placement = placements_[static_cast<std::size_t>(entry.index)];
+    const double now = least_cost_of(placement);
+    if (now > entry.cost) {
+      entry.cost = now;
+      push(entry);
+    } else {
+      push_again({0, Entry::Kind::candidate, lazy_.candidates.open(placement)});
+    }
+  }
+
+  /// Lists placements that can carry the object from the start, or to the goal, and their hubs.
+  void list_hubs() {
+    const int K = lazy_.graph.num_arcs();
+    for (const int arc : {0, K - 1}) {
+      const std::vector<int> locations = clear_locations(lazy_.graph, arc, arc + 1);
+      seed_bounds(lazy_, locations, lazy_.candidates.instants(arc));
+      open_all(lazy_, locations, lazy_.candidates.instants(arc));
+    }
+    lazy_.hubs.link();
+    for (int pose = 1; pose < K; ++pose) {
+      for (int hub = 0; hub < lazy_.hubs.size(); ++hub) {
+        push_again({0, Entry::Kind::hub, hub, pose});
+      }
+    }
+    if (max_regrasps_ >= 2) {
+      push({lazy_.least_displacement + 2 * X_regr_, Entry::Kind::more_regrasps});
+    }
+  }
+
+  /// Takes up new bounds of the entry's samples; true if they change its cost.
+  bool tighten(const Entry& entry) {
+    if (entry.kind == Entry::Kind::candidate) return lazy_.candidates.refresh(entry.index);
+    const Hubs::Regrasp regrasp = lazy_.hubs.best(entry.index, entry.pose);
+    if (regrasp.cost == kInfinity) return true;
+    const bool before = lazy_.candidates.refresh(regrasp.before);
+    return lazy_.candidates.refresh(regrasp.after) || before;
+  }
+
+  /// Requests stabilities that are open, at rest first; false if none is.
+  bool request(const Entry& entry, std::vector<StabilityQuery>& queries) {
+    const int K = lazy_.graph.num_arcs();
+    if (entry.kind == Entry::Kind::candidate) {
+      return lazy_.candidates.request(entry.index, 0, K, queries);
+    }
+    if (lazy_.hubs.request(entry.index, entry.pose, queries)) return true;
+    const Hubs::Regrasp regrasp = lazy_.hubs.best(entry.index, entry.pose);
+    const bool before = lazy_.candidates.request(regrasp.before, 0, entry.pose, queries);
+    return lazy_.candidates.request(regrasp.after, entry.pose, K, queries) || before;
+  }
+
+  bool finish(const Entry& entry) {
+    route_.found = route_.is_complete = true;
+    route_.cost = route_.lower_bound = entry.cost;
+    if (entry.kind == Entry::Kind::candidate) {
+      route_.nodes = nodes_of(lazy_, entry.index, entry.index, lazy_.graph.num_arcs());
+    } else {
+      const Hubs::Regrasp regrasp = lazy_.hubs.best(entry.index, entry.pose);
+      route_.nodes = nodes_of(lazy_, regrasp.before, regrasp.after, entry.pose);
+    }
+    return true;
+  }
+
+  /// There is no route below the limit.
+  Route none() const {
+    Route route;
+    route.is_complete = true;
+    route.lower_bound = least_cost() < kInfinity ? lazy_.limit : kInfinity;
+    return route;
+  }
+
+  /// Out of time: the cheapest route that happens to be solved, if any.
+  Route unfinished(double lower_bound) const {
+    Route route = best_solved(lazy_);
+    route.lower_bound = route.found ? std::min(lower_bound, route.cost) : lower_bound;
+    return route;
+  }
+
+  LazyState& lazy_;
+  const double X_regr_;
+  const int max_regrasps_;
+  std::priority_queue<Entry> queue_;
+  std::vector<Placement> placements_;
+  std::vector<double> displacements_;          // of each location, all the way [m]
+  std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
+  Route route_;
+};
 
 /// Lets the first evaluator know what the others have found out about the route.
-void gather_known(const PathQuery& query, const Route& route, std::vector<Evaluator>& evaluators) {
+void share_stabilities(const PoseGraph& graph, const Route& route,
+                       std::vector<Evaluator>& evaluators) {
+  Evaluator& first = evaluators.front();
   for (std::size_t i = 1; i < route.nodes.size(); ++i) {
     const Node &from = route.nodes[i - 1], &to = route.nodes[i];
-    for (std::size_t lane = 1; lane < evaluators.size(); ++lane) {
-      if (from.pose == to.pose) {
-        for (const std::int32_t finger : from.placement) {
-          if (finger < 0) break;
-          evaluators.front().adopt(evaluators[lane], query.rest_instant(to.pose),
-                                   without(from.placement, finger));
-        }
+    for (std::size_t k = 1; k < evaluators.size(); ++k) {
+      for (int f = 0; from.pose == to.pose && f < num_fingers(from.placement); ++f) {
+        const Placement kept = without(from.placement, from.placement[static_cast<std::size_t>(f)]);
+        first.adopt(evaluators[k], graph.rest_instant(to.pose), kept);
       }
-      for (int j = 0; from.pose < to.pose && j < query.options.samples_per_arc; ++j) {
-        evaluators.front().adopt(evaluators[lane], query.instant(from.pose, j), to.placement);
+      for (int j = 0; from.pose < to.pose && j < graph.options.samples_per_arc; ++j) {
+        first.adopt(evaluators[k], graph.instant(from.pose, j), to.placement);
       }
     }
   }
@@ -73,122 +283,14 @@ void gather_known(const PathQuery& query, const Route& route, std::vector<Evalua
 
 }  // namespace
 
-FastSearch::FastSearch(const PathQuery& query_in, std::vector<Evaluator>& evaluators,
-                       planning::Clock& clock_in, Statistics& statistics_in, double limit_in)
-    : query(query_in),
-      count(query_in.num_fingers),
-      clock(clock_in),
-      statistics(statistics_in),
-      supports(query_in, evaluators.front().instants()),
-      candidates(query_in, supports),
-      hubs(query_in, supports, candidates),
-      limit(limit_in),
-      lanes_(evaluators, query_in.options.threads) {
-  for (int arc = 0; arc < query.num_arcs(); ++arc) {
-    double least = kInfinity;
-    for (const int location : clear_locations(query, arc, arc + 1)) {
-      least = std::min(least, query.displacement(arc, location));
-    }
-    least_displacement += least * query.options.samples_per_arc;
-  }
-}
-
-void FastSearch::learn(const std::vector<Question>& questions) {
-  for (const Question& question : questions) {
-    supports.add(question.instant, question.supports, question.placement);
-    question.of == Question::Of::candidate ? candidates.learn(question) : hubs.learn(question);
-  }
-}
-
-void FastSearch::solve(std::vector<Question>& questions) {
-  lanes_.start(questions);
-  lanes_.finish();
-  learn(questions);
-}
-
-void FastSearch::start(std::vector<Question>& questions) {
-  in_flight_.swap(questions);
-  if (!in_flight_.empty()) lanes_.start(in_flight_);
-}
-
-void FastSearch::learn_last() {
-  learn(solved_);
-  solved_.clear();
-}
-
-void FastSearch::finish() {
-  if (!in_flight_.empty()) lanes_.finish();
-  solved_.swap(in_flight_);
-  in_flight_.clear();
-}
-
-std::int64_t FastSearch::note_memory(std::int64_t more_candidates) {
-  constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
-  const std::int64_t bytes = supports.memory() + candidates.memory() + hubs.memory() +
-                             unopened * kUnopened + more_candidates * Candidates::bytes_each(query);
-  statistics.memory = std::max(statistics.memory, bytes);
-  return bytes;
-}
-
-void FastSearch::watch_memory(std::int64_t more_candidates) {
-  const std::int64_t bytes = note_memory(more_candidates);
-  if (static_cast<double>(bytes) > query.options.max_memory) {
-    throw std::length_error("options.max_memory: the search needs more than " +
-                            std::to_string(query.options.max_memory) +
-                            " bytes for placements that may be stable; take fewer locations");
-  }
-}
-
-void open_all(FastSearch& search, const std::vector<int>& locations,
-              const std::vector<int>& instants) {
-  std::vector<Placement> found;
-  for_each_placement(search.query, search.supports, search.count, locations, instants,
-                     [&](const Placement& placement) {
-                       found.push_back(placement);
-                       if (found.size() % FastSearch::kWatch == 0) {
-                         search.watch_memory(static_cast<std::int64_t>(found.size()));
-                       }
-                       return true;
-                     });
-  search.watch_memory(static_cast<std::int64_t>(found.size()));
-  search.candidates.reserve(found.size());
-  for (const Placement& placement : found) search.candidates.open(placement);
-}
-
-std::vector<Node> nodes_of(const FastSearch& search, int first, int second, int pose) {
-  std::vector<Node> nodes;
-  for (int q = 0; q <= pose; ++q) nodes.push_back({q, search.candidates.placement(first)});
-  for (int q = second == first ? pose + 1 : pose; q < search.query.num_poses(); ++q) {
-    nodes.push_back({q, search.candidates.placement(second)});
-  }
-  return nodes;
-}
-
-std::vector<int> clear_locations(const PathQuery& query, int first, int last) {
-  std::vector<int> clear;
-  for (int location = 0; location < query.locations.size(); ++location) {
-    bool is_clear = true;
-    for (int pose = first; pose <= last && is_clear; ++pose) {
-      is_clear = query.is_clear(pose, location);
-    }
-    if (is_clear) clear.push_back(location);
-  }
-  return clear;
-}
-
-Route search_fast(const PathQuery& query, std::vector<Evaluator>& evaluators,
+Route search_fast(const PoseGraph& graph, std::vector<Evaluator>& evaluators,
                   planning::Clock& clock, Statistics& statistics, double limit) {
-  FastSearch search(query, evaluators, clock, statistics, limit);
-  Route route = search_best_first(search);
-  if (!route.is_complete) {
-    const double lower_bound = route.lower_bound;
-    route = best_solved(search);
-    route.lower_bound = route.found ? std::min(lower_bound, route.cost) : lower_bound;
-  }
-  search.note_memory();
-  gather_known(query, route, evaluators);
-  statistics.supports += search.supports.count();
-  statistics.nodes += search.candidates.size();
+  LazyState lazy(graph, evaluators, clock, statistics, limit);
+  const Route route = LazySearch(lazy).run();
+  lazy.note_memory();
+  share_stabilities(graph, route, evaluators);
+  statistics.supports += lazy.bounds.count();
+  statistics.nodes += lazy.candidates.size();
   return route;
 }
 

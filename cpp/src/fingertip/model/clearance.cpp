@@ -7,7 +7,7 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kSlack = 1e-9;  // by the object's size
+constexpr double kTouchSlack = 1e-9;  // by the object's size
 
 int add_obstacles(collision::World& world, const std::vector<Obstacle>& obstacles, int moving) {
   for (const Obstacle& obstacle : obstacles) {
@@ -33,7 +33,7 @@ Clearance::Clearance(const Problem& problem) : problem_(problem) {
 bool Clearance::is_clear(const Eigen::Vector3d& center_W) {
   for (const Plane& plane : problem_.planes) {
     const double height = plane.n_W.dot(center_W) - plane.offset;
-    if (height < problem_.fingers.radius - kSlack * problem_.object.size()) return false;
+    if (height < problem_.fingers.radius - kTouchSlack * problem_.object.size()) return false;
   }
   if (sphere_ < 0) return true;
   for_sphere_.set_pose(sphere_, Eigen::Isometry3d(Eigen::Translation3d(center_W)));

@@ -1,72 +1,86 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Nodes as numbers, and the heuristic (11).
-#include <algorithm>
-#include <stdexcept>
-#include <string>
+// The heuristic (11), and the displacements that it takes.
+#include "fingertip/search/heuristic.hpp"
 
-#include "fingertip/search/graph_search.hpp"
+#include <algorithm>
 
 namespace graspless::fingertip {
+namespace {
 
-NodeCode::NodeCode(int num_poses, int num_locations, int num_fingers, int num_layers)
-    : base_(static_cast<std::uint64_t>(num_locations) + 1),
-      layers_(static_cast<std::uint64_t>(num_layers)),
-      num_fingers_(num_fingers) {
-  double count = static_cast<double>(num_poses) * num_layers;
-  for (int i = 0; i < num_fingers; ++i) count *= num_locations + 1;
-  if (count < 1e19) return;
-  throw std::invalid_argument("the graph has " + std::to_string(count) +
-                              " nodes, more than can be numbered: take fewer locations");
-}
+constexpr double kSamePoint = 1e-12;  // [m]
+constexpr double kSlack = 1 - 1e-12;  // of lower bounds, for rounding
 
-std::uint64_t NodeCode::pack(const Node& node, int layer) const {
-  std::uint64_t code =
-      static_cast<std::uint64_t>(node.pose) * layers_ + static_cast<std::uint64_t>(layer);
-  for (int i = 0; i < num_fingers_; ++i) {
-    code =
-        code * base_ + static_cast<std::uint64_t>(node.placement[static_cast<std::size_t>(i)] + 1);
+std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+RemainingDistance::RemainingDistance(const PoseGraph& graph)
+    : graph_(graph), tables_(ix(graph.locations.size())) {
+  // On the floor only the plan view of a sphere's centre matters.
+  const auto in_plan = [&](int location) -> Eigen::Vector2d {
+    return graph.center_W(graph.start(), location).head<2>();
+  };
+  for (int l = 0; l < graph.locations.size(); ++l) {
+    int same = graph.is_planar() ? 0 : l;
+    while (same < l && (in_plan(same) - in_plan(l)).norm() > kSamePoint) ++same;
+    table_of_.push_back(same);
   }
-  return code;
 }
 
-Node NodeCode::unpack(std::uint64_t code, int* layer) const {
-  Node node{0, kNoFingers};
-  for (int i = num_fingers_; i-- > 0; code /= base_) {
-    node.placement[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(code % base_) - 1;
+std::vector<double> RemainingDistance::search(int location, double limit) {
+  const Eigen::Vector3d center_O = graph_.locations[location].center_O;
+  const Eigen::Vector3d start_W = graph_.X_WO(graph_.start()) * center_O;
+  std::vector<double> arcs;  // motions
+  for (int motion = 0; motion < graph_.num_motions(); ++motion) {
+    arcs.push_back(graph_.options.samples_per_arc * graph_.displacement(motion, location));
   }
-  *layer = static_cast<int>(code % layers_);
-  node.pose = static_cast<int>(code / layers_);
-  return node;
-}
-
-Heuristic::Heuristic(const PathQuery& query, bool is_on) : query_(query), is_on_(is_on) {
-  if (!is_on) return;
-  const int L = query.locations.size();
-  remaining_.assign(static_cast<std::size_t>(query.num_poses() * L), 0);
-  for (int arc = query.num_arcs(); arc-- > 0;) {
-    for (int l = 0; l < L; ++l) {
-      const auto here = static_cast<std::size_t>(arc * L + l);
-      remaining_[here] = remaining_[here + static_cast<std::size_t>(L)] +
-                         query.options.samples_per_arc * query.displacement(arc, l);
+  std::vector<double> distances(ix(graph_.num_poses()), kInfinity);
+  const auto push = [&](int pose, double distance) {
+    if (distance >= distances[ix(pose)]) return;
+    const double straight = (graph_.X_WO(pose) * center_O - start_W).norm() * kSlack;
+    if (distance + straight >= limit) return;
+    distances[ix(pose)] = distance;
+    heap_.push_back({distance, pose});
+    std::push_heap(heap_.begin(), heap_.end());
+  };
+  heap_.clear();
+  push(graph_.goal(), 0);
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Entry entry = heap_.back();
+    heap_.pop_back();
+    if (entry.distance > distances[ix(entry.pose)] || !graph_.is_free(entry.pose)) continue;
+    for (int move = 0; move < graph_.num_moves(); ++move) {
+      const int from = graph_.previous(entry.pose, move);
+      if (from >= 0) push(from, entry.distance + arcs[ix(graph_.motion(from, move))]);
     }
   }
+  return distances;
 }
 
+std::int64_t RemainingDistance::memory() const {
+  std::size_t bytes = 0;
+  for (const auto& table : tables_) bytes += table.size() * sizeof(double);
+  return static_cast<std::int64_t>(bytes);
+}
+
+Heuristic::Heuristic(const PoseGraph& graph, RemainingDistance& remaining, double greed)
+    : graph_(graph), greed_(greed), remaining_(remaining) {}
+
 double Heuristic::operator()(const Node& node) const {
-  if (!is_on_) return 0;
-  const double X_regr = query_.options.regrasp_cost;
-  const int goal = query_.num_arcs(), L = query_.locations.size();
-  double displacement = 0;  // max_i |Delta q*_i|
   int n_regr = 0;
+  double displacement = 0;  // max_i |Delta q*_i|
   for (int i = 0; i < num_fingers(node.placement); ++i) {
-    const int l = node.placement[static_cast<std::size_t>(i)];
-    if (!query_.is_clear(goal, l)) ++n_regr;
-    displacement = std::max(displacement, remaining_[static_cast<std::size_t>(node.pose * L + l)]);
+    const int l = node.placement[ix(i)];
+    if (!graph_.is_clear(graph_.goal(), l)) ++n_regr;
+    displacement = std::max(displacement, remaining_.to_goal(l)[node.pose]);
   }
+  if (displacement == kInfinity || greed_ > 1) return greed_ * displacement;
   // (11) as printed takes the displacement; to regrasp may be cheaper.
-  return n_regr > 0 ? n_regr * X_regr : std::min(displacement, X_regr);
+  const double X_regr = graph_.options.regrasp_cost;
+  return (n_regr > 0 ? n_regr * X_regr : std::min(displacement, X_regr)) * kSlack;
 }
 
 }  // namespace graspless::fingertip

@@ -94,14 +94,14 @@ TEST(Goal, EnginesAgree) {
 TEST(Goal, IsTheBestOfItsPathsHoweverCheapRegraspsAre) {
   const Problem problem = block_problem(on_floor(0.12, 0.04, 0.3, 0.05));
   const Goal& goal = std::get<Goal>(problem.motion);
-  const Stances stances(problem.object);
-  const int face = stances.standing(goal.X_WO_start, problem.planes.front(), 1e-6);
+  const ContactStates states(problem.object);
+  const int face = states.standing(goal.X_WO_start, problem.planes.front(), 1e-6);
   Options options = coarse();
   options.locations_per_side = 2;
   for (const double regrasp_cost : {0.02, 0.13, 0.14}) {
     options.regrasp_cost = regrasp_cost;
     double best = std::numeric_limits<double>::infinity();
-    for (const Path& path : goal_paths(problem, goal, stances, face, {})) {
+    for (const Path& path : goal_paths(problem, goal, states, face, {})) {
       Problem as_path = problem;
       as_path.motion = path;
       const Plan plan = fingertip::plan(as_path, options);

@@ -20,16 +20,16 @@ Eigen::Isometry3d upright(double x, double y, double yaw, double height) {
 struct Case {
   Problem problem{Object::box("block", {0.05, 0.06, 0.1}, 1), {}, {Plane{}}, {0.5, 0.5}, {}, {}};
   Goal goal;
-  Stances stances{problem.object};
+  ContactStates states{problem.object};
   int start_face = -1;
 
   explicit Case(const Eigen::Isometry3d& X_WO_start) {
     goal.X_WO_start = X_WO_start;
-    start_face = stances.standing(X_WO_start, problem.planes.front(), 1e-9);
+    start_face = states.standing(X_WO_start, problem.planes.front(), 1e-9);
   }
   std::vector<TumbleSequence> sequences(int tumbles) const {
-    const int to = stances.standing(goal.X_WO_goal, problem.planes.front(), 1e-9);
-    return tumble_sequences(stances, start_face, to, tumbles, 100);
+    const int to = states.standing(goal.X_WO_goal, problem.planes.front(), 1e-9);
+    return tumble_sequences(states, start_face, to, tumbles, 100);
   }
 };
 
@@ -64,7 +64,7 @@ TEST(GoalPaths, EndAtTheGoalWhateverTheOrder) {
     EXPECT_FALSE(sequences.empty());
     for (const TumbleSequence& sequence : sequences) {
       const auto paths =
-          goal_paths(given.problem, given.goal, given.stances, given.start_face, sequence);
+          goal_paths(given.problem, given.goal, given.states, given.start_face, sequence);
       // Turn and slide at any two times; at the same time also in the other order, or as one.
       const auto times = static_cast<std::size_t>(tumbles + 1);
       EXPECT_EQ(paths.size(), times * times + 2 * times);
@@ -82,7 +82,7 @@ TEST(GoalPaths, WithoutTumblesASlideIsASlide) {
   given.goal.X_WO_goal = upright(0.1, 0, 0.4, 0.05);
   given.goal.slide_step = 0.1 / 30;
   const auto paths =
-      goal_paths(given.problem, given.goal, given.stances, given.start_face, TumbleSequence{});
+      goal_paths(given.problem, given.goal, given.states, given.start_face, TumbleSequence{});
   ASSERT_EQ(paths.size(), 1U);
   const Path slide = slide_path(given.goal.X_WO_start, {0.1, 0, 0}, 30);
   ASSERT_EQ(paths[0].X_WO.size(), slide.X_WO.size());
@@ -95,7 +95,7 @@ TEST(GoalPaths, HalfATurnGoesBothWays) {
   Case given(upright(0, 0, 0, 0.05));
   given.goal.X_WO_goal = upright(0, 0, std::acos(-1.0), 0.05);
   const auto paths =
-      goal_paths(given.problem, given.goal, given.stances, given.start_face, TumbleSequence{});
+      goal_paths(given.problem, given.goal, given.states, given.start_face, TumbleSequence{});
   ASSERT_EQ(paths.size(), 2U);
   const auto first_turn = [](const Path& path) {
     return screw_between(path.X_WO[0], path.X_WO[1])[5];
@@ -105,12 +105,12 @@ TEST(GoalPaths, HalfATurnGoesBothWays) {
 
 TEST(GoalPaths, TumblingThereNeedsNoSlide) {
   Case given(upright(0, 0, 0, 0.05));
-  const TumbleEdge& edge = given.stances[given.start_face].edges.front();
+  const TumbleEdge& edge = given.states[given.start_face].edges.front();
   given.goal.X_WO_goal = tumbled(given.goal.X_WO_start, edge);
   const auto sequences = given.sequences(1);
   ASSERT_EQ(sequences.size(), 1U);
   const auto paths =
-      goal_paths(given.problem, given.goal, given.stances, given.start_face, sequences.front());
+      goal_paths(given.problem, given.goal, given.states, given.start_face, sequences.front());
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_EQ(paths[0].X_WO.size(), 31U);
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fingertip/model/screw.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -18,21 +19,23 @@ TEST(LatticeBounds, NeverBelowTheStabilityAndRefuseMuch) {
                         slide_path(X_WO, {0.1, 0, 0}, 10),           {}};
   Options options;
   options.locations_per_side = 4;
-  Workshop workshop(problem, options);
+  SearchContext context(problem, options);
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::vector<int> instants;
   for (int i = 0; i < 6; ++i) {
     mechanics::Vector6d twist_O;
     twist_O << normal(random), normal(random), 0, 0, 0, 20 * normal(random);
-    instants.push_back(workshop.instants.add(moving_state(X_WO, twist_O)));
+    instants.push_back(context.instants.add(moving_state(X_WO, twist_O)));
   }
-  LatticeBounds bounds(workshop);
+  const PoseGraph graph(problem, std::get<Path>(problem.motion), context.locations,
+                        context.instants, options);
+  LatticeBounds bounds(graph, context.evaluators.front());
   int refused = 0, unstable = 0;
   for (int i = 0; i < 3000; ++i) {
-    const auto any = [&] { return static_cast<int>(random() % workshop.locations.size()); };
+    const auto any = [&] { return static_cast<int>(random() % context.locations.size()); };
     const int a = any(), b = any(), instant = instants[random() % instants.size()];
-    if (!workshop.locations.are_apart(a, b)) continue;
+    if (!context.locations.are_apart(a, b)) continue;
     const Placement placement = with(with(kNoFingers, a), b);
     const double bound = bounds.bound(instant, placement);
     const double z = bounds.solve(instant, placement);

@@ -16,7 +16,6 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 
 Eigen::Isometry3d on_floor(double x, double y, double yaw, double height = 0.025) {
@@ -44,13 +43,21 @@ Options coarse(int locations_per_side) {
   return options;
 }
 
+/// What the engine of the options finds, before a plan is made of it.
+Route route_of(const Problem& problem, const Options& options) {
+  SearchContext context(problem, options);
+  const PoseGraph graph(problem, std::get<Lattice>(problem.motion), context.locations,
+                        context.instants, options);
+  planning::Clock clock{planning::Budget{}};
+  Statistics statistics;
+  return search(graph, context, clock, statistics);
+}
+
 /// Dijkstra over poses and placements, arc by arc, with none of the lattice's code.
 class BruteForce {
  public:
   BruteForce(const Problem& problem, const Options& options)
-      : lattice_(std::get<Lattice>(problem.motion)),
-        options_(options),
-        workshop_(problem, options) {
+      : lattice_(std::get<Lattice>(problem.motion)), options_(options), context_(problem, options) {
     list_placements(kNoFingers, 0, problem.fingers.count);
     for (int p = 0; p < num_poses(); ++p) add_pose(p);
   }
@@ -74,9 +81,9 @@ class BruteForce {
       const std::size_t pose = node / count, placement = node % count;
       if (g > best[node]) continue;
       if (pose == goal) return g;
-      for (const auto& [to, query] : arcs_[pose]) {
-        if (is_feasible(*query, 1, placements_[placement])) {
-          push(g + arc(*query, placements_[placement]), to, placement);
+      for (const auto& [to, graph] : arcs_[pose]) {
+        if (is_feasible(*graph, 1, placements_[placement])) {
+          push(g + arc(*graph, placements_[placement]), to, placement);
         }
       }
       for (std::size_t other = 0; other < count; ++other) {
@@ -116,15 +123,15 @@ class BruteForce {
   }
   void list_placements(const Placement& fingers, int first, int missing) {
     if (missing == 0) placements_.push_back(fingers);
-    for (int l = first; missing > 0 && l < workshop_.locations.size(); ++l) {
+    for (int l = first; missing > 0 && l < context_.locations.size(); ++l) {
       list_placements(with(fingers, l), l + 1, missing - 1);
     }
   }
   /// Nothing when the object cannot move so.
-  std::unique_ptr<PathQuery> query(int from, int to) {
+  std::unique_ptr<PoseGraph> query(int from, int to) {
     try {
-      return std::make_unique<PathQuery>(workshop_.problem, Path{{X_WO(from), X_WO(to)}},
-                                         workshop_.locations, workshop_.instants, options_);
+      return std::make_unique<PoseGraph>(context_.problem, Path{{X_WO(from), X_WO(to)}},
+                                         context_.locations, context_.instants, options_);
     } catch (const std::invalid_argument&) {
       return nullptr;
     }
@@ -144,7 +151,7 @@ class BruteForce {
       arcs_.back().emplace_back(static_cast<std::size_t>(to), std::move(arc));
     }
     if (poses_.back()) {
-      rest_.back() = workshop_.instants.add(resting_state(X_WO(p), mechanics::Vector6d::Zero()));
+      rest_.back() = context_.instants.add(resting_state(X_WO(p), mechanics::Vector6d::Zero()));
     }
   }
   static Placement common(const Placement& a, const Placement& b) {
@@ -155,21 +162,21 @@ class BruteForce {
     return kept;
   }
   double z(int instant, const Placement& placement) {
-    return workshop_.evaluators.front().stability(instant, placement);
+    return context_.evaluators.front().stability(instant, placement);
   }
-  double arc(const PathQuery& query, const Placement& placement) {
+  double arc(const PoseGraph& graph, const Placement& placement) {
     std::vector<double> zs;
     for (int j = 0; j < options_.samples_per_arc; ++j)
-      zs.push_back(z(query.instant(0, j), placement));
-    return arc_cost(query, 0, placement, zs.data());
+      zs.push_back(z(graph.instant(0, j), placement));
+    return arc_cost(graph, 0, placement, zs);
   }
 
   const Lattice& lattice_;
   const Options& options_;
-  Workshop workshop_;
+  SearchContext context_;
   std::vector<Placement> placements_;
-  std::vector<std::vector<std::pair<std::size_t, std::unique_ptr<PathQuery>>>> arcs_;
-  std::vector<std::unique_ptr<PathQuery>> poses_;
+  std::vector<std::vector<std::pair<std::size_t, std::unique_ptr<PoseGraph>>>> arcs_;
+  std::vector<std::unique_ptr<PoseGraph>> poses_;
   std::vector<int> rest_;
 };
 
@@ -273,14 +280,54 @@ TEST(Lattice, WeighsARegraspAgainstADearRoute) {
   EXPECT_GT(regrasps, 0);
 }
 
-TEST(Lattice, RefusesOtherEnginesAndTooManyPoses) {
+TEST(Lattice, EnginesAgreeToTheLastBit) {
+  std::mt19937 random(5);
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  std::map<int, int> by_regrasps;
+  for (int i = 0; i < 12; ++i) {
+    const double step = uniform(0.01, 0.03), turn = uniform(0.1, 0.4);
+    const Eigen::Vector3d last(3 * step, 3 * step, 3 * turn);
+    const Eigen::Vector3d goal(step * static_cast<double>(random() % 4), 3 * step,
+                               turn * static_cast<double>(random() % 4));
+    Problem problem = block_problem(goal, Eigen::Vector3d::Zero(), last, {4, 4, 4});
+    problem.fingers.max_normal_force = uniform(2.5, 8);
+    if (i % 3 == 0) problem.planes.push_back({"wall", -Eigen::Vector3d::UnitY(), -3 * step - 0.06});
+    Options options = coarse(2);
+    options.min_stability = uniform(0.1, 0.5);
+    if (i % 4 == 3) options.regrasp_cost = uniform(0.001, 0.01);
+    const Route fast = route_of(problem, options);
+    for (const Search engine : {Search::paper, Search::dijkstra}) {
+      options.search = engine;
+      const Route oracle = route_of(problem, options);
+      ASSERT_TRUE(oracle.is_complete && fast.is_complete) << i;
+      ASSERT_EQ(oracle.found, fast.found) << i;
+      EXPECT_EQ(oracle.cost, fast.cost) << i;
+      if (!oracle.found) continue;
+      const Plan plan = fingertip::plan(problem, options);
+      EXPECT_DOUBLE_EQ(plan.cost, fast.cost) << i;
+      EXPECT_EQ(plan.lower_bound, plan.cost) << i;
+      EXPECT_TRUE(check(problem, plan, options).empty()) << i;
+    }
+    ++by_regrasps[fast.found ? num_regrasps(fast) : -1];
+  }
+  EXPECT_GT(by_regrasps[0], 0);
+  EXPECT_GT(by_regrasps[1] + by_regrasps[2], 0);
+}
+
+TEST(Lattice, RefusesTooManyPosesAndOutgrowingItsMemory) {
   Problem problem = block_problem({0.1, 0, 0}, {0, 0, 0}, {0.1, 0, 0}, {21, 1, 1});
   Options options = coarse(2);
-  options.search = Search::paper;
-  expect_refused([&] { plan(problem, options); }, "options.search must be 'fast' for a Lattice");
-  options.search = Search::fast;
   options.max_memory = 1e3;
   expect_refused([&] { plan(problem, options); }, "motion.counts: the lattice would need");
+  problem = block_problem({0.1, 0, 0}, {0, 0, 0}, {0.1, 0.1, 1}, {11, 11, 11});
+  options = coarse(4);
+  options.search = Search::dijkstra;
+  options.max_memory = 3e6;
+  planning::Budget budget;
+  budget.seconds = kInfinity;
+  EXPECT_THROW(plan(problem, options, budget), std::length_error);
 }
 
 TEST(Lattice, SlidesAlongAWallItTouches) {

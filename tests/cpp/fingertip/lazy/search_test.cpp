@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The fast search against Dijkstra's.
+#include "fingertip/lazy/search.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,28 +15,27 @@
 
 #include "fingertip/cases.hpp"
 #include "fingertip/instance.hpp"
-#include "fingertip/model/path_query.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
 /// An instance that the fast search can be run on.
-struct FastInstance : Instance {
+struct LazyInstance : Instance {
   using Instance::Instance;
 
   Route dijkstra() { return search(false); }
-  Route fast(int lanes = kLanes, const planning::Budget& budget = {},
+  Route fast(int lanes = kPoolSize, const planning::Budget& budget = {},
              double limit = std::numeric_limits<double>::infinity()) {
     std::vector<Evaluator> evaluators;
     for (int i = 0; i < lanes; ++i) evaluators.emplace_back(instants, locations, options);
     planning::Clock clock(budget);
-    return search_fast(query, evaluators, clock, statistics, limit);
+    return search_fast(graph, evaluators, clock, statistics, limit);
   }
 };
 
 /// A box slid or tumbled. Each location is out of reach on some stretch of the way, so that
 /// regrasps are needed.
-std::unique_ptr<FastInstance> random_instance(unsigned seed) {
+std::unique_ptr<LazyInstance> random_instance(unsigned seed) {
   std::mt19937 rng(seed);
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(rng);
@@ -61,29 +62,29 @@ std::unique_ptr<FastInstance> random_instance(unsigned seed) {
   options.min_stability = uniform(0.05, 0.4);
   options.regrasp_cost = pick(0, 1) == 0 ? 100 : uniform(0.01, 1);
   options.max_regrasps = pick(0, 4);
-  auto instance = std::make_unique<FastInstance>(std::move(problem), options);
-  const int poses = instance->query.num_poses(), locations = instance->locations.size();
+  auto instance = std::make_unique<LazyInstance>(std::move(problem), options);
+  const int poses = instance->graph.num_poses(), locations = instance->locations.size();
   const int often = pick(0, 3);
   for (int location = 0; location < locations; ++location) {
     const int first = pick(0, poses - 1);
     const int last = pick(0, 1) == 0 ? poses - 1 : std::min(poses - 1, first + pick(0, 2));
     for (int pose = first; pose <= last && pick(0, 3) < often; ++pose) {
-      instance->query.clear[static_cast<std::size_t>(pose * locations + location)] = 0;
+      instance->graph.block(pose, location);
     }
   }
   return instance;
 }
 
 /// The cost of a route by (9) and (10), from its nodes; fails where the graph has no such arc.
-double cost_of(FastInstance& instance, const Route& route) {
-  const PathQuery& query = instance.query;
+double cost_of(LazyInstance& instance, const Route& route) {
+  const PoseGraph& graph = instance.graph;
   Evaluator evaluator(instance.instants, instance.locations, instance.options);
   EXPECT_EQ(route.nodes.front().pose, 0);
-  EXPECT_EQ(route.nodes.back().pose, query.num_arcs());
+  EXPECT_EQ(route.nodes.back().pose, graph.num_arcs());
   double cost = 0;
   for (std::size_t i = 0; i < route.nodes.size(); ++i) {
     const Node& node = route.nodes[i];
-    EXPECT_TRUE(is_feasible(query, node.pose, node.placement));
+    EXPECT_TRUE(is_feasible(graph, node.pose, node.placement));
     if (i == 0) continue;
     const Node& last = route.nodes[i - 1];
     if (node.pose == last.pose) {
@@ -95,16 +96,16 @@ double cost_of(FastInstance& instance, const Route& route) {
         }
       }
       EXPECT_EQ(num_fingers(kept), num_fingers(node.placement) - 1);
-      EXPECT_GT(evaluator.stability(query.rest_instant(node.pose), kept), 0);
+      EXPECT_GT(evaluator.stability(graph.rest_instant(node.pose), kept), 0);
       cost += instance.options.regrasp_cost;
     } else {
       EXPECT_EQ(node.pose, last.pose + 1);
       EXPECT_EQ(node.placement, last.placement);
       std::vector<double> z;
       for (int j = 0; j < instance.options.samples_per_arc; ++j) {
-        z.push_back(evaluator.stability(query.instant(last.pose, j), node.placement));
+        z.push_back(evaluator.stability(graph.instant(last.pose, j), node.placement));
       }
-      cost += arc_cost(query, last.pose, node.placement, z.data());
+      cost += arc_cost(graph, last.pose, node.placement, z);
     }
   }
   return cost;
@@ -130,21 +131,21 @@ std::array<int, 3> compare_with_dijkstra(unsigned first, unsigned last) {
   return solved;
 }
 
-TEST(FastSearch, CostsWhatDijkstraCosts) {
+TEST(LazySearch, CostsWhatDijkstraCosts) {
   const std::array<int, 3> solved = compare_with_dijkstra(1, 60);
   for (const int count : solved) EXPECT_GT(count, 1);
 }
 
-TEST(FastSearch, CostsWhatDijkstraCostsMoreOften) {
+TEST(LazySearch, CostsWhatDijkstraCostsMoreOften) {
   const std::array<int, 3> solved = compare_with_dijkstra(61, 260);
   for (const int count : solved) EXPECT_GT(count, 10);
 }
 
-std::unique_ptr<FastInstance> instance_of(const Problem& problem) {
-  return std::make_unique<FastInstance>(problem, Options{});
+std::unique_ptr<LazyInstance> instance_of(const Problem& problem) {
+  return std::make_unique<LazyInstance>(problem, Options{});
 }
 
-TEST(FastSearch, CostsOfThePapersCases) {
+TEST(LazySearch, CostsOfThePapersCases) {
   for (const Case& c : paper_cases()) {
     SCOPED_TRACE(c.name);
     const auto instance = instance_of(c.problem);
@@ -156,7 +157,7 @@ TEST(FastSearch, CostsOfThePapersCases) {
   }
 }
 
-TEST(FastSearch, RepeatsWhateverTheThreads) {
+TEST(LazySearch, RepeatsWhateverTheThreads) {
   for (const bool has_side_wall : {false, true}) {
     const auto instance = instance_of(tumble_case(has_side_wall));
     const Route first = instance->fast();
@@ -172,13 +173,13 @@ TEST(FastSearch, RepeatsWhateverTheThreads) {
   }
 }
 
-TEST(FastSearch, OutOfTimeBoundsTheCost) {
+TEST(LazySearch, OutOfTimeBoundsTheCost) {
   const auto instance = instance_of(tumble_case(true));
   double last = 0;
   for (const int rounds : {0, 5, 20, 60, 120}) {
     planning::Budget budget;
     budget.iterations = rounds;
-    const Route route = instance->fast(kLanes, budget);
+    const Route route = instance->fast(kPoolSize, budget);
     EXPECT_GE(route.lower_bound, last);
     EXPECT_LE(route.lower_bound, 117.3922089);
     if (route.found) {
@@ -192,27 +193,27 @@ TEST(FastSearch, OutOfTimeBoundsTheCost) {
   EXPECT_GT(last, 100);  // a regrasp has been shown to be needed by then
 }
 
-TEST(FastSearch, LooksNoFartherThanTheLimit) {
+TEST(LazySearch, LooksNoFartherThanTheLimit) {
   const auto instance = instance_of(tumble_case(true));
-  const Route below = instance->fast(kLanes, {}, 117.39);
+  const Route below = instance->fast(kPoolSize, {}, 117.39);
   EXPECT_TRUE(below.is_complete);
   EXPECT_FALSE(below.found);
-  EXPECT_NEAR(instance->fast(kLanes, {}, 117.4).cost, 117.392208834, 1e-8);
+  EXPECT_NEAR(instance->fast(kPoolSize, {}, 117.4).cost, 117.392208834, 1e-8);
 }
 
-TEST(FastSearch, ShowsThatThereIsNone) {
+TEST(LazySearch, ShowsThatThereIsNone) {
   Options options;
   options.min_stability = 50;
-  FastInstance instance(tumble_case(false), options);
+  LazyInstance instance(tumble_case(false), options);
   const Route route = instance.fast();
   EXPECT_TRUE(route.is_complete);
   EXPECT_FALSE(route.found);
 }
 
-TEST(FastSearch, RefusesToOutgrowItsMemory) {
+TEST(LazySearch, RefusesToOutgrowItsMemory) {
   Options options;
   options.max_memory = 1e5;
-  FastInstance instance(tumble_case(true), options);
+  LazyInstance instance(tumble_case(true), options);
   EXPECT_THROW(instance.fast(), std::length_error);
 }
 

@@ -13,6 +13,7 @@
 
 #include "fingertip/cases.hpp"
 #include "fingertip/instance.hpp"
+#include "fingertip/search/nodes.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -42,11 +43,11 @@ std::unique_ptr<Instance> coarse_instance(unsigned seed) {
 
 /// What a route costs by (9) and (10), each arc judged anew; infinite when one is not feasible.
 double cost_of(Instance& instance, const Route& route) {
-  const PathQuery& query = instance.query;
+  const PoseGraph& graph = instance.graph;
   double cost = 0;
   for (std::size_t i = 0; i < route.nodes.size(); ++i) {
     const Node& node = route.nodes[i];
-    if (!is_feasible(query, node.pose, node.placement)) return INFINITY;
+    if (!is_feasible(graph, node.pose, node.placement)) return INFINITY;
     if (i == 0) continue;
     const Node& before = route.nodes[i - 1];
     if (node.pose == before.pose) {
@@ -56,17 +57,17 @@ double cost_of(Instance& instance, const Route& route) {
           kept = with(kept, l);
         }
       }
-      EXPECT_EQ(num_fingers(kept), query.num_fingers - 1);  // one finger at a time
-      if (instance.evaluator.stability(query.rest_instant(node.pose), kept) == 0) return INFINITY;
+      EXPECT_EQ(num_fingers(kept), graph.num_fingers - 1);  // one finger at a time
+      if (instance.evaluator.stability(graph.rest_instant(node.pose), kept) == 0) return INFINITY;
       cost += instance.options.regrasp_cost;
     } else {
       EXPECT_EQ(node.pose, before.pose + 1);
       EXPECT_EQ(node.placement, before.placement);
       std::vector<double> z;
       for (int j = 0; j < instance.options.samples_per_arc; ++j) {
-        z.push_back(instance.evaluator.stability(query.instant(before.pose, j), node.placement));
+        z.push_back(instance.evaluator.stability(graph.instant(before.pose, j), node.placement));
       }
-      cost += arc_cost(query, before.pose, node.placement, z.data());
+      cost += arc_cost(graph, before.pose, node.placement, z);
     }
   }
   return cost;
@@ -89,7 +90,7 @@ TEST(FingertipGraphSearch, EnginesAgreeOnSmallInstances) {
     for (const Route* route : {&dijkstra, &paper}) {
       EXPECT_NEAR(cost_of(*instance, *route), route->cost, 1e-9) << seed;
       EXPECT_EQ(route->nodes.front().pose, 0);
-      EXPECT_EQ(route->nodes.back().pose, instance->query.num_arcs());
+      EXPECT_EQ(route->nodes.back().pose, instance->graph.num_arcs());
     }
     regrasps.insert(num_regrasps(paper));
   }
@@ -107,46 +108,45 @@ TEST(FingertipGraphSearch, AgreesWithBruteForceOverTheWholeGraph) {
     Instance& it = *instance;
     std::vector<Placement> all;
     for (int a = 0; a < it.locations.size(); ++a) {
-      if (it.query.num_fingers == 1) all.push_back(with(kNoFingers, a));
-      for (int b = a + 1; it.query.num_fingers == 2 && b < it.locations.size(); ++b) {
+      if (it.graph.num_fingers == 1) all.push_back(with(kNoFingers, a));
+      for (int b = a + 1; it.graph.num_fingers == 2 && b < it.locations.size(); ++b) {
         all.push_back(with(with(kNoFingers, a), b));
       }
     }
     std::map<Placement, double> cost;
-    for (const Placement& p : all) cost[p] = is_feasible(it.query, 0, p) ? 0 : INFINITY;
-    for (int pose = 0; pose <= it.query.num_arcs(); ++pose) {
+    for (const Placement& p : all) cost[p] = is_feasible(it.graph, 0, p) ? 0 : INFINITY;
+    for (int pose = 0; pose <= it.graph.num_arcs(); ++pose) {
       for (bool changed = true; changed;) {  // regrasps, until none is worth it
         changed = false;
         std::map<Placement, double> hub;
         for (const Placement& p : all) {
-          for (int i = 0; i < it.query.num_fingers; ++i) {
+          for (int i = 0; i < it.graph.num_fingers; ++i) {
             const Placement kept = without(p, p[static_cast<std::size_t>(i)]);
             const auto entry = hub.try_emplace(kept, INFINITY).first;
             entry->second = std::min(entry->second, cost[p]);
           }
         }
         for (const Placement& p : all) {
-          if (!is_feasible(it.query, pose, p)) continue;
-          for (int i = 0; i < it.query.num_fingers; ++i) {
+          if (!is_feasible(it.graph, pose, p)) continue;
+          for (int i = 0; i < it.graph.num_fingers; ++i) {
             const Placement kept = without(p, p[static_cast<std::size_t>(i)]);
             const double way = hub[kept] + it.options.regrasp_cost;
             if (!(way < cost[p] - 1e-12)) continue;
-            if (it.evaluator.stability(it.query.rest_instant(pose), kept) == 0) continue;
+            if (it.evaluator.stability(it.graph.rest_instant(pose), kept) == 0) continue;
             cost[p] = way;
             changed = true;
           }
         }
       }
-      if (pose == it.query.num_arcs()) break;
+      if (pose == it.graph.num_arcs()) break;
       for (const Placement& p : all) {
         if (!std::isfinite(cost[p])) continue;
         std::vector<double> z;
         for (int j = 0; j < it.options.samples_per_arc; ++j) {
-          z.push_back(it.evaluator.stability(it.query.instant(pose, j), p));
+          z.push_back(it.evaluator.stability(it.graph.instant(pose, j), p));
         }
-        cost[p] = is_feasible(it.query, pose + 1, p)
-                      ? cost[p] + arc_cost(it.query, pose, p, z.data())
-                      : INFINITY;
+        cost[p] = is_feasible(it.graph, pose + 1, p) ? cost[p] + arc_cost(it.graph, pose, p, z)
+                                                     : INFINITY;
       }
     }
     double best = INFINITY;
@@ -163,26 +163,27 @@ TEST(FingertipGraphSearch, AgreesWithBruteForceOverTheWholeGraph) {
 TEST(FingertipGraphSearch, HeuristicIsConsistent) {
   for (const unsigned seed : {1U, 2U, 4U, 7U}) {
     const auto instance = coarse_instance(seed);
-    const PathQuery& query = instance->query;
-    const Heuristic h(query, true);
+    const PoseGraph& graph = instance->graph;
+    RemainingDistance remaining(graph);
+    const Heuristic h(graph, remaining);
     const double X_regr = instance->options.regrasp_cost;
     std::mt19937 rng(seed);
     for (int i = 0; i < 2000; ++i) {
       std::uniform_int_distribution<int> location(0, instance->locations.size() - 1);
       Placement p = kNoFingers;
-      while (num_fingers(p) < query.num_fingers) {
+      while (num_fingers(p) < graph.num_fingers) {
         const int l = location(rng);
         p = with(without(p, l), l);
       }
-      const int pose = std::uniform_int_distribution<int>(0, query.num_arcs() - 1)(rng);
+      const int pose = std::uniform_int_distribution<int>(0, graph.num_arcs() - 1)(rng);
       const std::vector<double> z(3, 1e12);  // no arc is cheaper
-      EXPECT_LE(h({pose, p}), arc_cost(query, pose, p, z.data()) + h({pose + 1, p}) + 1e-9);
+      EXPECT_LE(h({pose, p}), arc_cost(graph, pose, p, z) + h({pose + 1, p}) + 1e-9);
       const Placement kept = without(p, p[0]);
       EXPECT_LE(h({pose, p}), X_regr + h({pose, kept}) + 1e-9);
       EXPECT_LE(h({pose, kept}), h({pose, p}) + 1e-9);
-      EXPECT_EQ(h({query.num_arcs(), p}) > 0,
-                !is_feasible(query, query.num_arcs(), with(kNoFingers, p[0])) ||
-                    (p[1] >= 0 && !query.is_clear(query.num_arcs(), p[1])));
+      EXPECT_EQ(h({graph.num_arcs(), p}) > 0,
+                !is_feasible(graph, graph.num_arcs(), with(kNoFingers, p[0])) ||
+                    (p[1] >= 0 && !graph.is_clear(graph.num_arcs(), p[1])));
     }
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The graph of contact states: faces of the convex hull, joined by the edges between them.
-#include "fingertip/goal/stances.hpp"
+#include "fingertip/goal/contact_states.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +34,14 @@ TumbleEdge edge_between(const Face& from, const Face& to, int to_index,
   return {to_index, p_O, across.normalized(), std::atan2(across.norm(), to.n_O.dot(from.n_O))};
 }
 
-bool has_edge_to(const Stance& stance, int face) {
-  return std::any_of(stance.edges.begin(), stance.edges.end(),
+bool has_edge_to(const ContactState& state, int face) {
+  return std::any_of(state.edges.begin(), state.edges.end(),
                      [&](const TumbleEdge& edge) { return edge.to == face; });
 }
 
 }  // namespace
 
-Stances::Stances(const Object& object) {
+ContactStates::ContactStates(const Object& object) {
   const geometry::Mesh hull = geometry::convex_hull(object.hull());
   const std::vector<Face> faces = find_faces(hull, object.size());
   corners_O_ = hull.vertices;
@@ -60,29 +60,30 @@ Stances::Stances(const Object& object) {
     if (from < 0 || reverse == sides.end()) continue;
     const int to = reverse->second;
     if (to < 0 || to == from) continue;
-    Stance& stance = all_[static_cast<std::size_t>(from)];
+    ContactState& state = all_[static_cast<std::size_t>(from)];
     const Eigen::Vector3d a = corners_O_.col(ends.first), b = corners_O_.col(ends.second);
     // Seen from outside the face lies to the left of its edges.
-    const Eigen::Vector3d inward = (-stance.n_O).cross((b - a).normalized());
-    if (inward.dot(object.com() - a) <= kTipping * object.size()) stance.is_stable = false;
-    if (has_edge_to(stance, to)) continue;  // an edge in pieces
-    stance.edges.push_back(edge_between(faces[static_cast<std::size_t>(from)],
-                                        faces[static_cast<std::size_t>(to)], to, a));
+    const Eigen::Vector3d inward = (-state.n_O).cross((b - a).normalized());
+    if (inward.dot(object.com() - a) <= kTipping * object.size()) state.is_stable = false;
+    if (has_edge_to(state, to)) continue;  // an edge in pieces
+    state.edges.push_back(edge_between(faces[static_cast<std::size_t>(from)],
+                                       faces[static_cast<std::size_t>(to)], to, a));
   }
 }
 
-int Stances::standing(const Eigen::Isometry3d& X_WO, const Plane& plane, double tolerance) const {
+int ContactStates::standing(const Eigen::Isometry3d& X_WO, const Plane& plane,
+                            double tolerance) const {
   const Eigen::VectorXd heights =
       (plane.n_W.transpose() * (X_WO * corners_O_)).transpose().array() - plane.offset;
   const double reach = corners_O_.cwiseAbs().maxCoeff() + tolerance;
   for (int i = 0; i < size(); ++i) {
-    const Stance& stance = (*this)[i];
-    const Eigen::Vector3d n_W = X_WO.linear() * stance.n_O;
+    const ContactState& state = (*this)[i];
+    const Eigen::Vector3d n_W = X_WO.linear() * state.n_O;
     if (n_W.dot(plane.n_W) < 0.99 || heights.minCoeff() < -tolerance) continue;
     // Every corner of the face must be down.
     bool is_down = true;
     for (Eigen::Index k = 0; k < corners_O_.cols() && is_down; ++k) {
-      const double within = stance.n_O.dot(corners_O_.col(k)) - stance.offset;
+      const double within = state.n_O.dot(corners_O_.col(k)) - state.offset;
       if (within <= 1e-6 * reach) is_down = heights[k] <= tolerance;
     }
     if (is_down) return i;
@@ -90,7 +91,7 @@ int Stances::standing(const Eigen::Isometry3d& X_WO, const Plane& plane, double 
   return -1;
 }
 
-std::vector<int> Stances::tumbles_to(int goal) const {
+std::vector<int> ContactStates::tumbles_to(int goal) const {
   std::vector<int> tumbles(all_.size(), -1);
   tumbles[static_cast<std::size_t>(goal)] = 0;
   std::vector<int> queue{goal};
@@ -109,7 +110,7 @@ std::vector<int> Stances::tumbles_to(int goal) const {
 namespace {
 
 struct Enumeration {
-  const Stances& stances;
+  const ContactStates& states;
   std::vector<int> left;  // tumbles needed from each face
   std::size_t limit;
   TumbleSequence current;
@@ -119,7 +120,7 @@ struct Enumeration {
     const int needed = left[static_cast<std::size_t>(face)];
     if (needed < 0 || needed > tumbles || found.size() >= limit) return;
     if (tumbles == 0) found.push_back(current);
-    for (const TumbleEdge& edge : stances[face].edges) {
+    for (const TumbleEdge& edge : states[face].edges) {
       if (tumbles == 0 || edge.to == before) continue;
       current.push_back(&edge);
       extend(face, edge.to, tumbles - 1);
@@ -130,9 +131,9 @@ struct Enumeration {
 
 }  // namespace
 
-std::vector<TumbleSequence> tumble_sequences(const Stances& stances, int from, int to, int tumbles,
-                                             int limit) {
-  Enumeration all{stances, stances.tumbles_to(to), static_cast<std::size_t>(limit), {}, {}};
+std::vector<TumbleSequence> tumble_sequences(const ContactStates& states, int from, int to,
+                                             int tumbles, int limit) {
+  Enumeration all{states, states.tumbles_to(to), static_cast<std::size_t>(limit), {}, {}};
   all.extend(-1, from, tumbles);
   return all.found;
 }

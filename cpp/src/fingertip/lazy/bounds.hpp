@@ -10,7 +10,7 @@
 #include "fingertip/lazy/sums.hpp"
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
-#include "fingertip/model/path_query.hpp"
+#include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
 
@@ -20,9 +20,9 @@ namespace graspless::fingertip {
 /// looked at. A functional found at one instant serves others too: what an environment cannot do
 /// stays the same in the world while the object turns about standing contacts, and in the object
 /// while it slides.
-class Supports {
+class StabilityBounds {
  public:
-  Supports(const PathQuery& query, const Instants& instants);
+  StabilityBounds(const PoseGraph& graph, const Instants& instants);
 
   /// At least z of the placement (single precision, rounded up).
   float bound(int instant, const Placement& placement) const;
@@ -80,7 +80,7 @@ class Supports {
   bool measure(int instant, const Placement& placement, Bound& bound) const;
   void store(int instant, const Bound& bound);
 
-  const PathQuery& query_;
+  const PoseGraph& graph_;
   const Instants& instants_;
   int num_locations_, width_ = 0, edges_ = 0;
   bool has_paper_directions_ = false;

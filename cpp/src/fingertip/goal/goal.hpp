@@ -13,12 +13,6 @@ namespace graspless::fingertip {
 /// lower_bound holds for these paths. Where regrasps are needed, paths that could be cheaper by
 /// less than a thousandth are left out: lower_bound is that much below the cost then. Throws
 /// std::invalid_argument when the object does not stand on the floor by itself at start or goal.
-Plan plan_goal(Workshop& workshop, const Goal& goal, planning::Clock& clock);
-
-/// Plans a problem whose motion is a Lattice, whatever the engine of the options. Without regrasps
-/// when that can be done: then the cost is the least over all ways through the lattice and all
-/// placements of the fingers. With regrasps it is so in small lattices only; else lower_bound is
-/// what is proven.
-Plan plan_lattice(Workshop& workshop, const Lattice& lattice, planning::Clock& clock);
+Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock);
 
 }  // namespace graspless::fingertip

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Stabilities asked for in batches and solved by several threads.
-#include "fingertip/lazy/lanes.hpp"
+#include "fingertip/lazy/evaluator_pool.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -15,12 +15,13 @@ constexpr auto kAwake = std::chrono::microseconds(1000);
 
 }  // namespace
 
-Lanes::Lanes(std::vector<Evaluator>& evaluators, int threads) : evaluators_(evaluators) {
+EvaluatorPool::EvaluatorPool(std::vector<Evaluator>& evaluators, int threads)
+    : evaluators_(evaluators) {
   const int most = static_cast<int>(evaluators.size());
   for (int i = 1; i < std::min(threads, most); ++i) threads_.emplace_back([this] { help(); });
 }
 
-Lanes::~Lanes() {
+EvaluatorPool::~EvaluatorPool() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stop_ = true;
@@ -30,10 +31,10 @@ Lanes::~Lanes() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Lanes::start(std::vector<Question>& questions) {
-  questions_ = &questions;
+void EvaluatorPool::start(std::vector<StabilityQuery>& queries) {
+  queries_ = &queries;
   next_lane_ = 0;
-  shared_ = !threads_.empty() && !questions.empty();
+  shared_ = !threads_.empty() && !queries.empty();
   if (!shared_) return;
   busy_ = threads_.size();
   {
@@ -43,13 +44,13 @@ void Lanes::start(std::vector<Question>& questions) {
   wake_.notify_all();
 }
 
-void Lanes::finish() {
+void EvaluatorPool::finish() {
   take_lanes();
   while (shared_ && busy_ > 0) std::this_thread::yield();
   if (failure_) std::rethrow_exception(failure_);
 }
 
-void Lanes::help() {
+void EvaluatorPool::help() {
   int seen = 0;
   while (true) {
     const auto until = std::chrono::steady_clock::now() + kAwake;
@@ -65,8 +66,8 @@ void Lanes::help() {
   }
 }
 
-void Lanes::take_lanes() {
-  const std::size_t lanes = std::min(evaluators_.size(), questions_->size());
+void EvaluatorPool::take_lanes() {
+  const std::size_t lanes = std::min(evaluators_.size(), queries_->size());
   for (std::size_t lane = next_lane_++; lane < lanes; lane = next_lane_++) {
     try {
       solve_lane(lane);
@@ -77,13 +78,13 @@ void Lanes::take_lanes() {
   }
 }
 
-void Lanes::solve_lane(std::size_t lane) {
+void EvaluatorPool::solve_lane(std::size_t lane) {
   Evaluator& evaluator = evaluators_[lane];
-  for (std::size_t i = lane; i < questions_->size(); i += evaluators_.size()) {
-    Question& question = (*questions_)[i];
+  for (std::size_t i = lane; i < queries_->size(); i += evaluators_.size()) {
+    StabilityQuery& query = (*queries_)[i];
     evaluator.solver().clear_supports();
-    question.z = evaluator.stability(question.instant, question.placement);
-    question.supports = evaluator.solver().supports();
+    query.z = evaluator.stability(query.instant, query.placement);
+    query.functionals = evaluator.solver().supports();
   }
 }
 

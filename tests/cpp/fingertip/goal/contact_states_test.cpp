@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fingertip/goal/stances.hpp"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "fingertip/goal/contact_states.hpp"
+
 namespace graspless::fingertip {
 namespace {
-
 
 Object prism() {
   geometry::Mesh mesh;
@@ -34,34 +33,35 @@ Eigen::Isometry3d random_pose(std::mt19937& random) {
 }
 
 /// A pose on this face, anywhere on the floor.
-Eigen::Isometry3d standing_on(const Stance& stance, double yaw) {
+Eigen::Isometry3d standing_on(const ContactState& state, double yaw) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() = (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
-                Eigen::Quaterniond::FromTwoVectors(stance.n_O, Eigen::Vector3d::UnitZ()))
+                Eigen::Quaterniond::FromTwoVectors(state.n_O, Eigen::Vector3d::UnitZ()))
                    .toRotationMatrix();
-  X.translation() << 0.3, -0.2, -stance.offset;
+  X.translation() << 0.3, -0.2, -state.offset;
   return X;
 }
 
-TEST(Stances, BoxHasSixFacesOfFourEdges) {
-  const Stances stances(Object::box("block", {0.05, 0.06, 0.1}, 1));
-  ASSERT_EQ(stances.size(), 6);
+TEST(ContactStates, BoxHasSixFacesOfFourEdges) {
+  const ContactStates states(Object::box("block", {0.05, 0.06, 0.1}, 1));
+  ASSERT_EQ(states.size(), 6);
   for (int i = 0; i < 6; ++i) {
-    EXPECT_TRUE(stances[i].is_stable);
-    ASSERT_EQ(stances[i].edges.size(), 4U);
-    for (const TumbleEdge& edge : stances[i].edges) EXPECT_NEAR(edge.angle, std::acos(-1.0) / 2, 1e-12);
+    EXPECT_TRUE(states[i].is_stable);
+    ASSERT_EQ(states[i].edges.size(), 4U);
+    for (const TumbleEdge& edge : states[i].edges)
+      EXPECT_NEAR(edge.angle, std::acos(-1.0) / 2, 1e-12);
   }
 }
 
-TEST(Stances, TumbleBringsTheNextFaceDownAndLeavesTheEdge) {
+TEST(ContactStates, TumbleBringsTheNextFaceDownAndLeavesTheEdge) {
   for (const Object& object : {Object::box("block", {0.05, 0.06, 0.1}, 1), prism()}) {
-    const Stances stances(object);
-    for (int i = 0; i < stances.size(); ++i) {
-      const Eigen::Isometry3d X_WO = standing_on(stances[i], 0.7);
-      ASSERT_EQ(stances.standing(X_WO, Plane{}, 1e-9), i);
-      for (const TumbleEdge& edge : stances[i].edges) {
+    const ContactStates states(object);
+    for (int i = 0; i < states.size(); ++i) {
+      const Eigen::Isometry3d X_WO = standing_on(states[i], 0.7);
+      ASSERT_EQ(states.standing(X_WO, Plane{}, 1e-9), i);
+      for (const TumbleEdge& edge : states[i].edges) {
         const Eigen::Isometry3d X_WO_next = tumbled(X_WO, edge);
-        EXPECT_EQ(stances.standing(X_WO_next, Plane{}, 1e-9), edge.to);
+        EXPECT_EQ(states.standing(X_WO_next, Plane{}, 1e-9), edge.to);
         for (const double s : {-1.0, 2.0}) {
           const Eigen::Vector3d p_O = edge.p_O + s * edge.axis_O;
           EXPECT_LT((X_WO * p_O - X_WO_next * p_O).norm(), 1e-12);
@@ -71,15 +71,15 @@ TEST(Stances, TumbleBringsTheNextFaceDownAndLeavesTheEdge) {
   }
 }
 
-TEST(Stances, TumblingBackUndoesATumble) {
+TEST(ContactStates, TumblingBackUndoesATumble) {
   const Object object = prism();
-  const Stances stances(object);
+  const ContactStates states(object);
   std::mt19937 random(1);
   const Eigen::Isometry3d X_WO = random_pose(random);
-  for (int i = 0; i < stances.size(); ++i) {
-    for (const TumbleEdge& edge : stances[i].edges) {
+  for (int i = 0; i < states.size(); ++i) {
+    for (const TumbleEdge& edge : states[i].edges) {
       int back = 0;
-      for (const TumbleEdge& reverse : stances[edge.to].edges) {
+      for (const TumbleEdge& reverse : states[edge.to].edges) {
         if (reverse.to != i) continue;
         ++back;
         EXPECT_TRUE(tumbled(tumbled(X_WO, edge), reverse).isApprox(X_WO, 1e-12));
@@ -89,22 +89,22 @@ TEST(Stances, TumblingBackUndoesATumble) {
   }
 }
 
-TEST(Stances, NothingStandsInTheAirOrOnAnEdge) {
-  const Stances stances(Object::box("block", {0.05, 0.06, 0.1}, 1));
-  Eigen::Isometry3d X_WO = standing_on(stances[0], 0);
+TEST(ContactStates, NothingStandsInTheAirOrOnAnEdge) {
+  const ContactStates states(Object::box("block", {0.05, 0.06, 0.1}, 1));
+  Eigen::Isometry3d X_WO = standing_on(states[0], 0);
   X_WO.translation().z() += 0.001;
-  EXPECT_EQ(stances.standing(X_WO, Plane{}, 1e-6), -1);
-  X_WO = standing_on(stances[0], 0);
+  EXPECT_EQ(states.standing(X_WO, Plane{}, 1e-6), -1);
+  X_WO = standing_on(states[0], 0);
   X_WO.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d(1, 2, 3).normalized()));
-  EXPECT_EQ(stances.standing(X_WO, Plane{}, 1e-6), -1);
+  EXPECT_EQ(states.standing(X_WO, Plane{}, 1e-6), -1);
 }
 
-TEST(Stances, TippingFacesAreNotStable) {
+TEST(ContactStates, TippingFacesAreNotStable) {
   const Object object = Object::box("block", {0.05, 0.06, 0.1}, 1);
-  const Stances all(object);
+  const ContactStates all(object);
   // With the centre of mass on an edge of the top face nothing but the sides there and the bottom
   // and top hold it, and those not for sure.
-  const Stances leaning(object.with_com({0.0, 0.0, 0.05}));
+  const ContactStates leaning(object.with_com({0.0, 0.0, 0.05}));
   int stable = 0;
   for (int i = 0; i < leaning.size(); ++i) {
     const bool is_end = std::abs(leaning[i].n_O.z()) > 0.5;
@@ -114,33 +114,33 @@ TEST(Stances, TippingFacesAreNotStable) {
   EXPECT_EQ(stable, 2);
 }
 
-TEST(Stances, SequencesOfABox) {
-  const Stances stances(Object::box("block", {0.05, 0.06, 0.1}, 1));
+TEST(ContactStates, SequencesOfABox) {
+  const ContactStates states(Object::box("block", {0.05, 0.06, 0.1}, 1));
   int opposite = -1;
   for (int i = 1; i < 6; ++i) {
-    if (stances[i].n_O.dot(stances[0].n_O) < -0.5) opposite = i;
+    if (states[i].n_O.dot(states[0].n_O) < -0.5) opposite = i;
   }
-  const int beside = stances[0].edges.front().to;
-  EXPECT_EQ(stances.tumbles_to(0)[static_cast<std::size_t>(opposite)], 2);
-  EXPECT_EQ(tumble_sequences(stances, 0, opposite, 1, 100).size(), 0U);
-  EXPECT_EQ(tumble_sequences(stances, 0, opposite, 2, 100).size(), 4U);
-  EXPECT_EQ(tumble_sequences(stances, 0, beside, 1, 100).size(), 1U);
+  const int beside = states[0].edges.front().to;
+  EXPECT_EQ(states.tumbles_to(0)[static_cast<std::size_t>(opposite)], 2);
+  EXPECT_EQ(tumble_sequences(states, 0, opposite, 1, 100).size(), 0U);
+  EXPECT_EQ(tumble_sequences(states, 0, opposite, 2, 100).size(), 4U);
+  EXPECT_EQ(tumble_sequences(states, 0, beside, 1, 100).size(), 1U);
   // Over either neighbour that both share.
-  EXPECT_EQ(tumble_sequences(stances, 0, beside, 2, 100).size(), 2U);
-  EXPECT_EQ(tumble_sequences(stances, 0, 0, 0, 100).size(), 1U);
-  EXPECT_EQ(tumble_sequences(stances, 0, 0, 1, 100).size(), 0U);
-  EXPECT_EQ(tumble_sequences(stances, 0, opposite, 2, 3).size(), 3U);
+  EXPECT_EQ(tumble_sequences(states, 0, beside, 2, 100).size(), 2U);
+  EXPECT_EQ(tumble_sequences(states, 0, 0, 0, 100).size(), 1U);
+  EXPECT_EQ(tumble_sequences(states, 0, 0, 1, 100).size(), 0U);
+  EXPECT_EQ(tumble_sequences(states, 0, opposite, 2, 3).size(), 3U);
 }
 
-TEST(Stances, SequencesChainAndNeverGoStraightBack) {
-  const Stances stances(prism());
+TEST(ContactStates, SequencesChainAndNeverGoStraightBack) {
+  const ContactStates states(prism());
   for (int tumbles = 0; tumbles <= 4; ++tumbles) {
-    for (const TumbleSequence& sequence : tumble_sequences(stances, 0, 2, tumbles, 1000)) {
+    for (const TumbleSequence& sequence : tumble_sequences(states, 0, 2, tumbles, 1000)) {
       ASSERT_EQ(static_cast<int>(sequence.size()), tumbles);
       std::vector<int> faces{0};
       for (const TumbleEdge* edge : sequence) {
         bool leads = false;
-        for (const TumbleEdge& own : stances[faces.back()].edges) leads = leads || &own == edge;
+        for (const TumbleEdge& own : states[faces.back()].edges) leads = leads || &own == edge;
         EXPECT_TRUE(leads);
         faces.push_back(edge->to);
         if (faces.size() > 2) {

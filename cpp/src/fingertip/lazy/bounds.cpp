@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Upper bounds on stability from wrench functionals, as tables over locations.
-#include "fingertip/lazy/supports.hpp"
+#include "fingertip/lazy/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,10 @@ using mechanics::Vector6d;
 
 namespace {
 
-constexpr double kPolar = 1e-12;    // y . g of a functional of length 1 that counts as <= 0
-constexpr double kRounding = 2e-6;  // of single precision, relative to the terms added
-constexpr double kProgress = 0.1;   // a functional must bound by that much more elsewhere
-constexpr std::size_t kKept = 2;    // functionals kept of those of one solution
+constexpr double kPolar = 1e-12;   // y . g of a functional of length 1 that counts as <= 0
+constexpr double kRoundUp = 2e-6;  // of single precision, relative to the terms added
+constexpr double kProgress = 0.1;  // a functional must bound by that much more elsewhere
+constexpr std::size_t kKept = 2;   // functionals kept of those of one solution
 
 /// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
 /// in W.
@@ -51,38 +51,37 @@ int round_up(int n) { return (n + kStep - 1) / kStep * kStep; }
 
 }  // namespace
 
-Supports::Supports(const PathQuery& query, const Instants& instants)
-    : query_(query), instants_(instants), num_locations_(query.locations.size()) {
-  const Matrix6Xd& directions = query.options.disturbance_directions;
+StabilityBounds::StabilityBounds(const PoseGraph& graph, const Instants& instants)
+    : graph_(graph), instants_(instants), num_locations_(graph.locations.size()) {
+  const Matrix6Xd& directions = graph.options.disturbance_directions;
   has_paper_directions_ = directions.cols() == mechanics::disturbance_directions().cols() &&
                           directions == mechanics::disturbance_directions();
   paper_length_ = directions.col(0).norm();
   list_edges();
   pools_.resize(static_cast<std::size_t>(instants.size()));
-  const int P = query.options.samples_per_arc;
-  for (int arc = 0; arc < query.num_arcs(); ++arc) {
+  const int P = graph.options.samples_per_arc;
+  for (int arc = 0; arc < graph.num_arcs(); ++arc) {
     for (int j = 0; j < P; ++j) {
-      const auto a = static_cast<std::size_t>(arc);
-      place(query.instant(arc, j), along_screw(query.X_WO[a], query.twist_O[a], (j + 0.5) / P));
+      place(graph.instant(arc, j), along_screw(graph.X_WO(arc), graph.twist_O(arc), (j + 0.5) / P));
     }
   }
-  for (int pose = 0; pose < query.num_poses(); ++pose) {
-    place(query.rest_instant(pose), query.X_WO[static_cast<std::size_t>(pose)]);
+  for (int pose = 0; pose < graph.num_poses(); ++pose) {
+    place(graph.rest_instant(pose), graph.X_WO(pose));
   }
   // Few instants, as in a slide, have to tell all by themselves.
   width_ = all_.size() <= 4 ? 64 : 32;
   find_standing();
 }
 
-void Supports::list_edges() {
+void StabilityBounds::list_edges() {
   if (num_locations_ == 0) return;
-  edges_ = static_cast<int>(query_.locations.wrenches(0).generators.cols());
+  edges_ = static_cast<int>(graph_.locations.wrenches(0).generators.cols());
   padded_ = round_up(edges_);
   const auto count = static_cast<std::size_t>(num_locations_);
   edge_wrenches_.resize(count * static_cast<std::size_t>(6 * edges_));
   components_.resize(count * static_cast<std::size_t>(6 * padded_), 0.0F);
   for (int location = 0; location < num_locations_; ++location) {
-    const mechanics::FingerWrenches& wrenches = query_.locations.wrenches(location);
+    const mechanics::FingerWrenches& wrenches = graph_.locations.wrenches(location);
     for (int j = 0; j < edges_; ++j) {
       const Vector6d w =
           wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
@@ -97,7 +96,7 @@ void Supports::list_edges() {
   }
 }
 
-void Supports::place(int instant, const Eigen::Isometry3d& X_WO) {
+void StabilityBounds::place(int instant, const Eigen::Isometry3d& X_WO) {
   if (std::find(all_.begin(), all_.end(), instant) != all_.end()) return;
   all_.push_back(instant);
   const mechanics::ContactSet& set = instants_[instant].set;
@@ -106,7 +105,7 @@ void Supports::place(int instant, const Eigen::Isometry3d& X_WO) {
   pool(instant).from_world = pool(instant).to_world.inverse();
 }
 
-void Supports::find_standing() {
+void StabilityBounds::find_standing() {
   for (const int instant : all_) {
     const Matrix6Xd generators =
         pool(instant).from_world.transpose() * instants_[instant].environments.front().generators;
@@ -123,10 +122,10 @@ void Supports::find_standing() {
   }
 }
 
-int Supports::used(int instant) const { return round_up(pool(instant).size); }
+int StabilityBounds::used(int instant) const { return round_up(pool(instant).size); }
 
 /// Columns of a block that are new since it was last looked at.
-void Supports::fill(const Pool& p, int location) const {
+void StabilityBounds::fill(const Pool& p, int location) const {
   const auto width = static_cast<std::size_t>(width_);
   std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
   float* h = p.h.get() + static_cast<std::size_t>(location) * width;
@@ -139,14 +138,14 @@ void Supports::fill(const Pool& p, int location) const {
   filled = p.stamp;
 }
 
-const float* Supports::block(int instant, int location) const {
+const float* StabilityBounds::block(int instant, int location) const {
   const Pool& p = pool(instant);
   const auto l = static_cast<std::size_t>(location);
   if (p.filled[l] < p.stamp) fill(p, location);
   return p.h.get() + l * static_cast<std::size_t>(width_);
 }
 
-float Supports::bound(int instant, const Placement& placement) const {
+float StabilityBounds::bound(int instant, const Placement& placement) const {
   const Pool& p = pool(instant);
   if (p.size == 0) return kFree;
   const float* rows[1 + mechanics::kMaxFingers] = {p.offsets.data()};
@@ -157,17 +156,17 @@ float Supports::bound(int instant, const Placement& placement) const {
   return least_sum(rows, count, round_up(p.size));
 }
 
-bool Supports::is_polar(int instant, const Vector6d& y) const {
+bool StabilityBounds::is_polar(int instant, const Vector6d& y) const {
   return are_polar(instants_[instant].environments.front().generators, y);
 }
 
 /// Scales y such that its bound is y . known + sum of h.
-bool Supports::measure(int instant, const Placement& placement, Bound& bound) const {
+bool StabilityBounds::measure(int instant, const Placement& placement, Bound& bound) const {
   Vector6d& y = bound.y;
   const double sigma =
       has_paper_directions_
           ? paper_length_ * std::max(y.lpNorm<Eigen::Infinity>(), y.lpNorm<1>() / std::sqrt(6.0))
-          : (query_.options.disturbance_directions.transpose() * y).maxCoeff();
+          : (graph_.options.disturbance_directions.transpose() * y).maxCoeff();
   if (!(sigma > 0) || !std::isfinite(sigma)) return false;
   y /= sigma;
   bound.offset = y.dot(instants_[instant].environments.front().known);
@@ -182,9 +181,8 @@ bool Supports::measure(int instant, const Placement& placement, Bound& bound) co
 }
 
 /// Those that bound the placement most, best first.
-std::vector<Supports::Bound> Supports::best_of(int instant,
-                                               const std::vector<Vector6d>& functionals,
-                                               const Placement& placement) const {
+std::vector<StabilityBounds::Bound> StabilityBounds::best_of(
+    int instant, const std::vector<Vector6d>& functionals, const Placement& placement) const {
   std::vector<Bound> found;
   for (const Vector6d& y : functionals) {
     Bound bound{y, 0, 0};
@@ -197,7 +195,7 @@ std::vector<Supports::Bound> Supports::best_of(int instant,
 }
 
 /// The functional as it is at another instant; false when it is none there.
-bool Supports::carry(int target, Carried& carried, Bound& bound) const {
+bool StabilityBounds::carry(int target, Carried& carried, Bound& bound) const {
   const Pool& p = pool(target);
   const auto kind = static_cast<std::size_t>(p.standing);
   if (carried.holds[kind] < 0) carried.holds[kind] = are_polar(standing_[kind], carried.world);
@@ -209,15 +207,15 @@ bool Supports::carry(int target, Carried& carried, Bound& bound) const {
   return is_polar(target, bound.y);
 }
 
-void Supports::add(int instant, const std::vector<Vector6d>& functionals,
-                   const Placement& placement) {
+void StabilityBounds::add(int instant, const std::vector<Vector6d>& functionals,
+                          const Placement& placement) {
   std::vector<Carried> found;
   for (const Bound& bound : best_of(instant, functionals, placement)) {
     found.push_back(
         {bound, pool(instant).to_world * bound.y, std::vector<std::int8_t>(standing_.size(), -1)});
     store(instant, bound);
   }
-  const double needed = query_.options.min_stability;
+  const double needed = graph_.options.min_stability;
   for (const int target : all_) {
     if (target == instant) continue;
     const auto known = static_cast<double>(bound(target, placement));
@@ -236,7 +234,7 @@ void Supports::add(int instant, const std::vector<Vector6d>& functionals,
   }
 }
 
-void Supports::store(int instant, const Bound& bound) {
+void StabilityBounds::store(int instant, const Bound& bound) {
   Pool& p = pool(instant);
   const auto width = static_cast<std::size_t>(width_);
   if (!p.h) {
@@ -257,13 +255,13 @@ void Supports::store(int instant, const Bound& bound) {
   const auto col = static_cast<std::size_t>(column);
   const double most = bound.y.norm() * most_force_;
   p.offsets[col] = static_cast<float>(
-      bound.offset + kRounding * (std::abs(bound.offset) + query_.num_fingers * most));
+      bound.offset + kRoundUp * (std::abs(bound.offset) + graph_.num_fingers * most));
   for (std::size_t c = 0; c < 6; ++c)
     p.y[c * width + col] = static_cast<float>(bound.y[static_cast<Eigen::Index>(c)]);
   p.stamp = p.stamps[col] = ++stamp_;
 }
 
-std::int64_t Supports::memory() const {
+std::int64_t StabilityBounds::memory() const {
   std::size_t bytes = (edge_wrenches_.size() + components_.size()) * sizeof(float);
   for (const Pool& p : pools_) {
     bytes += (p.filled.size() * static_cast<std::size_t>(width_) + p.offsets.size() + p.y.size()) *

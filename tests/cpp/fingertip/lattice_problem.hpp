@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "graspless/fingertip/fingertip.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 
@@ -18,5 +18,22 @@ inline Problem lattice_problem() {
   lattice.counts = {8, 6, 9};
   return {Object::box("block", {0.05, 0.06, 0.05}, 1), {}, {Plane{}}, {0.5, 0.5}, lattice, {}};
 }
+
+/// The graph of that problem.
+struct LatticeInstance {
+  explicit LatticeInstance(int locations_per_side) : options(with_locations(locations_per_side)) {}
+
+  static Options with_locations(int per_side) {
+    Options options;
+    options.locations_per_side = per_side;
+    return options;
+  }
+
+  Problem problem = lattice_problem();
+  Options options;
+  SearchContext context{problem, options};
+  PoseGraph graph{problem, std::get<Lattice>(problem.motion), context.locations, context.instants,
+                  options};
+};
 
 }  // namespace graspless::fingertip

@@ -19,7 +19,7 @@ struct TumbleEdge {
 };
 
 /// A face of the convex hull, as something to stand on.
-struct Stance {
+struct ContactState {
   Eigen::Vector3d n_O;  // into the object, unit
   double offset;        // n_O . p of its points [m]
   bool is_stable;       // the centre of mass lies over it, seen along n_O
@@ -28,12 +28,12 @@ struct Stance {
 
 /// The contact states of an object on a floor: one a face of its convex hull, with edges between
 /// faces that meet.
-class Stances {
+class ContactStates {
  public:
-  explicit Stances(const Object& object);
+  explicit ContactStates(const Object& object);
 
   int size() const { return static_cast<int>(all_.size()); }
-  const Stance& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
+  const ContactState& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
 
   /// The face that lies flush on a plane, to `tolerance` [m]; -1 when none does.
   int standing(const Eigen::Isometry3d& X_WO, const Plane& plane, double tolerance) const;
@@ -43,16 +43,16 @@ class Stances {
 
  private:
   Eigen::Matrix3Xd corners_O_;
-  std::vector<Stance> all_;
+  std::vector<ContactState> all_;
 };
 
-/// A way through the stances: the edges tumbled over, in order.
+/// A way through the states: the edges tumbled over, in order.
 using TumbleSequence = std::vector<const TumbleEdge*>;
 
 /// All sequences of exactly `tumbles` edges from one face to another that never go straight back,
-/// at most `limit` of them. `stances` must outlive them.
-std::vector<TumbleSequence> tumble_sequences(const Stances& stances, int from, int to, int tumbles,
-                                             int limit);
+/// at most `limit` of them. `states` must outlive them.
+std::vector<TumbleSequence> tumble_sequences(const ContactStates& states, int from, int to,
+                                             int tumbles, int limit);
 
 /// The object's pose after a tumble.
 Eigen::Isometry3d tumbled(const Eigen::Isometry3d& X_WO, const TumbleEdge& edge);

@@ -15,7 +15,7 @@
 namespace graspless::fingertip {
 
 /// A stability that the search wants to know, and what came of it.
-struct Question {
+struct StabilityQuery {
   enum class Of { candidate, hub };
   Of of = Of::candidate;
   int index = -1;  // of the candidate or hub
@@ -24,20 +24,20 @@ struct Question {
   Placement placement = kNoFingers;
 
   double z = 0;
-  std::vector<mechanics::Vector6d> supports;
+  std::vector<mechanics::Vector6d> functionals;
 };
 
-/// Shares a batch among the evaluators: question i goes to evaluator i modulo their number,
+/// Shares a batch among the evaluators: query i goes to evaluator i modulo their number,
 /// whatever the number of threads, so that answers do not depend on it.
-class Lanes {
+class EvaluatorPool {
  public:
-  Lanes(std::vector<Evaluator>& evaluators, int threads);
-  ~Lanes();
-  Lanes(const Lanes&) = delete;
-  Lanes& operator=(const Lanes&) = delete;
+  EvaluatorPool(std::vector<Evaluator>& evaluators, int threads);
+  ~EvaluatorPool();
+  EvaluatorPool(const EvaluatorPool&) = delete;
+  EvaluatorPool& operator=(const EvaluatorPool&) = delete;
 
-  /// Begins to solve on the other threads; the questions must stay until finish().
-  void start(std::vector<Question>& questions);
+  /// Begins to solve on the other threads; the queries must stay until finish().
+  void start(std::vector<StabilityQuery>& queries);
   /// Solves what is left and waits for the rest.
   void finish();
 
@@ -47,7 +47,7 @@ class Lanes {
   void solve_lane(std::size_t lane);
 
   std::vector<Evaluator>& evaluators_;
-  std::vector<Question>* questions_ = nullptr;
+  std::vector<StabilityQuery>* queries_ = nullptr;
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable wake_;

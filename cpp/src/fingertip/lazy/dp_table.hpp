@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "fingertip/lazy/search.hpp"
+#include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
 
 /// Where a route may be: on a candidate, or at a hub.
-struct Place {
+struct DpState {
   int layer, pose;
   bool at_hub;
   int index;
@@ -22,16 +22,16 @@ struct Place {
 /// is paid for on the way out of the hub. With regrasps counted, there is a layer for each number
 /// of them. Without, candidates have but one, and hubs one for each number of regrasps at this pose
 /// before.
-class Layers {
+class DpTable {
  public:
-  Layers(FastSearch& search, int max_regrasps, bool is_counted);
+  DpTable(LazyState& lazy, int max_regrasps, bool is_counted);
 
   /// Finds them anew; the least cost of a route.
   double update();
 
-  /// The cheapest routes to as many different goals, cheapest first, each as places from the last
+  /// The cheapest routes to as many different goals, cheapest first, each as states from the last
   /// to the first.
-  std::vector<std::vector<Place>> best(std::size_t count);
+  std::vector<std::vector<DpState>> best(std::size_t count);
 
  private:
   struct Step {
@@ -42,7 +42,7 @@ class Layers {
   };
   struct Cell {
     std::vector<double> arrived;  // candidates, along the arc
-    std::vector<Step> put;        // candidates, after a regrasp here; empty: none
+    std::vector<Step> set_down;   // candidates, after a regrasp here; empty: none
     std::vector<Step> hubs;
   };
   Cell& cell(int layer, int pose) {
@@ -50,22 +50,22 @@ class Layers {
                   static_cast<std::size_t>(layer)];
   }
   static double cost(const Cell& cell, int c);
-  void arrive(int layer, int pose);
-  void take(int layer, int pose);
-  void take_from_hubs(int layer, int pose);
+  void displace(int layer, int pose);
+  void lift(int layer, int pose);
+  void lift_again(int layer, int pose);
   void reach(int layer, int pose, int hub, const Step& step);
-  void put(int layer, int pose);
+  void set_down(int layer, int pose);
   void rank_goals();
-  std::vector<Place> back_from(Place place);
+  std::vector<DpState> back_from(DpState state);
 
-  FastSearch& search_;
+  LazyState& lazy_;
   const int max_;
   const bool is_counted_;
   const int poses_;
   int candidates_ = 0;
   std::vector<Cell> cells_;
   std::vector<double> least_at_hub_;  // at this pose, in the layers so far
-  std::vector<std::pair<double, Place>> goals_;
+  std::vector<std::pair<double, DpState>> goals_;
 };
 
 }  // namespace graspless::fingertip

@@ -6,10 +6,27 @@
 #include <cstdint>
 #include <vector>
 
+#include "fingertip/model/pose_graph.hpp"
+
 namespace graspless::fingertip {
 
-/// Costs and parents of a search's nodes by their codes: one flat table with open addressing, a
-/// third of the memory and time of a map of the library.
+/// A node of the graph as one number: pose, placement and the number of regrasps so far (where
+/// that is limited). A placement with fewer fingers than the hand has is a hub: the fingers that a
+/// regrasp keeps.
+class NodeCode {
+ public:
+  /// Throws std::invalid_argument if there are more nodes than numbers.
+  NodeCode(int num_poses, int num_locations, int num_fingers, int num_layers);
+  std::uint64_t pack(const Node& node, int layer) const;
+  Node unpack(std::uint64_t code, int* layer) const;
+
+ private:
+  std::uint64_t base_, layers_;
+  int num_fingers_;
+};
+
+/// Costs and parents of a search's nodes by their codes: a flat hash table with open addressing,
+/// which takes a third of the memory and time of std::unordered_map.
 class NodeTable {
  public:
   static constexpr std::uint64_t kNone = ~std::uint64_t{0};
@@ -27,7 +44,7 @@ class NodeTable {
     while (entries_[i].code != kNone && entries_[i].code != code) i = (i + 1) & mask();
     return entries_[i];
   }
-  /// Enters a node or a cheaper way to it; false when no cheaper than what is known.
+  /// Enters a node or a cheaper path to it; false if the path is no cheaper than the known one.
   bool improve(std::uint64_t code, std::uint64_t parent, double cost) {
     Entry& entry = find(code);
     const bool is_new = entry.code == kNone;

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// State that all parts of the lazy search share.
+#include "fingertip/lazy/state.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "fingertip/lazy/placements.hpp"
+
+namespace graspless::fingertip {
+
+LazyState::LazyState(const PoseGraph& graph_in, std::vector<Evaluator>& evaluators,
+                     planning::Clock& clock_in, Statistics& statistics_in, double limit_in)
+    : graph(graph_in),
+      count(graph_in.num_fingers),
+      clock(clock_in),
+      statistics(statistics_in),
+      bounds(graph_in, evaluators.front().instants()),
+      candidates(graph_in, bounds),
+      hubs(graph_in, bounds, candidates),
+      limit(limit_in),
+      pool_(evaluators, graph_in.options.threads) {
+  for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+    double least = kInfinity;
+    for (const int location : clear_locations(graph, arc, arc + 1)) {
+      least = std::min(least, graph.displacement(arc, location));
+    }
+    least_displacement += least * graph.options.samples_per_arc;
+  }
+}
+
+void LazyState::record(const std::vector<StabilityQuery>& queries) {
+  for (const StabilityQuery& query : queries) {
+    bounds.add(query.instant, query.functionals, query.placement);
+    query.of == StabilityQuery::Of::candidate ? candidates.record(query) : hubs.record(query);
+  }
+}
+
+void LazyState::solve(std::vector<StabilityQuery>& queries) {
+  pool_.start(queries);
+  pool_.finish();
+  record(queries);
+}
+
+void LazyState::start(std::vector<StabilityQuery>& queries) {
+  in_flight_.swap(queries);
+  if (!in_flight_.empty()) pool_.start(in_flight_);
+}
+
+void LazyState::record_last() {
+  record(solved_);
+  solved_.clear();
+}
+
+void LazyState::finish() {
+  if (!in_flight_.empty()) pool_.finish();
+  solved_.swap(in_flight_);
+  in_flight_.clear();
+}
+
+std::int64_t LazyState::note_memory(std::int64_t more_candidates) {
+  constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
+  const std::int64_t bytes = bounds.memory() + candidates.memory() + hubs.memory() +
+                             unopened * kUnopened + more_candidates * Candidates::bytes_each(graph);
+  statistics.memory = std::max(statistics.memory, bytes);
+  return bytes;
+}
+
+void LazyState::watch_memory(std::int64_t more_candidates) {
+  const std::int64_t bytes = note_memory(more_candidates);
+  if (static_cast<double>(bytes) > graph.options.max_memory) {
+    throw std::length_error("options.max_memory: the search needs more than " +
+                            std::to_string(graph.options.max_memory) +
+                            " bytes for placements that may be stable; take fewer locations");
+  }
+}
+
+std::vector<Node> nodes_of(const LazyState& lazy, int first, int second, int pose) {
+  std::vector<Node> nodes;
+  for (int q = 0; q <= pose; ++q) nodes.push_back({q, lazy.candidates.placement(first)});
+  for (int q = second == first ? pose + 1 : pose; q < lazy.graph.num_poses(); ++q) {
+    nodes.push_back({q, lazy.candidates.placement(second)});
+  }
+  return nodes;
+}
+
+Route best_solved(LazyState& lazy) {
+  const int K = lazy.graph.num_arcs();
+  Route best;
+  best.cost = lazy.limit;
+  const auto take = [&](double cost, int first, int second, int pose) {
+    if (cost >= best.cost) return;
+    best.found = true;
+    best.cost = cost;
+    best.nodes = nodes_of(lazy, first, second, pose);
+  };
+  Candidates& candidates = lazy.candidates;
+  for (int c = 0; c < candidates.size(); ++c) {
+    if (candidates.is_solved(c, 0, K)) take(candidates.after(c, 0), c, c, K);
+  }
+  for (int hub = 0; hub < lazy.hubs.size(); ++hub) {
+    for (int pose = 1; pose < K; ++pose) {
+      if (!lazy.hubs.is_stable(hub, pose)) continue;
+      int first = -1, second = -1;
+      for (const int c : lazy.hubs.members(hub)) {
+        if (candidates.is_solved(c, 0, pose) &&
+            (first < 0 || candidates.before(c, pose) < candidates.before(first, pose))) {
+          first = c;
+        }
+        if (candidates.is_solved(c, pose, K) &&
+            (second < 0 || candidates.after(c, pose) < candidates.after(second, pose))) {
+          second = c;
+        }
+      }
+      if (first < 0 || second < 0) continue;
+      take(candidates.before(first, pose) + candidates.after(second, pose) +
+               lazy.graph.options.regrasp_cost,
+           first, second, pose);
+    }
+  }
+  return best;
+}
+
+}  // namespace graspless::fingertip

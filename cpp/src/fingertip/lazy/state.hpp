@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "fingertip/lazy/bounds.hpp"
+#include "fingertip/lazy/candidates.hpp"
+#include "fingertip/lazy/evaluator_pool.hpp"
+#include "fingertip/lazy/hubs.hpp"
+#include "fingertip/model/pose_graph.hpp"
+
+namespace graspless::fingertip {
+
+/// State that all parts of the lazy search share.
+struct LazyState {
+  LazyState(const PoseGraph& graph, std::vector<Evaluator>& evaluators, planning::Clock& clock,
+            Statistics& statistics, double limit);
+
+  /// Solves the queries, and records the results in bounds, candidates and hubs.
+  void solve(std::vector<StabilityQuery>& queries);
+  /// The same in three steps. Between them the caller may work, but not call solve().
+  void start(std::vector<StabilityQuery>& queries);  // takes them
+  void record_last();                                // records the results of those before
+  void finish();
+  std::int64_t note_memory(std::int64_t more_candidates = 0);  // of the tables, now [bytes]
+  /// Throws std::length_error when the tables have outgrown Options::max_memory.
+  void watch_memory(std::int64_t more_candidates = 0);
+
+  static constexpr std::size_t kWatch = 4096;  // placements from one memory check to the next
+
+  const PoseGraph& graph;
+  const int count;  // of fingers
+  planning::Clock& clock;
+  Statistics& statistics;
+  StabilityBounds bounds;
+  Candidates candidates;
+  Hubs hubs;
+  std::int64_t unopened = 0;      // placements that wait in the queue
+  double least_displacement = 0;  // no route costs less, whatever its placements [m]
+  double limit;                   // routes of this cost or more are not searched for [m]
+
+ private:
+  void record(const std::vector<StabilityQuery>& queries);
+  std::vector<StabilityQuery> in_flight_, solved_;  // solved but not recorded yet
+  EvaluatorPool pool_;                              // the first to be destroyed
+};
+
+/// One candidate up to a pose and another from there on; if they are the same, without a regrasp.
+std::vector<Node> nodes_of(const LazyState& lazy, int first, int second, int pose);
+
+/// The cheapest route with at most one regrasp whose every sample has been solved.
+Route best_solved(LazyState& lazy);
+
+/// The cheapest route with at most `max_regrasps`, by dynamic programming over poses, regrasps and
+/// placements, solving what is open on the best one until nothing is.
+Route search_many_regrasps(LazyState& lazy, int max_regrasps);
+
+}  // namespace graspless::fingertip
