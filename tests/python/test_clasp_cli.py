@@ -74,8 +74,8 @@ def test_loops_of_a_cloud(cloud, capsys):
     code, out, err = run(capsys, "loops", cloud)
     assert (code, err) == (0, "")
     lines = out.splitlines()
-    assert lines[0].startswith("1 loop at edges below ")
-    assert lines[1].startswith(f"  0: {purse().loops.loops[0].length:.3g} m around, ")
+    assert lines[0].startswith("1 loop found, longest edge of the complex ")
+    assert lines[1].startswith(f"  0: {purse().loops.loops[0].length:.3g} m long, ")
 
 
 def test_loops_as_json(cloud, capsys):

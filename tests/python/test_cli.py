@@ -87,7 +87,7 @@ def test_out_of_reach_names_what_was_refused(task, capsys):
     code, out, _ = run(capsys, "plan", "task.yaml", "--time", "1")
     assert code == 1
     assert out.startswith("no_start_root")
-    assert "refused:\n" in out
+    assert "rejected candidates, by reason:\n" in out
     assert "start: reach" in out
 
 

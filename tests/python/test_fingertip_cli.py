@@ -63,8 +63,8 @@ def test_not_found_exits_1_and_says_what_blocks(task, capsys):
     code, out, err = run(capsys, "plan", "task.yaml")
     assert (code, err) == (1, "")
     assert out.startswith("unstable in ")
-    assert "what blocks: " in out
-    assert "would do, alone: " in out
+    assert "limiting condition: " in out
+    assert "one change that would suffice: " in out
     assert "nothing to check: not solved" in out
     assert run(capsys, "check", "plan.json")[0] == 1
 

@@ -162,7 +162,7 @@ def test_failed_plan_says_what_blocks_and_what_would_help(tmp_path):
     assert (plan.status, plan.cost, plan.weakest) == ("unstable", None, None)
     assert plan.limit
     text = report.as_text(plan)
-    assert f"what blocks: {plan.limit}" in text
+    assert f"limiting condition: {plan.limit}" in text
     for relaxation in plan.fields.relaxations:
         assert relaxation.field in text
     plan.save(tmp_path / "plan.json")
@@ -173,7 +173,7 @@ def test_failed_plan_says_what_blocks_and_what_would_help(tmp_path):
 
 def test_report_names_cost_segments_and_the_weakest_step(tumble):
     text = report.as_text(tumble)
-    assert "optimal on this lattice), 1 regrasp\n" in text
+    assert "of motion + 1 regrasp x 100 m): the least possible on this lattice\n" in text
     assert "finger" in text
     k, row = tumble.weakest
     least = tumble.segments[k].stability[row]

@@ -45,7 +45,7 @@ def engine(monkeypatch):
 def test_one_trial_is_as_planned(plan_file, engine, capsys):
     code, out, err = run(capsys, "simulate", plan_file)
     assert (code, err) == (0, "")
-    assert out.startswith("1 of 1 trial held, seed 0\n")
+    assert out.startswith("1 of 1 trial succeeded, seed 0\n")
     assert [(v.is_nominal, record) for v, record in engine] == [(True, False)]
     assert "position_error" in out
     assert "median" not in out
@@ -56,7 +56,7 @@ def test_trials_that_fail_are_named_and_counted(plan_file, engine, capsys):
     failed = sum(variation.friction < 1 for variation, _ in engine)
     assert 0 < failed < 9
     assert code == 1
-    assert out.startswith(f"{9 - failed} of 9 trials held, seed 3\n")
+    assert out.startswith(f"{9 - failed} of 9 trials succeeded, seed 3\n")
     assert f"dropped in {failed} trial" in out
     assert "median" in out
 

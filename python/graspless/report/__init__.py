@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan found, in a few lines or as a dictionary."""
+"""Summaries of plans: a few lines of text, or a dictionary."""
 
 from __future__ import annotations
 
@@ -15,24 +15,34 @@ if TYPE_CHECKING:
     from ..plans import Plan
 
 
-MOST = 5  # faults of one segment that are printed
+MOST = 5  # faults printed per segment
 
 
 class ReportKind(Protocol):
-    """What `report` needs of a kind."""
+    """Functions that the report module of each kind has."""
 
     def details(self, plan: Any) -> dict[str, Any]:
-        """What `--json` prints of this kind alone, `segments` among it."""
+        """Returns the fields of `--json` that only this kind has, and `segments`."""
 
     def lines(self, plan: Any) -> list[str]:
-        """For people, of a plan that was found."""
+        """Returns the lines of text for a plan that was found."""
 
     def lines_not_found(self, plan: Any) -> list[str]:
-        """For people, after the reason."""
+        """Returns the lines of text that follow the reason if no plan was found."""
 
 
 def as_dict(plan: Plan) -> dict[str, Any]:
-    """Status, statistics and the rows of each segment: what `--json` prints."""
+    """Returns a plan's summary as a dictionary: the output of `graspless plan --json`.
+
+    Parameters
+    ----------
+    plan : Plan
+
+    Returns
+    -------
+    dict
+        Status, reason, seed, statistics, and a summary of each segment.
+    """
     return {
         "status": plan.status,
         "reason": plan.reason,
@@ -43,7 +53,17 @@ def as_dict(plan: Plan) -> dict[str, Any]:
 
 
 def as_text(plan: Plan) -> str:
-    """A few lines for people."""
+    """Returns a plan's summary as a few lines of text.
+
+    Parameters
+    ----------
+    plan : Plan
+
+    Returns
+    -------
+    str
+        Status, segments, measures of quality, and the counters of the search.
+    """
     stats = plan.statistics
     lines = [f"{plan.status} in {_duration(stats.get('seconds', 0))}, seed {plan.fields.seed}"]
     if plan:
@@ -52,38 +72,45 @@ def as_text(plan: Plan) -> str:
         lines.append(f"  {plan.reason}")
     numbers = {name: value for name, value in stats.items() if not isinstance(value, dict)}
     counters = [_counter(name, value) for name, value in numbers.items() if name != "seconds"]
-    lines.append("  " + ", ".join(counters))
+    lines.append("  search: " + ", ".join(counters))
     if not plan:
         lines += [f"  {line}" for line in _kind(plan).lines_not_found(plan)]
     return "\n".join(lines)
 
 
 def verdict(plan: Plan, faults: list[str]) -> str:
-    """What `check` says about a plan."""
+    """Returns the verdict of `graspless check`.
+
+    Parameters
+    ----------
+    plan : Plan
+    faults : list of str
+        Result of `graspless.check(plan)`.
+    """
     if faults:
         return "\n".join(["does not hold:" if plan else "not solved:", *_shortened(faults)])
     if not plan:
         return "nothing to check: not solved"
     rows = sum(map(len, plan.segments))
     segments = count(len(plan.segments), "segments")
-    return f"holds: {segments}, {count(rows, 'rows')}, replayed by code of its own"
+    return f"holds: {segments}, {count(rows, 'rows')}; an independent replay found no fault"
 
 
 def count(number: float, things: str) -> str:
-    """ "3 rows", "1 row"."""
+    """Returns a number with its noun in singular or plural: "3 rows", "1 row"."""
     return f"{number} {things.removesuffix('s') if number == 1 else things}"
 
 
 def segment_line(plan: Plan, segment: Any) -> str:
-    """A stretch of joint motion: its name, rows and least time."""
+    """Returns one line on a joint motion: its name, number of rows, and least duration."""
     seconds = least_seconds(plan, segment)
-    least = "" if seconds is None else f", at least {seconds:.2f} s"
+    least = "" if seconds is None else f", at least {seconds:.2f} s long"
     number, _, rows = count(len(segment), "rows").partition(" ")
     return f"{segment.name:10}{number:>5} {rows}{least}"
 
 
 def least_seconds(plan: Plan, segment: Any) -> float | None:
-    """How long a segment takes at least, at the joints' speed limits [s]; None without limits."""
+    """Returns a segment's least duration at the joints' speed limits [s]; None without limits."""
     speed = np.asarray(plan.task.problem.robot.max_velocity)
     if len(segment) < 2 or not np.isfinite(speed).all() or (speed <= 0).any():
         return None
@@ -91,13 +118,16 @@ def least_seconds(plan: Plan, segment: Any) -> float | None:
 
 
 def refused(plan: Plan) -> list[str]:
-    """What the search refused and how often, the most frequent first."""
+    """Returns lines that count the reasons of rejected candidates, the most frequent first."""
     refusals = plan.statistics.get("refusals", {})
     if not refusals:
         return []
     width = max(map(len, refusals))
     order = sorted(refusals, key=lambda name: -refusals[name])
-    return ["refused:", *(f"  {name:{width}}  {refusals[name]}" for name in order)]
+    return [
+        "rejected candidates, by reason:",
+        *(f"  {name:{width}}  {refusals[name]}" for name in order),
+    ]
 
 
 def _kind(plan: Plan) -> ReportKind:
@@ -106,7 +136,7 @@ def _kind(plan: Plan) -> ReportKind:
 
 
 def _shortened(faults: list[str]) -> list[str]:
-    """The first faults of each segment, and how many there are."""
+    """Returns the first faults of each segment, and their number."""
     segments: dict[str, list[str]] = {}
     for fault in faults:
         named = re.match(r"segment \d+|\w*", fault)
@@ -121,9 +151,9 @@ def _shortened(faults: list[str]) -> list[str]:
 
 def _counter(name: str, value: float) -> str:
     if name == "memory":
-        return f"{value / 1e6:.1f} MB"
+        return f"{value / 1e6:.1f} MB of memory"
     if name.endswith("_seconds"):
-        return f"{_duration(value)} of {name.removesuffix('_seconds')}"
+        return f"{_duration(value)} for {name.removesuffix('_seconds')}"
     return count(value, name.replace("_", " "))
 
 

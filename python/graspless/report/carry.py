@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What carrying came to."""
+"""Summaries of carries."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def details(plan: Plan) -> dict[str, Any]:
-    """What `--json` prints of this kind alone."""
+    """Returns the fields of `--json` that only this kind has."""
     return {
         "reached": plan.reached,
         "segments": [
@@ -26,14 +26,15 @@ def details(plan: Plan) -> dict[str, Any]:
 
 
 def lines(plan: Plan) -> list[str]:
-    """A line a segment, and how far the object moves."""
+    """Returns a line per segment, and how far the object moves."""
     problem = plan.task.problem
     start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
     distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
-    moved = f"{problem.object.name} moves {distance * 100:.1f} cm in the hand"
+    name = problem.object.name
+    moved = f"the hand carries the {name} {distance * 100:.1f} cm along a straight path"
     return [*(segment_line(plan, segment) for segment in plan.segments), moved]
 
 
 def lines_not_found(plan: Plan) -> list[str]:
-    """Why steps were refused."""
-    return refused(plan)
+    """Returns how far the arm can follow the path, and why steps were rejected."""
+    return [f"reached: {100 * plan.reached:.0f} % of the path", *refused(plan)]

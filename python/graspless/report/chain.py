@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the planners found for the stages of a chain."""
+"""Summaries of chains: those of their stages."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def details(plan: Plan) -> dict[str, Any]:
-    """What `--json` prints of this kind alone."""
+    """Returns the fields of `--json` that only this kind has."""
     named = zip(plan.names, plan.stages, strict=True)
     return {
         "stages": [{"name": name, "kind": stage.kind} | as_dict(stage) for name, stage in named],
@@ -26,12 +26,12 @@ def details(plan: Plan) -> dict[str, Any]:
 
 
 def lines(plan: Plan) -> list[str]:
-    """What there is to say of each stage."""
+    """Returns the lines of each stage."""
     return list(_stages(plan))
 
 
 def lines_not_found(plan: Plan) -> list[str]:
-    """The stages that were planned, the last of them perhaps not found."""
+    """Returns the lines of the stages that were planned; the last one may have failed."""
     return list(_stages(plan))
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the clasp planner found."""
+"""Summaries of clasps."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def details(plan: Plan) -> dict[str, Any]:
-    """What `--json` prints of this kind alone."""
+    """Returns the fields of `--json` that only this kind has."""
     ends = _ends(plan)
     return {
         "loop": plan.loop,
@@ -32,7 +32,7 @@ def details(plan: Plan) -> dict[str, Any]:
 
 
 def lines(plan: Plan) -> list[str]:
-    """A line a segment, which loop is clasped, how far the fingers close, how secure it is."""
+    """Returns a line per segment, and the clasp's loop, virtual linking and security."""
     assert plan.stability is not None
     loops = plan.task.problem.object.loops.loops
     found = [f"warning: {warning}" for warning in plan.warnings]
@@ -41,17 +41,18 @@ def lines(plan: Plan) -> list[str]:
     ends = _ends(plan)
     if ends:
         shown = ", ".join(f"{name} {value:.2f}" for name, value in ends.items())
-        found.append(f"virtual linking {shown}; asked {plan.min_linking:.2f}")
+        found.append(f"virtual linking {shown} (at least {plan.min_linking:.2f} needed, 1 is best)")
     stability = plan.stability
     sequences = plan.task.options.stability.sequences
     held = "secure" if stability.secure else "not secure"
     escapes = f"{stability.escapes} of {count(sequences, 'sequences')} of random moves"
-    found.append(f"{held}: {escapes} free it, margin {stability.margin:.2f}")
+    margin = f"margin {stability.margin:.2f} (1: cannot move, 0: escapes)"
+    found.append(f"{held}: the loop escapes in {escapes}, {margin}")
     return found
 
 
 def lines_not_found(plan: Plan) -> list[str]:
-    """Without a hole, what the cloud shows; else why targets, connections and clasps failed."""
+    """Returns why targets, connections and clasps failed; without a hole, the Betti curve."""
     if plan.status == "no_reliable_hole":
         loops = plan.task.problem.object.loops
         return [f"warning: {warning}" for warning in loops.warnings] + betti_line(loops)
@@ -59,7 +60,7 @@ def lines_not_found(plan: Plan) -> list[str]:
 
 
 def _ends(plan: Plan) -> dict[str, float]:
-    """Virtual linking of each finger in the last row."""
+    """Returns the virtual linking of each finger in the last row."""
     rows = [segment.virtual_linking for segment in plan.segments if len(segment)]
     if not rows:
         return {}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the fingertip planner found."""
+"""Summaries of fingertip plans."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ UNITS = {"fingers.max_normal_force": " N", "min_stability": " N"}
 
 
 def details(plan: Plan) -> dict[str, Any]:
-    """What `--json` prints of this kind alone."""
-    place = plan.weakest
+    """Returns the fields of `--json` that only this kind has."""
+    weakest = plan.weakest
     return {
         "cost": plan.cost,
         "lower_bound": plan.lower_bound,
         "regrasps": plan.regrasps,
-        "weakest": None if place is None else {"segment": place[0], "row": place[1]},
+        "weakest": None if weakest is None else {"segment": weakest[0], "row": weakest[1]},
         "warnings": plan.warnings,
         "limit": plan.limit,
         "relaxations": [r.model_dump() for r in plan.fields.relaxations],
@@ -43,11 +43,15 @@ def details(plan: Plan) -> dict[str, Any]:
 
 
 def lines(plan: Plan) -> list[str]:
-    """What it costs, where it is weakest, and a line a segment."""
+    """Returns the cost, a line per segment, and the weakest row."""
     cost, bound = plan.cost or 0.0, plan.lower_bound
     optimal = bound is not None and cost - bound <= 1e-9 * max(1.0, cost)
-    gap = "optimal on this lattice" if optimal else f"no less than {_length(bound)} is possible"
-    found = [f"cost {_length(cost)} ({gap}), {count(plan.regrasps, 'regrasps')}"]
+    gap = (
+        "the least possible on this lattice"
+        if optimal
+        else f"at least {_length(bound)} on any plan"
+    )
+    found = [f"cost {_cost(plan)}: {gap}"]
     found += [f"warning: {warning}" for warning in plan.warnings]
     found += [_segment_line(segment) for segment in plan.segments]
     found += [_joint_line(segment) for segment in plan.joint_segments]
@@ -56,15 +60,19 @@ def lines(plan: Plan) -> list[str]:
         weak = plan.segments[k]
         where = f"row {row} of {_name(weak)}" if len(plan.segments) == 1 else _place(k, row, weak)
         z, compliant = weak.stability[row], weak.compliant_stability[row]
-        found.append(f"weakest at {where}: withstands {z:.3g} N (compliant {compliant:.3g} N)")
+        found.append(
+            f"weakest at {where}: withstands {z:.3g} N "
+            f"(at least {plan.task.options.min_stability:.3g} N needed), "
+            f"or {compliant:.3g} N with contacts as springs (compliant index)"
+        )
     return found
 
 
 def lines_not_found(plan: Plan) -> list[str]:
-    """Which limit blocks, and the least change that helps."""
-    found = [f"what blocks: {plan.limit}"] if plan.limit else []
+    """Returns the limit that rules out every plan, and the least changes that would help."""
+    found = [f"limiting condition: {plan.limit}"] if plan.limit else []
     return found + [
-        f"would do, alone: {r.field} {r.value:.4g}{UNITS.get(r.field, '')}"
+        f"one change that would suffice: {r.field} {r.value:.4g}{UNITS.get(r.field, '')}"
         for r in plan.fields.relaxations
     ]
 
@@ -73,18 +81,24 @@ def _segment_line(segment: Segment) -> str:
     number, _, rows = count(len(segment), "rows").partition(" ")
     head = f"{segment.name:10}{number:>5} {rows:5}"
     if segment.name == "regrasp":
-        return f"{head} finger {segment.finger + 1} moves, z {segment.stability.min():.3g} N"
-    return f"{head} {_moved(segment)}, z {_range(segment.stability)} N, {_modes(segment)}"
+        return (
+            f"{head} finger {segment.finger + 1} moves, withstands {segment.stability.min():.3g} N"
+        )
+    return f"{head} {_moved(segment)}, withstands {_range(segment.stability)} N, {_modes(segment)}"
 
 
 def _joint_line(segment: JointSegment) -> str:
     number, _, rows = count(len(segment), "rows").partition(" ")
-    slips = f", scrubs {1000 * segment.scrub:.1f} mm" if segment.scrub > 5e-5 else ""
-    return f"  joints: {segment.name:10}{number:>5} {rows}{slips}"
+    slips = (
+        f", a fingertip slips by up to {1000 * segment.scrub:.1f} mm"
+        if segment.scrub > 5e-5
+        else ""
+    )
+    return f"  arm: {segment.name:10}{number:>5} {rows}{slips}"
 
 
 def _moved(segment: Segment) -> str:
-    """How far the object goes: cm for a slide, degrees for a turn or tumble."""
+    """Returns how far the object moves: cm for a slide, degrees for a turn or tumble."""
     poses = segment.X_WO
     if segment.name == "slide":
         steps = np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1)
@@ -95,10 +109,10 @@ def _moved(segment: Segment) -> str:
 
 
 def _modes(segment: Segment) -> str:
-    """The fingers' control, where it stays the same throughout."""
+    """Returns the control mode of each finger, in the order of the fingers."""
     changes = len({tuple(row) for row in segment.modes}) > 1
-    shown = " ".join(segment.modes[0]) if segment.modes else ""
-    return f"{shown} at first" if changes else shown
+    shown = ", ".join(segment.modes[0]) if segment.modes else ""
+    return f"control {shown}{' at first' if changes else ''}"
 
 
 def _range(values: Any) -> str:
@@ -111,6 +125,16 @@ def _name(segment: Segment) -> str:
 
 def _place(k: int, row: int, segment: Segment) -> str:
     return f"row {row} of segment {k + 1}, {_name(segment)}"
+
+
+def _cost(plan: Plan) -> str:
+    """The cost by Eqs. (9) and (10): motion, and a fixed cost per regrasp."""
+    cost = plan.cost or 0.0
+    if not plan.regrasps:
+        return f"{_length(cost)} of motion, no regrasp"
+    each = plan.task.options.regrasp_cost
+    moved = _length(max(0.0, cost - each * plan.regrasps))
+    return f"{_length(cost)} ({moved} of motion + {count(plan.regrasps, 'regrasps')} x {each:g} m)"
 
 
 def _length(metres: float | None) -> str:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loops of a cloud in words."""
+"""Summaries of a cloud's loops."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ if TYPE_CHECKING:
 
     from .. import geometry
 
-MOST = 4  # stretches of the Betti curve that are told
+MOST = 4  # intervals of the Betti curve that are printed
 
 
 def loop_line(loops: Sequence[geometry.Loop], index: int) -> str:
-    """One loop: which it is, how long, and how thick what it runs along."""
+    """Describes one loop: its number, its length, and the thickness of the part it runs along."""
     loop = loops[index]
-    which = "the loop" if len(loops) == 1 else f"loop {index} of {len(loops)}, counted from 0"
-    return f"{which}, {loop.length:.3g} m around, {100 * loop.thickness:.2g} cm thick"
+    which = "the loop" if len(loops) == 1 else f"loop {index} of {len(loops)} (counted from 0)"
+    return f"{which}, {loop.length:.3g} m long, along a part {100 * loop.thickness:.2g} cm thick"
 
 
 def betti_line(loops: geometry.Loops) -> list[str]:
-    """How many loops there are at which length of edges, the widest stretches first."""
+    """Returns the numbers of loops on the widest ranges of the longest edge (Betti curve)."""
     edges, numbers = list(loops.betti.max_edge_length), list(loops.betti.loops)
     stretches = [
         (upper / lower, lower, upper, number)
@@ -33,17 +33,17 @@ def betti_line(loops: geometry.Loops) -> list[str]:
         if number > 0 and lower > 0 and math.isfinite(upper)
     ]
     if not stretches:
-        return ["holes at any length of edges: none"]
+        return ["no holes at any longest edge of the complex"]
     widest = sorted(stretches, reverse=True)[:MOST]
     shown = [
         f"{count(number, 'loops')} from {lower:.4g} to {upper:.4g} m"
         for _, lower, upper, number in sorted(widest, key=lambda stretch: stretch[1])
     ]
-    return ["by the longest edge: " + ", ".join(shown)]
+    return ["loops by longest edge of the complex: " + ", ".join(shown)]
 
 
 def as_dict(loops: geometry.Loops) -> dict[str, Any]:
-    """What `graspless loops --json` prints."""
+    """Returns a cloud's loops as a dictionary: the output of `graspless loops --json`."""
 
     def loop_fields(loop: geometry.Loop) -> dict[str, Any]:
         return {
@@ -75,19 +75,17 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
 
 
 def as_text(loops: geometry.Loops) -> str:
-    """A few lines for people."""
+    """Returns a cloud's loops as a few lines of text, the shortest loop first."""
     found = [f"warning: {warning}" for warning in loops.warnings]
     if not loops.loops:
         return "\n".join([f"no reliable hole: {loops.reason}", *betti_line(loops), *found])
-    head = (
-        f"{count(len(loops.loops), 'loops')} at edges below {loops.complex.max_edge_length:.4g} m"
-    )
-    lines = [head]
+    longest = f"longest edge of the complex {loops.complex.max_edge_length:.4g} m"
+    lines = [f"{count(len(loops.loops), 'loops')} found, {longest}"]
     for k, loop in enumerate(loops.loops):
-        sure = f", there up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
-        thick = f"{100 * loop.thickness:.2g} cm thick"
-        lines.append(f"  {k}: {loop.length:.3g} m around, {thick}{sure}")
+        sure = f", persists up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
+        thick = f"along a part {100 * loop.thickness:.2g} cm thick"
+        lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}")
     if loops.meridians:
         around = count(len(loops.meridians), "loops")
-        lines.append(f"  left out: {around} around a thick handle, not along it")
+        lines.append(f"  left out: {around} that run around a thick handle instead of along it")
     return "\n".join([*lines, *found])

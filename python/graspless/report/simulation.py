@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What became of the object in a physics engine, for people."""
+"""Summaries of simulations."""
 
 from __future__ import annotations
 
@@ -16,25 +16,37 @@ if TYPE_CHECKING:
 
 
 def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
-    """How many trials held, what failed and how often, and the figures that were measured."""
+    """Returns a simulation's result as text.
+
+    Parameters
+    ----------
+    found : Simulation
+    disturbed : dict, optional
+        Result of the search for the smallest disturbance that breaks the plan.
+
+    Returns
+    -------
+    str
+        The number of trials that succeeded, the failures, and a table of measures.
+    """
     kind = simulation_kind(found.plan.kind)
     trials = count(len(found.trials), "trials")
-    lines = [f"{found.held} of {trials} held, seed {found.seed}"]
+    lines = [f"{found.held} of {trials} succeeded, seed {found.seed}"]
     for name, times in found.failures.items():
         lines.append(f"  {name} in {count(times, 'trials')}: {kind.FAILURES[name]}")
     lines += [f"  {line}" for line in _table(found.trials, kind.MEASURES)]
     if disturbed is not None:
         lines.append(f"  {_disturbance(disturbed)}")
         if getattr(found.plan, "joint_segments", None):
-            lines.append("  (held by bare fingertips: the arm is not disturbed)")
+            lines.append("  (with bare fingertips instead of the arm)")
     seconds = sum(trial.seconds for trial in found.trials)
     lines.append(f"  computed in {seconds:.1f} s")
     return "\n".join(lines)
 
 
 def _table(trials: list[Trial], measures: dict[str, str]) -> list[str]:
-    """A line a measure: as planned, and the median and the extremes of what was varied."""
-    rows = [("", "nominal", *(("median", "least", "greatest") if len(trials) > 1 else ()), "")]
+    """Returns a table of measures: the nominal trial, and the spread over the varied trials."""
+    rows = [("", "nominal", *(("median", "min", "max") if len(trials) > 1 else ()), "")]
     for name, meaning in measures.items():
         varied = [trial.measures[name] for trial in trials[1:] if name in trial.measures]
         if name not in trials[0].measures and not varied:
@@ -59,12 +71,14 @@ def _figure(value: float | None) -> str:
 
 
 def _disturbance(found: dict[str, Any]) -> str:
-    where = f"at the weakest place (segment {found['segment']}, row {found['row']})"
-    promised = f"z = {found['z']:.3g} N; compliant index {found['compliant']:.3g} N"
+    where = f"at the weakest row (segment {found['segment']}, row {found['row']})"
+    z, compliant = f"z = {found['z']:.3g} N", f"compliant index {found['compliant']:.3g} N"
+    predicted = f"predicted {z}, {compliant}"
     if found["smallest"] is None:
-        return f"nothing up to {found['tried']:.3g} N breaks it {where}: {promised}"
+        return f"no disturbance up to {found['tried']:.3g} N moves the object {where}; {predicted}"
     if found["smallest"] == 0:
         off = found["undisturbed"]
         far = "" if off is None else f" by {1e3 * off:.2g} mm"
-        return f"leaves its place{far} undisturbed {where}: {promised}"
-    return f"breaks at {found['smallest']:.3g} N {where}: {found['ratio']:.2f} of {promised}"
+        return f"the object moves{far} without any disturbance {where}; {predicted}"
+    moved = f"{found['smallest']:.3g} N moves the object {where}"
+    return f"{moved}: {found['ratio']:.2f} of the predicted {z}; {compliant}"

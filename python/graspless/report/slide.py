@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the sliding planner found."""
+"""Summaries of slides."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def details(plan: Plan) -> dict[str, Any]:
-    """What `--json` prints of this kind alone."""
+    """Returns the fields of `--json` that only this kind has."""
     return {
         "overhang": plan.overhang if plan else None,
         "warnings": plan.warnings,
@@ -28,13 +28,13 @@ def details(plan: Plan) -> dict[str, Any]:
 
 
 def lines(plan: Plan) -> list[str]:
-    """A line a segment, how far it slides, and what to be careful of."""
+    """Returns a line per segment, the slide's distance and overhang, and the warnings."""
     found = [*(segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
     return [*found, *(f"warning: {warning}" for warning in plan.warnings)]
 
 
 def lines_not_found(plan: Plan) -> list[str]:
-    """Why roots and pairs were refused."""
+    """Returns why start and goal contacts and their pairs were rejected."""
     return refused(plan)
 
 
@@ -47,7 +47,9 @@ def _slide_line(plan: Plan) -> str:
     slides = [
         segment.object_poses[:, :3, 3] for segment in plan.segments if segment.name == "slide"
     ]
-    way = sum(float(np.linalg.norm(np.diff(p, axis=0), axis=1).sum()) for p in slides)
-    along = f" on a way of {way * 100:.1f} cm"
-    moved = f"{name} slides {distance * 100:.1f} cm{along}, turns {turn:.0f} deg"
-    return f"{moved} and sticks out {plan.overhang * 100:.1f} cm"
+    path = sum(float(np.linalg.norm(np.diff(p, axis=0), axis=1).sum()) for p in slides)
+    along = f"along a path of {path * 100:.1f} cm"
+    moved = f"the {name} slides {distance * 100:.1f} cm {along} and turns {turn:.0f} deg"
+    needed = 100 * plan.task.options.min_overhang
+    out = f"overhang {plan.overhang * 100:.1f} cm (at least {needed:.1f} cm needed to grasp it)"
+    return f"{moved}; {out}"
