@@ -85,7 +85,7 @@ def test_long_motion_is_shortened_and_says_so(plan, tmp_path, monkeypatch):
     found, _ = replayed(plan, tmp_path)
     assert found["durationSeconds"] == pytest.approx(1.0 + replay.HOLD, abs=2 / replay.RATE)
     pace = graspless.time(plan).duration
-    assert all(text.endswith(f"  ({pace:.1f} x as fast)") for text in told(found["messages"]))
+    assert all(text.endswith(f"  ({pace:.1f} x robot speed)") for text in told(found["messages"]))
 
 
 def test_without_toppra_the_pace_is_for_watching(plan, tmp_path, monkeypatch):

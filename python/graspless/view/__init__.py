@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans as pictures and replays."""
+"""Pictures and replays of plans."""
 
 from __future__ import annotations
 
@@ -23,14 +23,20 @@ if TYPE_CHECKING:
 
 
 def write_png(plan: Plan, path: str | Path) -> None:
-    """Draws a plan: what moves, at some moments of it, and what there is to know of it.
+    """Draws a plan: the robot or object at some moments, and the measures of its quality.
 
     Parameters
     ----------
     plan : Plan
-        One without motion is drawn as it starts.
+        If it has no motion, the start is drawn.
     path : str or Path
-        .png file.
+        .png file to write.
+
+    Raises
+    ------
+    TaskError
+        The file cannot be written, has another ending, or a package of `graspless[view]` is
+        missing.
     """
     check_png(path)
     files.check_writable(path)
@@ -40,16 +46,22 @@ def write_png(plan: Plan, path: str | Path) -> None:
 
 
 def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) -> None:
-    """Draws a cloud with its loops, and how many there are at every longest edge.
+    """Draws a point cloud with its loops, and its Betti curve.
 
     Parameters
     ----------
     points : array [N, 3]
-        [m].
+        Point cloud [m].
     loops : geometry.Loops
-        Of `geometry.shortest_loops`.
+        Result of `geometry.shortest_loops`.
     path : str or Path
-        .png file.
+        .png file to write.
+
+    Raises
+    ------
+    TaskError
+        The file cannot be written, has another ending, or a package of `graspless[view]` is
+        missing.
     """
     check_png(path)
     files.check_writable(path)
@@ -61,21 +73,26 @@ def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) 
 
 
 def check_png(path: str | Path) -> None:
-    """Raises TaskError where the name says that another kind of picture is wanted."""
+    """Raises TaskError unless the file's ending is .png or missing."""
     if Path(path).suffix.lower() not in ("", ".png"):
         raise TaskError(f"{path}: unknown kind of picture (choices: .png)")
 
 
 def write_html(plan: Plan, path: str | Path, recording: Recording | None = None) -> None:
-    """Writes a replay with a play button and a time slider, in one file that needs no network.
+    """Writes a replay with a play button, a time slider and a legend: one file, without network.
 
     Parameters
     ----------
     plan : Plan
     path : str or Path
-        .html file.
+        .html file to write.
     recording : Recording, optional
-        Of a simulation of the plan: shown instead of the plan, whose object is a ghost.
+        Recording of a simulation. It is shown instead of the plan; the planned object is a ghost.
+
+    Raises
+    ------
+    TaskError
+        The file cannot be written, or a package of `graspless[view]` is missing.
     """
     check_html(path)
     with _told():
@@ -86,8 +103,9 @@ def write_html(plan: Plan, path: str | Path, recording: Recording | None = None)
 
 
 def check_html(path: str | Path) -> None:
-    """Raises TaskError where no replay could be written, for want of viser too: before the work
-    that it is to show.
+    """Raises TaskError if a replay could not be written, also because viser is missing.
+
+    Called before the work that the replay is to show.
     """
     files.check_writable(path)
     with _told():
@@ -95,7 +113,21 @@ def check_html(path: str | Path) -> None:
 
 
 def serve(plan: Plan, port: int = 8080) -> None:
-    """Serves a viewer on this machine until Ctrl-C: time slider, speed, a box for each layer."""
+    """Serves a viewer on this machine until Ctrl-C.
+
+    It has a time slider, a speed, a legend, and a check box for each layer.
+
+    Parameters
+    ----------
+    plan : Plan
+    port : int
+        Port on localhost, in [1, 65535].
+
+    Raises
+    ------
+    TaskError
+        The port cannot be used, or a package of `graspless[view]` is missing.
+    """
     with _told():
         from .replay import serve as run
 
@@ -104,7 +136,7 @@ def serve(plan: Plan, port: int = 8080) -> None:
 
 @contextlib.contextmanager
 def _told() -> Iterator[None]:
-    """What is not installed is a TaskError; only where drawing begins is it looked for."""
+    """Turns an ImportError into a TaskError that names the extra to install."""
     try:
         yield
     except ImportError as error:
@@ -113,3 +145,7 @@ def _told() -> Iterator[None]:
 
 
 __all__ = ["serve", "write_html", "write_loops_png", "write_png"]
+
+
+def __dir__() -> list[str]:
+    return __all__

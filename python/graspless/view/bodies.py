@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What there is to draw: triangles with a colour, fixed in the frame of a body."""
+"""Bodies to draw: coloured triangles in the frame of a body."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Part:
     color : tuple
         Red, green, blue, each 0 to 1.
     normals : array [V, 3] or None
-        By which pictures shade it, whichever way they point; None: those of the triangles.
+        Normals for shading, of either sign; None: those of the triangles.
     """
 
     vertices: Matrix
@@ -59,7 +59,7 @@ class Part:
 
 @dataclass
 class Body:
-    """Parts that move together; flat ones are shaded by face."""
+    """Parts that move together; a flat body is shaded by face."""
 
     name: str
     parts: list[Part] = field(default_factory=list)
@@ -67,7 +67,7 @@ class Body:
 
 
 def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
-    """One body a link, in the order of Robot.frame_names: its visuals, or else its shapes."""
+    """Returns one body per link, in the order of Robot.frame_names: its visuals, or its shapes."""
     names = list(robot.frame_names)
     bodies = [Body(name) for name in names]
     root = ET.fromstring(fields.urdf_text or "")
@@ -84,7 +84,7 @@ def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
                 bodies[names.index(name)].parts += _visual_parts(visual, palette, fields)
                 drawn.add(name)
         except UnreadableError as error:
-            # Only how it looks is lost: the plan and its check use the collision shapes.
+            # Only the look is lost: the plan and its check use the collision shapes.
             bodies[names.index(name)].parts.clear()
             drawn.discard(name)
             warn_once(f"{name}: drawn by its collision shapes: {error}")
@@ -95,17 +95,17 @@ def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
 
 
 def robot(task: Task) -> list[Body]:
-    """One body a link of the problem's robot, in the order of Robot.frame_names."""
+    """Returns one body per link of the problem's robot, in the order of Robot.frame_names."""
     return robot_bodies(task.problem.robot, task.fields.robot)
 
 
 def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
-    """The obstacles with their poses in the world."""
+    """Returns the obstacles with their poses in the world."""
     return obstacle_bodies(task.fields.obstacles)
 
 
 def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Matrix]]:
-    """The obstacles with their poses in the world."""
+    """Returns the obstacles with their poses in the world."""
     return [
         (Body(obstacle.name, [_obstacle_part(obstacle)]), pose_matrix(obstacle.pose))
         for obstacle in obstacles
@@ -113,7 +113,7 @@ def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Ma
 
 
 def placed_part(placed: geometry.PlacedShape, color: Color) -> Part:
-    """A collision shape in its body's frame."""
+    """Returns a collision shape in its body's frame."""
     import trimesh
 
     shape: Any = placed.shape
@@ -183,7 +183,7 @@ def _capsule(radius: float, length: float) -> Any:
 
 
 def _cylinder(radius: float, length: float) -> Any:
-    """Round the circle, where spheres are inside: a capsule made of both shows no teeth."""
+    """Returns a cylinder around the circle, so that spheres at its ends show no edges."""
     import trimesh
 
     sides = 24
@@ -198,9 +198,7 @@ def _part(mesh: Any, X_BG: Matrix, color: Color) -> Part:
 
 
 def _split_edges(p: Matrix, f: NDArray[np.int64]) -> tuple[Matrix, NDArray[np.int64]]:
-    """The same triangles with corners at sharp edges of their own, so that they are not shaded
-    as if they were round.
-    """
+    """Splits the corners at sharp edges, so that shading does not round them off."""
     areas = np.cross(p[f[:, 1]] - p[f[:, 0]], p[f[:, 2]] - p[f[:, 0]])
     smooth = np.zeros_like(p)
     for k in range(3):

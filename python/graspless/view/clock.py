@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""When a robot that is as fast as its limits allow is at each row of a plan."""
+"""Times of a plan's rows, for a robot that moves as fast as its limits allow."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     from ..plans import Plan
     from ..timing import Trajectory
 
-LONGEST = 30.0  # that a replay takes [s]
+LONGEST = 30.0  # longest duration of a replay [s]
 
 
 class Clock:
-    """Times of rows, shortened where the whole would be too long to watch.
+    """Times of rows, scaled down if the whole would be too long to watch.
 
     Attributes
     ----------
     pace : float
-        How much faster than the robot.
+        Speed of the replay over that of the robot.
     """
 
     def __init__(self, trajectory: Trajectory) -> None:
@@ -34,7 +34,7 @@ class Clock:
         self.pace = pace_of(trajectory.duration)
 
     def times(self, segment: int, rows: ArrayLike) -> Matrix:
-        """[N] seconds of rows, which may lie between rows, of one of the trajectory's segments."""
+        """Returns the times of rows of a segment, [N] [s]; rows may be fractional."""
         here = self.trajectory.segment_index == segment
         times = self.trajectory.times[here] / self.pace
         found: Matrix = np.interp(np.asarray(rows, dtype=float), self.trajectory.rows[here], times)
@@ -42,7 +42,7 @@ class Clock:
 
 
 def clock_of(plan: Plan) -> Clock | None:
-    """None where a plan has no motion, cannot be timed, or toppra is not installed."""
+    """Returns None if the plan has no motion, cannot be timed, or toppra is not installed."""
     if not plan:
         return None
     try:
@@ -54,10 +54,10 @@ def clock_of(plan: Plan) -> Clock | None:
 
 
 def pace_of(seconds: float) -> float:
-    """How much faster to show what takes so long."""
+    """Returns the speed-up for a motion of this duration [s]."""
     return max(1.0, seconds / LONGEST)
 
 
 def tell_pace(pace: float | None) -> str:
-    """What a caption says of the pace: nothing where it is that of what is shown."""
-    return "" if pace is None or pace < 1.05 else f"  ({pace:.1f} x as fast)"
+    """Returns the caption's note on the speed; empty at the robot's own speed."""
+    return "" if pace is None or pace < 1.05 else f"  ({pace:.1f} x robot speed)"

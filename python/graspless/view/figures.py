@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What figures of all kinds are made of."""
+"""Helpers for matplotlib figures."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ INK = (0.15, 0.17, 0.20)
 
 
 def new_figure(width: float, height: float, dpi: int = 110) -> Figure:
-    """A white page [inches]."""
+    """Returns a white page; sizes in inches."""
     figure = Figure(figsize=(width, height), dpi=dpi, facecolor="white")
     FigureCanvasAgg(figure)
     return figure
 
 
 def as_png(figure: Figure) -> bytes:
-    """The bytes of a PNG file."""
+    """Returns the bytes of a PNG file."""
     file = io.BytesIO()
     figure.savefig(file, format="png")
     return file.getvalue()
 
 
 def draw_panel(axes: Any, picture: Matrix, caption: str, **title: Any) -> None:
-    """A rendered picture with a caption."""
+    """Draws a rendered picture with a caption."""
     axes.imshow(picture, interpolation="antialiased")
     axes.set_title(caption, fontsize=11, color=INK, loc="left", **title)
     axes.set_axis_off()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot's motion in time: where every body is at each moment."""
+"""A robot's motion over time: the pose of every body at each moment."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from ..plans import Plan
     from ..simulation import Recording
 
-SPEED = 0.9  # of segments without one of their own: for watching, not for driving a robot [rad/s]
-PAUSE = 0.4  # between segments [s]
+SPEED = 0.9  # default speed for watching, not for driving a robot [rad/s]
+PAUSE = 0.4  # pause between segments [s]
 
 
 @dataclass
@@ -31,18 +31,18 @@ class Film:
     Attributes
     ----------
     times : array [N]
-        [s], from 0.
+        Times, from 0 [s].
     positions : array [N, dof]
     object_poses : array [N, 4, 4]
         X_WO.
     names : list of str
-        The segment of each row.
+        Segment of each row.
     planned_poses : array [N, 4, 4], optional
-        Where a plan wants the object, of a film of what happened.
+        Planned poses of the object, for the film of a recording.
     pace : float, optional
-        How much faster it runs than what it shows; None where that has no times.
+        Speed of the film over that of the robot; None if the motion has no times.
     compared : set of str
-        Names of rows in which the object is where `planned_poses` says, if all goes well.
+        Segments in which the object should follow `planned_poses`.
     """
 
     plan: Any
@@ -56,22 +56,22 @@ class Film:
 
     @cached_property
     def link_poses(self) -> Matrix:
-        """[N, F, 4, 4] X_WL of every frame of the robot."""
+        """Poses of every frame of the robot in the world, [N, F, 4, 4]."""
         robot = self.plan.task.problem.robot
         return np.array([np.asarray(robot.forward(q)) for q in self.positions])
 
     def frame(self, name: str) -> Matrix:
-        """[N, 4, 4] poses of one frame of the robot."""
+        """Returns the poses of one frame of the robot in the world, [N, 4, 4]."""
         index = list(self.plan.task.problem.robot.frame_names).index(name)
         poses: Matrix = self.link_poses[:, index]
         return poses
 
     def rows(self, name: str) -> NDArray[np.int64]:
-        """The rows of a segment."""
+        """Returns the rows of a segment."""
         return np.flatnonzero(np.array(self.names) == name)
 
     def resampled(self, rate: float) -> Film:
-        """The same film at even times, `rate` rows a second."""
+        """Returns the same film at equal time steps, with `rate` rows per second."""
         count = max(2, int(np.ceil(self.times[-1] * rate)) + 1)
         times = np.linspace(0.0, self.times[-1], count)
         after = np.clip(np.searchsorted(self.times, times), 1, max(1, len(self.times) - 1))
@@ -105,18 +105,18 @@ def film(
     X_WO: ArrayLike,
     speeds: dict[str, float],
 ) -> Film:
-    """What was recorded, or the plan's rows at a pace for watching; `timed` gives them the robot's.
+    """Returns a recording, or the plan's rows at a speed for watching (see `timed`).
 
     Parameters
     ----------
     plan : Plan
-        Of a kind whose segments have positions and object_poses.
+        Its segments must have positions and object_poses.
     recording : Recording or None
-        Of a simulation of the plan.
+        Recording of a simulation of the plan.
     q, X_WO : array [dof], array [4, 4]
-        What a plan without motion shows.
+        Configuration and object pose shown for a plan without motion.
     speeds : dict
-        Of segments by name [rad/s].
+        Speeds of segments by name [rad/s].
     """
     if recording is not None:
         return recorded(plan, recording)
@@ -143,9 +143,7 @@ def film(
 
 
 def timed(shown: Film) -> Film:
-    """The film of a plan at the pace of its robot, where that is known; one that was recorded has
-    its own.
-    """
+    """Returns a plan's film at its robot's speed, if known; a recording keeps its own speed."""
     if shown.pace is not None:
         return shown
     clock = clock_of(shown.plan)
@@ -157,7 +155,7 @@ def timed(shown: Film) -> Film:
 
 
 def recorded(plan: Plan, recording: Recording) -> Film:
-    """What happened in a simulation, at its own pace if that is not too slow to watch."""
+    """Returns the film of a simulation, at its own speed unless that is too slow to watch."""
     times = np.asarray(recording.times, dtype=float)
     pace = pace_of(float(times[-1]))
     given = recording.planned_poses is not None
@@ -174,10 +172,10 @@ def recorded(plan: Plan, recording: Recording) -> Film:
 
 
 def planned_poses(plan: Plan, recording: Recording) -> Matrix:
-    """[N, 4, 4] where the plan wants the object at each moment.
+    """Returns the planned pose of the object at each moment, [N, 4, 4].
 
-    Where the recording does not say: as `Trajectory.followed`, or where each segment of a plan that
-    cannot be timed ends.
+    If the recording has none: from `Trajectory.followed`, or the end of each segment if the plan
+    cannot be timed.
     """
     if recording.planned_poses is not None:
         return np.asarray(recording.planned_poses, dtype=float)
@@ -193,6 +191,6 @@ def planned_poses(plan: Plan, recording: Recording) -> Matrix:
 
 
 def spread(shown: Film, most: int = 60) -> list[int]:
-    """Rows from the first to the last, so many that nothing moves far between them."""
+    """Returns at most `most` rows, evenly spaced from the first to the last."""
     last = len(shown.times) - 1
     return sorted({round(row) for row in np.linspace(0, last, min(most, last + 1))})

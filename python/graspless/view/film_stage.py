@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A film as a replay: what robots and their objects have in common."""
+"""Scene of a replay with a robot and an object."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
-from .bodies import GHOST, obstacles, robot
+from .bodies import GHOST, OBJECT, OBSTACLE, obstacles, robot
 from .clock import tell_pace
 from .replay import RATE
 from .scene import Captions, Layers, look, move
@@ -25,7 +25,7 @@ GHOST_OPACITY = 0.3
 
 
 class FilmStage:
-    """Robot, object and obstacles of a film on a viser server; `show` moves what moves."""
+    """Robot, object and obstacles of a film on a viser server; `show` moves them to a row."""
 
     def __init__(self, server: Any, film: Film, thing: Body, view: Camera) -> None:
         self.shown = shown = film.resampled(RATE)
@@ -37,20 +37,23 @@ class FilmStage:
         placed = [(body, shown.link_poses[0, i]) for i, body in links]
         handles = self.layers.add_bodies("robot", placed)
         self.links = [(i, handle) for (i, _), handle in zip(links, handles, strict=True)]
-        # What moves with the object.
+        # Everything that moves with the object.
         self.carried = [self.layers.add_body(thing, shown.object_poses[0])]
+        self.layers.explain(OBJECT, task.problem.object.name)
         self.center = np.concatenate([part.vertices for part in thing.parts]).mean(axis=0)
         self.ghost = None
         if shown.planned_poses is not None:
             there = shown.planned_poses[0]
             self.ghost = self.layers.add_body(ghost_of(thing, "planned"), there, GHOST_OPACITY)
-        self.layers.add_bodies("obstacles", obstacles(task))
+            self.layers.explain(GHOST, "where the plan puts it")
+        if self.layers.add_bodies("obstacles", obstacles(task)):
+            self.layers.explain(OBSTACLE, "obstacles")
         look(server, view)
         self.texts = [text + tell_pace(shown.pace) for text in self.tell()]
         self.captions = Captions(self.layers, view, self.texts[0])
 
     def tell(self) -> list[str]:
-        """What to say at each moment."""
+        """Returns the caption of each row."""
         planned = self.shown.planned_poses
         if planned is None:
             return self.shown.names
@@ -62,7 +65,7 @@ class FilmStage:
         ]
 
     def show(self, row: int) -> None:
-        """Moves the robot and the object to a row; what stays is not sent again."""
+        """Moves robot and object to a row; sends only what has changed."""
         row = min(max(row, 0), self.rows - 1)
         before, self.row = self.row, row
         for i, handle in self.links:
@@ -76,19 +79,19 @@ class FilmStage:
 
 
 def ghost_of(thing: Body, name: str) -> Body:
-    """The same body, to be drawn as glass."""
+    """Returns the same body in the colour of ghosts, to be drawn transparently."""
     return replace(thing, name=name, parts=[replace(p, color=GHOST) for p in thing.parts])
 
 
 def apart(X_WP: Matrix, X_WO: Matrix, center: Matrix) -> str:
-    """How far an object is from where it was planned to be, as text.
+    """Returns the distance of an object from its planned pose, as text.
 
     Parameters
     ----------
     X_WP, X_WO : array [4, 4]
-        Of the object, planned and real.
+        Poses of the object, planned and real.
     center : array [3]
-        Of the object, in O.
+        Centre of the object, in O [m].
     """
     off = X_WO[:3, :3] @ center + X_WO[:3, 3] - X_WP[:3, :3] @ center - X_WP[:3, 3]
     w, *xyz = frames.to_quaternion(np.linalg.inv(X_WP) @ X_WO)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loops of a cloud as a picture."""
+"""Picture of a point cloud's loops."""
 
 from __future__ import annotations
 
@@ -24,25 +24,34 @@ if TYPE_CHECKING:
     from .bodies import Color
 
 PANEL = (800, 640)  # pixels
-ELEVATIONS = (0.38, 0.8, 1.2)  # [rad]; the first that shows as much
+ELEVATIONS = (0.38, 0.8, 1.2)  # [rad], in order of preference
 
 
 def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
-    """The cloud with its loops, and how many there are at every longest edge: a PNG's bytes."""
+    """Draws a cloud with its loops, and the Betti curve; returns the bytes of a PNG file.
+
+    Parameters
+    ----------
+    points : array [N, 3]
+        The point cloud [m].
+    loops : geometry.Loops
+        Its loops.
+    """
     cloud = np.asarray(points, dtype=float)
     figure = new_figure(13, 6.2)
     grid = figure.add_gridspec(
-        1, 3, width_ratios=[1.2, 0.34, 1], left=0.01, right=0.985, bottom=0.09, top=0.93, wspace=0
+        1, 3, width_ratios=[1.2, 0.34, 1], left=0.01, right=0.985, bottom=0.09, top=0.9, wspace=0
     )
     rings = [np.asarray(loop.points) for loop in loops.loops]
     axes = figure.add_subplot(grid[0])
     draw_cloud(axes, cloud, rings, None, _camera(cloud, rings), PANEL)
     for k, loop in enumerate(loops.loops):
         color = _hue(k, len(rings))
-        label = f"{k}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm thick"
+        label = f"{k}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm"
         axes.plot([], [], lw=3, color=color, label=label)
     if rings:
-        axes.legend(fontsize=9, frameon=False, loc="center left", bbox_to_anchor=(0.84, 0.5))
+        key = {"fontsize": 9, "frameon": False, "title": "loop: length, thickness"}
+        axes.legend(loc="center left", bbox_to_anchor=(0.84, 0.5), alignment="left", **key)
     _draw_betti(figure.add_subplot(grid[2]), loops)
     return as_png(figure)
 
@@ -55,7 +64,7 @@ def draw_cloud(
     view: Camera,
     shape: tuple[int, int],
 ) -> None:
-    """Points, nearer ones darker, and rings in front of them.
+    """Draws points, nearer ones darker, and rings in front of them.
 
     Parameters
     ----------
@@ -64,7 +73,7 @@ def draw_cloud(
     rings : sequence of array [K, 3]
         Closed polylines.
     clasped : int or None
-        The ring to be told from the others; None: each has a colour of its own.
+        Index of the ring to highlight; None: each ring has its own colour.
     view : Camera
     shape : tuple of int
         Width and height of the picture.
@@ -82,24 +91,26 @@ def draw_cloud(
     axes.set_xlim(0, shape[0])
     axes.set_ylim(shape[1], 0)
     axes.set_aspect("equal")
-    caption = f"{len(cloud)} points, {len(rings)} loop{'s' if len(rings) != 1 else ''}"
+    loops = f"{len(rings)} loop{'s' if len(rings) != 1 else ''}"
+    caption = f"{loops} in {len(cloud)} points (dark: near)"
     axes.set_title(caption, fontsize=11, color=INK, loc="left", pad=3)
     axes.set_axis_off()
 
 
 def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
-    """The Betti curve, its plateau and d."""
+    """Draws the Betti curve, its plateau, and the chosen longest edge d."""
     edges, numbers = np.array(loops.betti.max_edge_length), np.array(loops.betti.loops)
     if len(edges):
-        axes.step(edges, numbers, where="post", color=INK, lw=1.4)
+        axes.step(edges, numbers, where="post", color=INK, lw=1.4, label="number of loops")
     chosen = loops.complex.max_edge_length
     plateau = loops.plateau
     if plateau.loops and plateau.lower > 0:
         upper = plateau.upper if math.isfinite(plateau.upper) else edges.max()
-        axes.axvspan(plateau.lower, upper, color="#f1e8da", lw=0, zorder=0)
+        axes.axvspan(plateau.lower, upper, color="#f1e8da", lw=0, zorder=0, label="plateau")
     if chosen > 0:
-        axes.axvline(chosen, color="#b3261e", lw=1.2, ls=(0, (6, 3)), label=f"d = {chosen:.3g} m")
-        axes.legend(fontsize=9, frameon=False)
+        axes.axvline(
+            chosen, color="#b3261e", lw=1.2, ls=(0, (6, 3)), label=f"chosen: {chosen:.3g} m"
+        )
     axes.set_xscale("log")
     if len(edges) and edges.min() > 0:
         middle = float(np.median(edges))
@@ -114,7 +125,12 @@ def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.set_title("loops by the longest edge of the complex", fontsize=11, color=INK, loc="left")
+    title = {"fontsize": 11, "color": INK, "loc": "left"}
+    axes.set_title("number of loops by longest edge of the complex", pad=22, **title)
+    axes.legend(
+        fontsize=9, frameon=False, loc="lower left", bbox_to_anchor=(-0.01, 0.995), ncols=3,
+        borderaxespad=0.1,
+    )  # fmt: skip
     axes.set_xlabel("longest edge [m]", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
     for side in ("top", "right"):
@@ -122,7 +138,7 @@ def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
 
 
 def _camera(cloud: Matrix, rings: Sequence[Matrix]) -> Camera:
-    """From where most of the loops are open to the eye."""
+    """Places the camera where it looks into most of the loops."""
     axes = [np.linalg.svd(ring - ring.mean(axis=0))[2][2] for ring in rings]
     best: tuple[float, Matrix] | None = None
     for elevation in ELEVATIONS:
@@ -140,7 +156,7 @@ def _camera(cloud: Matrix, rings: Sequence[Matrix]) -> Camera:
 
 
 def _hue(k: int, count: int) -> Color:
-    """One of `count` colours that are told apart."""
+    """Returns one of `count` distinguishable colours."""
     from matplotlib import colormaps
 
     red, green, blue, _ = colormaps["turbo"]((k + 0.5) / max(count, 1))

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws triangles with hidden surfaces, shadows and outlines, in plain numpy.
+"""Renders triangles with hidden surfaces, shadows and outlines, in plain numpy.
 
-matplotlib's own 3-D axes sort whole triangles by distance, and an arm that reaches round a table
-comes out wrong. A depth buffer is forty lines and needs no graphics card.
+matplotlib's own 3-D axes sort whole triangles by distance, which draws an arm that reaches around a
+table wrongly. A depth buffer takes forty lines and no graphics card.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from .bodies import Body
 
 SHADOW_SIZE = 700  # pixels along a side of the shadow map
-BLOCK, CHUNK = 12, 1000  # triangles of at most so many pixels a side are drawn so many at once
+BLOCK, CHUNK = 12, 1000  # side of small triangles [pixels], and how many are drawn at once
 
 
 @dataclass
@@ -34,7 +34,7 @@ class Camera:
     eye, target : array [3]
         In the world [m].
     angle : float
-        Of view, from top to bottom [rad].
+        Field of view, from top to bottom [rad].
     """
 
     eye: Matrix
@@ -42,22 +42,22 @@ class Camera:
     angle: float = 0.6
 
     def axes(self) -> Matrix:
-        """[3, 3] rows: right, up and forward, in the world."""
+        """Returns the directions right, up and forward, [3, 3] in the world."""
         forward = (self.target - self.eye) / np.linalg.norm(self.target - self.eye)
         right = np.cross(forward, [0.0, 0.0, 1.0])
         right /= np.linalg.norm(right)
         return np.stack([right, np.cross(right, forward), forward])
 
     def light(self) -> Matrix:
-        """[3] towards the light: over the viewer's left shoulder."""
+        """Returns the direction to the light, over the viewer's left shoulder, [3]."""
         right, _, forward = self.axes()
         toward = np.array([0.0, 0.0, 1.0]) - 0.4 * right - 0.55 * forward
         return np.asarray(toward / np.linalg.norm(toward))
 
     def fitted(self, points: Matrix, width: int, height: int, margin: float = 0.04) -> Camera:
-        """From the same side, turned and zoomed so that all points [N, 3] fill the picture."""
+        """Returns a camera at the same position, turned and zoomed to fit points [N, 3]."""
         camera = self
-        for _ in range(4):  # turning the camera changes the perspective a little
+        for _ in range(4):  # each turn changes the perspective a little
             right, up, forward = camera.axes()
             screen = camera.project(points, width, height)
             low, high = screen[:, :2].min(axis=0), screen[:, :2].max(axis=0)
@@ -71,7 +71,7 @@ class Camera:
         return camera
 
     def project(self, points: ArrayLike, width: int, height: int) -> Matrix:
-        """[N, 3] pixel x, pixel y and 1 / distance of points in the world [N, 3]."""
+        """Returns pixel x, pixel y and 1 / distance, [N, 3], of points in the world, [N, 3]."""
         seen = (np.asarray(points) - self.eye) @ self.axes().T
         near = 1.0 / np.maximum(seen[:, 2], 1e-3)
         focal = height / 2 / np.tan(self.angle / 2)
@@ -83,7 +83,7 @@ class Camera:
 def render(
     placed: Sequence[tuple[Body, Matrix]], camera: Camera, width: int, height: int
 ) -> Matrix:
-    """Draws bodies at their poses.
+    """Renders bodies at their poses.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def render(
         Each body with its pose in the world.
     camera : Camera
     width, height : int
-        Of the picture, in pixels; drawn at twice that and averaged.
+        Size of the picture [pixels]; it is rendered at twice that and averaged.
 
     Returns
     -------
@@ -130,7 +130,7 @@ def render(
 
 
 def over(front: Matrix, back: Matrix, share: float) -> Matrix:
-    """A picture with `share` of the opacity of another over it."""
+    """Returns a picture with another in front of it, at `share` of that one's opacity."""
     weight = share * front[..., 3:]
     opacity = weight + (1 - weight) * back[..., 3:]
     color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
@@ -138,7 +138,7 @@ def over(front: Matrix, back: Matrix, share: float) -> Matrix:
 
 
 def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
-    """All triangles in the world, with normals at faces and corners."""
+    """Collects all triangles in the world, with normals at faces and corners."""
     points, faces, colors, owners, given = [], [], [], [], []
     count = 0
     for index, (body, X_WB) in enumerate(placed):
@@ -174,7 +174,7 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
 def _depth_buffer(
     screen: Matrix, faces: NDArray[np.int64], visible: NDArray[np.int64], w: int, h: int
 ) -> tuple[Matrix, NDArray[np.int64]]:
-    """The nearest triangle at each pixel; the third coordinate grows towards the viewer."""
+    """Returns depth and nearest triangle of each pixel; depth grows towards the viewer."""
     near = np.full((h, w), -np.inf)
     face = np.full((h, w), -1, dtype=np.int64)
     corners = screen[faces]
@@ -210,7 +210,7 @@ def _draw_small(
     low: NDArray[np.int64],
     chosen: NDArray[np.int64],
 ) -> None:
-    """Triangles of no more than BLOCK pixels a side, many at once: fine meshes have thousands."""
+    """Draws triangles of at most BLOCK pixels per side, many at once for speed."""
     h, w = near.shape
     step = np.arange(BLOCK)
     for start in range(0, len(chosen), CHUNK):
@@ -240,7 +240,7 @@ def _draw_small(
 
 
 def _weights(corners: Matrix, x: Any, y: Any) -> Matrix:
-    """[N, 3] barycentric weights of pixels in their triangles [N, 3, 3], in the world."""
+    """Returns barycentric weights, [N, 3], of pixels in their triangles, [N, 3, 3]."""
     (ax, ay), (bx, by), (cx, cy) = (corners[:, k, :2].T for k in range(3))
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     u = ((bx - x) * (cy - y) - (by - y) * (cx - x)) / area
@@ -250,7 +250,7 @@ def _weights(corners: Matrix, x: Any, y: Any) -> Matrix:
 
 
 def _lit(scene: dict[str, Any], points: Matrix, normals: Matrix, toward: Matrix) -> Matrix:
-    """1 where the light reaches a point, less in a shadow, with a soft border."""
+    """Returns 1 for points in the light and less for points in a shadow, with soft borders."""
     across = np.cross(toward, [0.0, 1.0, 0.0])
     across /= np.linalg.norm(across)
     axes = np.stack([across, np.cross(toward, across), toward])
@@ -264,7 +264,7 @@ def _lit(scene: dict[str, Any], points: Matrix, normals: Matrix, toward: Matrix)
     faces = scene["faces"]
     away = np.flatnonzero(scene["normals"] @ toward > 0)
     near, _ = _depth_buffer(place(flat), faces, away, SHADOW_SIZE, SHADOW_SIZE)
-    # A little off the surface, or faces that the light grazes would shade themselves in stripes.
+    # Slightly off the surface: otherwise faces in grazing light shade themselves in stripes.
     at = place((points + 2 / scale * normals) @ axes.T)
     lit = np.zeros(len(points))
     for dx in (-1, 0, 1):
@@ -276,7 +276,7 @@ def _lit(scene: dict[str, Any], points: Matrix, normals: Matrix, toward: Matrix)
 
 
 def _outlines(owner: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Where one body ends and another, or the background, begins."""
+    """Returns the pixels at which a body borders on another body or on the background."""
     edge = np.zeros(owner.shape, dtype=bool)
     edge[:, 1:] |= owner[:, 1:] != owner[:, :-1]
     edge[1:] |= owner[1:] != owner[:-1]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan as a replay in viser: one HTML file, or a viewer on this machine."""
+"""Replay of a plan in viser: one HTML file, or a viewer on this machine."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import kinds, progress
 from ..errors import TaskError
+from .scene import legend_html
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,26 +24,32 @@ if TYPE_CHECKING:
     from .scene import Layers
 
 RATE = 20.0  # rows a second
-HOLD = 1.5  # at the end, before the replay starts again [s]
+HOLD = 1.5  # pause at the end before the replay repeats [s]
 SPEEDS = ("0.25x", "0.5x", "1x", "2x", "4x")
+LEGEND = (
+    '<div id="legend" style="position:fixed;right:12px;top:12px;padding:8px 12px;z-index:9;'
+    "background:rgba(255,255,255,0.7);border-radius:6px;font:13px/1.6 sans-serif;color:#222;"
+    'pointer-events:none">{}</div>'
+)
 
 
 class Stage(Protocol):
-    """The scene of a plan on a viser server."""
+    """Scene of a plan on a viser server."""
 
     rows: int
-    """Moments, RATE a second."""
+    """Number of moments, RATE per second."""
 
     layers: Layers
-    """What can be hidden."""
+    """Layers that can be hidden, and the legend."""
 
     def show(self, row: int) -> None:
-        """Moves what moves to a moment; what stays is not sent again."""
+        """Moves everything to a moment; sends only what has changed."""
 
 
 def as_html(plan: Plan, recording: Recording | None = None) -> str:
-    """The replay as the text of one HTML file: a time slider below, and its scene tree hides and
-    shows layers.
+    """Returns the replay as the text of one HTML file.
+
+    The page has a time slider, a legend, and a scene tree that hides and shows layers.
     """
     with _server(_free_port()) as server:
         stage = _stage(server, plan, recording)
@@ -55,11 +62,13 @@ def as_html(plan: Plan, recording: Recording | None = None) -> str:
         text: str = serializer.as_html()
     what = plan.status if recording is None else "simulated"
     title = f"<title>graspless: {html.escape(plan.task.problem.object.name)}, {what}</title>"
-    return text.replace("<title>Viser</title>", title, 1)
+    legend = LEGEND.format(legend_html(stage.layers.legend))
+    text = text.replace("<title>Viser</title>", title, 1)
+    return text.replace("</body>", f"{legend}</body>", 1)
 
 
 def serve(plan: Plan, port: int) -> None:
-    """Serves the replay with a slider and a box a layer until Ctrl-C."""
+    """Serves the replay with a time slider, a legend and a check box per layer until Ctrl-C."""
     _check_port(port)  # before the work of drawing
     with _server(port) as server:
         with progress.waiting("drawing"):
@@ -73,6 +82,8 @@ def serve(plan: Plan, port: int) -> None:
         now.on_update(lambda _: stage.show(round(now.value * RATE)))
         speed = server.gui.add_dropdown("speed", SPEEDS, initial_value="1x")
         _add_boxes(server, stage.layers)
+        with server.gui.add_folder("legend"):
+            server.gui.add_html(legend_html(stage.layers.legend))
         print(f"http://localhost:{server.get_port()}  (Ctrl-C ends it)", flush=True)
         while True:
             time.sleep(1 / RATE)
@@ -82,7 +93,7 @@ def serve(plan: Plan, port: int) -> None:
 
 
 def _add_boxes(server: Any, layers: Layers) -> None:
-    """A box for each layer, which hides and shows it."""
+    """Adds a check box for each layer, which hides and shows it."""
     with server.gui.add_folder("layers"):
         for name, handle in layers.handles.items():
             box = server.gui.add_checkbox(name, initial_value=handle.visible)
@@ -103,14 +114,15 @@ def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
 
 
 def _check_port(port: int) -> None:
-    """Raises TaskError unless the port is free: viser waits for ever on one that it cannot have,
-    and takes the next when it is busy.
+    """Raises TaskError unless the port is free.
+
+    viser waits for ever for a port that it may not use, and takes the next one if it is busy.
     """
     if not 1 <= port <= 65535:
         raise TaskError(f"--port: {port}: should be from 1 to 65535")
     try:
         with socket.socket() as probe:
-            # As servers do, so that a port is free again as soon as its last server has ended.
+            # Like servers do, so that a port counts as free as soon as its last server has ended.
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             probe.bind(("127.0.0.1", port))
     except OSError as error:
@@ -125,12 +137,12 @@ def _free_port() -> int:
 
 @contextlib.contextmanager
 def _server(port: int) -> Iterator[Any]:
-    """A viser server that only this machine sees."""
+    """Starts a viser server that only this machine can reach."""
     import viser
 
     _check_port(port)
     try:
-        with contextlib.redirect_stdout(io.StringIO()):  # its banner is not ours
+        with contextlib.redirect_stdout(io.StringIO()):  # suppresses viser's banner
             server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
     except OSError as error:
         raise TaskError(f"--port: {port}: cannot be served: {error.strerror}") from None

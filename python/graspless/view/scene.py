@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies, captions and layers in a viser scene."""
+"""Bodies, captions, layers and legend of a viser scene."""
 
 from __future__ import annotations
 
+import html
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,18 +19,18 @@ if TYPE_CHECKING:
     from .raster import Camera
 
 DIM = 0.82  # viser's lights are bright
-FIELD = 1.08  # of what a camera must see, to leave a margin
+FIELD = 1.08  # field of view over what the camera must see, for a margin
 
 
 def look(server: Any, view: Camera) -> None:
-    """Where the viewer stands at first."""
+    """Sets the initial camera."""
     server.initial_camera.position = tuple(view.eye)
     server.initial_camera.look_at = tuple(view.target)
     server.initial_camera.fov = FIELD * view.angle
 
 
 class Captions:
-    """One line of text, like a subtitle."""
+    """One line of text below the scene, like a subtitle."""
 
     def __init__(self, layers: Layers, view: Camera, first: str) -> None:
         layers.add("caption")
@@ -39,7 +40,7 @@ class Captions:
         self.shown = first
 
     def place(self, view: Camera) -> None:
-        """Moves it to where another camera looks."""
+        """Moves the text into the view of another camera."""
         self.label.position = _below(view)
 
     def show(self, text: str) -> None:
@@ -49,35 +50,48 @@ class Captions:
 
 
 def _below(view: Camera) -> tuple[float, ...]:
-    """Where a subtitle is in the world."""
+    """Returns the position of the subtitle in the world."""
     reach = np.linalg.norm(view.target - view.eye)
     return tuple(view.target - 0.88 * reach * np.tan(view.angle / 2) * view.axes()[1])
 
 
 class Layers:
-    """Parts of a scene that can be hidden, in the order of its boxes; each is the first step of a
-    path in the scene.
+    """Parts of a scene that can be hidden, and the legend of its colours.
+
+    Each layer is the first step of a path in the scene.
+
+    Attributes
+    ----------
+    handles : dict
+        Handles of the layers by name, in the order of the viewer's check boxes.
+    legend : dict
+        Colours by what they mean.
     """
 
     def __init__(self, scene: Any) -> None:
         self.scene = scene
         self.handles: dict[str, Any] = {}
+        self.legend: dict[str, Color] = {}
+
+    def explain(self, color: Color, meaning: str) -> None:
+        """Adds a colour to the legend."""
+        self.legend[meaning] = color
 
     def add(self, name: str, X_WB: Matrix | None = None) -> Any:
-        """A new layer: a frame to put bodies under."""
+        """Adds an empty layer: a frame for bodies."""
         pose = {} if X_WB is None else _placed(X_WB)
         self.handles[name] = self.scene.add_frame(f"/{name}", show_axes=False, **pose)
         return self.handles[name]
 
     def add_body(self, body: Body, X_WB: Matrix, opacity: float | None = None) -> Any:
-        """A new layer of one body, of the body's name."""
+        """Adds a layer of one body, named after the body."""
         self.handles[body.name] = add(self.scene, f"/{body.name}", body, X_WB, opacity)
         return self.handles[body.name]
 
     def add_bodies(
         self, name: str, placed: Iterable[tuple[Body, Matrix]], opacity: float | None = None
     ) -> list[Any]:
-        """A new layer of several bodies, none without bodies."""
+        """Adds a layer of several bodies; none if there are no bodies."""
         some = list(placed)
         if some:
             self.add(name)
@@ -88,7 +102,7 @@ class Layers:
 
 
 def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None = None) -> Any:
-    """A frame with one mesh a colour under it."""
+    """Adds a frame with one mesh per colour."""
     frame = scene.add_frame(name, show_axes=False, **_placed(X_WB))
     colors = list(dict.fromkeys(part.color for part in body.parts))
     for k, color in enumerate(colors):
@@ -112,7 +126,7 @@ def add(scene: Any, name: str, body: Body, X_WB: Matrix, opacity: float | None =
 
 
 def add_segments(scene: Any, name: str, ends: Matrix, color: Color, radius: float) -> Any:
-    """Bars between pairs of points [N, 2, 3]; its `points` move them."""
+    """Adds bars between pairs of points, [N, 2, 3]; setting `points` of the handle moves them."""
     return scene.add_arrows(
         name,
         ends.astype(np.float32),
@@ -124,7 +138,7 @@ def add_segments(scene: Any, name: str, ends: Matrix, color: Color, radius: floa
 
 
 def shade(color: Color) -> tuple[int, int, int]:
-    """A colour as viser takes it, dimmed to its lights."""
+    """Returns a colour for viser, dimmed to suit its lights."""
     red, green, blue = (round(255 * DIM * value) for value in color)
     return red, green, blue
 
@@ -134,7 +148,7 @@ def _placed(X_WB: Matrix) -> dict[str, Any]:
 
 
 def move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
-    """Moves a frame from where it was in row `before`, which is negative at first."""
+    """Moves a frame from its pose in row `before`, which is negative at first."""
     if before >= 0 and np.array_equal(X, X_before):
         return
     if before < 0 or not np.array_equal(X[:3, :3], X_before[:3, :3]):
@@ -144,5 +158,16 @@ def move(handle: Any, X: Matrix, X_before: Matrix, before: int) -> None:
 
 
 def plain(name: str) -> str:
-    """A name that is one step of a scene's path."""
+    """Returns a name that is one step of a scene's path."""
     return name.replace("/", "_")
+
+
+def legend_html(legend: dict[str, Color]) -> str:
+    """Returns a legend of colours as HTML."""
+    lines = []
+    for meaning, color in legend.items():
+        shown = "#" + "".join(f"{round(255 * value):02x}" for value in color)
+        box = f"display:inline-block;width:12px;height:12px;margin-right:8px;background:{shown};"
+        edge = "border:1px solid #555;vertical-align:-1px"
+        lines.append(f'<div><span style="{box}{edge}"></span>{html.escape(meaning)}</div>')
+    return "".join(lines)

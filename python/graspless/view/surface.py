@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is seen of a complex K_d from outside."""
+"""Outer surface of a complex K_d."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from .bodies import Color
 
 
-FLAT = 0.05  # spread across a plane, to that along it
-SLIVER = 0.01  # six volumes, to the cube of the longest edge
+FLAT = 0.05  # largest spread across a plane over the spread along it
+SLIVER = 0.01  # least six-fold volume over the cube of the longest edge
 
 
 def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
-    """The triangles of K_d that have a side to the outside, counter-clockwise seen from there.
+    """Returns the triangles of K_d that face the outside, counter-clockwise seen from there.
 
     Parameters
     ----------
@@ -37,13 +37,13 @@ def surface_part(points: ArrayLike, triangles: ArrayLike, color: Color) -> Part:
     faces = np.sort(np.asarray(triangles, dtype=np.int64).reshape(-1, 3), axis=1)
     of, fourth = _opposite_corners(p, faces)
     counts = np.bincount(of, minlength=len(faces))
-    # Of one tetrahedron: outside is where it is not.
+    # On one tetrahedron only: the outside is the other side.
     outer, fourth = faces[of[counts[of] == 1]], fourth[counts[of] == 1]
     a, b, c = p[outer].swapaxes(0, 1)
     inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), p[fourth] - a) > 0
     outer = np.where(inward[:, None], outer[:, [0, 2, 1]], outer)
     sheets = faces[counts == 0]
-    # A sheet has two sides, each with corners of its own, or their shades would cancel.
+    # A sheet has two sides, each with its own corners; otherwise their shades would cancel.
     back = sheets[:, [0, 2, 1]] + len(p)
     vertices = np.concatenate([p, p]) if len(sheets) else p
     shading = _normals(p, faces)

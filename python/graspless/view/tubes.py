@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lines that have thickness."""
+"""Tubes and spheres, for lines and points."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def tube(points: ArrayLike, radius: float, color: Color, closed: bool = False) -> Part:
-    """A tube along a polyline [N, 3], its ends open."""
+    """Returns a tube along a polyline [N, 3], with open ends."""
     p = np.asarray(points, dtype=float)
     if closed:
         p = np.concatenate([p, p[:1]])
@@ -38,7 +38,7 @@ def tube(points: ArrayLike, radius: float, color: Color, closed: bool = False) -
 
 
 def ball(center: ArrayLike, radius: float, color: Color) -> Part:
-    """A small sphere."""
+    """Returns a small sphere."""
     import trimesh
 
     mesh: Any = trimesh.creation.uv_sphere(radius, count=(9, 14))
@@ -46,7 +46,7 @@ def ball(center: ArrayLike, radius: float, color: Color) -> Part:
 
 
 def smooth(points: ArrayLike, closed: bool = False) -> Matrix:
-    """A polyline without the zigzag of the points it was led through: for the eye alone."""
+    """Returns a smoothed polyline, for drawing only."""
     p = np.asarray(points, dtype=float)
     for _ in range(2):
         before, after = np.roll(p, 1, axis=0), np.roll(p, -1, axis=0)
@@ -58,7 +58,7 @@ def smooth(points: ArrayLike, closed: bool = False) -> Matrix:
 
 
 def _frames(p: Matrix, closed: bool) -> list[tuple[Matrix, Matrix]]:
-    """Two directions across the line at each corner, turned no more than the line turns."""
+    """Returns two directions across the line at each corner, with the least twist."""
     steps = np.diff(p, axis=0)
     steps /= np.linalg.norm(steps, axis=1, keepdims=True)
     first = steps[0] + steps[-1] if closed else steps[0]

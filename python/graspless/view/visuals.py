@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reading the meshes that a robot looks like; without them its collision shapes are drawn."""
+"""Reads a robot's visual meshes; without them, its collision shapes are drawn."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 
 class UnreadableError(Exception):
-    """A visual mesh that cannot be drawn, and why."""
+    """A visual mesh cannot be drawn; the message says why."""
 
 
 def read_visual(name: str, robot: Robot) -> Any:
-    """The trimesh of a URDF's visual mesh; raises UnreadableError."""
+    """Returns the trimesh of a URDF's visual mesh; raises UnreadableError."""
     import trimesh
 
     package = name.removeprefix("package://").partition("/")[0]
@@ -31,7 +31,7 @@ def read_visual(name: str, robot: Robot) -> Any:
         mesh: Any = trimesh.load(path, force="mesh")
         if len(mesh.faces):
             return mesh
-    except Exception as error:  # its readers raise whatever they stumble over
+    except Exception as error:  # its readers raise exceptions of many types
         first = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise UnreadableError(f"{name}: cannot be read: {first}") from None
     raise UnreadableError(f"{name}: has no triangles")
@@ -41,7 +41,7 @@ _warned: set[str] = set()
 
 
 def warn_once(text: str) -> None:
-    """A picture and a replay build the same bodies several times over."""
+    """Warns once: a picture and a replay build the same bodies several times."""
     if text not in _warned:
         _warned.add(text)
         warnings.warn(text, stacklevel=3)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the hand holds, and the support that it is taken from."""
+"""Bodies of a carry: the held object, and the support that it comes from."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SUPPORT = "support"
 
 
 def object_body(task: Task) -> Body:
-    """The object, in O; of a cloud the outside of its K_d."""
+    """Returns the object, in O; for a point cloud, the surface of its complex K_d."""
     parts = []
     for placed in task.problem.object.shapes:
         shape = placed.shape
@@ -32,7 +32,7 @@ def object_body(task: Task) -> Body:
 
 
 def supports(task: Task) -> list[tuple[Body, Matrix]]:
-    """The support of a slide, if the object comes from one, with its pose in the world."""
+    """Returns the support with its pose in the world, if the object comes from a slide."""
     return [
         (
             Body("table", [placed_part(p, TABLE) for p in obstacle.shapes], is_flat=True),

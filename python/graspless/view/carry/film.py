@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A carry in time."""
+"""A carry over time."""
 
 from __future__ import annotations
 
@@ -16,8 +16,6 @@ SPEEDS = {"carry": 0.25}  # [rad/s]
 
 
 def film(plan: Plan, recording: Recording | None = None) -> films.Film:
-    """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
-    start.
-    """
+    """Returns a recording, or the plan's rows at a speed for watching, or else the start."""
     problem = plan.task.problem
     return films.film(plan, recording, problem.q_start, problem.object.X_WB, SPEEDS)

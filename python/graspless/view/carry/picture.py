@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan as one picture: the robot at three moments of the way."""
+"""Picture of a carry: the robot at three moments of the path."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ PANEL = (520, 420)  # pixels
 
 
 def draw(plan: Plan) -> bytes:
-    """The picture as the bytes of a PNG file."""
+    """Returns the picture as the bytes of a PNG file."""
     shown = film(plan)
     scene = Scene(shown)
     last = len(shown.times) - 1
     rows = [0, last // 2, last] if last > 1 else [0]
-    captions = ["start", "half way", "goal"]
+    captions = ["1  start", "2  halfway", "3  goal"] if len(rows) > 1 else ["start"]
     view = camera(scene, rows, PANEL)
     figure = new_figure(15, 4.7)
     grid = figure.add_gridspec(1, 3, left=0.01, right=0.99, bottom=0.02, top=0.84, wspace=0.03)
@@ -38,13 +38,11 @@ def draw(plan: Plan) -> bytes:
 
 
 def headline(plan: Plan) -> str:
-    """What happens, or why not."""
+    """Returns a line that says what happens, or why nothing does."""
     problem = plan.task.problem
     name = problem.object.name
     if not plan:
         return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"
     start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
     distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
-    return (
-        f"{problem.robot.name} carries the {name} along a straight way of {distance * 100:.0f} cm"
-    )
+    return f"{problem.robot.name} carries the {name} {distance * 100:.0f} cm along a straight path"

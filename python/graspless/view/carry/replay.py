@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A carry as a replay."""
+"""Replay of a carry."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ... import frames
+from ..bodies import GHOST
 from ..film import spread, timed
 from ..film_stage import GHOST_OPACITY, FilmStage, ghost_of
 from .film import film
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Stage(FilmStage):
-    """The scene of a carry on a viser server."""
+    """Scene of a carry on a viser server."""
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         shown = timed(film(plan, recording))
@@ -32,9 +33,10 @@ class Stage(FilmStage):
         if plan and recording is None:
             goal = np.asarray(plan.task.problem.X_WO_goal)
             self.layers.add_body(ghost_of(scene.object, "goal"), goal, GHOST_OPACITY)
+            self.layers.explain(GHOST, "goal")
 
     def tell(self) -> list[str]:
-        """What happens, and how far the object has come."""
+        """Returns captions: the segment, and how far the object has moved."""
         if self.shown.planned_poses is not None:
             return super().tell()
         start = self.shown.object_poses[0]

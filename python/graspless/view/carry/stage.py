@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a picture and a replay share: the bodies, and where to look from."""
+"""Parts that picture and replay share: the bodies, and the camera."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Scene:
-    """Every body of a carry, made once, and where each is at a row."""
+    """Bodies of a carry, made once, and their poses at each row."""
 
     def __init__(self, shown: Film) -> None:
         self.shown = shown
@@ -31,20 +31,20 @@ class Scene:
         self.still = [*bodies.supports(task), *obstacles(task)]
 
     def moving(self, row: int) -> list[tuple[Body, Matrix]]:
-        """Robot and object in the world."""
+        """Returns robot and object with their poses in the world."""
         links = zip(self.links, self.shown.link_poses[row], strict=True)
         found = [(self.object, self.shown.object_poses[row]), *links]
         return [(body, X_WB) for body, X_WB in found if body.parts]
 
 
 def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
-    """From beside the robot, a little before it and above.
+    """Places the camera beside the robot, a little in front of it and above.
 
     Parameters
     ----------
     scene : Scene
     rows : sequence of int
-        What must be seen.
+        Rows that the picture must contain.
     shape : tuple of int
         Width and height of the picture.
     """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures and replays of chains: those of their stages, one after the other."""
+"""Pictures and replays of chains: those of their stages, in order."""
 
 from __future__ import annotations
 
@@ -14,19 +14,20 @@ if TYPE_CHECKING:
     from ...simulation import Recording
     from ..replay import Stage as AnyStage
 
-NO_TIME = 1e-9  # for a planner to find anything: a plan without motion is drawn as it starts [s]
+NO_TIME = 1e-9  # too short to find a plan: the start alone is drawn [s]
 
 
 def draw(plan: Plan) -> bytes:
-    """A picture as the bytes of a PNG file: those of the stages below each other."""
+    """Draws the stages below each other; returns the bytes of a PNG file."""
     from .picture import draw
 
     return draw(plan)
 
 
 def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> AnyStage:
-    """The scene of a replay on a viser server, of the plan or of what became of it; that has the
-    first stage's scene.
+    """Sets up the scene of a replay on a viser server, of the plan or of a recording.
+
+    A recording is shown in the scene of the first stage.
     """
     if recording is not None:
         first: AnyStage = part("view", plan.stages[0].kind).set_stage(
@@ -39,7 +40,7 @@ def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> An
 
 
 def stages_of(plan: Plan) -> list[tuple[str, AnyPlan]]:
-    """Names and plans of the stages; of a chain that ended before the first, its start."""
+    """Returns names and plans of the stages; for a chain without plans, its start."""
     if plan.stages:
         return list(zip(plan.names, plan.stages, strict=True))
     from ... import plans

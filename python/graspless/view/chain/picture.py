@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A chain as one picture: those of its stages below each other."""
+"""Picture of a chain: those of its stages below each other."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def draw(plan: Plan) -> bytes:
-    """The picture as the bytes of a PNG file."""
+    """Returns the picture as the bytes of a PNG file."""
     from PIL import Image  # matplotlib needs it too
 
     drawn = [part("view", stage.kind).draw(stage) for _, stage in stages_of(plan)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A chain as a replay: every stage has a corner of the scene, and one of them is seen."""
+"""Replay of a chain: every stage has its own part of the scene, and one of them is visible."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ...plans.chain import Plan
 
 
-NEARER = 0.8  # a scene does not fill the ball around it
+NEARER = 0.8  # a scene does not fill the sphere around it
 
 
 class Stage:
@@ -28,7 +28,7 @@ class Stage:
         self.layers = Layers(server.scene)
         self.corners: list[Any] = []
         self.stages: list[Any] = []
-        seen: list[Any] = []  # where each stage would look from
+        seen: list[Any] = []  # the initial camera of each stage
         for k, (name, stage) in enumerate(stages_of(plan)):
             corner = f"{k + 1} {plain(name)}"
             frame = server.scene.add_frame(f"/{corner}", show_axes=False, visible=k == 0)
@@ -36,6 +36,7 @@ class Stage:
             within = SimpleNamespace(scene=Corner(server.scene, corner), initial_camera=seen[-1])
             self.corners.append(frame)
             self.stages.append(part("view", stage.kind).set_stage(within, stage))
+            self.layers.legend |= self.stages[-1].layers.legend
             for layer, handle in self.stages[-1].layers.handles.items():
                 self.layers.handles[f"{corner}: {layer}"] = handle
         view = common([Camera(np.array(c.position), np.array(c.look_at), c.fov) for c in seen])
@@ -46,7 +47,7 @@ class Stage:
         self.at = 0
 
     def show(self, row: int) -> None:
-        """Moves the stage that a moment belongs to, and hides the others."""
+        """Shows the stage that a moment belongs to, at that moment, and hides the others."""
         row = min(max(row, 0), self.rows - 1)
         k = 0
         while row >= self.stages[k].rows:
@@ -60,7 +61,7 @@ class Stage:
 
 
 def common(cameras: list[Camera]) -> Camera:
-    """Sees what each of them sees: all that is around their targets, from the side of the first."""
+    """Returns a camera that sees everything each of them sees, from the side of the first."""
     radii = [np.linalg.norm(c.eye - c.target) * np.tan(c.angle / 2) for c in cameras]
     middle = np.mean([c.target for c in cameras], axis=0)
     far = NEARER * max(
@@ -73,7 +74,7 @@ def common(cameras: list[Camera]) -> Camera:
 
 
 class Corner:
-    """A viser scene whose every path begins with a name of its own."""
+    """A viser scene that prefixes every path with its own name."""
 
     def __init__(self, scene: Any, name: str) -> None:
         self._scene, self._name = scene, name

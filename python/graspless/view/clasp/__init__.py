@@ -13,14 +13,14 @@ if TYPE_CHECKING:
 
 
 def draw(plan: Plan) -> bytes:
-    """A picture as the bytes of a PNG file: the robot on its way, and the hand around the loop."""
+    """Draws the robot, the loops and the virtual linking; returns the bytes of a PNG file."""
     from .picture import draw
 
     return draw(plan)
 
 
 def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> Stage:
-    """The scene of a replay on a viser server, of the plan or of what became of it."""
+    """Sets up the scene of a replay on a viser server, of the plan or of a recording."""
     from .replay import Stage
 
     return Stage(server, plan, recording)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The object with its loops, and the finger curves of the hand."""
+"""Bodies of a clasp: the object with its loops, and the hand's finger curves."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PATH: Color = (0.13, 0.52, 0.30)
 
 
 def object_body(task: Task) -> Body:
-    """The outside of K_d, in O; the cloud itself where K_d has no triangle."""
+    """Returns the surface of K_d, in O, or the point cloud if K_d has no triangle."""
     complex_d = task.problem.object.loops.complex
     part = surface_part(complex_d.points, complex_d.triangles, OBJECT)
     if len(part.triangles):
@@ -37,7 +37,7 @@ def object_body(task: Task) -> Body:
 
 
 def loop_bodies(plan: Plan) -> list[Body]:
-    """A tube along each loop, in O, the one that is clasped in a colour of its own."""
+    """Returns a tube along each loop, in O; the clasped loop has its own colour."""
     loops = plan.task.problem.object.loops.loops
     radius = 0.0045 * size(plan.task)
     return [
@@ -57,20 +57,20 @@ def loop_bodies(plan: Plan) -> list[Body]:
 
 
 def target_body(plan: Plan) -> Body:
-    """The place that is clasped, in O."""
+    """Returns the target, where the loop is clasped, in O."""
     if plan.target is None:
         return Body("target")
     return Body("target", [ball(plan.target.point, 0.011 * size(plan.task), TARGET)])
 
 
 def curve_bodies(task: Task, link_poses: Matrix) -> list[Body]:
-    """A tube along each finger curve and another along its chord, in the world.
+    """Returns a tube along each finger curve and one along its chord, in the world.
 
     Parameters
     ----------
     task : Task
     link_poses : array [F, 4, 4]
-        X_WL of every frame of the robot.
+        Poses of every frame of the robot in the world.
     """
     curves = finger_curves(task, link_poses)
     reach = max((float(np.ptp(curve, axis=0).max()) for curve in curves), default=0.1)
@@ -89,7 +89,7 @@ def curve_bodies(task: Task, link_poses: Matrix) -> list[Body]:
 
 
 def finger_curves(task: Task, link_poses: Matrix) -> list[Matrix]:
-    """[K, 3] corners of each finger curve in the world: from a finger's tip to the thumb's."""
+    """Returns the corners of each finger curve, [K, 3] in the world, from finger to thumb tip."""
     problem = task.problem
     names = list(problem.robot.frame_names)
 
@@ -105,5 +105,5 @@ def finger_curves(task: Task, link_poses: Matrix) -> list[Matrix]:
 
 
 def size(task: Task) -> float:
-    """The longest side of the box around the object [m]."""
+    """Returns the longest side of the object's bounding box [m]."""
     return float(np.ptp(np.asarray(task.problem.object.points), axis=0).max())

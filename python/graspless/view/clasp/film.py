@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A clasp in time."""
+"""A clasp over time."""
 
 from __future__ import annotations
 
@@ -19,29 +19,27 @@ SPEEDS = {"reach": 0.7, "close": 0.35}  # [rad/s]
 
 
 def film(plan: Plan, recording: Recording | None = None) -> films.Film:
-    """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
-    start.
-    """
+    """Returns a recording, or the plan's rows at a speed for watching, or else the start."""
     problem = plan.task.problem
     return films.film(plan, recording, problem.q_start, problem.X_WO, SPEEDS)
 
 
 def linking(plan: Plan) -> Matrix:
-    """[N, curves] virtual linking of every row; no row without motion."""
+    """Returns the virtual linking of every row, [N, curves]; no rows without motion."""
     rows = [segment.virtual_linking for segment in plan.segments if len(segment)]
     return np.concatenate(rows) if rows else np.empty((0, 0))
 
 
 def linking_at(plan: Plan, shown: films.Film, times: Matrix) -> Matrix:
-    """[T, curves] virtual linking at moments of the plan's film.
+    """Returns the virtual linking at moments of the plan's film, [T, curves].
 
     Parameters
     ----------
     plan : Plan
     shown : Film
-        Of the plan, with a moment for each of its rows.
+        Film of the plan, with a moment for each of its rows.
     times : array [T]
-        [s]; between two rows, what the earlier one has: linking jumps where curves cross.
+        Times [s]. Between two rows the earlier one counts: linking jumps where curves cross.
     """
     found = linking(plan)
     if not len(found):

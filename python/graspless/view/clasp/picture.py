@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A clasp as one picture: the robot on its way, the hand around the loop, and the linking."""
+"""Picture of a clasp: the robot at three moments, the loops, the hand, and the virtual linking."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ if TYPE_CHECKING:
     Placed = list[tuple[Body, Matrix]]
 
 PANEL = (560, 400)  # pixels
-THROUGH = 0.75  # how much of loops and curves is seen that something hides
+THROUGH = 0.75  # visibility of hidden loops and curves
 
 
 def draw(plan: Plan) -> bytes:
-    """The picture as the bytes of a PNG file."""
+    """Returns the picture as the bytes of a PNG file."""
     shown = film(plan)
     figure = new_figure(15, 7.6)
     grid = figure.add_gridspec(
-        2, 3, width_ratios=[1, 1, 1], left=0.01, right=0.985, bottom=0.075, top=0.89,
+        2, 3, width_ratios=[1, 1, 1], left=0.01, right=0.985, bottom=0.075, top=0.865,
         wspace=0.04, hspace=0.1,
     )  # fmt: skip
     scene, rows = stage.Scene(plan, shown), stage.moments(plan)
@@ -53,7 +53,7 @@ def draw(plan: Plan) -> bytes:
         near = stage.close_camera(scene, last, PANEL)
         axes = figure.add_subplot(grid[1, 1])
         picture = _render(scene.solid(last, near), scene.lines(last), near)
-        draw_panel(axes, picture, "the hand and its curves", pad=3)
+        draw_panel(axes, picture, "close-up: finger curves and chords", pad=3)
         _draw_linking(_inset(figure, grid[1, 2]), plan, shown)
     else:
         _draw_loops(figure.add_subplot(grid[0, 2]), plan, shown)
@@ -63,21 +63,21 @@ def draw(plan: Plan) -> bytes:
 
 
 def headline(plan: Plan) -> str:
-    """One line that says what happened."""
+    """Returns a line that says what happens, or why nothing does."""
     problem = plan.task.problem
     name = problem.object.name
     if not plan:
         return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
     assert plan.stability is not None
     loops = len(problem.object.loops.loops)
-    which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (counted from 0)"
+    which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (from 0)"
     held = "secure" if plan.stability.secure else "not secure"
     margin = f"{held}, margin {plan.stability.margin:.2f}"
     return f"{problem.robot.name} clasps the {name}{which}: {margin}"
 
 
 def _render(solid: Placed, lines: Placed, view: Camera) -> Matrix:
-    """Loops and curves are seen through what hides them, a little."""
+    """Renders a scene in which loops and curves show through whatever hides them."""
     whole = raster.render([*solid, *lines], view, *PANEL)
     if not lines:
         return whole
@@ -85,7 +85,7 @@ def _render(solid: Placed, lines: Placed, view: Camera) -> Matrix:
 
 
 def _draw_tree(axes: Any, plan: Plan, view: Camera) -> None:
-    """Nodes and branches of the tree, and the way to the clasp."""
+    """Draws nodes and branches of the search tree, and the path to the clasp."""
     points = np.array(plan.tree.points, dtype=float).reshape(-1, 3)
     if not len(points):
         return
@@ -98,15 +98,15 @@ def _draw_tree(axes: Any, plan: Plan, view: Camera) -> None:
     )
     axes.plot(*xy.T, ".", ms=2, color=bodies.NODE)
     if plan.tree.path:
-        way = xy[plan.tree.path]
-        axes.plot(*way.T, "-", lw=2, color=bodies.PATH, solid_capstyle="round")
-        axes.plot(*way[-1], "o", ms=5, color=bodies.PATH, mec="w", mew=0.8)
+        path = xy[plan.tree.path]
+        axes.plot(*path.T, "-", lw=2, color=bodies.PATH, solid_capstyle="round")
+        axes.plot(*path[-1], "o", ms=5, color=bodies.PATH, mec="w", mew=0.8)
     axes.set_xlim(0, PANEL[0])
     axes.set_ylim(PANEL[1], 0)
 
 
 def _draw_loops(axes: Any, plan: Plan, shown: Film) -> None:
-    """The cloud with its loops, from the side that sees into the hole."""
+    """Draws the point cloud with its loops, from a side that looks into the hole."""
     problem = plan.task.problem
     X_WO = shown.object_poses[0]
     cloud = _moved(problem.object.points, X_WO)
@@ -121,7 +121,7 @@ def _draw_loops(axes: Any, plan: Plan, shown: Film) -> None:
 
 
 def _inset(figure: Any, place: Any) -> Any:
-    """Axes with room for their labels inside a cell of the grid."""
+    """Returns axes with room for their labels inside a cell of the grid."""
     inner = place.subgridspec(1, 1)
     axes = figure.add_subplot(inner[0])
     box = axes.get_position()
@@ -130,7 +130,7 @@ def _inset(figure: Any, place: Any) -> Any:
 
 
 def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
-    """Virtual linking of every curve along the way, and the threshold."""
+    """Draws the virtual linking of every finger curve at each row, and the threshold."""
     found = linking(plan)
     fingers = plan.task.problem.hand.fingers
     rows = np.arange(len(found))
@@ -140,32 +140,32 @@ def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
     for k in range(found.shape[1]):
         name = fingers[k].name.replace("_", " ")
         axes.plot(rows, found[:, k], lw=1.9, color=blues[k % len(blues)], label=name)
-    axes.axhline(plan.min_linking, color="#b3261e", lw=1.1, ls=(0, (6, 3)), label="threshold")
+    axes.axhline(plan.min_linking, color="#b3261e", lw=1.1, ls=(0, (6, 3)), label="least allowed")
     late = first > 0.85 * len(found)
     axes.text(
-        len(found) - 1 if late else first, 1.015, "close", fontsize=9, color=INK, va="bottom",
+        len(found) - 1 if late else first, 1.015, "hand closes", fontsize=9, color=INK, va="bottom",
         ha="right" if late else "left", transform=axes.get_xaxis_transform(),
     )  # fmt: skip
     axes.set_xlim(0, max(len(found) - 1, 1))
     axes.set_ylim(0, 1.02)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-    axes.set_title("virtual linking", fontsize=11, color=INK, loc="left", pad=3)
+    axes.set_title("virtual linking (1: closed ring)", fontsize=11, color=INK, loc="left", pad=3)
     axes.set_xlabel("row of the plan", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
-    axes.legend(fontsize=8.5, frameon=False, loc="lower right")
+    axes.legend(fontsize=8.5, frameon=False, loc="best")
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
 
 
 def _draw_key(figure: Any, plan: Plan) -> None:
-    """What the colours mean."""
+    """Explains every colour."""
     lines = [
-        (bodies.CLASPED, "-", "loop clasped"),
+        (bodies.CLASPED, "-", "clasped loop"),
         (LOOP, "-", "other loops"),
-        (bodies.CURVE, "-", "finger curves"),
-        (bodies.CHORD, "-", "chords"),
-        (bodies.NODE, "-", "tree"),
-        (bodies.PATH, "-", "path"),
+        (bodies.CURVE, "-", "finger curve"),
+        (bodies.CHORD, "-", "its chord"),
+        (bodies.NODE, "-", "search tree"),
+        (bodies.PATH, "-", "path found"),
     ]
     if not plan:
         lines = lines[1:4]
@@ -174,12 +174,15 @@ def _draw_key(figure: Any, plan: Plan) -> None:
     handles = [
         Line2D([], [], color=color, ls=ls, lw=2.5, label=label) for color, ls, label in lines
     ]
+    if plan.target is not None:
+        target: dict[str, Any] = {"marker": "o", "ms": 7, "mfc": "w", "mec": INK}
+        handles.insert(1, Line2D([], [], ls="", label="target", **target))
     figure.legend(
-        handles=handles, loc="upper right", bbox_to_anchor=(0.99, 0.995), ncols=len(handles),
-        fontsize=10, frameon=False, handlelength=1.4, columnspacing=1.2,
+        handles=handles, loc="upper left", bbox_to_anchor=(0.008, 0.955), ncols=len(handles),
+        fontsize=10, frameon=False, handlelength=1.4, columnspacing=1.4,
     )  # fmt: skip
 
 
 def _moved(points: Any, X_AB: Matrix) -> Matrix:
-    """[N, 3] points of B in A."""
+    """Returns points of B in A, [N, 3]."""
     return np.asarray(np.asarray(points, dtype=float) @ X_AB[:3, :3].T + X_AB[:3, 3])

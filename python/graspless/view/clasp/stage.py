@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a picture and a replay share: the moments worth drawing, and where to look from."""
+"""Parts that picture and replay share: the moments to draw, and the cameras."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from ..bodies import Body
     from ..film import Film
 
-ELEVATIONS = (0.38, 0.1)  # [rad]; the first that shows as much
+ELEVATIONS = (0.38, 0.1)  # [rad], in order of preference
 CLOSE_ELEVATIONS = (0.38, 0.0, -0.3, 0.9)
-OPEN = 0.85  # cosine between view and the loop's axis: into the hole, and a little from aside
+OPEN = 0.85  # cosine between view and the loop's axis: into the hole, slightly from the side
 
 
 class Scene:
-    """Every body of a clasp, made once, and where each is at a row."""
+    """Bodies of a clasp, made once, and their poses at each row."""
 
     def __init__(self, plan: Plan, shown: Film) -> None:
         self.plan, self.shown = plan, shown
@@ -38,23 +38,21 @@ class Scene:
         self.marks = [body for body in marks if body.parts]
 
     def solid(self, row: int, around: Camera | None = None) -> list[tuple[Body, Matrix]]:
-        """Robot, object and obstacles in the world; of the robot only what is near to where a
-        camera looks, if one is given.
-        """
+        """Returns robot, object and obstacles in the world; for a close-up, only nearby links."""
         links = zip(self.links, self.shown.link_poses[row], strict=True)
         near = [(body, X) for body, X in links if around is None or _is_near(body, X, around)]
         found = [(self.object, self.shown.object_poses[row]), *self.obstacles, *near]
         return [(body, X_WB) for body, X_WB in found if body.parts]
 
     def lines(self, row: int) -> list[tuple[Body, Matrix]]:
-        """Loops, target and finger curves in the world."""
+        """Returns loops, target and finger curves in the world."""
         marks = [(body, self.shown.object_poses[row]) for body in self.marks]
         curves = bodies.curve_bodies(self.plan.task, self.shown.link_poses[row])
         return marks + [(body, np.eye(4)) for body in curves]
 
 
 def moments(plan: Plan) -> list[tuple[int, str]]:
-    """Rows to draw the robot at, with what happens there."""
+    """Returns rows to draw the robot at, with captions."""
     found = linking(plan)
     if not len(found):
         return [(0, "start")]
@@ -65,13 +63,13 @@ def moments(plan: Plan) -> list[tuple[int, str]]:
 
 
 def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
-    """From where the hole is open to the eye, and never from behind the robot.
+    """Places the camera where it looks into the hole, and never behind the robot.
 
     Parameters
     ----------
     scene : Scene
     rows : sequence of int
-        That the picture must hold whole.
+        Rows that the picture must contain.
     shape : tuple of int
         Width and height of the picture.
     """
@@ -83,7 +81,7 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
 
 
 def close_camera(scene: Scene, row: int, shape: tuple[int, int]) -> Camera:
-    """Into the hand."""
+    """Places a camera that looks into the hand."""
     plan, shown = scene.plan, scene.shown
     curves = np.concatenate(bodies.finger_curves(plan.task, shown.link_poses[row]))
     middle = (curves.min(axis=0) + curves.max(axis=0)) / 2
@@ -94,7 +92,7 @@ def close_camera(scene: Scene, row: int, shape: tuple[int, int]) -> Camera:
 
 
 def direction(plan: Plan, shown: Film, row: int | None = None) -> Matrix:
-    """[3] unit, to the viewer; in a close-up of a row, along what the hand clasps."""
+    """Returns the unit vector to the viewer, [3]; for a close-up of a row, along the loop."""
     base = shown.link_poses[0, 0, :3, 3]
     X_WO = shown.object_poses[0]
     cloud = np.asarray(plan.task.problem.object.points) @ X_WO[:3, :3].T + X_WO[:3, 3]
@@ -121,7 +119,7 @@ def direction(plan: Plan, shown: Film, row: int | None = None) -> Matrix:
 
 
 def _hidden(points: Matrix, toward: Matrix, radius: float) -> float:
-    """How much of a disc about the origin the points hide from a viewer: 0 to 1."""
+    """Returns the share of a disc about the origin that points hide from a viewer, in [0, 1]."""
     along = points @ toward
     across = points - np.outer(along, toward)
     before = (along > radius) & (np.linalg.norm(across, axis=1) < radius)
@@ -129,7 +127,7 @@ def _hidden(points: Matrix, toward: Matrix, radius: float) -> float:
 
 
 def _loop_axis(plan: Plan, X_WO: Matrix) -> Matrix:
-    """[3] across the plane of the loop that is clasped, or else of the shortest, in the world."""
+    """Returns the normal of the clasped loop, or else the shortest, [3] in the world."""
     loops = plan.task.problem.object.loops.loops
     if not loops:
         return np.array([0.0, 1.0, 0.0])
@@ -139,14 +137,14 @@ def _loop_axis(plan: Plan, X_WO: Matrix) -> Matrix:
 
 
 def _sideways(plan: Plan, shown: Film, row: int) -> Matrix:
-    """[3] v_swd in the world."""
+    """Returns the hand's sideways direction v_swd, [3] in the world."""
     problem = plan.task.problem
     X_WH = shown.link_poses[row, list(problem.robot.frame_names).index(problem.hand.frame)]
     return np.asarray(X_WH[:3, :3] @ np.asarray(problem.hand.sideways_H))
 
 
 def _is_near(body: Body, X_WB: Matrix, view: Camera) -> bool:
-    """Whether a body has a corner near to what a camera was fitted to."""
+    """Returns True if a body has a corner near the centre of a camera's view."""
     if not body.parts:
         return False
     points = _points([(body, X_WB)])

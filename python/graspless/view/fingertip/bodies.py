@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The object, its floor and walls, the fingertips and their forces."""
+"""Bodies of a fingertip plan: object, floor, walls, fingertips and forces."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ TOUCHING = 0.004  # of the size: corners that are no farther from a plane
 
 
 def object_body(task: Task) -> Body:
-    """The object, in O."""
+    """Returns the object, in O."""
     mesh = task.problem.object.mesh
     corners = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)]
-    # Corners of their own, so that edges stay sharp.
+    # Each triangle has its own corners, so that edges stay sharp.
     triangles = np.arange(3 * len(corners)).reshape(-1, 3)
     return Body("object", [Part(corners.reshape(-1, 3), triangles, OBJECT)], is_flat=True)
 
 
 def floor_body(task: Task, points: Matrix) -> Body:
-    """The floor under points in the world [N, 3], but not behind the walls."""
+    """Returns the floor under points in the world [N, 3], cut off behind the walls."""
     height = task.problem.planes[0].offset
     low, high = _extent(task, points)
     thick = 0.02 * float((high - low).max())
@@ -53,7 +53,7 @@ def floor_body(task: Task, points: Matrix) -> Body:
 
 
 def wall_bodies(task: Task, points: Matrix) -> list[Body]:
-    """The walls, as high as the object comes."""
+    """Returns the walls, as high as the object gets."""
     found = []
     low, high = _extent(task, points)
     height = task.problem.planes[0].offset
@@ -68,7 +68,7 @@ def wall_bodies(task: Task, points: Matrix) -> list[Body]:
 
 
 def fingertip_body(radius: float, color: Color) -> Body:
-    """A fingertip, centred at its frame."""
+    """Returns a fingertip, centred at its frame."""
     import trimesh
 
     ball = trimesh.creation.uv_sphere(radius, count=(24, 36))
@@ -76,7 +76,7 @@ def fingertip_body(radius: float, color: Color) -> Body:
 
 
 def arrows(task: Task, moment: Moment, largest: float) -> list[tuple[Body, Matrix]]:
-    """Nominal forces, from outside on to the fingertips: each with its pose in the world."""
+    """Returns arrows of the nominal forces, ending at the fingertips, with poses in the world."""
     size, radius = task.problem.object.size, task.problem.fingers.radius
     found = []
     for tail, tip in arrow_ends(task, moment, largest):
@@ -88,14 +88,14 @@ def arrows(task: Task, moment: Moment, largest: float) -> list[tuple[Body, Matri
 
 
 def arrow_ends(task: Task, moment: Moment, largest: float) -> Matrix:
-    """[n, 2, 3] tails and tips of the nominal forces' arrows in the world; of no length without.
+    """Returns tails and tips of the nominal forces' arrows, [n, 2, 3] in the world; equal if zero.
 
     Parameters
     ----------
     task : Task
     moment : Moment
     largest : float
-        The force [N] that is drawn longest.
+        Force with the longest arrow [N].
     """
     radius = task.problem.fingers.radius
     scale = LONGEST_ARROW * task.problem.object.size / max(largest, 1e-9)
@@ -111,13 +111,13 @@ def arrow_ends(task: Task, moment: Moment, largest: float) -> Matrix:
 
 
 def _extent(task: Task, points: Matrix) -> tuple[Matrix, Matrix]:
-    """[2], [2] corners of the floor that is drawn."""
+    """Returns two opposite corners of the floor, [2] and [2]."""
     margin = 0.22 * task.problem.object.size
     return points[:, :2].min(axis=0) - margin, points[:, :2].max(axis=0) + margin
 
 
 def _clipped(ring: Matrix, normal: Matrix, offset: float, height: float) -> Matrix:
-    """The part of a polygon in the floor that is not behind a wall."""
+    """Returns the part of a floor polygon in front of a wall."""
     depth = ring @ normal[:2] + normal[2] * height - offset
     kept: list[Any] = []
     for i in range(len(ring)):
@@ -131,7 +131,7 @@ def _clipped(ring: Matrix, normal: Matrix, offset: float, height: float) -> Matr
 
 
 def _slab(ring: Matrix, bottom: float, top: float, color: Color) -> Part:
-    """A convex polygon between two heights."""
+    """Returns the prism over a convex polygon between two heights."""
     n = len(ring)
     up = np.column_stack([ring, np.full(n, top)])
     down = np.column_stack([ring, np.full(n, bottom)])
@@ -147,7 +147,7 @@ def _slab(ring: Matrix, bottom: float, top: float, color: Color) -> Part:
 def _plate(
     normal: Matrix, offset: float, low: Matrix, high: Matrix, bottom: float, top: float
 ) -> Part:
-    """A wall across the floor that is drawn, from the floor up, both sides of it."""
+    """Returns a wall across the floor, from the floor up."""
     across = np.array([-normal[1], normal[0], 0.0]) / np.linalg.norm(normal[:2])
     rise = np.cross(normal, across)
     rise *= 1 if rise[2] > 0 else -1
@@ -170,7 +170,7 @@ def _plate(
 
 
 def _arrow(length: float, width: float) -> Part:
-    """From the origin along z."""
+    """Returns an arrow from the origin along z."""
     import trimesh
 
     head = min(4.5 * width, 0.6 * length)
@@ -183,7 +183,7 @@ def _arrow(length: float, width: float) -> Part:
 
 
 def _along(tail: Matrix, tip: Matrix) -> Matrix:
-    """A pose at the tail with z to the tip."""
+    """Returns the pose at the tail with z towards the tip."""
     z = (tip - tail) / np.linalg.norm(tip - tail)
     x = np.cross(z, [1.0, 0.0, 0.0] if abs(z[0]) < 0.9 else [0.0, 1.0, 0.0])
     x /= np.linalg.norm(x)
@@ -193,7 +193,7 @@ def _along(tail: Matrix, tip: Matrix) -> Matrix:
 
 
 def supported(task: Task, X_WO: Matrix) -> Matrix:
-    """[N, 3] corners of the object on the floor and the walls, in the world."""
+    """Returns the object's corners on the floor and the walls, [N, 3] in the world."""
     problem = task.problem
     hull = np.asarray(problem.object.hull) @ X_WO[:3, :3].T + X_WO[:3, 3]
     near = TOUCHING * problem.object.size
@@ -203,7 +203,7 @@ def supported(task: Task, X_WO: Matrix) -> Matrix:
 
 
 def edges(task: Task) -> Matrix:
-    """[N, 2, 3] the object's edges, in O."""
+    """Returns the object's edges, [N, 2, 3] in O."""
     import trimesh
 
     shape = task.problem.object.mesh

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The robot that carries the fingertips, at some moments of its joint motion."""
+"""The robot that moves the fingertips, at some moments of its joint motion."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MOST = 4  # pictures
 
 
 def moments(plan: Plan) -> list[tuple[JointSegment, int, str]]:
-    """Rows of joint segments that are worth a picture, with what happens there."""
+    """Returns rows of joint segments to draw, with captions."""
     carrying = [
         s
         for s in plan.joint_segments
@@ -30,15 +30,15 @@ def moments(plan: Plan) -> list[tuple[JointSegment, int, str]]:
     if not carrying:
         return []
     found: list[tuple[JointSegment, int, str]] = [
-        (plan.joint_segments[0], 0, "the robot at home"),
-        (carrying[0], 0, "at the first grip"),
+        (plan.joint_segments[0], 0, "robot: start"),
+        (carrying[0], 0, "robot: first grip"),
     ]
-    found += [(s, len(s) // 2, f"in the {s.name}") for s in carrying[: MOST - 3]]
-    return [*found, (carrying[-1], len(carrying[-1]) - 1, "at the goal")]
+    found += [(s, len(s) // 2, f"robot: {s.name}") for s in carrying[: MOST - 3]]
+    return [*found, (carrying[-1], len(carrying[-1]) - 1, "robot: goal")]
 
 
 def render(plan: Plan, direction: Matrix, shape: tuple[int, int]) -> list[tuple[Matrix, str]]:
-    """A picture of each moment with its caption.
+    """Renders each moment; returns pictures with captions.
 
     Parameters
     ----------

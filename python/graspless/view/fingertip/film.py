@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan in time, at a pace for watching: plans are quasi-static and have none of their own."""
+"""A fingertip plan over time, at a speed for watching: quasi-static plans have no times."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 
 SLIDE = 8.0  # [cm/s]
 TURN = 25.0  # [degrees/s]
-LEAVE, TRAVEL = 0.4, 0.8  # a finger that regrasps: off and on the surface, and over it [s]
-JOINTS = 0.6  # of a robot that carries the fingers [rad/s]
+LEAVE, TRAVEL = 0.4, 0.8  # of a regrasp: leaving or reaching the surface, moving over it [s]
+JOINTS = 0.6  # speed of a robot that moves the fingers [rad/s]
 
 
 @dataclass(frozen=True)
 class Key:
-    """A moment and when it is [s]."""
+    """A moment and its time [s]."""
 
     time: float
     moment: Moment
 
 
 def film(plan: Plan, rate: float, clock: Clock | None = None) -> list[Moment]:
-    """Moments at even times, `rate` a second; by a clock, or else at a pace for watching."""
+    """Returns `rate` moments per second, by a clock or else at a speed for watching."""
     keys = list(_joint_keys(plan, clock) if plan.joint_segments else _keys(plan, clock))
     if not keys:
         return [start_of(plan)]
@@ -45,14 +45,15 @@ def film(plan: Plan, rate: float, clock: Clock | None = None) -> list[Moment]:
 
 
 def timed(plan: Plan, rate: float) -> tuple[list[Moment], float | None]:
-    """The film at the pace of its robot, where that is known, and how much faster it is."""
+    """Returns the film at its robot's speed, if known, and its speed-up."""
     clock = clock_of(plan)
     return film(plan, rate, clock), None if clock is None else clock.pace
 
 
 def recorded(plan: Plan, recording: Recording, rate: float) -> tuple[list[Moment], float]:
-    """What happened in a simulation at even times, and how much faster than it did; fingertips
-    that it has not are where the arm has them.
+    """Returns the film of a simulation and its speed-up.
+
+    If the recording has no fingertips, the arm's configuration gives them.
     """
     times = np.asarray(recording.times, dtype=float)
     pace = pace_of(float(times[-1]))
@@ -71,7 +72,7 @@ def recorded(plan: Plan, recording: Recording, rate: float) -> tuple[list[Moment
 
 
 def _sampled(keys: list[Key], rate: float) -> list[Moment]:
-    """Moments at even times, `rate` a second."""
+    """Returns moments at equal time steps, `rate` per second."""
     last = keys[-1].time
     times = np.array([key.time for key in keys])
     wanted = np.linspace(0, last, max(2, int(np.ceil(last * rate)) + 1))
@@ -80,7 +81,7 @@ def _sampled(keys: list[Key], rate: float) -> list[Moment]:
 
 
 def _tips(plan: Plan, q: Matrix) -> Matrix:
-    """[n, 3] centres of the fingertips in the world, in the order of the plan's fingers."""
+    """Returns the centres of the fingertips, [n, 3] in the world, in the order of the fingers."""
     arm, found = plan.task.arm, plan.fields.realization
     assert found is not None
     links = np.asarray(arm.robot.forward(q))
@@ -90,7 +91,7 @@ def _tips(plan: Plan, q: Matrix) -> Matrix:
 
 
 def _keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
-    """The fingertips alone."""
+    """Yields the keys of a plan without a robot."""
     now = 0.0
     for k, segment in enumerate(plan.segments):
         if not len(segment):
@@ -106,7 +107,7 @@ def _keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
 
 
 def _held(plan: Plan, segment: Segment) -> Iterator[tuple[float, float, Moment]]:
-    """Steps of time, rows and moments of a motion of the object."""
+    """Yields time steps, rows and moments of a motion of the object."""
     last = len(segment) - 1
     before = at(plan, segment, 0, segment.X_WO[0])
     yield 0.0, -0.5, before
@@ -119,7 +120,7 @@ def _held(plan: Plan, segment: Segment) -> Iterator[tuple[float, float, Moment]]
 
 
 def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, float, Moment]]:
-    """Steps of time, rows from 0 to 1 and moments of a finger that goes to another place."""
+    """Yields time steps, rows from 0 to 1 and moments of a regrasp."""
     segment = plan.segments[k]
     resting = at(plan, segment, 0)
     before = _neighbour(plan, k, -1)
@@ -145,7 +146,7 @@ def _regrasp(plan: Plan, k: int) -> Iterator[tuple[float, float, Moment]]:
 
 
 def _round(start: Matrix, goal: Matrix, middle: Matrix) -> list[Matrix]:
-    """Points from start to goal that keep their distance from the middle."""
+    """Returns points from start to goal that keep their distance from the middle."""
     found = []
     for t in np.linspace(0, 1, 9)[1:]:
         straight = (1 - t) * start + t * goal - middle
@@ -155,7 +156,7 @@ def _round(start: Matrix, goal: Matrix, middle: Matrix) -> list[Matrix]:
 
 
 def _neighbour(plan: Plan, k: int, step: int) -> Segment | None:
-    """The next segment with a motion of the object, forwards or back."""
+    """Returns the next segment with a motion of the object, forwards or backwards."""
     k += step
     while 0 <= k < len(plan.segments):
         if plan.segments[k].name != "regrasp" and len(plan.segments[k]):
@@ -165,7 +166,7 @@ def _neighbour(plan: Plan, k: int, step: int) -> Segment | None:
 
 
 def _joint_keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
-    """The fingertips where the robot has them."""
+    """Yields the keys of a plan with a robot, which gives the fingertips."""
     now = 0.0
     for k, segment in enumerate(plan.joint_segments):
         step = np.abs(np.diff(segment.positions, axis=0)).max(axis=1, initial=0.0) / JOINTS
@@ -178,7 +179,7 @@ def _joint_keys(plan: Plan, clock: Clock | None) -> Iterator[Key]:
 
 
 def _carried(plan: Plan, segment: JointSegment, row: int) -> Moment:
-    """The moment of a row of joint motion, its fingertips by forward kinematics."""
+    """Returns the moment of a row of joint motion; forward kinematics give the fingertips."""
     X_WO, q = segment.object_poses[row], segment.positions[row]
     centers = (_tips(plan, q) - X_WO[:3, 3]) @ X_WO[:3, :3]
     count = len(centers)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Instants of a plan: where the object and its fingers are, and which are worth a picture."""
+"""Moments of a plan: poses of the object and its fingers, and the moments to draw."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ if TYPE_CHECKING:
     from ...plans.fingertip import Plan, Segment
 
 MOST = 8  # moments of a picture
-LONG = 0.45  # part of the way of a segment whose middle is shown too
+LONG = 0.45  # share of the motion above which a segment's middle is drawn too
 
 
 @dataclass(frozen=True)
 class Moment:
-    """The object and its n fingers at one instant.
+    """The object and its n fingers at one moment.
 
     Attributes
     ----------
     X_WO : array [4, 4]
     centers : array [n, 3]
-        Of the fingertips' spheres, in O [m].
+        Centres of the fingertips' spheres, in O [m].
     forces : array [n, 3]
-        Nominal, on the object, in O [N].
+        Nominal forces on the object, in O [N].
     modes : list of str
-        position, force, or free while a finger is off the object.
+        position, force, or free for a finger that is off the object.
     name : str
-        Of the segment.
+        Name of the segment.
     caption : str
-        What happens.
+        Caption of the moment's picture.
     q : array [dof], optional
-        Of the robot that carries the fingers.
+        Configuration of the robot that moves the fingers [rad or m].
     X_WP : array [4, 4], optional
-        Where the plan wants the object, of a moment that was simulated.
+        Planned pose of the object, for a moment of a simulation.
     """
 
     X_WO: Matrix
@@ -51,18 +51,19 @@ class Moment:
 
     @property
     def centers_W(self) -> Matrix:  # noqa: N802
-        """[n, 3] in the world [m]."""
+        """Centres of the fingertips, [n, 3] in the world [m]."""
         return np.asarray(self.centers @ self.X_WO[:3, :3].T + self.X_WO[:3, 3])
 
     @property
     def forces_W(self) -> Matrix:  # noqa: N802
-        """[n, 3] in the world [N]."""
+        """Nominal forces, [n, 3] in the world [N]."""
         return np.asarray(self.forces @ self.X_WO[:3, :3].T)
 
 
 def at(plan: Plan, segment: Segment, row: int, X_WO: Matrix | None = None) -> Moment:
-    """A row of a segment, at another pose of the object where one is given; fingers that are off
-    the object have NaN for centres.
+    """Returns the moment of a segment's row, at another pose of the object if one is given.
+
+    Fingers that are off the object have NaN as centres.
     """
     radius = plan.task.problem.fingers.radius
     touches = segment.touches[row]
@@ -80,14 +81,14 @@ def at(plan: Plan, segment: Segment, row: int, X_WO: Matrix | None = None) -> Mo
 
 
 def start_of(plan: Plan) -> Moment:
-    """The object where it starts, without fingers: of a plan without motion."""
+    """Returns the start of a plan without motion: the object without fingers."""
     motion = plan.task.problem.motion
     X_WO = motion.X_WO[0] if hasattr(motion, "X_WO") else motion.X_WO_start
     return Moment(np.asarray(X_WO), np.empty((0, 3)), np.empty((0, 3)), [], "start", "start")
 
 
 def moments(plan: Plan) -> list[Moment]:
-    """The start, before and after each change of grip, the middle of long ways, and the goal."""
+    """Returns the start, both sides of each regrasp, the middle of long motions, and the goal."""
     moving = [segment for segment in plan.segments if segment.name != "regrasp" and len(segment)]
     if not moving:
         return [start_of(plan)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan as one picture: the object at its steps, and the stability along the way."""
+"""Picture of a fingertip plan: the object at some moments, and its stability along the motion."""
 
 from __future__ import annotations
 
@@ -30,14 +30,15 @@ if TYPE_CHECKING:
 ACROSS = 5  # panels in a row
 WIDTH = 15.0  # of the figure [inches]
 HEAD, CURVES, FOOT = 0.5, 2.6, 0.55  # heights [inches]
+GAP = 0.3  # for the chart's key, below the robot [inches]
 DPI = 110
-WALLS = 0.5  # how much of what is behind is seen
-TITLE = {"pad": 2, "y": 0.96}
-HIDDEN = 0.3  # how much of a fingertip or force is seen that something hides
+WALLS = 0.5  # transparency of walls
+TITLE = {"pad": 2, "y": 0.985}
+HIDDEN = 0.3  # visibility of hidden fingertips and forces
 
 
 def draw(plan: Plan) -> bytes:
-    """The picture as the bytes of a PNG file."""
+    """Returns the picture as the bytes of a PNG file."""
     shown = moments(plan)
     across = len(shown) if len(shown) <= ACROSS else -(-len(shown) // 2)
     down = -(-len(shown) // across)
@@ -46,7 +47,7 @@ def draw(plan: Plan) -> bytes:
     rows = [tall] * down
     arm = carried.moments(plan)
     if arm:
-        rows.append(WIDTH / len(arm))
+        rows.append(WIDTH / len(arm) + GAP)
     if plan.segments:
         rows.append(CURVES)
     heights = [HEAD, *rows]
@@ -79,7 +80,7 @@ def draw(plan: Plan) -> bytes:
 
 
 class _Scene:
-    """What all panels share: the camera, the floor and the longest force."""
+    """Parts that all panels share: the camera, the floor and the largest force."""
 
     def __init__(self, task: Task, shown: Sequence[Moment], shape: tuple[int, int]) -> None:
         self.task, self.shape = task, shape
@@ -103,7 +104,7 @@ class _Scene:
         }
 
     def render(self, moment: Moment) -> Matrix:
-        """The picture of a moment; walls, and all before fingertips and forces, are glass-like."""
+        """Renders a moment; walls, and whatever hides fingertips or forces, are transparent."""
         fingers = [
             (self.tips[mode], frames.translation(center))
             for mode, center in zip(moment.modes, moment.centers_W, strict=True)
@@ -119,7 +120,7 @@ class _Scene:
         return picture
 
     def places(self, moment: Moment) -> Matrix:
-        """[n, 2] pixels of the fingertips; NaN for those that are off the object."""
+        """Returns the pixels of the fingertips, [n, 2]; NaN for those off the object."""
         return self.camera.project(moment.centers_W, *self.shape)[:, :2]
 
     def _render(self, placed: Sequence[tuple[Body, Matrix]]) -> Matrix:
@@ -127,14 +128,14 @@ class _Scene:
 
 
 def _mix(front: Matrix, back: Matrix, share: float) -> Matrix:
-    """Two pictures with opacity, over each other: `share` of the one behind."""
+    """Blends two pictures with opacity: `share` is that of the one behind."""
     opacity = (1 - share) * front[..., 3:] + share * back[..., 3:]
     color = (1 - share) * front[..., :3] * front[..., 3:] + share * back[..., :3] * back[..., 3:]
     return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
 
 
 def _draw_head(axes: Any, plan: Plan) -> None:
-    """What the plan is, and what the colours mean."""
+    """Draws the headline and the key of the colours."""
     axes.set_axis_off()
     axes.set_xlim(0, 1)
     axes.set_ylim(0, 1)
@@ -144,12 +145,12 @@ def _draw_head(axes: Any, plan: Plan) -> None:
     balls = [
         Line2D([], [], ls="", marker="o", ms=10, mfc=color, mec=INK, mew=0.6, label=label)
         for color, label in (
-            (bodies.POSITION, "position control"),
-            (bodies.FORCE, "force control"),
+            (bodies.POSITION, "fingertip in position control"),
+            (bodies.FORCE, "in force control"),
         )
     ]
     arrow = Line2D(
-        [], [], ls="-", lw=2.5, marker=">", ms=8, color=bodies.ARROW, label="nominal force"
+        [], [], ls="-", lw=2.5, marker=">", ms=8, color=bodies.ARROW, label="nominal contact force"
     )
     axes.legend(
         handles=[*balls, arrow], loc="center right", bbox_to_anchor=(1, 0.42), ncols=3,

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A fingertip plan as a replay."""
+"""Replay of a fingertip plan."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import GHOST, obstacles, robot_bodies
+from ..bodies import GHOST, OBJECT, OBSTACLE, obstacles, robot_bodies
 from ..clock import tell_pace
 from ..film_stage import apart
 from ..replay import RATE
@@ -24,11 +24,16 @@ if TYPE_CHECKING:
     from .moments import Moment
 
 WALL_OPACITY, OBJECT_OPACITY = 0.35, 0.8
-MOMENTS = 40  # that the camera looks at
+MEANINGS = {
+    "position": "fingertip in position control",
+    "force": "fingertip in force control",
+    "free": "fingertip without contact or command",
+}
+MOMENTS = 40  # moments that the camera must show
 
 
 class Stage:
-    """The scene of a film on a viser server; `show` moves what moves."""
+    """Scene of a fingertip plan on a viser server; `show` moves it to a row."""
 
     def __init__(self, server: Any, plan: Plan, recording: Recording | None = None) -> None:
         self.plan, self.task = plan, plan.task
@@ -56,7 +61,7 @@ class Stage:
         self.captions = Captions(self.layers, view, self._tell(self.shown[0]))
 
     def show(self, row: int) -> None:
-        """Moves object, fingers and robot to a moment; what stays is not sent again."""
+        """Moves object, fingers and robot to a moment; sends only what has changed."""
         row = min(max(row, 0), self.rows - 1)
         before, self.row = self.row, row
         moment, last = self.shown[row], self.shown[max(before, 0)]
@@ -80,13 +85,17 @@ class Stage:
         return f"{moment.name}: {off}{tell_pace(self.pace)}"
 
     def _add_object(self) -> None:
-        """The object, where it shall be, and its corners on floor and walls."""
+        """Adds the object, its goal, and its contacts with floor and walls."""
         thing, first = bodies.object_body(self.task), self.shown[0]
         self.thing = self.layers.add_body(thing, first.X_WO, OBJECT_OPACITY)
+        self.layers.explain(OBJECT, self.task.problem.object.name)
         if first.X_WP is not None:
             self.ghost = self._add_outline("planned", first.X_WP)
+            self.layers.explain(GHOST, "where the plan puts it")
         elif self.plan.segments:
             self._add_outline("goal", self.plan.segments[-1].X_WO[-1])
+            self.layers.explain(GHOST, "goal")
+        self.layers.explain(bodies.CONTACT, "contacts with floor and walls")
         self.touching: Matrix = bodies.supported(self.task, first.X_WO)
         self.layers.add("contacts")
         self.contacts = self.layers.scene.add_point_cloud(
@@ -99,7 +108,7 @@ class Stage:
         )
 
     def _add_outline(self, name: str, X_WP: Matrix) -> Any:
-        """A layer with the object's edges: glass within the glass-like object would flicker."""
+        """Adds a layer with the object's edges: a second transparent body would flicker."""
         frame = self.layers.add(name, X_WP)
         edges = bodies.edges(self.task)
         width = 0.004 * self.task.problem.object.size
@@ -112,17 +121,18 @@ class Stage:
             self.contacts.points = self.touching = touching
 
     def _add_surroundings(self, points: Matrix) -> list[Matrix]:
-        """Floor, walls and obstacles; returns the floor's corners."""
+        """Adds floor, walls and obstacles; returns the floor's corners."""
         floor = bodies.floor_body(self.task, points)
         if floor.parts:
             self.layers.add_body(floor, np.eye(4))
         walls = [(wall, np.eye(4)) for wall in bodies.wall_bodies(self.task, points)]
         self.layers.add_bodies("walls", walls, WALL_OPACITY)
-        self.layers.add_bodies("obstacles", obstacles(self.task))
+        if self.layers.add_bodies("obstacles", obstacles(self.task)):
+            self.layers.explain(OBSTACLE, "obstacles")
         return [part.vertices for part in floor.parts]
 
     def _add_fingers(self) -> None:
-        """A frame a finger, with a ball of each colour in it, and the arrows of all."""
+        """Adds a frame per finger with a ball of each colour, and the arrows of all fingers."""
         radius, scene = self.task.problem.fingers.radius, self.layers.scene
         count = len(self.shown[0].modes)
         if not count:
@@ -137,7 +147,12 @@ class Stage:
                 for mode, color in bodies.MODES.items()
             }
             self.fingers.append((frame, balls))
+        shown = {mode for moment in self.shown for mode in moment.modes}
+        for mode, meaning in MEANINGS.items():
+            if mode in shown:
+                self.layers.explain(bodies.MODES[mode], meaning)
         if self.largest > 1e-6:
+            self.layers.explain(bodies.ARROW, "nominal contact force")
             self._add_forces(count, min(0.018 * self.task.problem.object.size, 0.4 * radius))
 
     def _add_forces(self, count: int, width: float) -> None:

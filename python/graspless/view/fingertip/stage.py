@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where to look from, and how much of the floor to show."""
+"""The camera, and the points that it must show."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from .moments import Moment
 
 ELEVATION = 0.42  # [rad]
-ALONG = 0.45  # cosine of the angle to the motion: from the side, and a little from the front
+ALONG = 0.45  # cosine of the view's angle to the motion: from the side, slightly from the front
 
 
 def swept(task: Task, moments: Sequence[Moment]) -> Matrix:
-    """[N, 3] corners of the object and its fingertips at the moments, in the world."""
+    """Returns corners of object and fingertips at the moments, [N, 3] in the world."""
     hull, radius = np.asarray(task.problem.object.hull), task.problem.fingers.radius
     points = [hull @ m.X_WO[:3, :3].T + m.X_WO[:3, 3] for m in moments]
     around = radius * np.concatenate([np.eye(3), -np.eye(3)])
@@ -33,15 +33,15 @@ def swept(task: Task, moments: Sequence[Moment]) -> Matrix:
 
 
 def camera(task: Task, moments: Sequence[Moment], points: Matrix, shape: tuple[int, int]) -> Camera:
-    """From the side that sees the motion and most of the fingertips, and no wall from behind.
+    """Places the camera where it sees the motion and most fingertips, and no wall from behind.
 
     Parameters
     ----------
     task : Task
     moments : sequence of Moment
-        To look at.
+        Moments to show.
     points : array [N, 3]
-        What must be in the picture, in the world [m].
+        Points that the picture must contain, in the world [m].
     shape : tuple of int
         Width and height of the picture.
     """
@@ -60,7 +60,7 @@ def camera(task: Task, moments: Sequence[Moment], points: Matrix, shape: tuple[i
 
 
 def _score(task: Task, moments: Sequence[Moment], toward: Matrix) -> float:
-    """How well a side shows the plan."""
+    """Returns how well a direction shows the plan; higher is better."""
     seen = 0.0
     for moment in moments:
         middle = moment.X_WO[:3, :3] @ np.asarray(task.problem.object.com) + moment.X_WO[:3, 3]
@@ -71,7 +71,7 @@ def _score(task: Task, moments: Sequence[Moment], toward: Matrix) -> float:
     seen /= max(1, sum(len(moment.modes) for moment in moments))
     walls = [np.asarray(plane.n_W) @ toward for plane in task.problem.planes[1:]]
     hidden = sum(1.0 for facing in walls if facing < 0.1)
-    way = moments[-1].X_WO[:3, 3] - moments[0].X_WO[:3, 3]
-    length = float(np.linalg.norm(way[:2]))
-    along = abs(float(way[:2] @ toward[:2])) / length if length > 1e-9 else ALONG
+    motion = moments[-1].X_WO[:3, 3] - moments[0].X_WO[:3, 3]
+    length = float(np.linalg.norm(motion[:2]))
+    along = abs(float(motion[:2] @ toward[:2])) / length if length > 1e-9 else ALONG
     return 1.6 * seen - 1.5 * hidden - 1.2 * abs(along - ALONG)

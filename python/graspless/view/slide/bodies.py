@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table, the thin object and the way of the fingertip on it."""
+"""Bodies of a slide: the table, the thin object, and the path of the fingertip."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ CONTACT_RADIUS = 0.012  # [m]
 
 
 def table_body(task: Task) -> Body:
-    """The support, in S."""
+    """Returns the support, in S."""
     support = task.problem.support
     return Body("table", [prism(support.polygon, -support.slab, 0.0, TABLE)], is_flat=True)
 
 
 def object_body(task: Task) -> Body:
-    """The object, in O."""
+    """Returns the object, in O."""
     thing = task.problem.object
     return Body("object", [prism(thing.outline, 0.0, thing.thickness, OBJECT)], is_flat=True)
 
 
 def prism(outline: geometry.Polygon, bottom: float, top: float, color: Color) -> Part:
-    """A polygon between two heights [m]."""
+    """Returns the prism over a polygon between two heights [m]."""
     vertices: list[Any] = []
     triangles: list[list[int]] = []
 
@@ -55,7 +55,7 @@ def prism(outline: geometry.Polygon, bottom: float, top: float, color: Color) ->
 
 
 def trail_body(shown: Film) -> Body:
-    """The way of the fingertip while it slides, a ribbon just above the object, in the world."""
+    """Returns the fingertip's path of the slide as a ribbon just above the object, in the world."""
     rows = shown.rows("slide")
     problem = shown.plan.task.problem
     X_WS = np.asarray(problem.support.X_WS)
@@ -65,9 +65,9 @@ def trail_body(shown: Film) -> Body:
     tips = tips[np.concatenate([[True], steps > 1e-9])] if len(tips) else tips
     if len(tips) < 2:
         return Body("trail")
-    way = np.gradient(tips[:, :2], axis=0)
-    way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-12)
-    across = np.column_stack([-way[:, 1], way[:, 0], np.zeros(len(way))]) * TRAIL_WIDTH / 2
+    along = np.gradient(tips[:, :2], axis=0)
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    across = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(along))]) * TRAIL_WIDTH / 2
     middle = np.column_stack([tips[:, :2], np.full(len(tips), problem.object.thickness + 0.002)])
     ribbon = np.concatenate([middle + across, middle - across])
     n = len(tips)
@@ -79,9 +79,9 @@ def trail_body(shown: Film) -> Body:
 
 
 def contact_body(shown: Film) -> Body:
-    """A ring around the place that the fingertip presses, in O.
+    """Returns a ring around the contact point, in O.
 
-    There the tip meets the object; the effective tip, which carries it, stays there until the lift.
+    There the tip first touches the object, and the effective tip stays there until the lift.
     """
     rows = shown.rows("press")
     problem = shown.plan.task.problem

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A slide in time."""
+"""A slide over time."""
 
 from __future__ import annotations
 
@@ -16,8 +16,6 @@ SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3} 
 
 
 def film(plan: Plan, recording: Recording | None = None) -> films.Film:
-    """The plan's rows at a pace for watching, or what was recorded; a plan without motion shows the
-    start.
-    """
+    """Returns a recording, or the plan's rows at a speed for watching, or else the start."""
     problem = plan.task.problem
     return films.film(plan, recording, problem.q_home, problem.X_WO_start, SPEEDS)

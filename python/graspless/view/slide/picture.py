@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plan as one picture: the slide from above, and the robot at four moments of it."""
+"""Picture of a slide: from above, and the robot at four moments."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from .. import raster
 from ..bodies import OBJECT, obstacles
@@ -20,15 +22,20 @@ if TYPE_CHECKING:
     from ..film import Film
 
 TRAIL = (0.78, 0.10, 0.32)
+TABLE, BAND, BAND_EDGE = "#e6d9c3", "#f1e8da", "#b8a88c"
+OUTLINE = "#8a5a00"
+EDGE = "#1f6f4a"
+OBSTACLE = "#7f93ab"
 PANEL = (560, 350)  # pixels
+LETTER = 0.62  # width of a letter over its height, at most
 
 
 def draw(plan: Plan) -> bytes:
-    """The picture as the bytes of a PNG file."""
+    """Returns the picture as the bytes of a PNG file."""
     shown = film(plan)
     figure = new_figure(15, 6.5)
     grid = figure.add_gridspec(
-        2, 3, width_ratios=[1.1, 1, 1], left=0.045, right=0.99, bottom=0.07, top=0.89,
+        2, 3, width_ratios=[1.1, 1, 1], left=0.045, right=0.99, bottom=0.155, top=0.88,
         wspace=0.05, hspace=0.1,
     )  # fmt: skip
     _draw_slide(figure.add_subplot(grid[:, 0]), shown)
@@ -39,6 +46,7 @@ def draw(plan: Plan) -> bytes:
         axes = figure.add_subplot(grid[:, 1:] if alone else grid[k // 2, 1 + k % 2])
         picture = raster.render(stage.placed(shown, row), camera, *PANEL)
         draw_panel(axes, picture, caption, pad=3)
+    _draw_key(figure, shown)
     figure.suptitle(_headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
     return as_png(figure)
 
@@ -52,23 +60,49 @@ def _headline(plan: Plan) -> str:
     return f"{robot} slides the {name} {distance * 100:.0f} cm to the edge and grasps it there"
 
 
+def _draw_key(figure: Any, shown: Film) -> None:
+    """Explains every line, area and mark."""
+    first, last = (Patch(fc=OBJECT, alpha=alpha) for alpha in (0.16, 0.95))
+    handles: dict[str, Any] = {
+        "object at the start": (first, Line2D([], [], color=OUTLINE, ls="--", lw=1.4)),
+        "object in between": Patch(fc=(*OBJECT, 0.16), ec=OUTLINE, lw=0.5),
+        "object at the end": (last, Line2D([], [], color=OUTLINE, lw=1.4)),
+        "centre of mass": Line2D([], [], ls=":", color=INK, lw=1, marker="o", mfc="w", mec=INK),
+        "fingertip": Line2D([], [], color=TRAIL, lw=2.4),
+        "goal band of the fingertip": Patch(fc=BAND, ec=BAND_EDGE),
+        "edge for the grasp, overhang": Line2D([], [], color=EDGE, lw=3),
+        "obstacle": Patch(fc=OBSTACLE, ec=INK),
+        "robot's base": Line2D([], [], ls="", marker="s", ms=10, color="#9aa0a6", mec=INK),
+    }
+    if not shown.plan:
+        for name in ("in between", "at the end"):
+            del handles[f"object {name}"]
+        del handles["fingertip"], handles["edge for the grasp, overhang"]
+    if not shown.plan.task.fields.obstacles:
+        del handles["obstacle"]
+    figure.legend(
+        list(handles.values()), list(handles), loc="lower left", bbox_to_anchor=(0.035, 0.0),
+        ncols=5, fontsize=9.5, frameon=False, columnspacing=2.2,
+    )  # fmt: skip
+
+
 def _draw_slide(axes: Any, shown: Film) -> None:
-    """The slide seen from above, in S."""
+    """Draws the slide from above, in S."""
     task = shown.plan.task
     support, thing = task.problem.support, task.problem.object
     X_SW = np.linalg.inv(np.asarray(support.X_WS))
     table = np.asarray(support.polygon.vertices)
     axes.set_aspect("equal")
-    _fill(axes, table, facecolor="#f1e8da", edgecolor=INK, linewidth=1.6, zorder=1)
+    _fill(axes, table, facecolor=BAND, edgecolor=INK, linewidth=1.6, zorder=1)
     for core in getattr(support.goal_band, "core", []):
         ring = np.asarray(core.vertices)
-        _fill(axes, ring, facecolor="#e6d9c3", edgecolor="#b8a88c", linewidth=0.8, zorder=2)
+        _fill(axes, ring, facecolor=TABLE, edgecolor=BAND_EDGE, linewidth=0.8, zorder=2)
+    rings: dict[str, Matrix] = {}
     for body, X_WB in obstacles(task):
         points = body.parts[0].vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
         ring = _hull((points @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2])
-        _fill(axes, ring, facecolor="#7f93ab", edgecolor=INK, linewidth=0.8, zorder=3)
-        center = ring.mean(axis=0)
-        axes.annotate(body.name, center, ha="center", va="center", fontsize=8, zorder=9, color="w")
+        _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=3)
+        rings[body.name] = ring
     outline = np.asarray(thing.outline.vertices)
     poses = [X_SW @ X_WO for X_WO in _along(shown)]
     for k, X_SO in enumerate(poses):
@@ -77,19 +111,41 @@ def _draw_slide(axes: Any, shown: Film) -> None:
         axes.fill(*ring.T, color=OBJECT, alpha=0.95 if last else 0.16, zorder=4, lw=0)
         style = "--" if first else "-"
         width = 1.4 if first or last else 0.5
-        axes.plot(*np.vstack([ring, ring[:1]]).T, style, color="#8a5a00", lw=width, zorder=5)
+        axes.plot(*np.vstack([ring, ring[:1]]).T, style, color=OUTLINE, lw=width, zorder=5)
     com = np.array([(X @ [*np.asarray(thing.com), 1.0])[:2] for X in poses])
     axes.plot(*com.T, ":", color=INK, lw=1, zorder=6)
     axes.plot(*com[-1], "o", ms=9, mfc="w", mec=INK, zorder=7)
-    axes.plot(*com[-1], "+", ms=9, color=INK, zorder=8, label="centre of mass")
+    axes.plot(*com[-1], "+", ms=9, color=INK, zorder=8)
     _draw_trail(axes, shown, X_SW)
     if shown.plan:
         _draw_overhang(axes, shown, outline, poses[-1])
     base = X_SW @ np.append(shown.link_poses[0, 0, :3, 3], 1)
-    axes.plot(*base[:2], "s", ms=11, color="#9aa0a6", mec=INK, zorder=3, label="robot's base")
-    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), fontsize=9, frameon=False, ncols=3)
+    axes.plot(*base[:2], "s", ms=11, color="#9aa0a6", mec=INK, zorder=3)
     ends = outline @ poses[-1][:2, :2].T + poses[-1][:2, 3]
     _frame(axes, np.vstack([table, base[None, :2], ends]))
+    _name_obstacles(axes, rings)
+
+
+def _name_obstacles(axes: Any, rings: dict[str, Matrix]) -> None:
+    """Writes each obstacle's name into it, or beside it if it is too small."""
+    size = 8.0  # [points]
+    axes.apply_aspect()
+    for name, ring in rings.items():
+        width, height = 72 / axes.figure.dpi * np.ptp(axes.transData.transform(ring), axis=0)
+        center, low = (ring.min(axis=0) + ring.max(axis=0)) / 2, ring.min(axis=0)
+        fits = LETTER * size * len(name) < 0.8 * width and 1.5 * size < height and _is_wide(ring)
+        axes.annotate(
+            name, center if fits else (center[0], low[1]), (0, 0) if fits else (0, -3),
+            textcoords="offset points", ha="center", va="center" if fits else "top", fontsize=size,
+            zorder=9, color="w" if fits else INK,
+        )  # fmt: skip
+
+
+def _is_wide(ring: Matrix) -> bool:
+    """True unless an outline is a bar, which fills little of the box around it."""
+    x, y = ring.T
+    area = abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
+    return area > 0.5 * float(np.prod(np.ptp(ring, axis=0)))
 
 
 def _frame(axes: Any, points: Matrix) -> None:
@@ -110,7 +166,7 @@ def _draw_trail(axes: Any, shown: Film, X_SW: Matrix) -> None:
         return
     tips = shown.frame(shown.plan.task.problem.hand.fingertip)[rows, :3, 3]
     tips = (tips @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2]
-    axes.plot(*tips.T, color=TRAIL, lw=2.4, zorder=10, label="fingertip")
+    axes.plot(*tips.T, color=TRAIL, lw=2.4, zorder=10)
     axes.plot(*tips[0], "o", ms=6, color=TRAIL, zorder=10)
     far = np.flatnonzero(np.linalg.norm(tips - tips[-1], axis=1) > 0.025)
     back = far[-1] if len(far) else 0
@@ -119,7 +175,7 @@ def _draw_trail(axes: Any, shown: Film, X_SW: Matrix) -> None:
 
 
 def _draw_overhang(axes: Any, shown: Film, outline: Matrix, X_SO: Matrix) -> None:
-    """An arrow from the edge to the part of the object that sticks out furthest."""
+    """Draws an arrow from the edge to the point of the object that sticks out farthest."""
     ring = outline @ X_SO[:2, :2].T + X_SO[:2, 3]
     polygon = shown.plan.task.problem.support.polygon
     edge = polygon.nearest_edge(X_SO[:2, 3])
@@ -128,26 +184,26 @@ def _draw_overhang(axes: Any, shown: Film, outline: Matrix, X_SO: Matrix) -> Non
     tip = ring[depth.argmin()]
     foot = tip - inward * depth.min()
     along = np.stack([np.asarray(edge.a), np.asarray(edge.b)])
-    axes.plot(*along.T, color="#1f6f4a", lw=3, zorder=3, solid_capstyle="butt")
-    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": "#1f6f4a", "lw": 1.2}
+    axes.plot(*along.T, color=EDGE, lw=3, zorder=3, solid_capstyle="butt")
+    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": EDGE, "lw": 1.2}
     arrow |= {"shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
     axes.annotate("", tip, foot, arrowprops=arrow, zorder=11)
-    # Beside the tip, on the outside, whichever way that is on the page.
+    # Beyond the tip, whichever direction that is on the page.
     side = {-1: "left", 0: "center", 1: "right"}[round(float(inward[0]))]
     rise = {-1: "bottom", 0: "center", 1: "top"}[round(float(inward[1]))]
     axes.annotate(
         f"overhang {shown.plan.overhang * 100:.1f} cm", tip, -6 * inward, fontsize=9,
-        textcoords="offset points", color="#1f6f4a", ha=side, va=rise, zorder=11,
+        textcoords="offset points", color=EDGE, ha=side, va=rise, zorder=11,
     )  # fmt: skip
 
 
 def _along(shown: Film) -> list[Matrix]:
-    """Up to seven poses of the object, evenly along its way."""
+    """Returns up to seven poses of the object, evenly spaced along its path."""
     rows = shown.rows("slide")
     if len(rows) < 2:
         return [shown.object_poses[-1]]
-    way = np.linalg.norm(np.diff(shown.object_poses[rows, :3, 3], axis=0), axis=1)
-    length = np.concatenate([[0.0], np.cumsum(way)])
+    steps = np.linalg.norm(np.diff(shown.object_poses[rows, :3, 3], axis=0), axis=1)
+    length = np.concatenate([[0.0], np.cumsum(steps)])
     wanted = np.linspace(0, length[-1], 7)
     return [shown.object_poses[rows[i]] for i in np.searchsorted(length, wanted - 1e-12)]
 
@@ -157,7 +213,7 @@ def _fill(axes: Any, ring: Matrix, **style: Any) -> None:
 
 
 def _hull(points: Matrix) -> Matrix:
-    """The convex hull of points in the plane (monotone chain)."""
+    """Returns the convex hull of points in the plane (monotone chain)."""
     ordered = sorted(map(tuple, points.tolist()))
 
     def half(some: list[Any]) -> list[Any]:

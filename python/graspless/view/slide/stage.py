@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a picture and a replay share: the moments worth drawing, and where to look from."""
+"""Parts that picture and replay share: the moments to draw, and the camera."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
 MOMENTS = {
     "press": "1  press",
     "slide": "2  slide to the edge",
-    "reach": "3  come round",
+    "reach": "3  reach for the edge",
     "close": "4  grasp",
 }
 
 
 def moments(shown: Film) -> list[tuple[int, str]]:
-    """Rows to draw the robot at, with what happens there."""
+    """Returns rows to draw the robot at, with captions."""
     rows = [
         (int(shown.rows(name)[-1]), caption)
         for name, caption in MOMENTS.items()
@@ -38,7 +38,7 @@ def moments(shown: Film) -> list[tuple[int, str]]:
 
 
 def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
-    """Every body with its pose in the world at a row."""
+    """Returns every body with its pose in the world at a row."""
     task = shown.plan.task
     found = [
         (bodies.table_body(task), np.asarray(task.problem.support.X_WS)),
@@ -51,13 +51,13 @@ def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
 
 
 def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = None) -> Camera:
-    """From beyond the edge where the object goes, so that the grasp is seen, and beside the robot.
+    """Places the camera beside the robot and beyond the edge, so that the grasp is visible.
 
     Parameters
     ----------
     shown : Film
     width, height : int
-        Of the picture that all the rows must fit in.
+        Size of the picture, in which all the rows must fit [pixels].
     rows : sequence of int, optional
         Default: those of `moments`.
     """
@@ -72,7 +72,7 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     aside = np.array([-ahead[1], ahead[0], 0.0])
     aside *= 1 if outward @ aside >= 0 else -1
     outward /= max(np.linalg.norm(outward), 1e-6)
-    # Never from behind the robot: its shoulder would hide everything.
+    # Never from behind the robot, whose shoulder would hide everything.
     direction = aside + 0.45 * outward + max(0.35, outward @ ahead) * ahead
     direction /= np.linalg.norm(direction)
     direction[2] = 0.62
@@ -82,7 +82,7 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
 
 
 def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
-    """[N, 3] vertices of all bodies at the rows, in the world."""
+    """Returns the vertices of all bodies at the rows, [N, 3] in the world."""
     links = robot(shown.plan.task)
     thing = bodies.object_body(shown.plan.task)
     moving = [
