@@ -26,6 +26,12 @@ LAYERS = {
     },
 }  # fmt: skip
 
+LEGENDS = {
+    "slide": ["goal of the slide", "path of the fingertip", "contact of the fingertip"],
+    "fingertip": ["goal", "contacts with floor and walls", "in force control", "contact force"],
+    "clasp": ["clasped loop", "target", "point cloud", "search tree", "finger curves", "chords"],
+}
+
 
 @pytest.fixture(scope="module", params=TASKS)
 def plan(request):
@@ -55,6 +61,13 @@ def test_every_layer_is_first_in_the_scene_tree(plan, tmp_path):
     named = {m["name"] for _, m in found["messages"] if "name" in m}
     top = {name.split("/")[1] for name in named if name.startswith("/")}
     assert top - {"WorldAxes"} == LAYERS[plan.kind]
+
+
+def test_legend_explains_the_colours(plan, tmp_path):
+    view.write_html(plan, tmp_path / "a.html")
+    _, _, legend = (tmp_path / "a.html").read_text().rpartition('<div id="legend"')
+    for meaning in [plan.task.problem.object.name, *LEGENDS[plan.kind]]:
+        assert meaning in legend
 
 
 def test_layer_hides_what_is_in_it(plan):
