@@ -8,7 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "clasp/controller.hpp"
+#include "clasp/search/controller.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -13,7 +13,7 @@
 #include "graspless/geometry/sampling.hpp"
 
 #include "clasp/close.hpp"
-#include "clasp/stability_tester.hpp"
+#include "clasp/stability/tester.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -515,9 +515,9 @@ void bind_sampling(py::module_& m) {
       "spacing", [](const Array& points) { return spacing(to_points3(points, "points")); },
       py::arg("points"), "The median distance from a point to its nearest other point [m].");
   m.def(
-      "thin",
+      "downsample",
       [](const Array& points, double cell) {
-        return to_array(thin(to_points3(points, "points"), cell));
+        return to_array(downsample(to_points3(points, "points"), cell));
       },
       py::arg("points"), py::arg("cell"),
       "Indices of one point (N, 3) a cubic cell of side `cell` [m]; ascending.");

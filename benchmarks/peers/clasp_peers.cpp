@@ -11,8 +11,8 @@
 #include "graspless/geometry/sampling.hpp"
 
 #include "clasp/close.hpp"
-#include "clasp/free_space.hpp"
-#include "clasp/kinematics.hpp"
+#include "clasp/free_space/free_space.hpp"
+#include "clasp/hand/kinematics.hpp"
 #include "grasp_quality.hpp"
 
 namespace graspless::benchmarks {

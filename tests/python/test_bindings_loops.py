@@ -187,6 +187,6 @@ def test_clouds_of_known_bodies():
     assert cloud[seen, 1].min() > -0.09
     step = geometry.spacing(cloud)
     assert 0.01 < step < 0.05
-    kept = geometry.thin(cloud, 3 * step)
+    kept = geometry.downsample(cloud, 3 * step)
     assert len(kept) < 250
     assert (np.diff(kept) > 0).all()

@@ -8,7 +8,7 @@
 
 #include "clasp/close.hpp"
 #include "clasp/parameters.hpp"
-#include "clasp/tasks.hpp"
+#include "clasp/search/tasks.hpp"
 
 namespace graspless::clasp {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "clasp/loop_search.hpp"
+#include "clasp/search/loop_search.hpp"
 #include "clasp/query.hpp"
 
 namespace graspless::clasp {

@@ -8,7 +8,7 @@
 
 #include "graspless/clasp/hand.hpp"
 
-#include "clasp/free_space.hpp"
+#include "clasp/free_space/free_space.hpp"
 
 namespace graspless::clasp {
 

@@ -7,7 +7,7 @@
 
 #include "graspless/geometry/shape.hpp"
 
-#include "clasp/kinematics.hpp"
+#include "clasp/hand/kinematics.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -4,9 +4,9 @@
 // The planner of Section IV: which loops and places to clasp, a task-space RRT for each loop, the
 // closing of the fingers, the stability test.
 #include "clasp/assemble.hpp"
-#include "clasp/loop_search.hpp"
+#include "clasp/search/loop_search.hpp"
 #include "clasp/query.hpp"
-#include "clasp/targets.hpp"
+#include "clasp/search/targets.hpp"
 
 namespace graspless::clasp {
 namespace {

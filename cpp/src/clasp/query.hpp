@@ -9,8 +9,8 @@
 #include "graspless/clasp/clasp.hpp"
 #include "graspless/planning/path.hpp"
 
-#include "clasp/free_space.hpp"
-#include "clasp/stability_tester.hpp"
+#include "clasp/free_space/free_space.hpp"
+#include "clasp/stability/tester.hpp"
 
 namespace graspless::clasp {
 

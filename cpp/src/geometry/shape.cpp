@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/shape.hpp"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include <Eigen/Eigenvalues>
+
+#include "geometry/require_points.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -22,16 +25,6 @@ void require_length(double value, const std::string& what) {
   std::ostringstream fault;
   fault << "must be in (0, " << kMaxLength << "] m, not " << value;
   refuse(what, fault.str());
-}
-
-void require_coordinates(const Eigen::Matrix3Xd& vertices, const std::string& what) {
-  for (Eigen::Index i = 0; i < vertices.cols(); ++i) {
-    if ((vertices.col(i).array().abs() <= kMaxLength).all()) continue;
-    std::ostringstream fault;
-    fault << "must be within " << kMaxLength << " m of the origin, but column " << i << " is ("
-          << vertices.col(i).transpose() << ")";
-    refuse(what, fault.str());
-  }
 }
 
 /// Whether the points span a volume: their smallest extent in any direction against their largest.
@@ -66,7 +59,7 @@ void check(const Convex& convex, const std::string& what) {
     refuse(what + ".vertices",
            "must be four points or more, not " + std::to_string(convex.vertices.cols()));
   }
-  require_coordinates(convex.vertices, what + ".vertices");
+  require_points(convex.vertices, what + ".vertices");
   if (!spans_volume(convex.vertices)) {
     refuse(what + ".vertices", "must span a volume, but lie in a plane");
   }
@@ -75,7 +68,7 @@ void check(const Convex& convex, const std::string& what) {
 void check(const Mesh& mesh, const std::string& what) {
   const Eigen::Index count = mesh.vertices.cols();
   if (mesh.triangles.cols() == 0) refuse(what + ".triangles", "must not be empty");
-  require_coordinates(mesh.vertices, what + ".vertices");
+  require_points(mesh.vertices, what + ".vertices");
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
     const auto triangle = mesh.triangles.col(i);
     if (triangle.minCoeff() >= 0 && triangle.maxCoeff() < count) continue;
@@ -86,10 +79,24 @@ void check(const Mesh& mesh, const std::string& what) {
   }
 }
 
+struct Extent {
+  Eigen::Vector3d d;  // in the shape's frame
+  double operator()(const Box& box) const { return d.cwiseAbs().dot(box.size) / 2; }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Capsule& c) const { return c.radius + std::abs(d.z()) * c.length / 2; }
+  double operator()(const Convex& hull) const { return (d.transpose() * hull.vertices).maxCoeff(); }
+  double operator()(const Mesh& mesh) const { return (d.transpose() * mesh.vertices).maxCoeff(); }
+};
+
 }  // namespace
 
 void validate(const Shape& shape, const std::string& what) {
   std::visit([&](const auto& kind) { check(kind, what); }, shape);
+}
+
+double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B) {
+  const Eigen::Vector3d direction_G = placed.X_BG.linear().transpose() * direction_B;
+  return direction_B.dot(placed.X_BG.translation()) + std::visit(Extent{direction_G}, placed.shape);
 }
 
 }  // namespace graspless::geometry

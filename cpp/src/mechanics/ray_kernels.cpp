@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/wide.hpp"
-
-#define GRASPLESS_INLINE inline __attribute__((always_inline))
+#include "geometry/simd.hpp"
 
 namespace graspless::mechanics::kernels {
 namespace {
@@ -85,19 +83,19 @@ GRASPLESS_INLINE void slacks_of(const Inverse& X, const double* origin, double z
 
 }  // namespace
 
-GRASPLESS_WIDE void multiply(const Inverse& X, const double* b, double* values) {
+GRASPLESS_SIMD void multiply(const Inverse& X, const double* b, double* values) {
   X.K == 8 ? multiply_by<8>(X.columns, b, values) : multiply_by<12>(X.columns, b, values);
 }
 
-GRASPLESS_WIDE int most_against(const Inverse& X, const double* b, double allowed) {
+GRASPLESS_SIMD int most_against(const Inverse& X, const double* b, double allowed) {
   return X.K == 8 ? most_against_of<8>(X, b, allowed) : most_against_of<12>(X, b, allowed);
 }
 
-GRASPLESS_WIDE void exchange(const Inverse& X, const double* entering, int r) {
+GRASPLESS_SIMD void exchange(const Inverse& X, const double* entering, int r) {
   X.K == 8 ? exchange_in<8>(X, entering, r) : exchange_in<12>(X, entering, r);
 }
 
-GRASPLESS_WIDE int least_price(const double* rho, const double* blocks, const int* finger_row,
+GRASPLESS_SIMD int least_price(const double* rho, const double* blocks, const int* finger_row,
                                int count, double below) {
   double least[kLanes], found[kLanes];
   for (int j = 0; j < kLanes; ++j) {
@@ -127,7 +125,7 @@ GRASPLESS_WIDE int least_price(const double* rho, const double* blocks, const in
   return best;
 }
 
-GRASPLESS_WIDE void slacks(const Inverse& X, const double* origin, double z, const double* blocks,
+GRASPLESS_SIMD void slacks(const Inverse& X, const double* origin, double z, const double* blocks,
                            int count, double* slack) {
   X.K == 8 ? slacks_of<8>(X, origin, z, blocks, count, slack)
            : slacks_of<12>(X, origin, z, blocks, count, slack);

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "clasp/kinematics.hpp"
-#include "hands.hpp"
-#include "ring_problem.hpp"
+#include "clasp/hand/kinematics.hpp"
+#include "clasp/hands.hpp"
+#include "clasp/ring_problem.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -5,10 +5,10 @@
 #include "graspless/clasp/clasp.hpp"
 #include "graspless/geometry/linking.hpp"
 
-#include "clasp/free_space.hpp"
-#include "clasp/kinematics.hpp"
+#include "clasp/free_space/free_space.hpp"
+#include "clasp/hand/kinematics.hpp"
 #include "complaint.hpp"
-#include "ring_problem.hpp"
+#include "clasp/ring_problem.hpp"
 
 namespace graspless::clasp {
 namespace {

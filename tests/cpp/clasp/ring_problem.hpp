@@ -8,7 +8,7 @@
 
 #include "graspless/clasp/clasp.hpp"
 
-#include "hands.hpp"
+#include "clasp/hands.hpp"
 
 namespace graspless::clasp {
 

@@ -11,7 +11,7 @@
 
 #include "graspless/geometry/loops.hpp"
 
-#include "clasp/kinematics.hpp"
+#include "clasp/hand/kinematics.hpp"
 
 namespace graspless::clasp {
 

@@ -32,6 +32,6 @@ GRASPLESS_API double spacing(const Eigen::Matrix3Xd& points);
 /// One point a cubic cell of side `cell` [m]: the one nearest to the mean of the cell's points.
 /// Columns kept, ascending. Throws std::invalid_argument unless the cell is positive and every
 /// point finite.
-GRASPLESS_API std::vector<int> thin(const Eigen::Matrix3Xd& points, double cell);
+GRASPLESS_API std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell);
 
 }  // namespace graspless::geometry

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "geometry/wide.hpp"
+#include "geometry/simd.hpp"
 
 namespace graspless::fingertip {
 
@@ -17,7 +17,7 @@ typedef float Eight __attribute__((vector_size(kStep * sizeof(float))));
 
 }  // namespace
 
-GRASPLESS_WIDE float least_sum(const float* const* rows, int count, int size) {
+GRASPLESS_SIMD float least_sum(const float* const* rows, int count, int size) {
   Eight least = Eight{} + kFree;
   for (int i = 0; i < size; i += kStep) {
     Eight sum, more;
@@ -36,7 +36,7 @@ GRASPLESS_WIDE float least_sum(const float* const* rows, int count, int size) {
   return all[0];
 }
 
-GRASPLESS_WIDE void greatest_of_edges(const float* edges, int count, const float* y, int stride,
+GRASPLESS_SIMD void greatest_of_edges(const float* edges, int count, const float* y, int stride,
                                       float* h) {
   Eight component[6];
   for (int c = 0; c < 6; ++c) std::memcpy(&component[c], y + c * stride, sizeof(Eight));
@@ -50,7 +50,7 @@ GRASPLESS_WIDE void greatest_of_edges(const float* edges, int count, const float
   std::memcpy(h, &most, sizeof(Eight));
 }
 
-GRASPLESS_WIDE float greatest_of_edges(const float* components, int stride, const float* y) {
+GRASPLESS_SIMD float greatest_of_edges(const float* components, int stride, const float* y) {
   Eight most = Eight{}, edges;
   for (int j = 0; j < stride; j += kStep) {
     Eight sum = Eight{};

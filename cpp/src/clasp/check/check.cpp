@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "clasp/check/checker.hpp"
+#include "scene/rows.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+/// The hand's joints, and for each the direction in which it closes: 1 or -1, 0 for one that stays.
+std::vector<std::pair<int, double>> closing_joints(const Problem& problem) {
+  const robot::Robot& robot = problem.robot;
+  const Eigen::VectorXd way = robot.state(problem.hand.closed) - robot.state(problem.hand.open);
+  std::vector<std::pair<int, double>> joints;
+  for (const int joint : robot.group(problem.hand.hand)) {
+    joints.emplace_back(joint, way[joint] > 0 ? 1.0 : way[joint] < 0 ? -1.0 : 0.0);
+  }
+  return joints;
+}
+
+}  // namespace
+
+PlanChecker::PlanChecker(const Problem& problem, const Plan& plan, const Options& options)
+    : problem_(problem), plan_(plan), options_(options), replay_(problem.robot) {
+  replay_.world().set_pose(replay_.add("object", problem.object.solid(), false), problem.X_WO);
+  for (const Obstacle& obstacle : problem.obstacles) replay_.add(obstacle);
+}
+
+Faults PlanChecker::run() {
+  if (!has_shape()) return faults_;
+  check_rows();
+  check_target();
+  for (const Segment& segment : plan_.segments) {
+    check_collisions(segment);
+    check_linking(segment);
+  }
+  check_threshold();
+  check_hand_closes();
+  check_closed_until_contact();
+  check_stability();
+  return faults_;
+}
+
+const Eigen::Matrix3Xd& PlanChecker::loop_points() const {
+  return problem_.object.loops().loops[static_cast<std::size_t>(plan_.loop)].points;
+}
+
+bool PlanChecker::has_shape() {
+  if (!plan_) {
+    fault("plan", "not solved: ", plan_.reason);
+    return false;
+  }
+  if (plan_.joint_names != problem_.robot.joint_names())
+    fault("plan", "joint names are not the robot's");
+  if (plan_.segments.size() != 2 || reach().name != "reach" || close().name != "close") {
+    fault("plan", "segments are not reach, close");
+    return false;
+  }
+  const auto& loops = problem_.object.loops().loops;
+  if (plan_.loop < 0 || plan_.loop >= static_cast<int>(loops.size()))
+    fault("plan", "loop ", plan_.loop, " is not one of the object's ", loops.size());
+  return has_sound_rows(reach()) && has_sound_rows(close()) && faults_.empty();
+}
+
+bool PlanChecker::has_sound_rows(const Segment& segment) {
+  const auto rows = static_cast<Eigen::Index>(segment.positions.size());
+  const auto curves = static_cast<Eigen::Index>(problem_.hand.fingers.size());
+  if (rows == 0 || segment.virtual_linking.rows() != curves ||
+      segment.virtual_linking.cols() != rows || !segment.virtual_linking.allFinite()) {
+    fault(segment.name, "needs rows, and for each the virtual linking of ", curves, " curves");
+    return false;
+  }
+  for (std::size_t row = 0; row < segment.positions.size(); ++row) {
+    const Eigen::VectorXd& q = segment.positions[row];
+    if (q.size() == problem_.robot.dof() && q.allFinite()) continue;
+    fault(at(segment, row), "has the wrong size or a value that is not finite");
+    return false;
+  }
+  return true;
+}
+
+void PlanChecker::check_rows() {
+  Eigen::VectorXd before = problem_.q_start;
+  if ((reach().positions[0] - before).lpNorm<Eigen::Infinity>() > kSame)
+    fault("reach row 0", "is not where the robot stands");
+  for (const Segment& segment : plan_.segments) {
+    scene::check_rows(
+        problem_.robot, before, kSame, segment.positions,
+        [&](std::size_t row, const std::string& what) { fault(at(segment, row), what); });
+    before = segment.positions.back();
+  }
+}
+
+void PlanChecker::check_collisions(const Segment& segment) {
+  std::size_t faulty_row = segment.positions.size();  // one report a row is enough
+  scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
+    const auto touching = replay_.touching(q);
+    if (touching.empty() || row == faulty_row) return;
+    faulty_row = row;
+    fault(at(segment, row), "collision ", touching.front());
+  });
+}
+
+/// While it closes, only the hand moves, and only towards its closed state.
+void PlanChecker::check_hand_closes() {
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem_.robot.dof());
+  for (const auto& [joint, sign] : closing_joints(problem_)) direction[joint] = sign;
+  for (std::size_t row = 1; row < close().positions.size(); ++row) {
+    const Eigen::VectorXd moved = close().positions[row] - close().positions[row - 1];
+    const bool closes = ((moved.array() == 0) || (moved.array() * direction.array() > 0)).all();
+    if (!closes) fault(at(close(), row), "a joint moves that does not close the hand");
+  }
+}
+
+/// At the end no joint of the hand can close by 0.01 rad more: it touches, or is closed. FCL alone
+/// passes over grazing touches of two capsules, which the world's exact distances see.
+void PlanChecker::check_closed_until_contact() {
+  const Eigen::VectorXd& closed = problem_.robot.state(problem_.hand.closed);
+  for (const auto& [joint, sign] : closing_joints(problem_)) {
+    const double left = sign * (closed[joint] - q_end()[joint]);
+    if (left < scene::kReplayStep) continue;
+    Eigen::VectorXd q = q_end();
+    q[joint] += sign * scene::kReplayStep;
+    if (replay_.touching(q).empty() && !replay_.world().collides()) {
+      fault("close", "joint ", problem_.robot.joint_names()[static_cast<std::size_t>(joint)],
+            " could close further before anything touches");
+    }
+  }
+}
+
+/// The stability test itself is the library's; beside it stands an attempt by FCL alone.
+void PlanChecker::check_stability() {
+  const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
+  if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||
+      !(std::abs(found.margin - plan_.stability.margin) <= kSame)) {
+    fault("plan", "stability is not what its test says: ", found.escapes, " escapes, margin ",
+          found.margin);
+  }
+  if (options_.must_be_secure && !found.secure) fault("plan", "the clasp is not secure");
+  if (found.secure && comes_free(problem_, plan_.loop, q_end()))
+    fault("plan", "the loop came out of the hand, though the stability test calls it secure");
+}
+
+std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
+  validate(problem);
+  validate(options);
+  return PlanChecker(problem, plan, options).run();
+}
+
+}  // namespace graspless::clasp

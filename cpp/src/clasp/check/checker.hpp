@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "graspless/clasp/clasp.hpp"
+
+#include "scene/replay.hpp"
+
+/// check(): the promises of a plan, one function each. The formulas are written anew from the
+/// paper, so that a mistake in the search's cannot hide here.
+namespace graspless::clasp {
+
+constexpr double kSame = 1e-6;  // [m, rad]
+
+using Faults = std::vector<std::string>;
+
+/// The Gauss linking integral (1) of two closed polylines, segment by segment, by the angles that a
+/// pair of segments spans (Klenin, Langowski 2000, method 1a).
+double double_integral(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
+
+/// Corners of the curve from the tip of finger i to the tip of the thumb, in W.
+Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen::VectorXd& q);
+
+/// Moves the object about the hand at q, at random, until FCL finds a touch, and says whether its
+/// loop came free: a short stability test by other means.
+bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q);
+
+/// One plan under examination.
+class PlanChecker {
+ public:
+  PlanChecker(const Problem& problem, const Plan& plan, const Options& options);
+
+  Faults run();
+
+ private:
+  template <typename... Parts>
+  void fault(const std::string& where, const Parts&... parts) {
+    std::ostringstream text;
+    text << where << ": ";
+    (text << ... << parts);
+    faults_.push_back(text.str());
+  }
+  static std::string at(const Segment& segment, std::size_t row) {
+    return segment.name + " row " + std::to_string(row);
+  }
+  const Segment& reach() const { return plan_.segments[0]; }
+  const Segment& close() const { return plan_.segments[1]; }
+  const Eigen::VectorXd& q_end() const { return close().positions.back(); }
+  const Eigen::Matrix3Xd& loop_points() const;
+
+  bool has_shape();
+  bool has_sound_rows(const Segment& segment);
+  void check_rows();
+  void check_collisions(const Segment& segment);
+  void check_target();
+  bool is_marked() const;
+  void check_tangent();
+  void check_pull();
+  void check_hand_at_target();
+  Eigen::Matrix3Xd loop_W() const;
+  void check_linking(const Segment& segment);
+  void check_threshold();
+  void check_hand_closes();
+  void check_closed_until_contact();
+  void check_stability();
+
+  const Problem& problem_;
+  const Plan& plan_;
+  const Options& options_;
+  scene::Replay replay_;
+  Faults faults_;
+};
+
+}  // namespace graspless::clasp

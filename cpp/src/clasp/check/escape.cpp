@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// check(): an attempt of its own to pull the object out of the closed hand, by FCL alone.
+#include <cmath>
+#include <random>
+
+#include "clasp/check/checker.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+constexpr int kSequences = 3, kMoves = 100, kSteps = 25;  // steps of a move, at most
+constexpr double kStep = 0.004, kTurn = 0.02;             // [m], [rad]
+
+/// The robot at q as bodies that stand still, and the object as one that moves; nothing else.
+class Tug {
+ public:
+  Tug(const Problem& problem, const Eigen::VectorXd& q) {
+    object_ = world_.add_body("object", problem.object.solid());
+    robot::Poses X_WL;
+    problem.robot.forward(q, X_WL);
+    for (const auto& shape : problem.robot.shapes()) {
+      const int body = world_.add_body(std::to_string(world_.num_bodies()), {shape.placed});
+      world_.set_pose(body, X_WL[static_cast<std::size_t>(shape.link)]);
+      world_.add_pair(object_, body);
+    }
+  }
+  bool is_free(const Eigen::Isometry3d& X_WO) {
+    world_.set_pose(object_, X_WO);
+    return !world_.collides();
+  }
+
+ private:
+  collision::World world_;
+  int object_;
+};
+
+Eigen::Vector3d random_direction(std::mt19937_64& rng) {
+  std::normal_distribution<double> normal;
+  Eigen::Vector3d v;
+  do v = {normal(rng), normal(rng), normal(rng)};
+  while (v.norm() < 1e-6);
+  return v.normalized();
+}
+
+/// A small motion in the world: along a direction, or about one through the hand's centre.
+Eigen::Isometry3d random_step(bool turns, const Eigen::Vector3d& center_W, std::mt19937_64& rng) {
+  const Eigen::Vector3d direction = random_direction(rng);
+  Eigen::Isometry3d step = Eigen::Isometry3d::Identity();
+  if (!turns) {
+    step.translation() = kStep * direction;
+    return step;
+  }
+  return Eigen::Translation3d(center_W) * Eigen::AngleAxisd(kTurn, direction) *
+         Eigen::Translation3d(-center_W);
+}
+
+struct Grip {
+  Eigen::Vector3d center_W;
+  double reach;  // of the hand's curves from there [m]
+};
+
+Grip grip(const Problem& problem, const Eigen::VectorXd& q) {
+  Eigen::Matrix3Xd nodes(3, 0);
+  for (int i = 0; i < static_cast<int>(problem.hand.fingers.size()); ++i) {
+    const Eigen::Matrix3Xd curve = curve_in_world(problem, i, q);
+    nodes.conservativeResize(3, nodes.cols() + curve.cols());
+    nodes.rightCols(curve.cols()) = curve;
+  }
+  const Eigen::Vector3d center = nodes.rowwise().mean();
+  return {center, (nodes.colwise() - center).colwise().norm().maxCoeff()};
+}
+
+}  // namespace
+
+bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q) {
+  const Eigen::Matrix3Xd& p_OL =
+      problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
+  const Grip hand = grip(problem, q);
+  // The hand's curves lie in a ball of its reach: a loop outside it is out of the hand.
+  const auto is_out = [&](const Eigen::Isometry3d& X_WO) {
+    const Eigen::Vector3d center_O = X_WO.inverse() * hand.center_W;
+    return (p_OL.colwise() - center_O).colwise().norm().minCoeff() > 1.2 * hand.reach;
+  };
+  Tug tug(problem, q);
+  std::mt19937_64 rng(20130901);
+  for (int sequence = 0; sequence < kSequences; ++sequence) {
+    Eigen::Isometry3d X_WO = problem.X_WO;
+    for (int move = 0; move < kMoves; ++move) {
+      const Eigen::Isometry3d step = random_step(move % 2 == 1, hand.center_W, rng);
+      for (int i = 0; i < kSteps && tug.is_free(step * X_WO); ++i) X_WO = step * X_WO;
+      if (is_out(X_WO)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace graspless::clasp

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/free_space/link_spheres.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <variant>
+
+#include "graspless/collision/clearance.hpp"
+
+#include "geometry/convex_hull.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Depth = std::function<double(const Eigen::Vector3d&)>;
+
+constexpr double kCapsuleExcess = 0.0001;  // of the spheres around a capsule [m]
+constexpr double kCell = 0.008;            // side of the cells that others are cut into [m]
+constexpr double kMaxCells = 600;          // about as many a shape at most
+
+double nowhere(const Eigen::Vector3d&) { return -1; }
+
+CoveredShape cover(const geometry::Sphere& sphere, MeshInside) {
+  const double radius = sphere.radius;
+  return {{{Eigen::Vector3d::Zero(), radius}},
+          [radius](const Eigen::Vector3d& p) { return radius - p.norm(); }};
+}
+
+CoveredShape cover(const geometry::Capsule& capsule, MeshInside) {
+  const double radius = capsule.radius, half = capsule.length / 2;
+  const auto gaps =
+      static_cast<int>(std::ceil(half / std::sqrt(kCapsuleExcess * (2 * radius + kCapsuleExcess))));
+  const double step = capsule.length / gaps;
+  CoveredShape shape;
+  for (int i = 0; i <= gaps; ++i) {
+    shape.spheres.push_back({{0, 0, i * step - half}, std::hypot(radius, step / 2)});
+  }
+  shape.depth = [radius, half](const Eigen::Vector3d& p) {
+    return radius - (p - Eigen::Vector3d(0, 0, std::clamp(p.z(), -half, half))).norm();
+  };
+  return shape;
+}
+
+/// Spheres around the cubes that fill the box from `low` to `high`, of those that `keep` wants.
+template <typename Keep>
+std::vector<Sphere> cells(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Keep keep) {
+  const Eigen::Vector3d size = (high - low).cwiseMax(1e-6);
+  const double side = std::max(kCell, std::cbrt(size.prod() / kMaxCells));
+  const Eigen::Vector3i count = (size / side).array().ceil().cast<int>();
+  const Eigen::Vector3d cell = size.cwiseQuotient(count.cast<double>());
+  const double radius = cell.norm() / 2;
+  std::vector<Sphere> spheres;
+  for (int x = 0; x < count.x(); ++x) {
+    for (int y = 0; y < count.y(); ++y) {
+      for (int z = 0; z < count.z(); ++z) {
+        const Eigen::Vector3d center =
+            low + cell.cwiseProduct(Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5));
+        if (keep(center, radius)) spheres.push_back({center, radius});
+      }
+    }
+  }
+  return spheres;
+}
+
+CoveredShape cover(const geometry::Box& box, MeshInside) {
+  const Eigen::Vector3d half = box.size / 2;
+  return {cells(-half, half, [](const auto&, double) { return true; }),
+          [half](const Eigen::Vector3d& p) { return (half - p.cwiseAbs()).minCoeff(); }};
+}
+
+/// Half spaces n . p <= d of a hull, as columns (n, d).
+Eigen::Matrix4Xd half_spaces(const geometry::Mesh& hull) {
+  Eigen::Matrix4Xd planes(4, hull.triangles.cols());
+  const Eigen::Vector3d middle = hull.vertices.rowwise().mean();
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < hull.triangles.cols(); ++i) {
+    const auto corners = hull.triangles.col(i);
+    const Eigen::Vector3d a = hull.vertices.col(corners[0]), b = hull.vertices.col(corners[1]),
+                          c = hull.vertices.col(corners[2]);
+    Eigen::Vector3d normal = (b - a).cross(c - a);
+    if (!(normal.norm() > 0)) continue;
+    normal.normalize();
+    if (normal.dot(middle - a) > 0) normal = -normal;
+    planes.col(count++) << normal, normal.dot(a);
+  }
+  return planes.leftCols(count);
+}
+
+Depth hull_depth(const geometry::Mesh& hull) {
+  return [planes = half_spaces(hull)](const Eigen::Vector3d& p) {
+    return (planes.row(3) - p.transpose() * planes.topRows<3>()).minCoeff();
+  };
+}
+
+CoveredShape cover_hull(const geometry::Mesh& hull) {
+  const Depth depth = hull_depth(hull);
+  const auto keep = [&](const Eigen::Vector3d& p, double radius) { return depth(p) > -radius; };
+  return {cells(hull.vertices.rowwise().minCoeff(), hull.vertices.rowwise().maxCoeff(), keep),
+          depth};
+}
+
+CoveredShape cover(const geometry::Convex& convex, MeshInside) {
+  return cover_hull(geometry::convex_hull(convex.vertices));
+}
+
+bool spans_volume(const geometry::Mesh& mesh) {
+  try {
+    geometry::validate(geometry::Convex{mesh.vertices}, "mesh");
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+CoveredShape cover(const geometry::Mesh& mesh, MeshInside inside) {
+  if (spans_volume(mesh)) {
+    const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
+    if (inside == MeshInside::hull || geometry::is_convex(mesh, hull)) return cover_hull(hull);
+  }
+  const collision::Clearance surface(mesh);
+  const auto keep = [&](const Eigen::Vector3d& p, double radius) {
+    return surface.distance(p) <= 1.001 * radius;
+  };
+  return {cells(mesh.vertices.rowwise().minCoeff(), mesh.vertices.rowwise().maxCoeff(), keep),
+          nowhere};
+}
+
+}  // namespace
+
+CoveredShape covered(const geometry::PlacedShape& placed, MeshInside inside) {
+  CoveredShape shape =
+      std::visit([&](const auto& kind) { return cover(kind, inside); }, placed.shape);
+  for (Sphere& sphere : shape.spheres) sphere.center = placed.X_BG * sphere.center;
+  const Eigen::Isometry3d X_GB = placed.X_BG.inverse();
+  shape.depth = [X_GB, depth = std::move(shape.depth)](const Eigen::Vector3d& p) {
+    return depth(X_GB * p);
+  };
+  return shape;
+}
+
+}  // namespace graspless::clasp

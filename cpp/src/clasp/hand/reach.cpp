@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/hand/reach.hpp"
+
+#include <algorithm>
+
+#include "clasp/hand/kinematics.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+/// Links from the first one that the arm moves to the hand's frame.
+std::vector<int> arm_links(const robot::Robot& robot, const Hand& hand, const Eigen::VectorXd& q) {
+  const std::vector<int>& arm = robot.group(hand.arm);
+  std::vector<int> links;
+  for (int link = robot.frame(hand.frame); link >= 0; link = robot.parent(link)) {
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, q);
+    const auto stands_still = [&](int joint) { return J.col(joint).isZero(); };
+    if (std::all_of(arm.begin(), arm.end(), stands_still)) break;
+    links.push_back(link);
+  }
+  std::reverse(links.begin(), links.end());
+  return links;
+}
+
+/// The lengths between consecutive origins, the first one's from the base, longest over the ends of
+/// every sliding joint.
+double length(const robot::Robot& robot, const Hand& hand, const std::vector<int>& links,
+              const Eigen::Vector3d& base_W, Eigen::VectorXd q) {
+  Eigen::VectorXd longest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(links.size()));
+  robot::Poses X_WL;
+  const auto look = [&] {
+    robot.forward(q, X_WL);
+    Eigen::Vector3d last_W = base_W;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const Eigen::Vector3d p_W = X_WL[static_cast<std::size_t>(links[i])].translation();
+      double& most = longest[static_cast<Eigen::Index>(i)];
+      most = std::max(most, (p_W - last_W).norm());
+      last_W = p_W;
+    }
+  };
+  for (const int joint : robot.group(hand.arm)) {
+    for (const double end : {robot.lower()[joint], robot.upper()[joint]}) {
+      q[joint] = end;
+      look();
+    }
+  }
+  return longest.sum();
+}
+
+/// The farthest corner of the hand's curves from the hand's frame, open or closed.
+double hand_size(const robot::Robot& robot, const Hand& hand) {
+  HandKinematics kinematics(robot, hand);
+  double farthest = 0;
+  for (const std::string& state : {hand.open, hand.closed}) {
+    kinematics.update(robot.state(state));
+    const Eigen::Vector3d p_WH =
+        kinematics.poses()[static_cast<std::size_t>(robot.frame(hand.frame))].translation();
+    farthest =
+        std::max(farthest, (kinematics.nodes().colwise() - p_WH).colwise().norm().maxCoeff());
+  }
+  return farthest;
+}
+
+}  // namespace
+
+Reach arm_reach(const robot::Robot& robot, const Hand& hand, Eigen::VectorXd q) {
+  for (const int joint : robot.group(hand.arm)) {
+    q[joint] = (robot.lower()[joint] + robot.upper()[joint]) / 2;
+  }
+  const std::vector<int> links = arm_links(robot, hand, q);
+  const Eigen::Vector3d base_W = robot.pose(links.front(), q).translation();
+  return {base_W, length(robot, hand, links, base_W, q) + hand_size(robot, hand)};
+}
+
+}  // namespace graspless::clasp

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/clasp/object.hpp"
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "graspless/geometry/sampling.hpp"
+
+#include "clasp/object/surface.hpp"
+
+namespace graspless::clasp {
+
+/// What only collision tests need is made when they begin: a user of loops does not wait for it.
+struct Object::Data {
+  std::string name;
+  Eigen::Matrix3Xd points;
+  geometry::LoopOptions options;
+  geometry::Loops loops;
+  geometry::Mesh surface;
+  double spacing = 0;
+
+  mutable std::once_flag solid_made, clearance_made, outer_made;
+  mutable std::optional<collision::Solid> solid;
+  mutable std::optional<collision::Clearance> clearance, outer;
+};
+
+Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
+                          const geometry::LoopOptions& options) {
+  auto data = std::make_shared<Data>();
+  data->loops = geometry::shortest_loops(p_OP, options);
+  data->name = name;
+  data->points = p_OP;
+  data->options = options;
+  data->surface = surface_of(data->loops.complex);
+  data->spacing = geometry::spacing(data->loops.complex.points);
+  return Object(std::move(data));
+}
+
+const std::string& Object::name() const { return data_->name; }
+const Eigen::Matrix3Xd& Object::points() const { return data_->points; }
+const geometry::Loops& Object::loops() const { return data_->loops; }
+const geometry::LoopOptions& Object::loop_options() const { return data_->options; }
+const geometry::Mesh& Object::surface() const { return data_->surface; }
+double Object::spacing() const { return data_->spacing; }
+
+const collision::Solid& Object::solid() const {
+  std::call_once(data_->solid_made, [&] {
+    data_->solid.emplace(std::vector<geometry::PlacedShape>{{data_->surface}},
+                         "object '" + data_->name + "'");
+  });
+  return *data_->solid;
+}
+
+const collision::Clearance& Object::clearance() const {
+  std::call_once(data_->clearance_made, [&] { data_->clearance.emplace(data_->surface); });
+  return *data_->clearance;
+}
+
+const collision::Clearance& Object::outer_clearance() const {
+  std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.complex)); });
+  return *data_->outer;
+}
+
+}  // namespace graspless::clasp

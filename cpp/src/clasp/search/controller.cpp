@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// TS-CONTROL, Algorithm 4. Numbers in the margin are the paper's lines.
+#include "clasp/search/controller.hpp"
+
+#include <cmath>
+
+namespace graspless::clasp {
+
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double kShortestStep = 2e-4;  // that is worth a node [rad]
+constexpr double kAtLimit = 1e-9;       // [rad]
+constexpr int kMostRounds = 4;          // of leaving out joints at their limits
+
+Eigen::RowVectorXd gains_of(const robot::Robot& robot, const std::string& group) {
+  Eigen::RowVectorXd gains = Eigen::RowVectorXd::Zero(robot.dof());
+  for (const int joint : robot.group(group)) gains[joint] = 1;
+  return gains;
+}
+
+}  // namespace
+
+Controller::Controller(Tasks& tasks, const robot::Robot& robot, const Hand& hand,
+                       const Options& options)
+    : tasks_(tasks),
+      options_(options),
+      lower_(robot.lower()),
+      upper_(robot.upper()),
+      arm_gains_(gains_of(robot, hand.arm)),
+      hand_gains_(gains_of(robot, hand.hand)),
+      position_(make_task(options.position_damping, 3)),
+      alignment_(make_task(options.alignment_damping, 2)),
+      linking_(make_task(options.linking_damping, tasks.kinematics().num_curves())),
+      q_dot_arm_(robot.dof()),
+      q_dot_hand_(robot.dof()),
+      q_dot_(robot.dof()) {}
+
+bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_step,
+                      VectorXd& q_new) {
+  tasks_.project(q);
+  position_.u = x_target.head<3>() - tasks_.position();           // 1, 2
+  tasks_.position_jacobian(position_.J);                          // 3
+  alignment_.u = Eigen::Vector2d::Ones() - tasks_.alignment();    // 4, 5
+  tasks_.alignment_jacobian(alignment_.J);                        // 6
+  linking_.u = x_target[3] - tasks_.linking_of_curves().array();  // 7, 8
+  tasks_.linking_jacobian(linking_.J);                            // 9
+  const double fade = 1 / (1 + std::pow(options_.blend_distance / tasks_.target_distance(), 2));
+  alignment_.u[1] *= fade;
+  alignment_.J.row(1) *= fade;
+  if (options_.attract) tasks_.attract(linking_.u, linking_.J);
+  position_.J.array().rowwise() *= arm_gains_.array();
+  alignment_.J.array().rowwise() *= arm_gains_.array();
+  linking_.J.array().rowwise() *= hand_gains_.array();
+  blend_ = gain(position_.u.norm());  // 12
+  const double misalignment = alignment_.u.maxCoeff();
+  position_.u /= 1 + options_.patience * misalignment * misalignment;
+  solve();  // 10, 11, 13, 14
+  for (int round = 1; round < kMostRounds && leave_out_blocked(q); ++round) solve();
+  q_dot_ *= options_.dt;  // 15
+  const double longest = q_dot_.cwiseAbs().maxCoeff();
+  if (longest > max_step) q_dot_ *= max_step / longest;
+  q_new = (q + q_dot_).cwiseMax(lower_).cwiseMin(upper_);
+  return (q_new - q).cwiseAbs().maxCoeff() >= kShortestStep;
+}
+
+/// GAIN: 1 far away, 0 near.
+double Controller::gain(double distance) const {
+  return 1 / (1 + std::exp(-options_.blend_slope * (distance - options_.blend_distance)));
+}
+
+void Controller::solve() {
+  factorise(position_);
+  factorise(alignment_);
+  factorise(linking_);
+  q_dot_arm_.setZero();
+  add_inverse(alignment_, alignment_.u, q_dot_arm_);  // 10
+  position_.y.noalias() = position_.u - position_.J * q_dot_arm_;
+  add_inverse(position_, position_.y, q_dot_arm_);
+  q_dot_hand_.setZero();
+  add_inverse(linking_, linking_.u, q_dot_hand_);  // 11
+  // The arm carries the hand as a whole, J_vlink M_arm = 0: what the null space of the linking
+  // leaves of the arm's motion is all of it.
+  q_dot_ = q_dot_arm_ + (1 - blend_) * q_dot_hand_;  // 13, 14
+}
+
+/// Takes the joints out of all tasks that stand at a limit and would go on; false when none does.
+bool Controller::leave_out_blocked(const VectorXd& q) {
+  bool any = false;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const bool blocked = (q_dot_[j] > 0 && q[j] >= upper_[j] - kAtLimit) ||
+                         (q_dot_[j] < 0 && q[j] <= lower_[j] + kAtLimit);
+    if (!blocked) continue;
+    any = true;
+    for (Task* task : {&position_, &alignment_, &linking_}) task->J.col(j).setZero();
+  }
+  return any;
+}
+
+Controller::Task Controller::make_task(double damping, int rows) const {
+  Task task;
+  task.damping = damping;
+  task.J.setZero(rows, lower_.size());
+  task.JJ.setIdentity(rows, rows);
+  task.u.setZero(rows);
+  task.y.setZero(rows);
+  task.factor.compute(task.JJ);
+  return task;
+}
+
+void Controller::factorise(Task& task) {
+  task.JJ.noalias() = task.J * task.J.transpose();
+  task.JJ.diagonal().array() += task.damping * task.damping;
+  task.factor.compute(task.JJ);
+}
+
+/// q_dot += J' (J J' + damping^2)^-1 u. `u` may be task.y.
+void Controller::add_inverse(Task& task, const VectorXd& u, VectorXd& q_dot) {
+  task.y = u;
+  task.factor.solveInPlace(task.y);
+  q_dot.noalias() += task.J.transpose() * task.y;
+}
+
+}  // namespace graspless::clasp

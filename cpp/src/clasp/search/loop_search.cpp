@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/search/loop_search.hpp"
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include "graspless/planning/vector_states.hpp"
+
+#include "clasp/parameters.hpp"
+
+namespace graspless::clasp {
+
+namespace ob = ompl::base;
+using planning::vector;
+
+namespace {
+
+constexpr int kStall = 12;       // control steps without progress that end the tightening
+constexpr double kMargin = 0.3;  // of the box of random tasks around hand and object [m]
+
+/// COLLISION-FREE of Algorithms 2 and 3.
+class FreeMotion : public ob::MotionValidator {
+ public:
+  FreeMotion(const ob::SpaceInformationPtr& si, Query& query)
+      : MotionValidator(si), query_(query), dof_(query.problem.robot.dof()) {}
+  bool checkMotion(const ob::State* a, const ob::State* b) const override {
+    if (query_.is_motion_free(vector(a, dof_), vector(b, dof_))) return true;
+    query_.refuse("motion: collision");
+    return false;
+  }
+  bool checkMotion(const ob::State* a, const ob::State* b,
+                   std::pair<ob::State*, double>&) const override {
+    return checkMotion(a, b);
+  }
+
+ private:
+  Query& query_;
+  Eigen::Index dof_;
+};
+
+}  // namespace
+
+LoopSearch::LoopSearch(Query& query, const LoopTargets& of, const Eigen::VectorXd& q_start)
+    : query_(query),
+      of_(of),
+      tasks_(query.problem.robot, query.problem.hand, of.points_W, of.targets_W),
+      controller_(tasks_, query.problem.robot, query.problem.hand, of.options),
+      dof_(query.problem.robot.dof()) {
+  workspace_W_.extend(project(q_start).head<3>());
+  const Eigen::Matrix3Xd object_W = query.problem.X_WO * query.problem.object.points();
+  workspace_W_.extend(object_W.rowwise().minCoeff()).extend(object_W.rowwise().maxCoeff());
+  workspace_W_.extend(workspace_W_.min() - Eigen::Vector3d::Constant(kMargin));
+  workspace_W_.extend(workspace_W_.max() + Eigen::Vector3d::Constant(kMargin));
+  make_space(q_start);
+  make_planner();
+}
+
+void LoopSearch::make_space(const Eigen::VectorXd& q_start) {
+  const robot::Robot& robot = query_.problem.robot;
+  const auto box = planning::make_box(robot.lower(), robot.upper());
+  si_ = std::make_shared<ob::SpaceInformation>(box);
+  si_->setStateValidityChecker(
+      [this](const ob::State* q) { return query_.free.is_free(vector(q, dof_)); });
+  si_->setMotionValidator(std::make_shared<FreeMotion>(si_, query_));
+  si_->setup();
+  problem_ = std::make_shared<ob::ProblemDefinition>(si_);
+  ob::ScopedState<ob::RealVectorStateSpace> start(box);
+  vector(start.get(), dof_) = q_start;
+  problem_->addStartState(start);
+}
+
+void LoopSearch::make_planner() {
+  const Options& options = of_.options;
+  planner_ = std::make_shared<planning::TaskSpaceRRT>(si_);
+  planner_->setProblemDefinition(problem_);
+  planner_->set_seed(query_.rng());
+  planner_->set_random_probability(options.random_probability);
+  planner_->set_pre_expansion_schedule(pre_expansion_schedule(query_.options));
+  planner_->set_restart_cycles(options.restart_cycles);
+  planner_->set_max_connect_steps(options.max_connect_steps);
+  planner_->set_max_iterations(1);
+  Eigen::VectorXd weights(5);
+  weights << 1, 1, 1, options.linking_weight, 0;
+  planner_->set_weights(weights);
+  std::vector<Eigen::VectorXd> goals;
+  for (const geometry::ClaspTarget& target : of_.targets_W) {
+    goals.emplace_back(5);
+    goals.back() << target.point, 1, 1;  // Algorithm 1: 9
+  }
+  planner_->set_targets(goals);
+  planner_->set_projection(
+      [this](const ob::State* q, Eigen::VectorXd& x) { x = project(vector(q, dof_)); });
+  planner_->set_controller(
+      [this, q_new = Eigen::VectorXd(dof_)](const ob::State* q, const Eigen::VectorXd&,
+                                            const Eigen::VectorXd& x_target, bool is_exploring,
+                                            ob::State* new_state) mutable {
+        const Options& o = of_.options;
+        const double step = is_exploring ? o.exploring_step : o.max_step;
+        if (!controller_.step(vector(q, dof_), x_target.head<4>(), step, q_new)) {
+          query_.refuse("control: stalled");
+          return false;
+        }
+        vector(new_state, dof_) = q_new;
+        return true;
+      });
+  planner_->set_random_task(
+      [this](std::mt19937_64& rng, Eigen::VectorXd& x) { draw_task(rng, x); });
+  planner_->set_tolerance([this](const Eigen::VectorXd&, const Eigen::VectorXd& x) {
+    // Where the threshold is derived it is the closed hand that must reach it.
+    return query_.options.min_linking > 0 ? x[4] >= of_.options.min_linking : x[4] > 0;
+  });
+}
+
+Eigen::VectorXd LoopSearch::project(const Eigen::VectorXd& q) {
+  Eigen::VectorXd x(5);
+  x.head<4>() = tasks_.project(q);
+  x[4] = tasks_.linking_of_curves().minCoeff();
+  return x;
+}
+
+// RANDOM-TS-SAMPLE.
+void LoopSearch::draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const {
+  x.resize(5);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    x[i] =
+        std::uniform_real_distribution<double>(workspace_W_.min()[i], workspace_W_.max()[i])(rng);
+  }
+  x[3] = std::uniform_real_distribution<double>(0, 1)(rng);
+  x[4] = x[3];
+}
+
+bool LoopSearch::cycle() {
+  problem_->clearSolutionPaths();
+  const ob::PlannerTerminationCondition is_out([this] { return query_.clock.is_out(); });
+  return planner_->solve(is_out) == ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+planning::Path LoopSearch::path() {
+  planning::Path path = planning::to_path(problem_->getSolutionPath(), dof_);
+  tighten(path);
+  return path;
+}
+
+void LoopSearch::tighten(planning::Path& path) {
+  TaskPoint goal;
+  goal << reached_W().point, 1;
+  Eigen::VectorXd q_new(dof_);
+  double least = 1e9;
+  int since = 0;
+  for (int i = 0; i < of_.options.max_connect_steps && since < kStall; ++i) {
+    if (!controller_.step(path.back(), goal, of_.options.max_step, q_new)) return;
+    const Eigen::VectorXd x = project(q_new);
+    if (x[4] == 0 || !query_.is_motion_free(path.back(), q_new)) return;
+    Eigen::Vector4d left = x.head<4>() - goal;
+    left[3] *= of_.options.linking_weight;
+    since = left.norm() < least - 1e-4 ? 0 : since + 1;
+    least = std::min(least, left.norm());
+    path.push_back(q_new);
+  }
+}
+
+const Eigen::VectorXd& LoopSearch::linking(const Eigen::VectorXd& q) {
+  tasks_.project(q);
+  return tasks_.linking_of_curves();
+}
+
+const geometry::ClaspTarget* LoopSearch::held_W(const Eigen::VectorXd& q) {
+  const Eigen::Vector3d hand_W = project(q).head<3>();
+  double longest = 0;
+  for (int i = 0; i < tasks_.kinematics().num_curves(); ++i) {
+    const Eigen::Matrix3Xd p = tasks_.kinematics().curve_points(i);
+    const Eigen::Index n = p.cols() - 1;
+    longest = std::max(longest, (p.rightCols(n) - p.leftCols(n)).colwise().norm().sum());
+  }
+  const geometry::ClaspTarget* nearest = nullptr;
+  double least = longest / 2;
+  for (const geometry::ClaspTarget& target : of_.targets_W) {
+    const double distance = (target.point - hand_W).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &target;
+  }
+  return nearest;
+}
+
+const geometry::ClaspTarget& LoopSearch::reached_W() const {
+  return of_.targets_W[static_cast<std::size_t>(planner_->reached_target())];
+}
+
+Tree LoopSearch::tree() const {
+  Tree tree;
+  const std::size_t n = planner_->num_nodes();
+  tree.p_W.resize(3, static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto node = planner_->node(i);
+    tree.p_W.col(static_cast<Eigen::Index>(i)) = node.x.head<3>();
+    tree.parents.push_back(node.parent);
+  }
+  tree.path = {planner_->reached_node()};
+  while (tree.path.back() != 0) {
+    tree.path.push_back(tree.parents[static_cast<std::size_t>(tree.path.back())]);
+  }
+  std::reverse(tree.path.begin(), tree.path.end());
+  return tree;
+}
+
+}  // namespace graspless::clasp

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/stability/balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "clasp/free_space/link_spheres.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+// Between balls of radius r whose centres are sqrt(8 r times this) apart [m].
+constexpr double kDent = 0.0008;
+// Balls smaller than this part of a shape's largest only fill its edges.
+constexpr double kSmallest = 1.0 / 3;
+
+bool adds(const LinkSphere& ball, const SphereTree& larger) {
+  return std::none_of(larger.begin(), larger.end(), [&](const LinkSphere& other) {
+    const double apart = (ball.p_L - other.p_L).norm();
+    return apart + ball.inner <= other.inner + kDent || apart * apart < 8 * kDent * other.inner;
+  });
+}
+
+/// The inner spheres of a shape that count, largest first.
+SphereTree needed(SphereTree tree) {
+  std::stable_sort(tree.begin(), tree.end(),
+                   [](const LinkSphere& a, const LinkSphere& b) { return a.inner > b.inner; });
+  SphereTree kept;
+  for (const LinkSphere& ball : tree) {
+    const double least = kept.empty() ? 0 : kSmallest * kept.front().inner;
+    if (ball.inner > least && adds(ball, kept)) kept.push_back(ball);
+  }
+  return kept;
+}
+
+/// Evenly along the axis.
+SphereTree balls_of_capsule(const geometry::Capsule& capsule, const Eigen::Isometry3d& X_LG) {
+  const double most = std::sqrt(8 * kDent * capsule.radius);
+  const int gaps = static_cast<int>(std::ceil(capsule.length / most));
+  SphereTree balls;
+  for (int i = 0; i <= gaps; ++i) {
+    const double along = (static_cast<double>(i) / gaps - 0.5) * capsule.length;
+    balls.push_back({X_LG * Eigen::Vector3d(0, 0, along), capsule.radius, capsule.radius, 0});
+  }
+  return balls;
+}
+
+SphereTree balls_of(const geometry::PlacedShape& placed) {
+  if (const auto* capsule = std::get_if<geometry::Capsule>(&placed.shape)) {
+    return balls_of_capsule(*capsule, placed.X_BG);
+  }
+  return needed(sphere_tree({covered(placed, MeshInside::hull)}));
+}
+
+}  // namespace
+
+LinkBalls::LinkBalls(const robot::Robot& robot) {
+  SphereTree all;
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    const SphereTree balls = balls_of(shape.placed);
+    links_.insert(links_.end(), balls.size(), shape.link);
+    all.insert(all.end(), balls.begin(), balls.end());
+  }
+  p_L_.resize(3, static_cast<Eigen::Index>(all.size()));
+  radii_.resize(p_L_.cols());
+  for (Eigen::Index i = 0; i < p_L_.cols(); ++i) {
+    p_L_.col(i) = all[static_cast<std::size_t>(i)].p_L;
+    radii_[i] = all[static_cast<std::size_t>(i)].inner;
+  }
+}
+
+Eigen::Matrix3Xd LinkBalls::centers_W(const robot::Poses& X_WL) const {
+  Eigen::Matrix3Xd centers(3, p_L_.cols());
+  for (Eigen::Index i = 0; i < p_L_.cols(); ++i) {
+    const int link = links_[static_cast<std::size_t>(i)];
+    centers.col(i) = X_WL[static_cast<std::size_t>(link)] * Eigen::Vector3d(p_L_.col(i));
+  }
+  return centers;
+}
+
+}  // namespace graspless::clasp

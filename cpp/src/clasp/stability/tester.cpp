@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/stability/tester.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "clasp/stability/walk.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+/// Half the length of the longest curve laid straight: no corner of it can be farther than that
+/// from its middle.
+double half_length(const HandKinematics& hand) {
+  double longest = 0;
+  for (int i = 0; i < hand.num_curves(); ++i) {
+    const Eigen::Matrix3Xd curve = hand.curve_points(i);
+    const Eigen::Index sides = curve.cols() - 1;
+    longest =
+        std::max(longest, (curve.rightCols(sides) - curve.leftCols(sides)).colwise().norm().sum());
+  }
+  return longest / 2;
+}
+
+double distance_to_loop(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
+    const Eigen::Vector3d a = loop.col(i), side = loop.col((i + 1) % loop.cols()) - a;
+    const double along = (p - a).dot(side) / std::max(side.squaredNorm(), 1e-18);
+    least = std::min(least, (p - a - std::clamp(along, 0.0, 1.0) * side).squaredNorm());
+  }
+  return std::sqrt(least);
+}
+
+Eigen::Vector3d random_direction(std::mt19937_64& rng) {
+  std::uniform_real_distribution<double> side(-1, 1);
+  while (true) {
+    const Eigen::Vector3d v(side(rng), side(rng), side(rng));
+    const double square = v.squaredNorm();
+    if (square <= 1 && square > 1e-4) return v / std::sqrt(square);
+  }
+}
+
+}  // namespace
+
+StabilityTester::StabilityTester(const Problem& problem)
+    : X_OW_(problem.X_WO.inverse()),
+      kinematics_(problem.robot, problem.hand),
+      balls_(problem.robot),
+      clearance_(problem.object.outer_clearance()) {}
+
+Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
+                                const StabilityOptions& options) {
+  kinematics_.update(q);
+  const Eigen::Matrix3Xd& nodes = kinematics_.nodes();
+  const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
+  const double escape =
+      options.escape_distance > 0 ? options.escape_distance : half_length(kinematics_);
+  // Nothing needs to be moved farther in one go than from one side of the escape to the other.
+  const int most_steps = static_cast<int>(std::ceil(2 * escape / options.step));
+  const int most_turns = static_cast<int>(std::ceil(2 * M_PI / options.turn));
+
+  // Of a thin finger half is left: the object must not pass through it.
+  const Eigen::ArrayXd whole = balls_.radii();
+  const Eigen::VectorXd radii = (whole - options.penetration).max(whole / 2);
+  ObjectWalk walk(balls_.centers_W(kinematics_.poses()).colwise() - p_WC, radii, X_OW_.linear(),
+                  X_OW_ * p_WC, options, clearance_);
+  Stability result;
+  if (walk.hits_at_start()) return result;
+  double farthest = 0;
+  std::mt19937_64 rng(options.seed);
+  for (int sequence = 0; sequence < options.sequences; ++sequence) {
+    walk.to_start();
+    double distance = distance_to_loop(loop_O, walk.p_OC());
+    for (int move = 0; move < options.moves && distance <= escape; ++move) {
+      if (move % 2 == 0) {
+        walk.translate(random_direction(rng), most_steps);
+        distance = distance_to_loop(loop_O, walk.p_OC());
+        farthest = std::max(farthest, distance);
+      } else {
+        walk.rotate(random_direction(rng), most_turns);
+      }
+    }
+    result.escapes += distance > escape;
+  }
+  result.secure = result.escapes == 0;
+  result.margin = 1 - farthest / escape;
+  result.checks = walk.steps();
+  return result;
+}
+
+}  // namespace graspless::clasp

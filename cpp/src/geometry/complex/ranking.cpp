@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/complex/ranking.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+namespace graspless::geometry {
+namespace {
+
+/// Classes of 0 ... n - 1 under joining.
+class Sets {
+ public:
+  explicit Sets(int n) : sets_(static_cast<std::size_t>(n)) {}
+  /// False when they were together already.
+  bool join(int a, int b) {
+    const auto i = sets_.find_set(static_cast<std::size_t>(a));
+    const auto j = sets_.find_set(static_cast<std::size_t>(b));
+    if (i == j) return false;
+    sets_.link(i, j);
+    return true;
+  }
+
+ private:
+  boost::disjoint_sets_with_storage<> sets_;
+};
+
+std::vector<int> by_length(const Simplices& simplices) {
+  std::vector<int> order(simplices.edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    const double length_a = simplices.lengths[static_cast<std::size_t>(a)];
+    const double length_b = simplices.lengths[static_cast<std::size_t>(b)];
+    return length_a != length_b ? length_a < length_b : a < b;
+  });
+  return order;
+}
+
+/// Triangles of Simplices by the rank of their longest edge, stable.
+std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std::size_t n) {
+  std::vector<int> next(n + 1);
+  for (const auto& triangle : triangles) ++next[static_cast<std::size_t>(triangle.longest) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> order(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    int& place = next[static_cast<std::size_t>(triangles[i].longest)];
+    order[static_cast<std::size_t>(place++)] = static_cast<int>(i);
+  }
+  return order;
+}
+
+/// By Alexander duality a triangle encloses a new void, and fills no loop, exactly if it parts
+/// what was connected in the complement. Seen backwards, from the full complex, it joins two sets.
+void mark_fillings(const Simplices& simplices, const std::vector<int>& order, Ranking& out) {
+  Sets regions(simplices.num_regions);
+  for (std::size_t i = order.size(); i-- > 0;) {
+    const auto [one, other] = simplices.triangles[static_cast<std::size_t>(order[i])].regions;
+    out.triangles[i].fills_loop = !regions.join(one, other);
+  }
+}
+
+}  // namespace
+
+Ranking ranking(const Simplices& simplices) {
+  Ranking result;
+  const std::vector<int> order = by_length(simplices);
+  result.rank.resize(order.size());
+  result.lengths.reserve(order.size());
+  result.makes_loop.reserve(order.size());
+  Sets pieces(static_cast<int>(simplices.first_edge.size()));
+  for (const int edge : order) {
+    const auto e = static_cast<std::size_t>(edge);
+    result.rank[e] = static_cast<int>(result.lengths.size());
+    result.lengths.push_back(simplices.lengths[e]);
+    result.makes_loop.push_back(!pieces.join(simplices.edges[e][0], simplices.edges[e][1]));
+  }
+
+  std::vector<Ranking::Triangle> triangles;
+  triangles.reserve(simplices.triangles.size());
+  for (const auto& triangle : simplices.triangles) {
+    std::array<int, 3> r{};
+    for (std::size_t k : {0u, 1u, 2u}) {
+      r[k] = result.rank[static_cast<std::size_t>(triangle.edges[k])];
+    }
+    const auto longest = std::max_element(r.begin(), r.end());
+    std::iter_swap(longest, r.end() - 1);
+    triangles.push_back({r[2], {r[0], r[1]}, false});
+  }
+  const std::vector<int> entering = by_longest(triangles, order.size());
+  result.triangles.reserve(triangles.size());
+  for (const int i : entering) result.triangles.push_back(triangles[static_cast<std::size_t>(i)]);
+  mark_fillings(simplices, entering, result);
+  return result;
+}
+
+BettiCurve betti_curve(const Ranking& ranking) {
+  BettiCurve curve;
+  int loops = 0;
+  std::size_t t = 0;
+  for (std::size_t e = 0; e < ranking.lengths.size(); ++e) {
+    loops += ranking.makes_loop[e];
+    for (; t < ranking.triangles.size() && ranking.triangles[t].longest == static_cast<int>(e);
+         ++t) {
+      loops -= ranking.triangles[t].fills_loop;
+    }
+    if (e + 1 < ranking.lengths.size() && ranking.lengths[e + 1] == ranking.lengths[e]) continue;
+    if (loops == (curve.loops.empty() ? 0 : curve.loops.back())) continue;
+    curve.max_edge_length.push_back(ranking.lengths[e]);
+    curve.loops.push_back(loops);
+  }
+  return curve;
+}
+
+}  // namespace graspless::geometry

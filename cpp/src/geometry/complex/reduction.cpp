@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/complex/reduction.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace graspless::geometry {
+namespace {
+
+void push(std::vector<int>& heap, int edge) {
+  heap.push_back(edge);
+  std::push_heap(heap.begin(), heap.end());
+}
+
+int pop(std::vector<int>& heap) {
+  std::pop_heap(heap.begin(), heap.end());
+  const int top = heap.back();
+  heap.pop_back();
+  return top;
+}
+
+/// The longest edge of a sum over Z_2, in which edges that occur twice cancel; -1 when it is empty.
+int pop_pivot(std::vector<int>& heap) {
+  while (!heap.empty()) {
+    const int top = pop(heap);
+    if (heap.empty() || heap.front() != top) return top;
+    pop(heap);
+  }
+  return -1;
+}
+
+}  // namespace
+
+Reduction::Reduction(Ranking ranking) : ranking_(std::move(ranking)) {
+  columns_.resize(ranking_.lengths.size());
+  entries_.reserve(4 * ranking_.lengths.size());
+  for (std::size_t t = 0; t < ranking_.triangles.size(); ++t) {
+    if (ranking_.triangles[t].fills_loop) add_column(static_cast<int>(t));
+  }
+  collect_pairs();
+}
+
+void Reduction::add_column(int triangle) {
+  const Ranking::Triangle& boundary = ranking_.triangles[static_cast<std::size_t>(triangle)];
+  Column* column = &columns_[static_cast<std::size_t>(boundary.longest)];
+  const int begin = static_cast<int>(entries_.size());
+  if (column->triangle < 0) {  // the first with this longest edge: reduced as it is
+    entries_.insert(entries_.end(), boundary.others.begin(), boundary.others.end());
+  } else {
+    std::vector<int> heap{boundary.longest, boundary.others[0], boundary.others[1]};
+    std::make_heap(heap.begin(), heap.end());
+    column = &columns_[static_cast<std::size_t>(reduce(heap, triangle).pivot)];
+    for (int edge = pop_pivot(heap); edge >= 0; edge = pop_pivot(heap)) entries_.push_back(edge);
+  }
+  *column = {triangle, begin, static_cast<int>(entries_.size())};
+}
+
+Reduction::Remainder Reduction::reduce(std::vector<int>& heap, int end_triangle) const {
+  Remainder result{-1, -1};
+  while ((result.pivot = pop_pivot(heap)) >= 0) {
+    const Column& column = columns_[static_cast<std::size_t>(result.pivot)];
+    if (column.triangle < 0 || column.triangle >= end_triangle) break;
+    result.last_triangle = std::max(result.last_triangle, column.triangle);
+    for (int i = column.begin; i < column.end; ++i) {
+      push(heap, entries_[static_cast<std::size_t>(i)]);
+    }
+  }
+  return result;
+}
+
+void Reduction::collect_pairs() {
+  for (std::size_t pivot = 0; pivot < columns_.size(); ++pivot) {
+    if (columns_[pivot].triangle < 0) continue;
+    const auto& filling = ranking_.triangles[static_cast<std::size_t>(columns_[pivot].triangle)];
+    const double birth = ranking_.lengths[pivot];
+    const double death = ranking_.lengths[static_cast<std::size_t>(filling.longest)];
+    if (birth < death) pairs_.push_back({birth, death});
+  }
+  std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto& a, const auto& b) {
+    return a.death * b.birth > b.death * a.birth;
+  });
+}
+
+PersistencePair Reduction::span(const std::vector<int>& cycle, double max_edge_length) const {
+  const auto length = [&](int edge) {
+    return edge < 0 ? 0 : ranking_.lengths[static_cast<std::size_t>(edge)];
+  };
+  const auto entered = std::partition_point(ranking_.triangles.begin(), ranking_.triangles.end(),
+                                            [&](const Ranking::Triangle& triangle) {
+                                              return length(triangle.longest) < max_edge_length;
+                                            });
+  std::vector<int> heap = cycle;
+  std::make_heap(heap.begin(), heap.end());
+  const Remainder before = reduce(heap, static_cast<int>(entered - ranking_.triangles.begin()));
+  if (before.pivot >= 0) push(heap, before.pivot);
+  const Remainder after = reduce(heap, static_cast<int>(ranking_.triangles.size()));
+  const int last = before.pivot < 0 ? before.last_triangle : after.last_triangle;
+  const double death =
+      last < 0 ? 0 : length(ranking_.triangles[static_cast<std::size_t>(last)].longest);
+  return {before.pivot < 0 ? death : length(before.pivot), death};
+}
+
+}  // namespace graspless::geometry

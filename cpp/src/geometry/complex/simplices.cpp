@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/complex/simplices.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace graspless::geometry {
+namespace {
+
+using Facet = Delaunay::Facet;
+
+/// Where the items of each bucket begin.
+std::vector<int> starts(std::vector<int> counts) {
+  int sum = 0;
+  for (int& count : counts) sum += std::exchange(count, sum);
+  return counts;
+}
+
+/// Lexicographic: buckets by the first vertex, each sorted.
+std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
+  std::vector<int> counts(n + 1);
+  for (const Facet& facet : facets) ++counts[static_cast<std::size_t>(facet.vertices[0])];
+  const std::vector<int> begin = starts(std::move(counts));
+  std::vector<int> next = begin;
+  std::vector<Facet> result(facets.size());
+  for (const Facet& facet : facets) {
+    int& place = next[static_cast<std::size_t>(facet.vertices[0])];
+    result[static_cast<std::size_t>(place++)] = facet;
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    std::sort(result.begin() + begin[a], result.begin() + begin[a + 1],
+              [](const Facet& one, const Facet& other) { return one.vertices < other.vertices; });
+  }
+  return result;
+}
+
+/// Every edge lies in a triangle. Buckets by the smaller vertex, each sorted without repetition.
+void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& out) {
+  std::vector<int> counts(n + 1);
+  for (const Facet& facet : facets) {
+    counts[static_cast<std::size_t>(facet.vertices[0])] += 2;
+    counts[static_cast<std::size_t>(facet.vertices[1])] += 1;
+  }
+  const std::vector<int> begin = starts(std::move(counts));
+  std::vector<int> next = begin, larger(3 * facets.size());
+  const auto put = [&](int a, int b) {
+    larger[static_cast<std::size_t>(next[static_cast<std::size_t>(a)]++)] = b;
+  };
+  for (const Facet& facet : facets) {
+    const auto [a, b, c] = facet.vertices;
+    put(a, b);
+    put(a, c);
+    put(b, c);
+  }
+  out.first_edge.assign(n + 1, 0);
+  for (std::size_t a = 0; a < n; ++a) {
+    const auto first = larger.begin() + begin[a], last = larger.begin() + begin[a + 1];
+    std::sort(first, last);
+    const auto end = std::unique(first, last);
+    for (auto b = first; b != end; ++b) out.edges.push_back({static_cast<int>(a), *b});
+    out.first_edge[a + 1] = static_cast<int>(out.edges.size());
+  }
+}
+
+}  // namespace
+
+int Simplices::edge(int a, int b) const {
+  if (a > b) std::swap(a, b);
+  const auto begin = edges.begin() + first_edge[static_cast<std::size_t>(a)];
+  const auto end = edges.begin() + first_edge[static_cast<std::size_t>(a) + 1];
+  const auto found = std::lower_bound(begin, end, b, [](const auto& e, int v) { return e[1] < v; });
+  return found != end && (*found)[1] == b ? static_cast<int>(found - edges.begin()) : -1;
+}
+
+Simplices simplices(const Eigen::Matrix3Xd& points, const Delaunay& delaunay) {
+  const auto n = static_cast<std::size_t>(points.cols());
+  const std::vector<Facet> facets = sorted(delaunay.facets, n);
+
+  Simplices result;
+  result.num_vertices = delaunay.num_vertices;
+  result.num_regions = delaunay.num_regions;
+  result.edges.reserve(facets.size());
+  collect_edges(facets, n, result);
+  result.lengths.reserve(result.edges.size());
+  for (const auto& [a, b] : result.edges) {
+    result.lengths.push_back((points.col(a) - points.col(b)).norm());
+  }
+  result.triangles.reserve(facets.size());
+  for (const Facet& facet : facets) {
+    const auto [a, b, c] = facet.vertices;
+    const std::array<int, 3> edges{result.edge(a, b), result.edge(a, c), result.edge(b, c)};
+    double longest = 0;
+    for (const int e : edges) {
+      longest = std::max(longest, result.lengths[static_cast<std::size_t>(e)]);
+    }
+    result.triangles.push_back({facet.vertices, edges, facet.regions, longest});
+  }
+  return result;
+}
+
+}  // namespace graspless::geometry

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/loops/cycle_basis.hpp"
+
+#include <algorithm>
+
+namespace graspless::geometry {
+
+/// The highest bit; -1 for zero.
+int CycleBasis::lead(const std::vector<Word>& cls) const {
+  for (int w = words_ - 1; w >= 0; --w) {
+    const Word word = cls[static_cast<std::size_t>(w)];
+    if (word != 0) return 64 * w + 63 - __builtin_clzll(word);
+  }
+  return -1;
+}
+
+/// Whether a class is a sum of the first members'; leaves what is left of it.
+bool CycleBasis::depends(std::vector<Word>& cls, std::size_t count) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Row& row = rows_[i];
+    const bool has_lead = (cls[static_cast<std::size_t>(row.lead / 64)] >> (row.lead % 64)) & 1;
+    if (!has_lead) continue;
+    for (std::size_t w = 0; w < cls.size(); ++w) cls[w] ^= row.bits[w];
+  }
+  return lead(cls) < 0;
+}
+
+bool CycleBasis::has_place(const Word* cls, double length) const {
+  if (length >= bound()) return false;
+  std::size_t shorter = 0;
+  while (shorter < members_.size() && members_[shorter].length <= length) ++shorter;
+  scratch_.assign(cls, cls + words_);
+  return !depends(scratch_, shorter);
+}
+
+double CycleBasis::bound(const Word* cls) const {
+  scratch_.assign(cls, cls + words_);
+  double longest = 0;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Row& row = rows_[i];
+    if (!((scratch_[static_cast<std::size_t>(row.lead / 64)] >> (row.lead % 64)) & 1)) continue;
+    for (std::size_t w = 0; w < scratch_.size(); ++w) scratch_[w] ^= row.bits[w];
+    longest = members_[i].length;
+  }
+  return lead(scratch_) < 0 ? longest : std::numeric_limits<double>::infinity();
+}
+
+void CycleBasis::offer(const Word* cls, double length, Cycle cycle) {
+  if (!has_place(cls, length)) return;
+  const auto place =
+      std::upper_bound(members_.begin(), members_.end(), length,
+                       [](double value, const Member& member) { return value < member.length; });
+  const auto first = static_cast<std::size_t>(place - members_.begin());
+  members_.insert(place, {length, {cls, cls + words_}, std::move(cycle)});
+  make_rows(first);
+}
+
+/// Gauss's elimination, shortest first: a member that depends on shorter ones goes. The rows of
+/// members before the first that is new stay.
+void CycleBasis::make_rows(std::size_t first) {
+  rows_.resize(first);
+  for (std::size_t i = first; i < members_.size();) {
+    std::vector<Word> rest = members_[i].cls;
+    if (depends(rest, rows_.size())) {
+      members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(i));
+      continue;
+    }
+    const int bit = lead(rest);
+    rows_.push_back({std::move(rest), bit});
+    ++i;
+  }
+}
+
+std::vector<Cycle> CycleBasis::cycles() const {
+  std::vector<Cycle> cycles;
+  for (const Member& member : members_) cycles.push_back(member.cycle);
+  return cycles;
+}
+
+}  // namespace graspless::geometry

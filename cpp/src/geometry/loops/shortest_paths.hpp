@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geometry/loops/bucket_queue.hpp"
+#include "geometry/loops/edge_graph.hpp"
+
+namespace graspless::geometry {
+
+/// Dijkstra's shortest paths from one vertex after another, out to a radius. The arrays are used
+/// again, so that a search costs what it reaches. The graph must outlive it, and may lose arcs.
+class ShortestPaths {
+ public:
+  explicit ShortestPaths(const EdgeGraph& graph);
+
+  /// What is farther from the root than `radius` [m] is not looked at.
+  void start(int root, double radius);
+  /// The next vertex in order of distance, settled; -1 when there is none left.
+  int next();
+  /// Looks at the arcs of a vertex that next() gave, before next() is called again. Those that lead
+  /// to a settled vertex (the parent too) are handed to `meet`.
+  template <class Meet>
+  void expand(int vertex, const Meet& meet);
+  void expand(int vertex) {
+    expand(vertex, [](const EdgeGraph::Arc&) {});
+  }
+
+  double distance(int vertex) const { return state_[index(vertex)].distance; }
+  /// The same of any vertex: infinite where it is not settled.
+  double reached_distance(int vertex) const {
+    return state_[index(vertex)].stamp == 2 * epoch_ + 1 ? distance(vertex)
+                                                         : std::numeric_limits<double>::infinity();
+  }
+  int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 at the root
+  int via(int vertex) const { return via_[index(vertex)]; }              ///< edge to the parent
+  /// From a settled vertex to the root.
+  std::vector<int> path(int vertex) const;
+
+ private:
+  struct State {
+    double distance;
+    unsigned stamp;  // 2 epoch: seen, 2 epoch + 1: settled
+    int parent;
+  };
+  static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
+
+  const EdgeGraph& graph_;
+  unsigned epoch_ = 0;  // of the present root
+  double radius_ = 0;
+  std::vector<State> state_;
+  std::vector<int> via_;
+  BucketQueue queue_;
+};
+
+template <class Meet>
+void ShortestPaths::expand(int vertex, const Meet& meet) {
+  const double from = distance(vertex);
+  const unsigned seen = 2 * epoch_, settled = seen + 1;
+  for (const EdgeGraph::Arc& arc : graph_.arcs(vertex)) {
+    State& to = state_[index(arc.to)];
+    if (to.stamp == settled) {
+      meet(arc);
+      continue;
+    }
+    const double distance = from + arc.length;
+    if (distance > radius_ || (to.stamp == seen && distance >= to.distance)) continue;
+    to = {distance, seen, vertex};
+    via_[index(arc.to)] = arc.edge;
+    queue_.push(distance, arc.to);
+  }
+}
+
+}  // namespace graspless::geometry

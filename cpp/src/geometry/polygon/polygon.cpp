@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/geometry/polygon.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "geometry/polygon/cgal_polygon.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+std::string show(const Eigen::Vector2d& p) {
+  std::ostringstream out;
+  out << "(" << p.x() << ", " << p.y() << ")";
+  return out.str();
+}
+
+double signed_area(const Eigen::Matrix2Xd& v) {
+  double sum = 0;
+  for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++)
+    sum += cross(v.col(j), v.col(i));
+  return sum / 2;
+}
+
+double squared_distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                                   const Eigen::Vector2d& b) {
+  const Eigen::Vector2d ab = b - a;
+  const double t = std::min(1.0, std::max(0.0, (p - a).dot(ab) / ab.squaredNorm()));
+  return (p - a - t * ab).squaredNorm();
+}
+
+void check_vertices(const Eigen::Matrix2Xd& v, const std::string& what) {
+  if (v.cols() < 3) {
+    throw std::invalid_argument(what + " needs at least 3 vertices, not " +
+                                std::to_string(v.cols()));
+  }
+  for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++) {
+    if (!v.col(i).allFinite()) {
+      throw std::invalid_argument(what + " vertex " + std::to_string(i) +
+                                  " is not finite: " + show(v.col(i)));
+    }
+    if (v.col(i) == v.col(j)) {
+      throw std::invalid_argument(what + " repeats vertex " + std::to_string(j) + " at " +
+                                  show(v.col(i)));
+    }
+  }
+}
+
+}  // namespace
+
+Polygon::Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what) : vertices_(vertices) {
+  check_vertices(vertices_, what);
+  if (!is_simple(vertices_)) {
+    throw std::invalid_argument(what + " crosses or touches itself; it must be a simple polygon");
+  }
+  const double area = signed_area(vertices_);
+  if (std::abs(area) < 1e-12) throw std::invalid_argument(what + " has no area");
+  if (area < 0) vertices_ = vertices.rowwise().reverse().eval();
+  lower_ = vertices_.rowwise().minCoeff();
+  upper_ = vertices_.rowwise().maxCoeff();
+}
+
+double Polygon::area() const { return signed_area(vertices_); }
+
+Eigen::Vector2d Polygon::centroid() const {
+  // Relative to a vertex: far from the origin the plain formula loses digits.
+  const Eigen::Vector2d o = vertices_.col(0);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double twice_area = 0;
+  for (int i = 1; i + 1 < size(); ++i) {
+    const Eigen::Vector2d a = vertices_.col(i) - o, b = vertices_.col(i + 1) - o;
+    const double c = cross(a, b);
+    sum += c * (a + b) / 3;
+    twice_area += c;
+  }
+  return o + sum / twice_area;
+}
+
+bool Polygon::is_convex() const {
+  for (int i = 0; i < size(); ++i) {
+    const Edge e = edge(i);
+    if (cross(e.b - e.a, vertices_.col((i + 2) % size()) - e.b) < 0) return false;
+  }
+  return true;
+}
+
+bool Polygon::contains(const Eigen::Vector2d& p) const {
+  if ((p.array() < lower_.array()).any() || (p.array() > upper_.array()).any()) return false;
+  bool inside = false;  // crossings of the ray from p towards +x
+  for (int i = 0, j = size() - 1; i < size(); j = i++) {
+    const double yi = vertices_(1, i), yj = vertices_(1, j);
+    if ((yi > p.y()) == (yj > p.y())) continue;
+    const double x =
+        vertices_(0, i) + (p.y() - yi) / (yj - yi) * (vertices_(0, j) - vertices_(0, i));
+    if (p.x() < x) inside = !inside;
+  }
+  return inside;
+}
+
+double Polygon::depth(const Eigen::Vector2d& p) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0, j = size() - 1; i < size(); j = i++) {
+    nearest = std::min(nearest, squared_distance_to_segment(p, vertices_.col(j), vertices_.col(i)));
+  }
+  return contains(p) ? std::sqrt(nearest) : -std::sqrt(nearest);
+}
+
+Polygon::Edge Polygon::edge(int index) const {
+  const Eigen::Vector2d a = vertices_.col(index), b = vertices_.col((index + 1) % size());
+  const Eigen::Vector2d along = (b - a).normalized();
+  return {index, a, b, {-along.y(), along.x()}};
+}
+
+Polygon::Edge Polygon::nearest_edge(const Eigen::Vector2d& p) const {
+  constexpr double kTie = 1e-9;  // [m]
+  const auto distance = [&](const Edge& e) {
+    return std::sqrt(squared_distance_to_segment(p, e.a, e.b));
+  };
+  const auto outside = [&](const Edge& e) { return e.inward.dot(e.a - p); };
+  Edge nearest = edge(0);
+  for (int i = 1; i < size(); ++i) {
+    const Edge other = edge(i);
+    const double gain = distance(nearest) - distance(other);
+    if (gain > kTie || (gain > -kTie && outside(other) > outside(nearest))) nearest = other;
+  }
+  return nearest;
+}
+
+std::vector<Polygon> Polygon::convex_parts() const {
+  if (is_convex()) return {*this};
+  std::vector<Polygon> parts;
+  for (const Eigen::Matrix2Xd& part : convex_partition(vertices_)) parts.emplace_back(part);
+  return parts;
+}
+
+}  // namespace graspless::geometry

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/sampling/downsample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "graspless/geometry/sampling.hpp"
+
+#include "geometry/require_points.hpp"
+#include "geometry/sampling/point_grid.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+int nearest_to_mean(const Eigen::Matrix3Xd& points, const int* begin, const int* end) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const int* i = begin; i != end; ++i) mean += points.col(*i);
+  mean /= static_cast<double>(end - begin);
+  return *std::min_element(begin, end, [&](int a, int b) {
+    return (points.col(a) - mean).squaredNorm() < (points.col(b) - mean).squaredNorm();
+  });
+}
+
+}  // namespace
+
+std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
+  require_points(points, "points");
+  if (!(cell > 0 && cell <= kMaxLength)) {
+    throw std::invalid_argument("cell must be in (0, " + std::to_string(kMaxLength) + "] m, not " +
+                                std::to_string(cell));
+  }
+  const PointGrid grid(points, cell);
+  std::vector<int> kept;
+  for (int c = 0; c < grid.num_cells(); ++c) {
+    const int* members = grid.members().data();
+    kept.push_back(nearest_to_mean(points, members + grid.first(c), members + grid.first(c + 1)));
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+std::vector<int> downsample_to(const Eigen::Matrix3Xd& points, int count) {
+  constexpr int kAttempts = 12;
+  constexpr double kNear = 0.08;  // of the count
+  const Eigen::Vector3d sides = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+  if (!(sides.norm() > 0)) return {0};  // all are equal
+  double cell = sides.norm() / std::sqrt(count);
+  for (int i = 0; i < kAttempts; ++i) {
+    const double factor = PointGrid(points, cell).num_cells() / static_cast<double>(count);
+    if (std::abs(factor - 1) <= kNear) break;
+    cell *= std::sqrt(factor);  // as on a surface
+  }
+  return downsample(points, cell);
+}
+
+}  // namespace graspless::geometry

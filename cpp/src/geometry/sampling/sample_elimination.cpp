@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/sampling/sample_elimination.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "geometry/sampling/point_grid.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+/// Who crowds whom, and how much.
+struct Neighbours {
+  struct Entry {
+    int point;
+    float weight;
+  };
+  std::vector<std::size_t> begin, end;  // of a point, in the entries
+  std::vector<Entry> entries;
+};
+
+float weight(double distance, double reach) {
+  const double w = 1 - distance / reach;
+  const double squared = w * w, fourth = squared * squared;
+  return static_cast<float>(fourth * fourth);
+}
+
+Neighbours find_neighbours(const Eigen::Matrix3Xd& points, double reach) {
+  const PointGrid grid(points, reach);
+  Neighbours all;
+  all.begin.resize(static_cast<std::size_t>(points.cols()));
+  all.end.resize(all.begin.size());
+  std::vector<int> around;
+  for (int c = 0; c < grid.num_cells(); ++c) {
+    grid.points_around(c, around);
+    for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
+      const int i = grid.members()[static_cast<std::size_t>(k)];
+      all.begin[static_cast<std::size_t>(i)] = all.entries.size();
+      for (const int j : around) {
+        const double squared = (points.col(j) - points.col(i)).squaredNorm();
+        if (j == i || squared >= reach * reach) continue;
+        all.entries.push_back({j, weight(std::sqrt(squared), reach)});
+      }
+      all.end[static_cast<std::size_t>(i)] = all.entries.size();
+    }
+  }
+  return all;
+}
+
+/// The queue of points, most crowded first. Crowding only falls: an entry that is out of date goes
+/// back with what is true now.
+class Crowd {
+ public:
+  explicit Crowd(const Neighbours& neighbours)
+      : neighbours_(neighbours), crowding_(neighbours.begin.size(), 0) {
+    std::vector<std::pair<float, int>> entries;
+    for (std::size_t i = 0; i < crowding_.size(); ++i) {
+      for (std::size_t k = neighbours.begin[i]; k < neighbours.end[i]; ++k) {
+        crowding_[i] += neighbours.entries[k].weight;
+      }
+      entries.emplace_back(crowding_[i], static_cast<int>(i));
+    }
+    queue_ = std::priority_queue<std::pair<float, int>>({}, std::move(entries));
+  }
+
+  std::size_t take_away_most_crowded() {
+    auto [value, point] = queue_.top();
+    for (queue_.pop(); value > crowding_[static_cast<std::size_t>(point)]; queue_.pop()) {
+      queue_.emplace(crowding_[static_cast<std::size_t>(point)], point);
+      std::tie(value, point) = queue_.top();
+    }
+    const std::size_t i = static_cast<std::size_t>(point);
+    for (std::size_t k = neighbours_.begin[i]; k < neighbours_.end[i]; ++k) {
+      const Neighbours::Entry& entry = neighbours_.entries[k];
+      crowding_[static_cast<std::size_t>(entry.point)] -= entry.weight;
+    }
+    return i;
+  }
+
+ private:
+  const Neighbours& neighbours_;
+  std::vector<float> crowding_;
+  std::priority_queue<std::pair<float, int>> queue_;
+};
+
+}  // namespace
+
+std::vector<int> eliminate_samples(const Eigen::Matrix3Xd& points, int count, double area) {
+  // No `count` discs of this radius fit on the area.
+  const double radius = std::sqrt(area / (2 * std::sqrt(3.0) * count));
+  const Neighbours neighbours = find_neighbours(points, 2 * radius);
+  Crowd crowd(neighbours);
+  const std::size_t n = static_cast<std::size_t>(points.cols());
+  std::vector<bool> is_out(n, false);
+  for (std::size_t left = n; left > static_cast<std::size_t>(count); --left) {
+    is_out[crowd.take_away_most_crowded()] = true;
+  }
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_out[i]) kept.push_back(static_cast<int>(i));
+  }
+  return kept;
+}
+
+}  // namespace graspless::geometry

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Evenly spread points on the surface of a body of several shapes.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "graspless/geometry/pose.hpp"
+#include "graspless/geometry/sampling.hpp"
+
+#include "geometry/sampling/interior.hpp"
+#include "geometry/sampling/sample_elimination.hpp"
+#include "geometry/sampling/hilbert_order.hpp"
+#include "geometry/sampling/surface_draw.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+// Candidates a point that is wanted: as Yuksel proposes.
+constexpr int kCandidates = 5;
+// Of 2000 draws at least one must be on the outside.
+constexpr int kMaxDraws = 2000;
+// Where two shapes only touch, what lies between them is not outside: a point this far out decides.
+constexpr double kOutside = 1e-7;
+
+struct Candidates {
+  Eigen::Matrix3Xd points;
+  double area = 0;  // of the surface that they lie on
+};
+
+class Surface {
+ public:
+  explicit Surface(const std::vector<PlacedShape>& shapes) {
+    for (const PlacedShape& placed : shapes) {
+      draws_.emplace_back(placed);
+      interiors_.emplace_back(placed);
+      area_ += draws_.back().area();
+      cumulative_area_.push_back(area_);
+    }
+  }
+
+  Candidates draw(int count, std::mt19937_64& rng) const {
+    Candidates candidates{Eigen::Matrix3Xd(3, count)};
+    const std::int64_t limit = std::int64_t{kMaxDraws} * count;
+    std::int64_t num_draws = 0;
+    for (int found = 0; found < count; ++num_draws) {
+      if (num_draws == limit) {
+        throw std::invalid_argument("shapes have next to no surface that is outside the others");
+      }
+      const std::size_t shape = draw_shape(rng);
+      const SurfaceDraw::Point point = draws_[shape].draw(rng);
+      if (!is_outside(point, shape)) continue;
+      candidates.points.col(found++) = point.p_B;
+    }
+    candidates.points = in_hilbert_order(candidates.points);
+    candidates.area = area_ * count / static_cast<double>(num_draws);
+    return candidates;
+  }
+
+ private:
+  std::size_t draw_shape(std::mt19937_64& rng) const {
+    const auto at = std::upper_bound(cumulative_area_.begin(), cumulative_area_.end() - 1,
+                                     area_ * draw_unit(rng));
+    return static_cast<std::size_t>(at - cumulative_area_.begin());
+  }
+
+  bool is_outside(const SurfaceDraw::Point& point, std::size_t own) const {
+    const Eigen::Vector3d p_B = point.p_B + kOutside * point.outward_B;
+    for (std::size_t i = 0; i < interiors_.size(); ++i) {
+      if (i != own && interiors_[i].contains(p_B)) return false;
+    }
+    return true;
+  }
+
+  std::vector<SurfaceDraw> draws_;
+  std::vector<Interior> interiors_;
+  std::vector<double> cumulative_area_;
+  double area_ = 0;
+};
+
+}  // namespace
+
+Eigen::Matrix3Xd sample_surface(const std::vector<PlacedShape>& shapes, int count,
+                                std::uint64_t seed) {
+  constexpr int kMaxCount = 10'000'000;
+  if (count < 1 || count > kMaxCount) {
+    throw std::invalid_argument("count must be in [1, " + std::to_string(kMaxCount) + "], not " +
+                                std::to_string(count));
+  }
+  if (shapes.empty()) throw std::invalid_argument("shapes must not be empty");
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string what = "shapes[" + std::to_string(i) + "]";
+    validate(shapes[i].shape, what + ".shape");
+    require_pose(shapes[i].X_BG, what + ".X_BG");
+  }
+  std::mt19937_64 rng(seed);
+  const Candidates candidates = Surface(shapes).draw(kCandidates * count, rng);
+  const std::vector<int> kept = eliminate_samples(candidates.points, count, candidates.area);
+  Eigen::Matrix3Xd points(3, count);
+  for (int i = 0; i < count; ++i) {
+    points.col(i) = candidates.points.col(kept[static_cast<std::size_t>(i)]);
+  }
+  return points;
+}
+
+}  // namespace graspless::geometry

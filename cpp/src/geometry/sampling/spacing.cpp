@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How far the points of a cloud are apart.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "graspless/geometry/sampling.hpp"
+
+#include "geometry/sampling/point_grid.hpp"
+#include "geometry/require_points.hpp"
+
+namespace graspless::geometry {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Many equal points would fill one cell, whatever its size.
+Eigen::Matrix3Xd distinct(const Eigen::Matrix3Xd& points) {
+  std::vector<std::array<double, 3>> sorted;
+  for (const auto& p : points.colwise()) sorted.push_back({p.x(), p.y(), p.z()});
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  return Eigen::Map<const Eigen::Matrix3Xd>(sorted.data()->data(), 3,
+                                            static_cast<Eigen::Index>(sorted.size()));
+}
+
+/// A point is not its own neighbour, nor is one so near that the distance rounds to zero.
+void keep_nearer(double squared, double& nearest) {
+  if (squared > 0 && squared < nearest) nearest = squared;
+}
+
+/// The median squared distance of a few points to their nearest, by looking at all.
+double guess(const Eigen::Matrix3Xd& points) {
+  constexpr Eigen::Index kFew = 32;
+  std::vector<double> nearest;
+  const Eigen::Index step = std::max<Eigen::Index>(1, points.cols() / kFew);
+  for (Eigen::Index i = 0; i < points.cols(); i += step) {
+    nearest.push_back(kInfinity);
+    for (Eigen::Index j = 0; j < points.cols(); ++j) {
+      keep_nearer((points.col(j) - points.col(i)).squaredNorm(), nearest.back());
+    }
+  }
+  return median(nearest);
+}
+
+/// Squared distances to the nearest point, infinite where there is none in the cells around.
+void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
+                  std::vector<double>& nearest) {
+  std::vector<int> around;
+  for (int c = 0; c < grid.num_cells(); ++c) {
+    grid.points_around(c, around);
+    for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
+      const int i = grid.members()[static_cast<std::size_t>(k)];
+      double& squared = nearest[static_cast<std::size_t>(i)];
+      squared = kInfinity;
+      for (const int j : around) {
+        keep_nearer((points.col(j) - points.col(i)).squaredNorm(), squared);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double spacing(const Eigen::Matrix3Xd& cloud) {
+  require_points(cloud, "points");
+  if (cloud.cols() < 2) return 0;
+  const Eigen::Matrix3Xd points = distinct(cloud);
+  const double first_guess = guess(points);
+  if (!(first_guess < kInfinity)) return 0;
+  std::vector<double> nearest(static_cast<std::size_t>(points.cols()));
+  // Neighbours within a cell's side are certain. The median is, once half the points have one.
+  for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
+    const PointGrid grid(points, cell);
+    find_nearest(points, grid, nearest);
+    const double middle = std::sqrt(median(nearest));
+    if (middle <= grid.cell()) return middle;
+  }
+}
+
+}  // namespace graspless::geometry
