@@ -60,7 +60,7 @@ struct Setting {
 
 void projection_and_jacobians(benchmark::State& state, const std::string& name) {
   Setting s(name);
-  Tasks tasks(s.robot, s.hand, s.loop, s.targets);
+  TaskSpace tasks(s.robot, s.hand, s.loop, s.targets);
   MatrixXd position, alignment, linking;
   int k = 0;
   for (auto _ : state) {
@@ -75,7 +75,7 @@ void projection_and_jacobians(benchmark::State& state, const std::string& name) 
 
 void control_step(benchmark::State& state, const std::string& name) {
   Setting s(name);
-  Tasks tasks(s.robot, s.hand, s.loop, s.targets);
+  TaskSpace tasks(s.robot, s.hand, s.loop, s.targets);
   Controller controller(tasks, s.robot, s.hand, {});
   VectorXd q_new;
   int k = 0;

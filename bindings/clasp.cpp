@@ -41,43 +41,60 @@ Eigen::MatrixXd to_linking(const Array& values, std::size_t rows, const std::str
 }
 
 void bind_hand(py::module_& m) {
-  py::class_<CurveNode> node(m, "CurveNode", "A corner of a finger curve, fixed in a link.");
+  py::class_<CurveNode> node(m, "CurveNode", "A corner of a finger curve, fixed to a link.");
   bind_fields(node, "Any field by keyword; the others keep their defaults.",
-              Field{"link", &CurveNode::link, "Of the robot."},
-              Field{"p_L", &CurveNode::p_L, "(3,) in the link's frame [m]."});
+              Field{"link", &CurveNode::link, "Name of a link of the robot."},
+              Field{"p_L", &CurveNode::p_L, "(3,) position in the link's frame [m]."});
   py::class_<Finger> finger(
-      m, "Finger", "A finger: the corners of its half of the curve, from the palm to the tip.");
+      m, "Finger",
+      "A finger: the corners of its part of the finger curve, from the palm to the tip.");
   bind_fields(finger, "Any field by keyword; the others keep their defaults.",
-              Field{"name", &Finger::name, "What errors and pictures call it."},
+              Field{"name", &Finger::name, "Name used in error messages and pictures."},
               Field{"nodes", &Finger::nodes, "CurveNodes from the palm to the tip."});
   py::class_<Hand> hand(
       m, "Hand",
-      "What the planner must know of a hand. Links, groups and states are the robot's.\n\n"
-      "Every finger opposes the thumb: finger curve i runs from the tip of finger i down to the "
-      "palm and up\nthe thumb to its tip.");
+      "Description of a hand for the planner (Stork, Pokorny, Kragic 2013, Section IV-B).\n\n"
+      "Names of links, groups and states refer to the robot. Every finger opposes the thumb:\n"
+      "finger curve i runs from the tip of finger i to the palm and along the thumb to its tip.");
   bind_fields(
       hand, "Any field by keyword; the others keep their defaults.",
-      Field{"arm", &Hand::arm, "Group of joints that carry the hand, base to wrist."},
-      Field{"hand", &Hand::hand, "Group of the hand's joints that close."},
-      Field{"frame", &Hand::frame, "Link H of the palm."},
-      Field{"forward_H", &Hand::forward_H, "(3,) unit, towards what is clasped, in H."},
-      Field{"sideways_H", &Hand::sideways_H, "(3,) unit, along what is clasped, in H."},
-      Field{"fingers", &Hand::fingers, "Those that oppose the thumb."},
-      Field{"thumb", &Hand::thumb, "The finger that the others oppose."},
-      Field{"open", &Hand::open, "State of the hand's joints with which the search begins."},
-      Field{"closed", &Hand::closed, "State towards which every joint closes."});
+      Field{"arm", &Hand::arm, "Group of the joints that carry the hand, base to wrist."},
+      Field{"hand", &Hand::hand, "Group of the joints that close the hand."},
+      Field{"frame", &Hand::frame, "Link of the palm, H."},
+      Field{"forward_H", &Hand::forward_H, "(3,) unit vector towards the handle, in H (v_fwd)."},
+      Field{"sideways_H", &Hand::sideways_H, "(3,) unit vector along the handle, in H (v_swd)."},
+      Field{"fingers", &Hand::fingers, "Fingers that oppose the thumb."},
+      Field{"thumb", &Hand::thumb, "Finger that the others oppose."},
+      Field{"open", &Hand::open, "State of the hand's joints at the start of the search."},
+      Field{"closed", &Hand::closed, "State towards which the joints close."});
   m.def("hand_from_yaml", &hand_from_yaml, py::arg("text"), py::arg("what") = "hand",
-        "Reads a hand from YAML (the grammar: docs/task-files.md). what: its name in errors.\n\n"
-        "Raises ValueError that names the line, the field, the value and the choices.");
+        R"(Reads a hand from YAML. docs/task-files.md has the grammar.
+
+Parameters
+----------
+text : str
+    YAML document.
+what : str, optional
+    Name used in error messages.
+
+Returns
+-------
+Hand
+
+Raises
+------
+ValueError
+    Names the line, the field, the value and the choices.
+)");
   m.def("hand_from_yaml_file", &hand_from_yaml_file, py::arg("path"),
-        "As hand_from_yaml, from a file; those beside the URDFs of graspless are examples.");
+        "Reads a hand from a YAML file; see hand_from_yaml. The folder urdf/ has examples.");
 }
 
 void bind_object(py::module_& m) {
   using geometry::LoopOptions;
   py::class_<Object>(m, "Object",
-                     "An object known by a cloud of points: its loops, and K_d as what must not be "
-                     "touched.")
+                     "An object known from a point cloud: its loops, and K_d as collision model "
+                     "(Stork,\nPokorny, Kragic 2013, Section IV-A).")
       .def_static(
           "from_cloud",
           [](const std::string& name, const Array& p_OP, const LoopOptions& options) {
@@ -86,40 +103,73 @@ void bind_object(py::module_& m) {
             return Object::from_cloud(name, points, options);
           },
           py::arg("name"), py::arg("p_OP"), py::arg_v("options", LoopOptions{}, "LoopOptions()"),
-          "Points on the surface, (N, 3) in O [m]. An object without a reliable hole is still an "
-          "object: plan() says so.\n\n"
-          "Raises ValueError as geometry.shortest_loops does.")
-      .def_property_readonly("name", &Object::name, "What errors and pictures call it.")
+          R"(Finds the loops of a cloud and builds its collision model.
+
+Parameters
+----------
+name : str
+    Name used in error messages and pictures.
+p_OP : (N, 3) array
+    Points on the surface, in O [m].
+options : geometry.LoopOptions, optional
+
+Returns
+-------
+Object
+    An object without a reliable hole is valid; plan() reports it as a status.
+
+Raises
+------
+ValueError
+    As geometry.shortest_loops.
+)")
+      .def_property_readonly("name", &Object::name, "Name used in error messages and pictures.")
       .def_property_readonly(
           "points", [](const Object& self) -> Rows3 { return self.points().transpose(); },
-          "(N, 3) the cloud, as given, in O [m].")
+          "(N, 3) input cloud, in O [m].")
       .def_property_readonly(
-          "loops", [](const Object& self) { return self.loops(); },
-          "geometry.Loops, in O: what was found and from what; a copy.")
+          "loops", [](const Object& self) { return self.loops(); }, "geometry.Loops in O; a copy.")
       .def_property_readonly(
           "loop_options", [](const Object& self) { return self.loop_options(); },
-          "How loops were looked for; a copy.")
+          "geometry.LoopOptions used to find the loops; a copy.")
       .def_property_readonly(
           "surface", [](const Object& self) { return self.surface(); },
-          "Mesh of what must not be touched, in O: the triangles of K_d, and thin ones along edges "
-          "that "
-          "bound none.")
-      .def_property_readonly("spacing", &Object::spacing, "Between the points of K_d [m].")
+          "Collision surface, in O [m]: the triangles of K_d, and narrow ones for edges and points "
+          "without a triangle.")
+      .def_property_readonly("spacing", &Object::spacing,
+                             "Median distance of neighbouring points of K_d [m].")
       .def("__repr__", [](const Object& self) {
         return "<Object '" + self.name() + "' of " + std::to_string(self.points().cols()) +
                " points and " + std::to_string(self.loops().loops.size()) + " loops>";
       });
   m.def("sample_object_names", &sample_object_names,
-        "Objects with holes that come with graspless: purse, bag, travel_bag, lawn_mower, chair.");
+        "Names of the sample objects with holes: purse, bag, travel_bag, lawn_mower, chair.");
   m.def("sample_object", &sample_object, py::arg("name"), py::arg("scale") = 1.0,
-        "The PlacedShapes of one of sample_object_names(), at real size, on the floor z = 0 of "
-        "O.\n\n"
-        "Raises ValueError that lists the names.");
+        R"(Shapes of a sample object, standing on the floor z = 0 of O.
+
+Parameters
+----------
+name : str
+    One of sample_object_names().
+scale : float, optional
+    Factor on the real size, in (0, 1000].
+
+Returns
+-------
+list of geometry.PlacedShape
+    In O [m].
+
+Raises
+------
+ValueError
+    Lists the names, or states the range of `scale`.
+)");
 }
 
 void bind_problem(py::module_& m) {
-  py::class_<Problem>(m, "Problem",
-                      "What is given: put the hand through a hole of the object and close it.")
+  py::class_<Problem>(
+      m, "Problem",
+      "A clasp planning problem: put the hand through a hole of the object and close it.")
       .def(py::init([](const robot::Robot& robot, const Hand& hand, const Object& object,
                        const Array& X_WO, const Array& q_start,
                        const std::vector<Obstacle>& obstacles, const std::vector<int>& loops,
@@ -136,30 +186,49 @@ void bind_problem(py::module_& m) {
            py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
            py::arg("loops") = std::vector<int>{}, py::arg("marks") = py::none(),
            py::arg("pull_W") = py::none(),
-           "X_WO: (4, 4) pose of the object in the world. q_start: (dof,) where the robot stands.\n"
-           "loops: which of object.loops.loops may be clasped; empty: any. marks: (N, 3) points in "
-           "O [m] near which\nto clasp; none: anywhere. pull_W: (3,) where the object shall be "
-           "pulled afterwards, in the world.")
+           R"(Parameters
+----------
+robot : robot.Robot
+hand : Hand
+object : Object
+X_WO : (4, 4) array
+    Pose of the object in W.
+q_start : (dof,) array
+    Start configuration of all joints [rad or m].
+obstacles : list of Obstacle, optional
+loops : list of int, optional
+    Indices in object.loops.loops of the loops that may be clasped; empty: all.
+marks : (N, 3) array, optional
+    Points in O [m]. The hand clasps at the loop points nearest to them; none: anywhere.
+pull_W : (3,) array, optional
+    Direction in W in which the clasped object will be pulled. Unsuitable targets are excluded.
+
+Raises
+------
+ValueError
+    If a shape is wrong. plan() validates the values.
+)")
       .def_property_readonly(
           "robot", [](const Problem& self) { return self.robot; }, "The robot.")
       .def_property_readonly(
           "hand", [](const Problem& self) { return self.hand; }, "A copy of the hand.")
       .def_property_readonly(
-          "object", [](const Problem& self) { return self.object; }, "What is clasped.")
+          "object", [](const Problem& self) { return self.object; }, "The object to clasp.")
       .def_property_readonly(
           "X_WO", [](const Problem& self) { return from_pose(self.X_WO); },
-          "(4, 4) pose of the object in the world.")
+          "(4, 4) pose of the object in W.")
       .def_property_readonly(
           "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
-          "(dof,) [rad or m].")
-      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
-      .def_readonly("loops", &Problem::loops, "Which loops may be clasped; empty: any.")
+          "(dof,) start configuration [rad or m].")
+      .def_readonly("obstacles", &Problem::obstacles, "Obstacles in W.")
+      .def_readonly("loops", &Problem::loops,
+                    "Indices of the loops that may be clasped; empty: all.")
       .def_property_readonly(
           "marks", [](const Problem& self) -> Rows3 { return columns(self.marks).transpose(); },
-          "(N, 3) near which to clasp, in O [m]; none: anywhere.")
+          "(N, 3) points in O near which to clasp [m]; none: anywhere.")
       .def_property_readonly(
           "pull_W", [](const Problem& self) { return self.pull_W; },
-          "(3,) where the object shall be pulled, in the world, or None.")
+          "(3,) direction of the later pull in W, or None.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"robot", "object", "obstacles", "loops", "pull_W"});
       });
@@ -168,27 +237,30 @@ void bind_problem(py::module_& m) {
 void bind_stability(py::module_& m) {
   py::class_<StabilityOptions> options(
       m, "StabilityOptions",
-      "The stability test: the hand stands still, the object moves at random, each move until it "
-      "hits the hand.");
+      "Options of the stability test (Stork, Pokorny, Kragic 2013, Section V-A).\n\n"
+      "The hand does not move. The object makes random moves, each until it hits the hand.");
   bind_fields(
       options, "Any field by keyword; the others keep their defaults.",
-      Field{"sequences", &StabilityOptions::sequences, "Of moves, each from the clasp."},
-      Field{"moves", &StabilityOptions::moves, "A sequence: translations and rotations in turn."},
-      Field{"step", &StabilityOptions::step, "Of a translation between tests [m]."},
+      Field{"sequences", &StabilityOptions::sequences,
+            "Number of random sequences, each from the clasp; in [1, 1000]."},
+      Field{"moves", &StabilityOptions::moves,
+            "Moves per sequence, translations and rotations in turn; in [1, 10000]."},
+      Field{"step", &StabilityOptions::step, "Step of a translation [m], in [1e-4, 0.1]."},
       Field{"turn", &StabilityOptions::turn,
-            "Of a rotation about the hand's centre between tests [rad]."},
-      Field{"penetration", &StabilityOptions::penetration, "That does not count as a hit [m]."},
+            "Step of a rotation about the hand's centre [rad], in [1e-3, 1]."},
+      Field{"penetration", &StabilityOptions::penetration,
+            "Penetration depth that does not count as a hit [m], in [0, 0.05]."},
       Field{"escape_distance", &StabilityOptions::escape_distance,
-            "Every point of the loop farther from the hand's centre has escaped [m]; 0: from the "
-            "hand's size."},
-      Field{"seed", &StabilityOptions::seed, "Of the moves."});
-  py::class_<Stability> found(m, "Stability", "Whether a clasp holds, and how well.");
-  bind_fields(found, "Any field by keyword; the others keep their defaults.",
-              Field{"secure", &Stability::secure, "No sequence of moves brought the loop out."},
-              Field{"escapes", &Stability::escapes, "Sequences in which the loop came free."},
-              Field{"margin", &Stability::margin,
-                    "1 where the object cannot move, 0 or less where it escaped."},
-              Field{"checks", &Stability::checks, "Poses looked at."});
+            "The loop has escaped when all its points are farther than this from the hand's centre "
+            "[m], in [0, 10].\n0: half the length of the longest finger curve."},
+      Field{"seed", &StabilityOptions::seed, "Seed of the random moves."});
+  py::class_<Stability> found(m, "Stability", "Result of the stability test.");
+  bind_fields(
+      found, "Any field by keyword; the others keep their defaults.",
+      Field{"secure", &Stability::secure, "True if the loop escaped in no sequence."},
+      Field{"escapes", &Stability::escapes, "Number of sequences in which the loop escaped."},
+      Field{"margin", &Stability::margin, "1: the object cannot move; 0 or less: it escaped."},
+      Field{"checks", &Stability::checks, "Number of poses checked."});
 }
 
 void bind_options(py::module_& m) {
@@ -268,7 +340,7 @@ void bind_segment(py::module_& m) {
 }
 
 void bind_tree(py::module_& m) {
-  py::class_<Tree>(m, "Tree", "The tree that led to the clasp, for pictures.")
+  py::class_<Tree>(m, "Tree", "The search tree that contains the clasp, for visualisation.")
       .def(py::init([](const std::optional<Array>& p_W, const std::vector<int>& parents,
                        const std::vector<int>& path) {
              Tree tree;
@@ -279,12 +351,14 @@ void bind_tree(py::module_& m) {
            }),
            py::arg("p_W") = py::none(), py::arg("parents") = std::vector<int>{},
            py::arg("path") = std::vector<int>{},
-           "p_W: (N, 3) [m]. parents: (N,) indices. path: indices from the root to the clasp.")
+           "p_W: (N, 3) [m]. parents: (N,) node indices. path: node indices from the root to the "
+           "clasp.")
       .def_property_readonly(
           "p_W", [](const Tree& self) -> Rows3 { return self.p_W.transpose(); },
-          "(N, 3) centre of the hand's curves in the world, a node a row [m].")
-      .def_readonly("parents", &Tree::parents, "Index of a node's parent; its own for the root.")
-      .def_readonly("path", &Tree::path, "Nodes from the root to the clasp.")
+          "(N, 3) centre of the finger curves at every node, in W [m].")
+      .def_readonly("parents", &Tree::parents,
+                    "Index of every node's parent; the root is its own parent.")
+      .def_readonly("path", &Tree::path, "Indices of the nodes from the root to the clasp.")
       .def(
           "__len__", [](const Tree& self) { return self.p_W.cols(); }, "Number of nodes.")
       .def("__repr__", [](const Tree& self) {
@@ -350,13 +424,14 @@ void bind_planner(py::module_& m) {
   m.def(
       "validate", [](const Hand& hand, const robot::Robot& robot) { clasp::validate(hand, robot); },
       py::arg("hand"), py::arg("robot"),
-      "Raises ValueError that names the field, the value and the choices.");
+      "Raises ValueError if the hand does not fit the robot; names the field, the value and the "
+      "choices.");
   bind_front_door<Problem, Options, Plan>(
       m,
-      "Plans a motion of arm and hand that ends in a clasp: reach, then close until contact.\n"
-      "Not finding a plan is a status.",
-      "Replays a plan against its problem with none of the search's code: limits, collisions, "
-      "linking by the\ndouble integral, closing until contact, and the stability test.");
+      "Plans a motion of arm and hand that ends in a clasp: reach, then close until contact\n"
+      "(Stork, Pokorny, Kragic 2013, Section IV). Failure to find a plan is a status.",
+      "Replays a plan without the code of the search, and returns its faults: joint limits,\n"
+      "collisions, linking by the double integral, closing until contact, and the stability test.");
   m.def(
       "test_stability",
       [](const Problem& problem, const Array& q, int loop, const StabilityOptions& options) {
@@ -367,9 +442,28 @@ void bind_planner(py::module_& m) {
       },
       py::arg("problem"), py::arg("q"), py::arg("loop"),
       py::arg_v("options", StabilityOptions{}, "StabilityOptions()"),
-      "Whether the object's loop stays in the hand at q, (dof,): random moves that try to part "
-      "them\n(Stork, Pokorny, Kragic 2013, Section V-A).\n\n"
-      "Raises ValueError on a bad problem, loop or configuration.");
+      R"(Tests if a loop stays in the hand: random moves try to separate object and hand.
+
+Stork, Pokorny, Kragic 2013, Section V-A.
+
+Parameters
+----------
+problem : Problem
+q : (dof,) array
+    Configuration of all joints [rad or m].
+loop : int
+    Index in problem.object.loops.loops.
+options : StabilityOptions, optional
+
+Returns
+-------
+Stability
+
+Raises
+------
+ValueError
+    If the problem, the loop, the configuration or an option is invalid.
+)");
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ void bind_shapes(py::module_& m) {
 
   py::class_<Sphere>(m, "Sphere", "A sphere centred at its frame's origin.")
       .def(py::init([](double radius) { return validated(Sphere{radius}, "sphere"); }),
-           py::arg("radius"), "radius: [m], positive.")
-      .def_readonly("radius", &Sphere::radius, "[m].")
+           py::arg("radius"), "radius: radius [m], positive.")
+      .def_readonly("radius", &Sphere::radius, "Radius [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"radius"}); });
 
   py::class_<Capsule>(
@@ -62,9 +62,11 @@ void bind_shapes(py::module_& m) {
       .def(py::init([](double radius, double length) {
              return validated(Capsule{radius, length}, "capsule");
            }),
-           py::arg("radius"), py::arg("length"), "radius, length: [m], positive.")
-      .def_readonly("radius", &Capsule::radius, "[m].")
-      .def_readonly("length", &Capsule::length, "Of the segment, without the two half spheres [m].")
+           py::arg("radius"), py::arg("length"),
+           "radius, length: [m], positive. length: of the segment.")
+      .def_readonly("radius", &Capsule::radius, "Radius [m].")
+      .def_readonly("length", &Capsule::length,
+                    "Length of the segment, without the two half spheres [m].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"radius", "length"});
       });
@@ -73,29 +75,30 @@ void bind_shapes(py::module_& m) {
       .def(py::init([](const Array& vertices) {
              return validated(Convex{to_points3(vertices, "convex vertices")}, "convex");
            }),
-           py::arg("vertices"), "vertices: (N, 3) points [m] that span a volume.")
+           py::arg("vertices"), "vertices: (N, 3) points that span a volume [m].")
       .def_property_readonly(
           "vertices", [](const Convex& shape) -> Rows3 { return shape.vertices.transpose(); },
-          "(N, 3) [m].")
+          "(N, 3) points [m].")
       .def("__repr__",
            [](const Convex& shape) { return count("Convex", shape.vertices.cols(), "points"); });
 
-  py::class_<Mesh>(
-      m, "Mesh",
-      "A triangle surface. Only the surface collides: a body wholly inside does not touch it.")
+  py::class_<Mesh>(m, "Mesh",
+                   "A triangle surface. Only the surface collides, so a body wholly inside does "
+                   "not touch it.\n\n"
+                   "A closed convex mesh is the exception: it collides as a solid.")
       .def(py::init([](const Array& vertices, const Indices& triangles) {
              return validated(Mesh{to_points3(vertices, "mesh vertices"),
                                    to_triangles(triangles, "mesh triangles")},
                               "mesh");
            }),
            py::arg("vertices"), py::arg("triangles"),
-           "vertices: (N, 3) [m]. triangles: (M, 3) indices of vertices.")
+           "vertices: (N, 3) [m]. triangles: (M, 3) vertex indices.")
       .def_property_readonly(
           "vertices", [](const Mesh& mesh) -> Rows3 { return mesh.vertices.transpose(); },
-          "(N, 3) [m].")
+          "(N, 3) vertices [m].")
       .def_property_readonly(
           "triangles", [](const Mesh& mesh) -> Rows3i { return mesh.triangles.transpose(); },
-          "(M, 3) indices of vertices.")
+          "(M, 3) vertex indices of the triangles.")
       .def("__repr__",
            [](const Mesh& mesh) { return count("Mesh", mesh.triangles.cols(), "triangles"); });
 
@@ -104,11 +107,11 @@ void bind_shapes(py::module_& m) {
              return PlacedShape{shape, to_pose(X_BG, "X_BG")};
            }),
            py::arg("shape"), pose_arg("X_BG"),
-           "X_BG: (4, 4) pose of the shape's own frame G in the body.")
+           "shape: Box, Sphere, Capsule, Convex or Mesh. X_BG: (4, 4) pose of its frame G in B.")
       .def_readonly("shape", &PlacedShape::shape, "Box, Sphere, Capsule, Convex or Mesh.")
       .def_property_readonly(
           "X_BG", [](const PlacedShape& placed) { return from_pose(placed.X_BG); },
-          "(4, 4) pose of the shape's own frame G in the body.")
+          "(4, 4) pose of the shape's frame G in B.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"shape", "X_BG"});
       });
@@ -119,22 +122,40 @@ void bind_shapes(py::module_& m) {
         return read_mesh(path, to_scale(scale));
       },
       py::arg("path"), py::arg("scale") = 1.0,
-      "Reads a triangle mesh (.stl, .obj, .off, .ply); scale is one factor or one per axis.\n\n"
-      "Raises ValueError that names the path when it is missing, unreadable or empty.");
+      R"(Reads a triangle mesh. Polygons are triangulated.
+
+Parameters
+----------
+path : str
+    File of type .stl, .obj, .off or .ply.
+scale : float or (3,) array, optional
+    Factor for all coordinates, or one per axis. Converts the unit of the file to metres.
+
+Returns
+-------
+Mesh
+    Vertices in [m].
+
+Raises
+------
+ValueError
+    If the file is missing, unreadable or empty; names the path.
+)");
 }
 
 void bind_polygon(py::module_& m) {
-  py::class_<Polygon> polygon(m, "Polygon",
-                              "A simple polygon in the plane, counter-clockwise, convex or not.");
+  py::class_<Polygon> polygon(
+      m, "Polygon",
+      "A simple polygon in the plane with counter-clockwise vertices, convex or not.");
   py::class_<Polygon::Edge>(m, "Edge", "An edge of a polygon.")
-      .def_readonly("index", &Polygon::Edge::index, "It leads from vertex `index` to the next.")
+      .def_readonly("index", &Polygon::Edge::index, "Index of its first vertex.")
       .def_property_readonly(
-          "a", [](const Polygon::Edge& edge) { return edge.a; }, "(2,) first end [m].")
+          "a", [](const Polygon::Edge& edge) { return edge.a; }, "(2,) first end point [m].")
       .def_property_readonly(
-          "b", [](const Polygon::Edge& edge) { return edge.b; }, "(2,) second end [m].")
+          "b", [](const Polygon::Edge& edge) { return edge.b; }, "(2,) second end point [m].")
       .def_property_readonly(
           "inward", [](const Polygon::Edge& edge) { return edge.inward; },
-          "(2,) unit normal that points inside.")
+          "(2,) unit normal pointing inside.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"index", "a", "b", "inward"});
       });
@@ -144,25 +165,26 @@ void bind_polygon(py::module_& m) {
             return Polygon(to_points2(vertices, what), what);
           }),
           py::arg("vertices"), py::arg("what") = "polygon",
-          "vertices: (N, 2) [m]; a clockwise list is reversed. what: its name in errors.\n\n"
+          "vertices: (N, 2) [m]; a clockwise list is reversed. what: name used in error "
+          "messages.\n\n"
           "Raises ValueError on fewer than three vertices, a value that is not finite, a repeated\n"
           "vertex, or a boundary that crosses or touches itself.")
       .def_property_readonly(
           "vertices", [](const Polygon& self) -> Rows2 { return self.vertices().transpose(); },
-          "(N, 2) [m], counter-clockwise.")
+          "(N, 2) vertices, counter-clockwise [m].")
       .def("__len__", &Polygon::size, "Number of vertices.")
-      .def_property_readonly("area", &Polygon::area, "[m^2], positive.")
+      .def_property_readonly("area", &Polygon::area, "Area [m^2], positive.")
       .def_property_readonly("centroid", &Polygon::centroid, "(2,) centroid of the area [m].")
-      .def_property_readonly("is_convex", &Polygon::is_convex, "Whether no corner is reflex.")
+      .def_property_readonly("is_convex", &Polygon::is_convex, "True if no corner is reflex.")
       .def(
           "contains",
           [](const Polygon& self, const Array& p) { return self.contains(to_vector2(p, "p")); },
-          py::arg("p"), "Whether the point p, (2,) [m], lies inside.")
+          py::arg("p"), "True if the point p, (2,) [m], lies inside.")
       .def(
           "depth",
           [](const Polygon& self, const Array& p) { return self.depth(to_vector2(p, "p")); },
           py::arg("p"),
-          "Distance from p, (2,), to the boundary [m]; positive inside, negative outside.")
+          "Signed distance from p, (2,), to the boundary [m]: positive inside, negative outside.")
       .def(
           "edge",
           [](const Polygon& self, int index) {
@@ -173,11 +195,11 @@ void bind_polygon(py::module_& m) {
             }
             return self.edge(index);
           },
-          py::arg("index"), "The edge from vertex `index` to the next.")
+          py::arg("index"), "Edge from vertex `index` to the next.")
       .def(
           "nearest_edge",
           [](const Polygon& self, const Array& p) { return self.nearest_edge(to_vector2(p, "p")); },
-          py::arg("p"), "The edge nearest to p, (2,) [m].")
+          py::arg("p"), "Edge nearest to p, (2,) [m].")
       .def("convex_parts", &Polygon::convex_parts, py::call_guard<py::gil_scoped_release>(),
            "Convex polygons that cover this one without overlap.")
       .def("__repr__",
@@ -185,21 +207,24 @@ void bind_polygon(py::module_& m) {
 }
 
 void bind_band(py::module_& m) {
-  py::class_<Band>(m, "Band",
-                   "The points of a polygon near its edges: what its contraction leaves out.")
+  py::class_<Band>(
+      m, "Band",
+      "The points of a polygon near its edges: the polygon minus its contraction by `width`.\n\n"
+      "P_g of Hang, Morgan, Dollar 2019, Section IV-B.")
       .def(py::init<const Polygon&, double>(), py::arg("polygon"), py::arg("width"),
-           py::call_guard<py::gil_scoped_release>(),
-           "width: how far the band reaches from the edges [m], positive.")
-      .def_property_readonly("polygon", &Band::polygon, "The polygon it was made from.")
-      .def_property_readonly("width", &Band::width, "[m].")
+           py::call_guard<py::gil_scoped_release>(), "width: width of the band [m], positive.")
+      .def_property_readonly("polygon", &Band::polygon, "The polygon.")
+      .def_property_readonly("width", &Band::width, "Width of the band [m].")
       .def_property_readonly("core", &Band::core,
-                             "The contracted polygon, in pieces; empty where nothing is left.")
-      .def_property_readonly("exact", &Band::exact,
-                             "False where the contraction failed verification.")
+                             "Pieces of the contracted polygon; empty if nothing is left.")
+      .def_property_readonly(
+          "exact", &Band::exact,
+          "False if the contraction failed verification. Then `core` is empty, and `contains`\n"
+          "and `sample` use the distance to the boundary.")
       .def(
           "contains",
           [](const Band& self, const Array& p) { return self.contains(to_vector2(p, "p")); },
-          py::arg("p"), "Whether the point p, (2,) [m], lies in the band.")
+          py::arg("p"), "True if the point p, (2,) [m], lies in the band.")
       .def(
           "sample",
           [](const Band& self, std::uint64_t seed, double margin) {
@@ -207,9 +232,20 @@ void bind_band(py::module_& m) {
             return self.sample(rng, margin);
           },
           py::arg("seed"), py::arg("margin") = 0.0,
-          "A point of the band, (2,), at least margin [m] inside the boundary, or None when none "
-          "was found.\n\n"
-          "Uniform by area where exact; the same seed gives the same point.")
+          R"(Draws a random point of the band, uniform by area if `exact`.
+
+Parameters
+----------
+seed : int
+    The same seed gives the same point.
+margin : float, optional
+    Smallest distance to the boundary of the polygon [m].
+
+Returns
+-------
+(2,) array or None
+    [m]. None after 1000 failed draws, as when the margin leaves no room.
+)")
       .def("__repr__",
            [](const Band& self) { return "<Band of width " + text(self.width()) + " m>"; });
 }
@@ -236,20 +272,21 @@ py::array_t<int> to_array(const std::vector<int>& values) {
 
 void bind_complex(py::module_& m) {
   py::class_<Complex>(m, "Complex",
-                      "K_d of a cloud: the edges and triangles of its Delaunay triangulation whose "
-                      "edges are all shorter than d.")
+                      "Simplicial complex K_d of a cloud: the edges and triangles of its Delaunay "
+                      "triangulation\nwith all edges shorter than d (Stork, Pokorny, Kragic 2013, "
+                      "Section IV-A).")
       .def_property_readonly(
           "points", [](const Complex& self) -> Rows3 { return self.points.transpose(); },
-          "(N, 3) [m].")
+          "(N, 3) vertices [m].")
       .def_property_readonly(
           "edges",
           [](const Complex& self) -> Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> {
             return self.edges.transpose();
           },
-          "(E, 2) indices of points, the smaller first; sorted.")
+          "(E, 2) point indices, the smaller first; sorted.")
       .def_property_readonly(
           "triangles", [](const Complex& self) -> Rows3i { return self.triangles.transpose(); },
-          "(T, 3) indices of points, ascending; sorted. Those inside the object too.")
+          "(T, 3) point indices, ascending; sorted. Includes triangles inside the object.")
       .def_readonly("max_edge_length", &Complex::max_edge_length, "d [m].")
       .def("__repr__", [](const Complex& self) {
         return "<Complex of " + std::to_string(self.edges.cols()) + " edges and " +
@@ -258,43 +295,50 @@ void bind_complex(py::module_& m) {
       });
 
   py::class_<BettiCurve>(m, "BettiCurve",
-                         "How many independent loops K_d has: a step function of d.\n\n"
-                         "loops[i] for d above max_edge_length[i] up to the next, that included.")
+                         "Number of independent loops of K_d as a step function of d.\n\n"
+                         "It is loops[i] for d in (max_edge_length[i], max_edge_length[i + 1]], "
+                         "and 0 below.")
       .def_property_readonly(
           "max_edge_length", [](const BettiCurve& self) { return self.max_edge_length; },
-          "Where the number changes, ascending [m].")
+          "Values of d where the number changes, ascending [m].")
       .def_property_readonly(
-          "loops", [](const BettiCurve& self) { return self.loops; }, "How many there are.")
+          "loops", [](const BettiCurve& self) { return self.loops; },
+          "Number of loops above each value.")
       .def("__repr__", [](const BettiCurve& self) {
         return "<BettiCurve of " + std::to_string(self.loops.size()) + " steps>";
       });
 
-  py::class_<Plateau>(m, "Plateau", "A stretch of d over which the same loops live.")
-      .def_readonly("lower", &Plateau::lower, "The least d [m].")
-      .def_readonly("upper", &Plateau::upper, "The greatest d [m].")
-      .def_readonly("loops", &Plateau::loops, "How many; 0 where no plateau was chosen.")
-      .def_property_readonly("ratio", &Plateau::ratio, "upper / lower: how sure the loops are.")
+  py::class_<Plateau>(m, "Plateau",
+                      "Interval of d over which the set of lasting loops does not change.")
+      .def_readonly("lower", &Plateau::lower, "Lower bound of d [m], excluded.")
+      .def_readonly("upper", &Plateau::upper, "Upper bound of d [m], included.")
+      .def_readonly("loops", &Plateau::loops,
+                    "Number of lasting loops; 0 if no plateau was selected.")
+      .def_property_readonly("ratio", &Plateau::ratio,
+                             "upper / lower. A large ratio means reliable loops.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"lower", "upper", "loops"});
       });
 
   py::class_<Filtration>(m, "Filtration",
-                         "The Delaunay triangulation of a cloud, its simplices in order of their "
-                         "longest edge: every K_d at once.")
+                         "The Delaunay triangulation of a cloud with its simplices ordered by "
+                         "longest edge.\n\nIt represents K_d for every d.")
       .def(py::init([](const Array& points, const std::string& what) {
              const Eigen::Matrix3Xd columns = to_points3(points, what);
              const py::gil_scoped_release release;
              return Filtration(columns, what);
            }),
            py::arg("points"), py::arg("what") = "points",
-           "points: (N, 3) [m]; equal points count once. what: their name in errors.\n\n"
-           "Raises ValueError when there are fewer than 4 distinct points, one is not finite, or "
-           "all lie in a plane.")
+           "points: (N, 3) [m]; equal points count once. what: name used in error messages.\n\n"
+           "Raises ValueError if there are fewer than 4 distinct points, if one is not finite, or "
+           "if\nall lie in a plane.")
       .def_property_readonly(
           "points", [](const Filtration& self) -> Rows3 { return self.points().transpose(); },
-          "(N, 3) as given [m].")
-      .def_property_readonly("num_vertices", &Filtration::num_vertices, "Distinct points.")
-      .def("complex", &Filtration::complex, py::arg("max_edge_length"), "K_d for d [m].")
+          "(N, 3) input points [m].")
+      .def_property_readonly("num_vertices", &Filtration::num_vertices,
+                             "Number of distinct points.")
+      .def("complex", &Filtration::complex, py::arg("max_edge_length"),
+           "Returns K_d for d = max_edge_length [m].")
       .def(
           "persistence",
           [](const Filtration& self) {
@@ -305,11 +349,13 @@ void bind_complex(py::module_& m) {
             }
             return rows;
           },
-          "(K, 2) birth and death [m] of every class of H_1 over Z_2, longest ratio first.")
-      .def("betti", &Filtration::betti, "The whole Betti-1 curve.")
-      .def("plateaus", &Filtration::plateaus, py::arg("lasting") = kLasting,
-           "Stretches of d with at least one lasting loop, widest ratio first.\n\n"
-           "A loop lasts whose ratio death / birth is at least `lasting`; 1 counts all.")
+          "Persistence pairs of H_1 over Z_2: (K, 2) birth and death [m].\n\n"
+          "Largest ratio death / birth first. Omits pairs that die at birth.")
+      .def("betti", &Filtration::betti,
+           "Number of independent loops for every d (first Betti number).")
+      .def("plateaus", &Filtration::plateaus, py::arg("lasting_ratio") = kLastingRatio,
+           "Plateaus of the Betti curve with at least one lasting loop, largest ratio first.\n\n"
+           "lasting_ratio: smallest ratio death / birth of a lasting loop; 1 counts every loop.")
       .def(
           "span",
           [](const Filtration& self, const std::vector<int>& cycle, double max_edge_length) {
@@ -317,9 +363,25 @@ void bind_complex(py::module_& m) {
             return std::make_pair(span.birth, span.death);
           },
           py::arg("cycle"), py::arg("max_edge_length"),
-          "Birth and death [m] of the class in K_d of a closed walk: indices of points, the first "
-          "not repeated.\n\n"
-          "Equal where it is filled in K_d. Raises ValueError on a step that is no edge.")
+          R"(Birth and death of the homology class of a closed walk in K_d.
+
+Parameters
+----------
+cycle : list of int
+    Point indices of the walk, without repeating the first.
+max_edge_length : float
+    d of K_d [m].
+
+Returns
+-------
+(float, float)
+    Birth and death [m]. Equal if the walk is filled in K_d.
+
+Raises
+------
+ValueError
+    If a step of the walk is not an edge of K_d.
+)")
       .def("__repr__", [](const Filtration& self) {
         return "<Filtration of " + std::to_string(self.num_vertices()) + " points>";
       });
@@ -327,64 +389,77 @@ void bind_complex(py::module_& m) {
 
 void bind_loops(py::module_& m) {
   py::class_<Loop>(m, "Loop",
-                   "A closed polyline on a cloud: one of the shortest that tell its holes apart.")
+                   "A closed polyline on a cloud: an element of a shortest basis of H_1(K_d).")
       .def_property_readonly(
           "points", [](const Loop& self) -> Rows3 { return self.points.transpose(); },
-          "(K, 3) corners in order; the last is joined to the first [m].")
+          "(K, 3) corners in order [m]; the last connects to the first.")
       .def_property_readonly(
           "vertices", [](const Loop& self) { return self.vertices; },
-          "The same, as indices of the cloud given.")
-      .def_readonly("length", &Loop::length, "[m].")
-      .def_readonly("birth", &Loop::birth, "The hole is there for d above this [m].")
-      .def_readonly("death", &Loop::death, "The hole is filled for d above this [m].")
-      .def_readonly("thickness", &Loop::thickness,
-                    "Of what the loop runs along, at its thinnest place [m].")
+          "Indices of the corners in the input cloud.")
+      .def_readonly("length", &Loop::length, "Length of the closed polyline [m].")
+      .def_readonly("birth", &Loop::birth, "The loop exists in K_d for d above this value [m].")
+      .def_readonly(
+          "death", &Loop::death,
+          "The loop is filled in K_d for d above this value [m]. A body wider than this does not\n"
+          "pass the hole.")
+      .def_readonly(
+          "thickness", &Loop::thickness,
+          "Thickness of the handle that the loop runs along, at its thinnest cross-section [m];\n"
+          "0 if unknown.")
       .def("__repr__", [](const Loop& self) {
         return "<Loop of " + std::to_string(self.points.cols()) + " corners, " + text(self.length) +
                " m>";
       });
 
-  py::class_<LoopOptions> options(m, "LoopOptions", "How to look for loops.");
-  bind_fields(options, "Any field by keyword; the others keep their defaults.",
-              Field{"max_edge_length", &LoopOptions::max_edge_length,
-                    "d [m]; 0 takes the widest plateau of the Betti curve."},
-              Field{"lowest_plateau", &LoopOptions::lowest_plateau,
-                    "Instead, the lowest plateau with at least lowest_ratio: splits less sure "
-                    "holes off, and takes patches that the camera missed for holes."},
-              Field{"lowest_ratio", &LoopOptions::lowest_ratio, "See lowest_plateau."},
-              Field{"min_ratio", &LoopOptions::min_ratio,
-                    "Below this ratio of the plateau there is no reliable hole."},
-              Field{"max_points", &LoopOptions::max_points,
-                    "Clouds with more points are thinned to about half of this."},
-              Field{"polish", &LoopOptions::polish,
-                    "After thinning: shorten the loops on the whole cloud."},
-              Field{"drop_meridians", &LoopOptions::drop_meridians,
-                    "Leave out loops that run around a thick handle instead of along it."});
+  py::class_<LoopOptions> options(m, "LoopOptions", "Options of shortest_loops().");
+  bind_fields(
+      options, "Any field by keyword; the others keep their defaults.",
+      Field{"max_edge_length", &LoopOptions::max_edge_length,
+            "d of K_d [m], in [0, 10000]. 0: chosen from the widest plateau of the Betti curve."},
+      Field{"lowest_plateau", &LoopOptions::lowest_plateau,
+            "Use the lowest plateau with a ratio of at least lowest_ratio instead of the "
+            "widest.\nFinds smaller holes, but mistakes gaps that the camera left for "
+            "holes."},
+      Field{"lowest_ratio", &LoopOptions::lowest_ratio,
+            "Smallest ratio upper / lower for lowest_plateau, above 1."},
+      Field{"min_ratio", &LoopOptions::min_ratio,
+            "Smallest ratio upper / lower of a plateau with a reliable hole, above 1."},
+      Field{"max_points", &LoopOptions::max_points,
+            "Largest number of points without downsampling, in [100, 10^6]. A larger cloud is\n"
+            "downsampled to about half of this."},
+      Field{"polish", &LoopOptions::polish,
+            "Shorten the loops of a downsampled cloud on all its points, at most 10^6."},
+      Field{"drop_meridians", &LoopOptions::drop_meridians,
+            "Discard loops that run around a thick handle instead of along it."});
 
-  py::native_enum<LoopStatus>(m, "LoopStatus", "enum.Enum", "How a search for loops ended.")
-      .value("found", LoopStatus::found, "There are loops.")
-      .value("no_reliable_hole", LoopStatus::no_reliable_hole, "None that can be relied on.")
+  py::native_enum<LoopStatus>(m, "LoopStatus", "enum.Enum", "Outcome of shortest_loops().")
+      .value("found", LoopStatus::found, "At least one loop was found.")
+      .value("no_reliable_hole", LoopStatus::no_reliable_hole,
+             "No plateau of the Betti curve is wide enough, or K_d has no loop.")
       .finalize();
 
-  py::class_<Loops>(m, "Loops", "The loops of a cloud, and what they were taken from.")
-      .def_readonly("status", &Loops::status, "Whether loops were found.")
-      .def_readonly("reason", &Loops::reason, "One sentence, for people.")
+  py::class_<Loops>(m, "Loops", "Result of shortest_loops().")
+      .def_readonly("status", &Loops::status, "Outcome of the search.")
+      .def_readonly("reason", &Loops::reason, "Explanation of the status in one sentence.")
       .def_property_readonly(
-          "loops", [](const Loops& self) { return self.loops; }, "Shortest first.")
+          "loops", [](const Loops& self) { return self.loops; }, "Loops, shortest first.")
       .def_property_readonly(
           "meridians", [](const Loops& self) { return self.meridians; },
-          "Left out: they run around a thick handle, not along it.")
-      .def_readonly("complex", &Loops::complex, "K_d, of the thinned cloud where it was thinned.")
-      .def_readonly("betti", &Loops::betti, "The Betti curve of the same cloud.")
-      .def_readonly("plateau", &Loops::plateau, "The one chosen; zero where d was given.")
+          "Discarded loops: they run around a thick handle, not along it.")
+      .def_readonly("complex", &Loops::complex, "K_d of the cloud, after downsampling.")
+      .def_readonly("betti", &Loops::betti, "Betti curve of the same points.")
+      .def_readonly("plateau", &Loops::plateau,
+                    "Selected plateau; zero if max_edge_length was given.")
       .def_property_readonly(
-          "warnings", [](const Loops& self) { return self.warnings; }, "For people.")
+          "warnings", [](const Loops& self) { return self.warnings; },
+          "Warnings about the cloud and the result.")
       .def("__repr__", [](const Loops& self) { return "<Loops: " + self.reason + ">"; });
 
-  py::class_<ClaspTarget> target(m, "ClaspTarget", "A place on a loop where a hand may clasp.");
+  py::class_<ClaspTarget> target(m, "ClaspTarget",
+                                 "A point of a loop where a hand may clasp, with its tangent.");
   bind_fields(target, "Any field by keyword; the others keep their defaults.",
-              Field{"point", &ClaspTarget::point, "(3,) [m]."},
-              Field{"tangent", &ClaspTarget::tangent, "(3,) unit, along the loop."});
+              Field{"point", &ClaspTarget::point, "(3,) point on the loop [m]."},
+              Field{"tangent", &ClaspTarget::tangent, "(3,) unit vector along the loop."});
 }
 
 Loops shortest_loops_released(const Array& points, const LoopOptions& options) {
@@ -408,54 +483,95 @@ void bind_shortest_loops(py::module_& m) {
       py::arg("lowest_ratio") = defaults.lowest_ratio, py::arg("min_ratio") = defaults.min_ratio,
       py::arg("max_points") = defaults.max_points, py::arg("polish") = defaults.polish,
       py::arg("drop_meridians") = defaults.drop_meridians,
-      "The shortest loops through the holes of what a cloud was taken from: a shortest basis of "
-      "H_1(K_d; Z_2).\n\n"
-      "points: (N, 3) [m]. max_edge_length: d [m]; None takes the widest plateau of the Betti "
-      "curve. The keywords are those of LoopOptions.\n\n"
-      "Not found is a status, see Loops.reason. Raises ValueError on fewer than 20 distinct "
-      "points, values that are not finite, points in a plane, or more than 10^7 points.\n\n"
-      ">>> for loop in shortest_loops(points).loops: print(loop.length, loop.points)");
+      R"(Finds the shortest loops through the holes of the object that a cloud was taken from.
+
+They are a shortest basis of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
+Section IV-A).
+
+Parameters
+----------
+points : (N, 3) array
+    Points on the object's surface [m], in any frame.
+max_edge_length : float, optional
+    d of K_d [m]. None: chosen from the widest plateau of the Betti curve.
+lowest_plateau, lowest_ratio, min_ratio, max_points, polish, drop_meridians : optional
+    See LoopOptions.
+
+Returns
+-------
+Loops
+    In the frame of the points. Finding no loop is a status; see Loops.reason.
+
+Raises
+------
+ValueError
+    If there are fewer than 20 distinct points or more than 10^7 (10^6 with `polish`), if one is
+    not finite, if all lie in a plane, or if an option is out of range.
+
+Examples
+--------
+>>> for loop in shortest_loops(points).loops: print(loop.length, loop.points)
+)");
   m.def("shortest_loops", &shortest_loops_released, py::arg("points"), py::arg("options"),
-        "The same with all options in one.");
+        "Same, with all options in a LoopOptions.");
   m.def(
       "clasp_targets",
       [](const LoopOrRows& loop, int count) { return clasp_targets(to_loop(loop, "loop"), count); },
       py::arg("loop"), py::arg("count"),
-      "`count` ClaspTargets at equal arc length of a Loop or of corners (K, 3), the first at the "
-      "first corner.");
+      R"(Places clasp targets on a loop at equal arc length (G_gamma of Stork 2013, Section IV-A).
+
+Parameters
+----------
+loop : Loop or (K, 3) array
+    Closed loop, or its corners [m].
+count : int
+    Number of targets, positive.
+
+Returns
+-------
+list of ClaspTarget
+    In the frame of the loop. The first target is at the first corner.
+
+Raises
+------
+ValueError
+    If `count` is not positive, or the loop has fewer than 3 corners or no length.
+)");
 }
 
 void bind_linking(py::module_& m) {
-  py::class_<VirtualLinking>(m, "VirtualLinking", "Virtual linking with its derivative.")
-      .def_readonly("value", &VirtualLinking::value, "Eq. (2), signed.")
+  py::class_<VirtualLinking>(m, "VirtualLinking",
+                             "Virtual linking, eq. (2) of Stork 2013, with its gradient.")
+      .def_readonly("value", &VirtualLinking::value, "VLk of eq. (2), signed.")
       .def_readonly("linking_number", &VirtualLinking::linking_number,
-                    "Of the loop and the closed curve.")
+                    "Linking number of the loop and the curve closed by its chord.")
       .def_property_readonly(
           "gradient", [](const VirtualLinking& self) -> Rows3 { return self.gradient.transpose(); },
-          "(K, 3): row i by corner i of the curve [1/m].")
+          "(K, 3) gradient with respect to the corners of the curve [1/m].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"value", "linking_number"});
       });
 
-  py::class_<PreparedLoop>(m, "PreparedLoop", "A closed loop prepared for many questions.")
+  py::class_<PreparedLoop>(m, "PreparedLoop",
+                           "A closed loop preprocessed for many linking queries.")
       .def(py::init([](const LoopOrRows& loop) { return PreparedLoop(to_loop(loop, "loop")); }),
            py::arg("loop"), "loop: a Loop, or its corners (K, 3) [m].")
       .def_property_readonly(
           "points", [](const PreparedLoop& self) -> Rows3 { return self.points().transpose(); },
-          "(K, 3) [m].")
+          "(K, 3) corners [m].")
       .def(
           "gauss_linking",
           [](const PreparedLoop& self, const std::vector<Array>& curves, bool are_closed) {
             return self.gauss_linking(to_curves(curves), are_closed);
           },
           py::arg("curves"), py::arg("are_closed") = true,
-          "The Gauss integral of the loop with each curve, (K, 3) [m].")
+          "Gauss linking integral of the loop with each curve, (K, 3) [m].")
       .def(
           "linking_numbers",
           [](const PreparedLoop& self, const std::vector<Array>& curves) {
             return self.linking_numbers(to_curves(curves));
           },
-          py::arg("curves"), "The linking number of the loop with each closed curve, (K, 3) [m].")
+          py::arg("curves"), "Linking number of the loop with each closed curve, (K, 3) [m].")
       .def("__repr__", [](const PreparedLoop& self) {
         return count("PreparedLoop", self.points().cols(), "corners");
       });
@@ -467,30 +583,82 @@ void bind_linking(py::module_& m) {
       },
       py::arg("a"), py::arg("b"), py::kw_only(), py::arg("a_is_closed") = true,
       py::arg("b_is_closed") = true,
-      "The Gauss linking integral of two polylines, (K, 3) [m]; an integer where both are "
-      "closed.\n\n"
-      "Segments that touch or lie on one line count 0: the value is finite.");
+      R"(Gauss linking integral of two polylines, eq. (1) of Stork, Pokorny, Kragic 2013.
+
+Parameters
+----------
+a, b : Loop or (K, 3) array
+    Corners of the polylines [m], in one frame. A closed one does not repeat its first corner.
+a_is_closed, b_is_closed : bool, optional
+    True if the last corner connects to the first.
+
+Returns
+-------
+float
+    An integer up to rounding if both are closed. Pairs of segments that touch or are collinear
+    contribute 0, so the value is finite.
+
+Raises
+------
+ValueError
+    If a polyline has fewer than 2 corners (3 if closed) or is not finite.
+)");
   m.def(
       "linking_number",
       [](const LoopOrRows& a, const LoopOrRows& b) {
         return linking_number(to_loop(a, "a"), to_loop(b, "b"));
       },
       py::arg("a"), py::arg("b"),
-      "How often two closed polylines, (K, 3) [m], wind around one another: by signed crossings.");
+      R"(Linking number of two closed polylines, by signed crossings.
+
+Parameters
+----------
+a, b : Loop or (K, 3) array
+    Corners of the closed polylines [m], in one frame, without repeating the first.
+
+Returns
+-------
+int
+    Eq. (1) of Stork, Pokorny, Kragic 2013 as an exact integer.
+
+Raises
+------
+ValueError
+    If a polyline has fewer than 3 corners or is not finite.
+)");
   m.def(
       "virtual_linking",
       [](const LoopOrRows& loop, const Array& curve) {
         return virtual_linking(to_loop(loop, "loop"), to_points3(curve, "curve"));
       },
       py::arg("loop"), py::arg("curve"),
-      "Virtual linking (Stork, Pokorny, Kragic 2013, eq. 2) of a closed loop and an open curve, "
-      "(K, 3) [m]; signed.");
+      R"(Virtual linking of a closed loop and an open curve, eq. (2) of Stork, Pokorny, Kragic 2013.
+
+Parameters
+----------
+loop : Loop or (K, 3) array
+    Closed loop, or its corners [m].
+curve : (K, 3) array
+    Corners of the open curve [m], in the frame of the loop.
+
+Returns
+-------
+float
+    VLk, signed: 0 if the loop does not run through the closed curve, Lk if the ends meet.
+
+Raises
+------
+ValueError
+    If the loop has fewer than 3 corners, the curve fewer than 2, or one is not finite.
+)");
   m.def(
       "virtual_linking_gradient",
       [](const LoopOrRows& loop, const Array& curve) {
         return virtual_linking_gradient(to_loop(loop, "loop"), to_points3(curve, "curve"));
       },
-      py::arg("loop"), py::arg("curve"), "Virtual linking with its derivative by the corners.");
+      py::arg("loop"), py::arg("curve"),
+      "Virtual linking with its gradient with respect to the curve's corners; see "
+      "virtual_linking.");
 }
 
 void bind_sampling(py::module_& m) {
@@ -501,8 +669,27 @@ void bind_sampling(py::module_& m) {
         return sample_surface(shapes, count, seed).transpose();
       },
       py::arg("shapes"), py::arg("count"), py::arg("seed") = 1,
-      "`count` points (N, 3) [m] spread evenly over the outer surface of the shapes' union.\n\n"
-      "The same seed gives the same points.");
+      R"(Samples points evenly on the outer surface of a union of shapes (Yuksel 2015).
+
+Parameters
+----------
+shapes : list of PlacedShape
+    Shapes in the frame B of a body. Points inside another shape are omitted. A mesh has no inside.
+count : int
+    Number of points, in [1, 10^7].
+seed : int, optional
+    The same seed gives the same points.
+
+Returns
+-------
+(count, 3) array
+    Points in B [m].
+
+Raises
+------
+ValueError
+    If `count` is out of range, a shape is invalid, or there is almost no outer surface.
+)");
   m.def(
       "visible_points",
       [](const Array& points, const Array& viewpoint) {
@@ -510,17 +697,55 @@ void bind_sampling(py::module_& m) {
             visible_points(to_points3(points, "points"), to_vector3(viewpoint, "viewpoint")));
       },
       py::arg("points"), py::arg("viewpoint"),
-      "Indices of the points (N, 3) that are seen from viewpoint, (3,) [m]; ascending.");
+      R"(Finds the points visible from a viewpoint (hidden point removal; Katz, Tal, Basri 2007).
+
+Parameters
+----------
+points : (N, 3) array
+    [m].
+viewpoint : (3,) array
+    In the frame of the points [m]; must not be one of them.
+
+Returns
+-------
+array of int
+    Indices of the visible points, ascending.
+
+Raises
+------
+ValueError
+    If a value is not finite or the viewpoint is one of the points.
+)");
   m.def(
       "spacing", [](const Array& points) { return spacing(to_points3(points, "points")); },
-      py::arg("points"), "The median distance from a point to its nearest other point [m].");
+      py::arg("points"),
+      "Median distance between nearest neighbours among points, (N, 3) [m]. Equal points count "
+      "once.\n\n0 if no two points differ. Raises ValueError if a value is not finite.");
   m.def(
       "downsample",
       [](const Array& points, double cell) {
         return to_array(downsample(to_points3(points, "points"), cell));
       },
       py::arg("points"), py::arg("cell"),
-      "Indices of one point (N, 3) a cubic cell of side `cell` [m]; ascending.");
+      R"(Downsamples a cloud to one point per cubic cell: the point nearest to the cell's mean.
+
+Parameters
+----------
+points : (N, 3) array
+    [m].
+cell : float
+    Side of a cell [m], in (0, 10000].
+
+Returns
+-------
+array of int
+    Indices of the points kept, ascending.
+
+Raises
+------
+ValueError
+    If `cell` is out of range or a point is not finite.
+)");
 }
 
 }  // namespace
@@ -540,7 +765,24 @@ void bind_geometry(py::module_ m) {
         return sample_grid(polygon, spacing).transpose();
       },
       py::arg("polygon"), py::arg("spacing"),
-      "Points (N, 2) on a square grid of `spacing` [m] inside a polygon; never empty.");
+      R"(Points of a square grid inside a polygon.
+
+Parameters
+----------
+polygon : Polygon
+spacing : float
+    Distance between grid points [m], positive.
+
+Returns
+-------
+(N, 2) array
+    [m]. If the grid misses the polygon: its first vertex.
+
+Raises
+------
+ValueError
+    If `spacing` is not positive or gives more than 10^7 points.
+)");
   m.def(
       "outline",
       [](const Array& points, const std::string& what) {
@@ -549,10 +791,26 @@ void bind_geometry(py::module_ m) {
         return outline(columns, what);
       },
       py::arg("points"), py::arg("what") = "points",
-      "The outer boundary of planar points (N, 2) [m]: their tightest alpha shape in one simple "
-      "piece.\n\n"
-      "Holes are filled. Raises ValueError when the points are fewer than three, not finite or on "
-      "a line.");
+      R"(Outer boundary of planar points: their tightest alpha shape in one simple piece.
+
+Parameters
+----------
+points : (N, 2) array
+    [m].
+what : str, optional
+    Name used in error messages.
+
+Returns
+-------
+Polygon
+    Simplified by less than the point spacing. Holes are filled.
+
+Raises
+------
+ValueError
+    If there are fewer than three points, if one is not finite, if all lie on a line, or if they
+    form several pieces.
+)");
 }
 
 }  // namespace graspless::bindings

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic 2013).
+"""Clasp planner: put a hand through a hole of an object and close it.
+
+After Stork, Pokorny, Kragic 2013. `plan` is Section IV, `test_stability` Section V-A.
 
 >>> import numpy as np
 >>> from graspless import clasp, geometry, robot

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shapes, supports, outlines, and the loops through the holes of a cloud. Lengths in metres.
+"""Shapes, polygons, point clouds, linking numbers, and loops through the holes of a cloud.
+
+Lengths are in metres. Points are rows: (N, 3), or (N, 2) in a plane.
 
 >>> from graspless.geometry import shortest_loops  # points: (N, 3)
 >>> for loop in shortest_loops(points).loops:  # doctest: +SKIP

@@ -95,7 +95,7 @@ def test_no_hole_is_a_status():
 def test_what_looks_wrong_is_warned_of():
     assert any("millimetres" in warning for warning in shortest_loops(1000 * RING).warnings)
     twice = shortest_loops(np.vstack([RING, RING[:7]]))
-    assert twice.warnings == ["7 points equal others: they count once"]
+    assert twice.warnings == ["7 points equal others; equal points count once"]
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@
 
 #include "clasp/close.hpp"
 #include "clasp/parameters.hpp"
-#include "clasp/search/tasks.hpp"
+#include "clasp/search/task_space.hpp"
 
 namespace graspless::clasp {
 
@@ -16,9 +16,10 @@ using planning::Path;
 
 namespace {
 
-/// The randomised path pruning of Section IV-D. Both ends stay where they are.
+/// Randomised path pruning of Section IV-D. Keeps both ends.
 Path pruned(Query& query, Path path) {
-  std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>> refused;  // are drawn again and again
+  std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>
+      refused;  // the same pairs are drawn repeatedly
   const planning::Connect straight = [&](const Eigen::VectorXd& a,
                                          const Eigen::VectorXd& b) -> std::optional<Path> {
     const auto pair = std::make_pair(a, b);
@@ -31,13 +32,13 @@ Path pruned(Query& query, Path path) {
   return planning::shortcut(std::move(path), straight, query.options.shortcut_rounds, query.rng);
 }
 
-Segment segment(const std::string& name, const Path& path, Tasks& tasks) {
+Segment segment(const std::string& name, const Path& path, TaskSpace& task_space) {
   Segment segment{name, planning::subdivided(path, kRowStep), {}};
   const auto rows = static_cast<Eigen::Index>(segment.positions.size());
-  segment.virtual_linking.resize(tasks.kinematics().num_curves(), rows);
+  segment.virtual_linking.resize(task_space.kinematics().num_curves(), rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    tasks.project(segment.positions[static_cast<std::size_t>(i)]);
-    segment.virtual_linking.col(i) = tasks.linking_of_curves();
+    task_space.project(segment.positions[static_cast<std::size_t>(i)]);
+    segment.virtual_linking.col(i) = task_space.linking_of_curves();
   }
   return segment;
 }
@@ -73,8 +74,7 @@ std::string reason(const Plan& plan) {
   return out.str();
 }
 
-/// The stability test; a clasp that does not outlive its first sequence is spared the others where
-/// it must be secure.
+/// Runs the stability test. If the clasp must be secure, a failure in the first sequence ends it.
 Stability tested(Query& query, int loop, const Eigen::VectorXd& q) {
   const double before = query.clock.seconds();
   if (!query.tester) query.tester.emplace(query.problem);
@@ -91,11 +91,11 @@ Stability tested(Query& query, int loop, const Eigen::VectorXd& q) {
   return stability;
 }
 
-/// Handles that the hand cannot close around, which may be why there is no plan.
+/// Warns of handles that are too thick for the hand, a likely reason for failure.
 void warn_of_thick_handles(const Problem& problem,
                            const std::vector<std::unique_ptr<LoopSearch>>& searches, Plan& plan) {
   for (const auto& search : searches) {
-    const int loop = search->of().loop;
+    const int loop = search->task().loop;
     const double thickness = problem.object.loops().loops[static_cast<std::size_t>(loop)].thickness;
     if (!is_too_thick(problem.robot, problem.hand, thickness)) continue;
     std::ostringstream out;
@@ -107,44 +107,44 @@ void warn_of_thick_handles(const Problem& problem,
 
 }  // namespace
 
-std::optional<Found> close_clasp(Query& query, LoopSearch& search) {
+std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
   const Problem& problem = query.problem;
   const auto refused = [&](const char* why) {
     query.refuse(why);
     return std::nullopt;
   };
-  Found found;
-  found.reach = search.path();
-  found.close = close_hand(query.free, problem.robot, problem.hand, found.reach.back());
-  const Eigen::VectorXd& q = found.close.back();
-  if (search.linking(q).minCoeff() < search.of().options.min_linking) {
+  Clasp clasp;
+  clasp.reach = search.path();
+  clasp.close = close_hand(query.free, problem.robot, problem.hand, clasp.reach.back());
+  const Eigen::VectorXd& q = clasp.close.back();
+  if (search.linking(q).minCoeff() < search.task().options.min_linking) {
     return refused("clasp: a finger loses the loop while it closes");
   }
-  const geometry::ClaspTarget* held = search.held_W(q);
+  const geometry::ClaspTarget* held = search.held_target_W(q);
   if (!held) return refused("clasp: away from every target");
-  found.target_W = *held;
-  found.stability = tested(query, search.of().loop, q);
-  if (query.options.must_be_secure && !found.stability.secure) {
+  clasp.target_W = *held;
+  clasp.stability = tested(query, search.task().loop, q);
+  if (query.options.must_be_secure && !clasp.stability.secure) {
     return refused("clasp: not secure");
   }
-  return found;
+  return clasp;
 }
 
-void assemble(Query& query, const LoopSearch& search, Found found, Plan& plan) {
+void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
   const Problem& problem = query.problem;
-  const LoopTargets& of = search.of();
-  Tasks tasks(problem.robot, problem.hand, of.points_W, of.targets_W);
-  if (problem.q_start != found.reach.front()) {
-    found.reach.insert(found.reach.begin(), problem.q_start);
+  const LoopTask& task = search.task();
+  TaskSpace task_space(problem.robot, problem.hand, task.points_W, task.targets_W);
+  if (problem.q_start != clasp.reach.front()) {
+    clasp.reach.insert(clasp.reach.begin(), problem.q_start);
   }
   plan.status = Status::solved;
-  plan.segments = {segment("reach", pruned(query, std::move(found.reach)), tasks),
-                   segment("close", found.close, tasks)};
-  plan.loop = of.loop;
+  plan.segments = {segment("reach", pruned(query, std::move(clasp.reach)), task_space),
+                   segment("close", clasp.close, task_space)};
+  plan.loop = task.loop;
   const Eigen::Isometry3d X_OW = problem.X_WO.inverse();
-  plan.target = {X_OW * found.target_W.point, X_OW.linear() * found.target_W.tangent};
-  plan.min_linking = of.options.min_linking;
-  plan.stability = found.stability;
+  plan.target = {X_OW * clasp.target_W.point, X_OW.linear() * clasp.target_W.tangent};
+  plan.min_linking = task.options.min_linking;
+  plan.stability = clasp.stability;
   plan.tree = search.tree();
 }
 

@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "clasp/search/loop_search.hpp"
 #include "clasp/query.hpp"
+#include "clasp/search/loop_search.hpp"
 
 namespace graspless::clasp {
 
-/// What the search found for one loop: the way to the open clasp, and the fingers' closing.
-struct Found {
+/// A clasp of one loop: the path to it with open fingers, and the path of the closing fingers.
+struct Clasp {
   planning::Path reach, close;
   geometry::ClaspTarget target_W;
   Stability stability;
 };
 
-/// The fingers close until contact, and the stability test; counts what is refused.
-std::optional<Found> close_clasp(Query& query, LoopSearch& search);
+/// Closes the fingers until contact and tests the stability. Returns nothing if the clasp is
+/// rejected, and counts the reason.
+std::optional<Clasp> close_clasp(Query& query, LoopSearch& search);
 
-/// Writes a clasp into the plan: path pruning, rows, virtual linking, the tree.
-void assemble(Query& query, const LoopSearch& search, Found found, Plan& plan);
+/// Writes a clasp into the plan: prunes the path, and adds rows, virtual linking and the tree.
+void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan);
 
-/// Counters, and the reason if there is none yet.
+/// Writes the statistics into the plan, and a reason if it has none yet.
 void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>& searches,
               Plan& plan);
 

@@ -9,12 +9,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kStep = 0.01;         // of a joint, between configurations looked at
-constexpr double kStride = 5 * kStep;  // between rows, and of all joints at once in the open
+constexpr double kJointStep = 0.01;         // largest joint step between collision checks [rad]
+constexpr double kStride = 5 * kJointStep;  // largest joint step between rows [rad]
 
-class Closing {
+class HandCloser {
  public:
-  Closing(FreeSpace& space, const robot::Robot& robot, const Hand& hand, const VectorXd& q)
+  HandCloser(FreeSpace& space, const robot::Robot& robot, const Hand& hand, const VectorXd& q)
       : space_(space),
         joints_(robot.group(hand.hand)),
         closed_(q),
@@ -23,32 +23,32 @@ class Closing {
     const VectorXd &open = robot.state(hand.open), closed = robot.clamp(robot.state(hand.closed));
     for (const int joint : joints_) {
       moves_[joint] = 1;
-      // A joint that is open and closed at one value does not close, and none ever opens.
+      // A joint with equal open and closed values does not move, and no joint opens.
       if (closed[joint] > open[joint]) closed_[joint] = std::max(q[joint], closed[joint]);
       if (closed[joint] < open[joint]) closed_[joint] = std::min(q[joint], closed[joint]);
     }
   }
 
   std::vector<VectorXd> close() {
-    while (stride() || turn_in_turn()) {
+    while (step_together() || step_in_turn()) {
     }
     return thinned();
   }
 
  private:
-  /// Every joint that moved last time at once.
-  bool stride() {
+  /// Moves all joints that moved last time by a stride, if that is free.
+  bool step_together() {
     const VectorXd q = towards(rows_.back(), kStride, moves_);
-    if ((q - rows_.back()).isZero(0) || !space_.is_free(rows_.back(), q, kStep)) return false;
+    if ((q - rows_.back()).isZero(0) || !space_.is_free(rows_.back(), q, kJointStep)) return false;
     rows_.push_back(q);
     return true;
   }
 
-  /// One joint after the other.
-  bool turn_in_turn() {
+  /// Moves each joint in turn by a small step, if that is free.
+  bool step_in_turn() {
     VectorXd q = rows_.back();
     for (const int joint : joints_) {
-      const VectorXd next = towards(q, kStep, VectorXd::Unit(q.size(), joint));
+      const VectorXd next = towards(q, kJointStep, VectorXd::Unit(q.size(), joint));
       moves_[joint] = next[joint] != q[joint] && space_.is_free(next) ? 1 : 0;
       if (moves_[joint] != 0) q = next;
     }
@@ -61,24 +61,24 @@ class Closing {
     return q + (closed_ - q).cwiseMax(-step).cwiseMin(step).cwiseProduct(which);
   }
 
-  /// Without the rows that a straight free motion of at most a stride may leave out.
+  /// Drops rows that a straight free motion of at most a stride can skip.
   std::vector<VectorXd> thinned() {
     std::vector<VectorXd> kept{rows_.front()};
     for (std::size_t i = 1; i < rows_.size(); ++i) {
       const bool is_last = i + 1 == rows_.size();
-      if (is_last || !may_leave_out(kept.back(), rows_[i + 1])) kept.push_back(rows_[i]);
+      if (is_last || !can_skip_between(kept.back(), rows_[i + 1])) kept.push_back(rows_[i]);
     }
     return kept;
   }
 
-  bool may_leave_out(const VectorXd& from, const VectorXd& to) {
-    return (to - from).cwiseAbs().maxCoeff() <= kStride && space_.is_free(from, to, kStep);
+  bool can_skip_between(const VectorXd& from, const VectorXd& to) {
+    return (to - from).cwiseAbs().maxCoeff() <= kStride && space_.is_free(from, to, kJointStep);
   }
 
   FreeSpace& space_;
   const std::vector<int>& joints_;
   VectorXd closed_;
-  VectorXd moves_;  // 1 for a joint that moved last time
+  VectorXd moves_;  // 1 for joints that moved last time, else 0
   std::vector<VectorXd> rows_;
 };
 
@@ -86,7 +86,7 @@ class Closing {
 
 std::vector<VectorXd> close_hand(FreeSpace& space, const robot::Robot& robot, const Hand& hand,
                                  const VectorXd& q) {
-  return Closing(space, robot, hand, q).close();
+  return HandCloser(space, robot, hand, q).close();
 }
 
 }  // namespace graspless::clasp

@@ -12,10 +12,9 @@
 
 namespace graspless::clasp {
 
-/// The hand closes until contact: joints of the hand in turn, 0.01 rad towards the closed state
-/// each, until none can move on without touching anything. The rows from q on, at most 0.05 rad
-/// apart, every one free; the last is where one more step of any joint would touch or leave the
-/// limits.
+/// Closes the hand from q until contact (Stork 2013, Section IV-D). The joints of the hand move in
+/// turn by 0.01 rad towards the closed state, until every further step would collide or reach the
+/// closed state. Returns collision-free rows from q on, at most 0.05 rad apart in any joint.
 GRASPLESS_API std::vector<Eigen::VectorXd> close_hand(FreeSpace& space, const robot::Robot& robot,
                                                       const Hand& hand, const Eigen::VectorXd& q);
 

@@ -15,15 +15,15 @@ namespace {
 using Eigen::Vector3d;
 using Points = Eigen::Matrix3Xd;
 
-constexpr double kStep = 0.05;     // of a joint that closes [rad]
-constexpr double kFraction = 0.5;  // of the way from the open hand to the one closed in the air
-constexpr double kTip = 0.012;     // radius of a tip without shapes [m]
+constexpr double kStep = 0.05;     // of a closing joint [rad]
+constexpr double kFraction = 0.5;  // threshold between the open (0) and the closed hand (1)
+constexpr double kTip = 0.012;     // radius of a fingertip without shapes [m]
 
 double polyline_length(const Points& p) {
   return (p.rightCols(p.cols() - 1) - p.leftCols(p.cols() - 1)).colwise().norm().sum();
 }
 
-/// 1 - delta / |alpha^|: the virtual linking of a curve that is linked once.
+/// 1 - delta / |alpha^|, eq. (2): the virtual linking of a curve that is linked once.
 double closure(const Points& p) {
   const double chord = (p.col(0) - p.col(p.cols() - 1)).norm();
   return 1 - chord / (polyline_length(p) + chord);
@@ -36,7 +36,7 @@ double closure(const HandKinematics& hand) {
   return least;
 }
 
-/// Distance of a segment from a line through `on_line` along the unit vector `along`.
+/// Distance of the segment from a to b to the line through `on_line` along a unit vector [m].
 double distance(const Vector3d& a, const Vector3d& b, const Vector3d& on_line,
                 const Vector3d& along) {
   const auto across = [&](const Vector3d& v) { return Vector3d(v - v.dot(along) * along); };
@@ -46,7 +46,7 @@ double distance(const Vector3d& a, const Vector3d& b, const Vector3d& on_line,
   return (from - t * d).norm();
 }
 
-/// The middle of the box around all curves whose sides lie along the hand's own directions.
+/// Centre of the bounding box of all curves, with sides along the hand's directions.
 Vector3d middle(const HandKinematics& hand) {
   const Vector3d forward = hand.forward_W(), sideways = hand.sideways_W();
   Vector3d centre = Vector3d::Zero();
@@ -57,7 +57,8 @@ Vector3d middle(const HandKinematics& hand) {
   return centre;
 }
 
-/// Whether every curve keeps `clear` away from a bar in the hand's middle.
+/// True if every curve keeps a distance of `clear` from a line along `sideways` through the hand's
+/// centre.
 bool is_clear_of_bar(const HandKinematics& hand, double clear) {
   const Vector3d centre = middle(hand), along = hand.sideways_W();
   for (int i = 0; i < hand.num_curves(); ++i) {
@@ -109,7 +110,8 @@ double half_width(const robot::Robot& robot, const Hand& hand) {
   return (along.maxCoeff() - along.minCoeff()) / 2 + finger_radius(robot, hand);
 }
 
-// The joints close in turn; one that would touch the bar, or brings the tips no nearer, is done.
+// The joints close in turn. A joint stops when it would touch the bar or no longer closes the
+// curves.
 double reachable_linking(const robot::Robot& robot, const Hand& hand, double thickness) {
   const double clear = thickness / 2 + finger_radius(robot, hand);
   const Eigen::VectorXd& closed = robot.state(hand.closed);

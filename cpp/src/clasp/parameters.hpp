@@ -6,29 +6,30 @@
 
 #include "graspless/clasp/clasp.hpp"
 
-/// What the options leave open, derived from hand and object (the paper's future work).
+/// Parameters derived from hand and object where the options leave them open. The paper names this
+/// as future work (Stork 2013, Section VI).
 namespace graspless::clasp {
 
-/// Virtual linking that `hand` reaches, the least over its curves, when it closes in the air around
-/// a bar of this thickness [m] that lies along sideways in its middle.
+/// Smallest virtual linking of the finger curves after closing around a bar of `thickness` [m]. The
+/// bar lies along `sideways` through the centre of the hand.
 double reachable_linking(const robot::Robot& robot, const Hand& hand, double thickness);
 
-/// The same at the open state: how far the hand is closed when the loop has just slipped in.
+/// Same for the open hand, with the loop just inside.
 double open_linking(const robot::Robot& robot, const Hand& hand);
 
-/// Whether it closes no farther around such a bar than it is closed while open.
+/// True if closing around such a bar does not increase the virtual linking over the open hand.
 bool is_too_thick(const robot::Robot& robot, const Hand& hand, double thickness);
 
-/// Half of what the fingers take up along sideways, at the open state [m].
+/// Half the width of the open hand along `sideways` [m].
 double half_width(const robot::Robot& robot, const Hand& hand);
 
-/// How thick the fingers are about their curves: half the width of the thickest tip [m].
+/// Radius of the fingers about their curves: half the width of the thickest fingertip [m].
 double finger_radius(const robot::Robot& robot, const Hand& hand);
 
-/// The options with every zero replaced, for one loop.
+/// Returns the options with every 0 replaced by its value for one loop.
 Options derived(const Options& options, const Problem& problem, int loop);
 
-/// n of the first tree, the second, ...; the last for all further ones.
+/// Number of pre-expansions of each tree in turn. The last applies to all further trees.
 std::vector<int> pre_expansion_schedule(const Options& options);
 
 }  // namespace graspless::clasp

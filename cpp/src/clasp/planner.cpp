@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The planner of Section IV: which loops and places to clasp, a task-space RRT for each loop, the
-// closing of the fingers, the stability test.
+// The planner of Stork 2013, Section IV: selects loops and targets, grows a task-space RRT per
+// loop, closes the fingers, and tests the stability. Margins name the paper's sections.
 #include "clasp/assemble.hpp"
-#include "clasp/search/loop_search.hpp"
 #include "clasp/query.hpp"
+#include "clasp/search/loop_search.hpp"
 #include "clasp/search/targets.hpp"
 
 namespace graspless::clasp {
 namespace {
 
-/// What there is to say of an object without a hole; it may not even have a surface to touch.
+/// Plan for an object without a hole. Such an object may not even have a surface.
 Plan without_hole(const Problem& problem, const planning::Budget& budget) {
-  const planning::Clock clock(budget);  // throws on a bad one
+  const planning::Clock clock(budget);  // throws on an invalid budget
   Plan plan;
   plan.status = Status::no_reliable_hole;
   plan.reason = problem.object.loops().reason;
@@ -22,7 +22,7 @@ Plan without_hole(const Problem& problem, const planning::Budget& budget) {
   return plan;
 }
 
-/// Whether the robot may stand where it stands; else the plan says what touches.
+/// True if the start configuration is collision-free. If not, sets status and reason of the plan.
 bool is_start_free(Query& query, Plan& plan) {
   const Eigen::VectorXd& q = query.problem.q_start;
   if (query.free.is_free(q)) return true;
@@ -32,8 +32,8 @@ bool is_start_free(Query& query, Plan& plan) {
   return false;
 }
 
-/// The start with the hand's joints at their open state; the start itself where the hand cannot
-/// open.
+/// Start configuration with an open hand, or q_start itself if the hand cannot open without
+/// collision.
 Eigen::VectorXd opened(Query& query, Plan& plan) {
   const Problem& problem = query.problem;
   Eigen::VectorXd q = problem.q_start;
@@ -41,8 +41,7 @@ Eigen::VectorXd opened(Query& query, Plan& plan) {
   for (const int joint : problem.robot.group(problem.hand.hand)) q[joint] = open[joint];
   if (query.is_motion_free(problem.q_start, q)) return q;
   plan.warnings.push_back(
-      "the hand touches something while it opens at the start, and stays as "
-      "it is");
+      "the hand touches something while it opens at the start, and stays as it is");
   return problem.q_start;
 }
 
@@ -64,15 +63,15 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   std::vector<std::unique_ptr<LoopSearch>> searches;
   if (is_start_free(query, plan)) {
     const Eigen::VectorXd q_init = opened(query, plan);
-    for (const LoopTargets& of : choose_targets(query, q_init, plan)) {  // IV-A: S and G_gamma
-      searches.push_back(std::make_unique<LoopSearch>(query, of, q_init));
+    for (const LoopTask& task : choose_targets(query, q_init, plan)) {  // IV-A: S and G_gamma
+      searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
   for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
     LoopSearch& search = *searches[turn % searches.size()];
     while (!plan && search.cycle()) {                               // IV-D: Algorithm 1
-      std::optional<Found> found = close_clasp(query, search);      // IV-D: until contact occurs
-      if (found) assemble(query, search, std::move(*found), plan);  // IV-D: path pruning
+      std::optional<Clasp> clasp = close_clasp(query, search);      // IV-D: until contact occurs
+      if (clasp) assemble(query, search, std::move(*clasp), plan);  // IV-D: path pruning
     }
   }
   if (!plan && !searches.empty()) plan.status = failure(query);

@@ -16,7 +16,7 @@ namespace graspless::clasp {
 
 constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
-/// What one plan() works with.
+/// State of one call of plan().
 struct Query {
   Query(const Problem& problem, const Options& options, const planning::Budget& budget)
       : problem(problem), options(options), clock(budget), rng(budget.seed), free(problem) {}
@@ -26,13 +26,13 @@ struct Query {
   planning::Clock clock;
   std::mt19937_64 rng;
   FreeSpace free;
-  std::optional<StabilityTester> tester;  ///< made when a clasp is there to be tested
+  std::optional<StabilityTester> tester;  ///< created with the first clasp to test
   Statistics statistics;
 
   void refuse(const std::string& why) { ++statistics.refusals[why]; }
 
-  /// Whether a straight motion is free at the configurations at which the plan will be replayed:
-  /// rows of kRowStep, each cut at options.resolution.
+  /// True if a straight motion is collision-free at the configurations that check() will test: rows
+  /// of kRowStep, subdivided at options.resolution.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
     const planning::Path rows = planning::subdivided({from, to}, kRowStep);
     for (std::size_t i = 1; i < rows.size(); ++i) {

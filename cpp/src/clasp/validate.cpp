@@ -18,7 +18,7 @@ void check_loops(const Problem& problem) {
       if (given.insert(problem.loops[i]).second) continue;
       throw std::invalid_argument("loops[" + std::to_string(i) + "] is " +
                                   std::to_string(problem.loops[i]) +
-                                  " again; name a loop once at most");
+                                  " again; each loop may occur only once");
     }
     throw std::invalid_argument(
         "loops[" + std::to_string(i) + "] is " + std::to_string(problem.loops[i]) + "; object '" +

@@ -17,15 +17,15 @@
 namespace graspless::geometry {
 namespace {
 
-// Exact predicates make the hull of coplanar and nearly coplanar points right; no point is
-// constructed.
+// Exact predicates give the correct hull of coplanar and nearly coplanar points. No point is
+// constructed, so inexact constructions suffice.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Surface::Vertex_index;
 using Edge = Surface::Halfedge_index;
 using Face = Surface::Face_index;
 
-// Relative, between two sums of the same size.
+// Relative difference of two volumes that counts as rounding.
 constexpr double kVolumeTolerance = 1e-9;
 
 double signed_volume(const Mesh& mesh, const Eigen::Vector3d& p_origin) {
@@ -39,7 +39,7 @@ double signed_volume(const Mesh& mesh, const Eigen::Vector3d& p_origin) {
   return volume;
 }
 
-/// Each directed edge once, and its reverse too.
+/// True if each directed edge occurs once, and so does its reverse.
 bool is_closed(const Mesh& mesh) {
   std::set<std::pair<int, int>> edges;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
@@ -53,21 +53,22 @@ bool is_closed(const Mesh& mesh) {
   return true;
 }
 
-/// CGAL's choice of faces and of their order goes by where they lie in memory. The hull itself is
-/// one: its sides, however they are cut into triangles.
-class Sides {
+/// Planar sides of a hull. CGAL's triangulation of a side and its order depend on memory addresses.
+/// The sides themselves do not.
+class HullSides {
  public:
-  explicit Sides(const Surface& surface) : surface_(surface), side_(surface.number_of_faces(), -1) {
+  explicit HullSides(const Surface& surface)
+      : surface_(surface), side_(surface.number_of_faces(), -1) {
     for (const Face face : surface.faces()) {
       if (side_[face] < 0) flood(face, num_sides_++);
     }
   }
 
-  /// The corners of every side in order, counterclockwise seen from outside.
+  /// Corners of every side in order, counter-clockwise seen from outside.
   std::vector<std::vector<Vertex>> polygons() const {
     std::vector<std::vector<Vertex>> polygons(static_cast<std::size_t>(num_sides_));
     for (const Edge edge : surface_.halfedges()) {
-      if (side(edge) == kBeyond) continue;
+      if (side(edge) == kOutside) continue;
       std::vector<Vertex>& polygon = polygons[static_cast<std::size_t>(side(edge))];
       if (!is_rim(edge) || !polygon.empty()) continue;
       Edge at = edge;
@@ -80,9 +81,9 @@ class Sides {
   }
 
  private:
-  static constexpr int kBeyond = -1;  // the border of a flat hull, which has one side
+  static constexpr int kOutside = -1;  // beyond the border of a flat hull
   int side(Edge edge) const {
-    return surface_.is_border(edge) ? kBeyond : side_[surface_.face(edge)];
+    return surface_.is_border(edge) ? kOutside : side_[surface_.face(edge)];
   }
   bool is_rim(Edge edge) const { return side(edge) != side(surface_.opposite(edge)); }
 
@@ -92,13 +93,13 @@ class Sides {
     return edge;
   }
 
-  /// Not within a side or an edge of the hull.
+  /// False for a vertex in the interior of a side or of an edge of the hull.
   bool is_corner(Vertex vertex) const {
     std::set<int> sides;
     for (const Edge edge : surface_.halfedges_around_target(surface_.halfedge(vertex))) {
       sides.insert(side(edge));
     }
-    return sides.size() > 2 || sides.count(kBeyond) > 0;
+    return sides.size() > 2 || sides.count(kOutside) > 0;
   }
 
   bool is_flat(Edge edge) const {
@@ -128,9 +129,9 @@ class Sides {
   int num_sides_ = 0;
 };
 
-/// The hull with corners and triangles sorted, each side cut from its first corner.
-Mesh in_one_form(const Surface& surface) {
-  const std::vector<std::vector<Vertex>> polygons = Sides(surface).polygons();
+/// The hull with sorted corners and triangles. Each side is a fan from its first corner.
+Mesh canonical(const Surface& surface) {
+  const std::vector<std::vector<Vertex>> polygons = HullSides(surface).polygons();
   std::map<Kernel::Point_3, int> number;
   for (const auto& polygon : polygons) {
     for (const Vertex vertex : polygon) number[surface.point(vertex)] = 0;
@@ -169,7 +170,7 @@ Mesh convex_hull(const Eigen::Matrix3Xd& points) {
   }
   Surface surface;
   CGAL::convex_hull_3(input.begin(), input.end(), surface);
-  return in_one_form(surface);
+  return canonical(surface);
 }
 
 bool is_convex(const Mesh& mesh, const Mesh& hull) {

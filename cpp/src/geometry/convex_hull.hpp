@@ -6,12 +6,11 @@
 
 namespace graspless::geometry {
 
-/// The boundary of the convex hull: its corners only, triangles counter-clockwise from outside. The
-/// points must span a volume (validate).
+/// Boundary of the convex hull of points (3 x n) [m]: its corners, and triangles that are
+/// counter-clockwise seen from outside. The points must span a volume (see validate()).
 Mesh convex_hull(const Eigen::Matrix3Xd& points);
 
-/// Whether a mesh is closed, oriented outward or inward throughout, and fills `hull`, its convex
-/// hull.
+/// True if a mesh is closed, consistently oriented, and fills `hull`, its convex hull.
 bool is_convex(const Mesh& mesh, const Mesh& hull);
 
 }  // namespace graspless::geometry

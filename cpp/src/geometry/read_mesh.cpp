@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Alone in its file: CGAL's readers are heavy to compile.
+// In a file of its own because CGAL's readers are slow to compile.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -28,7 +28,7 @@ struct Soup {
 
 constexpr std::array<const char*, 4> kExtensions{".stl", ".obj", ".off", ".ply"};
 
-[[noreturn]] void refuse(const std::string& path, const std::string& fault) {
+[[noreturn]] void refuse_file(const std::string& path, const std::string& fault) {
   throw std::invalid_argument("mesh '" + path + "' " + fault);
 }
 
@@ -44,12 +44,12 @@ std::string extension_of(const std::string& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
-    refuse(path, "has extension '" + extension + "'; choose from .stl, .obj, .off, .ply");
+    refuse_file(path, "has extension '" + extension + "'; choose from .stl, .obj, .off, .ply");
   }
   return extension;
 }
 
-/// The numbers of elements that the header of a .ply file promises.
+/// Numbers of elements stated in the header of a .ply file.
 std::vector<double> counts_of_ply(std::istream& file) {
   std::vector<double> counts;
   for (std::string line; std::getline(file, line);) {
@@ -63,13 +63,13 @@ std::vector<double> counts_of_ply(std::istream& file) {
   return counts;
 }
 
-/// The numbers of vertices and faces that the header of an .off file promises.
+/// Numbers of vertices and faces stated in the header of an .off file.
 std::vector<double> counts_of_off(std::istream& file, const std::string& path) {
   std::vector<double> counts;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     for (std::string word; words >> word;) {
-      if (word == "BINARY") refuse(path, "is a binary .off file; save it as text");
+      if (word == "BINARY") refuse_file(path, "is a binary .off file; save it as text");
       if (word.find("OFF") != std::string::npos) continue;
       counts.push_back(std::strtod(word.c_str(), nullptr));
       if (counts.size() == 2) return counts;
@@ -78,14 +78,15 @@ std::vector<double> counts_of_off(std::istream& file, const std::string& path) {
   return counts;
 }
 
-/// The readers reserve what the header promises: it must fit in the file, a byte for each at the
-/// very least.
-void require_honest_header(const std::string& path, const std::string& extension) {
+/// CGAL's readers reserve memory for the numbers stated in the header. Every element takes at least
+/// a byte, so larger numbers than the file's size are wrong.
+void require_plausible_header(const std::string& path, const std::string& extension) {
   if (extension != ".ply" && extension != ".off") return;
   const auto size = static_cast<double>(std::filesystem::file_size(path));
   std::ifstream file(path, std::ios::binary);
   for (const double count : extension == ".ply" ? counts_of_ply(file) : counts_of_off(file, path)) {
-    if (count > size) refuse(path, "is damaged: its header promises more than the file can hold");
+    if (count > size)
+      refuse_file(path, "is damaged: its header states more elements than the file can hold");
   }
 }
 
@@ -94,19 +95,19 @@ Soup read_soup(const std::string& path) {
   try {
     if (CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons)) return soup;
   } catch (const std::exception& error) {
-    refuse(path, std::string("cannot be read: ") + error.what());
+    refuse_file(path, std::string("cannot be read: ") + error.what());
   }
-  refuse(path, "cannot be read: it is damaged or not in the format its name says");
+  refuse_file(path, "cannot be read: it is damaged, or its format does not match its extension");
 }
 
-/// Fans of the polygons; corners that repeat a vertex make no triangle.
+/// Splits each polygon into a fan of triangles. Drops triangles that repeat a vertex.
 Eigen::Matrix3Xi triangulate(const Soup& soup, const std::string& path) {
   std::vector<Eigen::Vector3i> triangles;
   for (const auto& polygon : soup.polygons) {
     for (const std::size_t corner : polygon) {
       if (corner >= soup.points.size()) {
-        refuse(path, "names vertex " + std::to_string(corner) + " of " +
-                         std::to_string(soup.points.size()));
+        refuse_file(path, "refers to vertex " + std::to_string(corner) + " of " +
+                              std::to_string(soup.points.size()));
       }
     }
     for (std::size_t i = 2; i < polygon.size(); ++i) {
@@ -127,8 +128,8 @@ Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   require_scale(scale);
   const std::string extension = extension_of(path);
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) refuse(path, "is missing");
-  require_honest_header(path, extension);
+  if (!std::filesystem::is_regular_file(path, ignored)) refuse_file(path, "is missing");
+  require_plausible_header(path, extension);
 
   const Soup soup = read_soup(path);
   Mesh mesh;
@@ -139,8 +140,9 @@ Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
         scale.cwiseProduct(Eigen::Vector3d(p.x(), p.y(), p.z()));
   }
   mesh.triangles = triangulate(soup, path);
-  if (mesh.triangles.cols() == 0) refuse(path, "is empty: it has no triangle");
-  if (scale.prod() < 0) mesh.triangles.row(1).swap(mesh.triangles.row(2));  // keep outward outward
+  if (mesh.triangles.cols() == 0) refuse_file(path, "is empty: it has no triangle");
+  if (scale.prod() < 0)
+    mesh.triangles.row(1).swap(mesh.triangles.row(2));  // a reflection flips the orientation
   validate(mesh, "mesh '" + path + "'");
   return mesh;
 }

@@ -8,7 +8,7 @@
 
 namespace graspless::geometry {
 
-/// Throws std::invalid_argument, naming `what` and the point, unless every coordinate is finite
+/// Throws std::invalid_argument that names `what` and the point unless every coordinate is finite
 /// and within kMaxLength.
 void require_points(const Eigen::Matrix3Xd& points, const std::string& what);
 

@@ -13,7 +13,7 @@
 namespace graspless::geometry {
 namespace {
 
-// A hull thinner than this part of its width spans no volume that a collision checker could trust.
+// A hull thinner than this fraction of its width spans no volume that a collision checker can use.
 constexpr double kMinThinness = 1e-9;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& fault) {
@@ -27,12 +27,13 @@ void require_length(double value, const std::string& what) {
   refuse(what, fault.str());
 }
 
-/// Whether the points span a volume: their smallest extent in any direction against their largest.
+/// True if the smallest extent of the points in any direction is not negligible against the
+/// largest.
 bool spans_volume(const Eigen::Matrix3Xd& vertices) {
   const Eigen::Matrix3Xd centred = vertices.colwise() - vertices.rowwise().mean().eval();
   const double width = centred.cwiseAbs().maxCoeff();
   if (!(width > 0)) return false;
-  // By size first, so that squares of tiny lengths do not underflow.
+  // Normalised by size, so that squares of tiny lengths do not underflow.
   const Eigen::Matrix3d moments = (centred / width) * (centred / width).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
   const Eigen::VectorXd along = (axes.eigenvectors().col(0).transpose() * centred).transpose();
@@ -79,8 +80,9 @@ void check(const Mesh& mesh, const std::string& what) {
   }
 }
 
+/// Extent of a shape centred at its frame along d, a unit vector of that frame [m].
 struct Extent {
-  Eigen::Vector3d d;  // in the shape's frame
+  Eigen::Vector3d d;
   double operator()(const Box& box) const { return d.cwiseAbs().dot(box.size) / 2; }
   double operator()(const Sphere& sphere) const { return sphere.radius; }
   double operator()(const Capsule& c) const { return c.radius + std::abs(d.z()) * c.length / 2; }

@@ -14,7 +14,7 @@ import typing
 __all__: list[str] = ['CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_stability', 'validate']
 class CurveNode:
     """
-    A corner of a finger curve, fixed in a link.
+    A corner of a finger curve, fixed to a link.
     """
     def __init__(self, *, link: str = '', p_L: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
         """
@@ -25,7 +25,7 @@ class CurveNode:
     @property
     def link(self) -> str:
         """
-        Of the robot.
+        Name of a link of the robot.
         """
     @link.setter
     def link(self, arg0: str) -> None:
@@ -33,14 +33,14 @@ class CurveNode:
     @property
     def p_L(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) in the link's frame [m].
+        (3,) position in the link's frame [m].
         """
     @p_L.setter
     def p_L(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
 class Finger:
     """
-    A finger: the corners of its half of the curve, from the palm to the tip.
+    A finger: the corners of its part of the finger curve, from the palm to the tip.
     """
     def __init__(self, *, name: str = '', nodes: collections.abc.Sequence[CurveNode] = []) -> None:
         """
@@ -51,7 +51,7 @@ class Finger:
     @property
     def name(self) -> str:
         """
-        What errors and pictures call it.
+        Name used in error messages and pictures.
         """
     @name.setter
     def name(self, arg0: str) -> None:
@@ -66,10 +66,10 @@ class Finger:
         ...
 class Hand:
     """
-    What the planner must know of a hand. Links, groups and states are the robot's.
+    Description of a hand for the planner (Stork, Pokorny, Kragic 2013, Section IV-B).
     
-    Every finger opposes the thumb: finger curve i runs from the tip of finger i down to the palm and up
-    the thumb to its tip.
+    Names of links, groups and states refer to the robot. Every finger opposes the thumb:
+    finger curve i runs from the tip of finger i to the palm and along the thumb to its tip.
     """
     def __init__(self, *, arm: str = 'arm', hand: str = 'hand', frame: str = 'palm', forward_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., sideways_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[Finger] = [], thumb: Finger = ..., open: str = 'open', closed: str = 'closed') -> None:
         """
@@ -80,7 +80,7 @@ class Hand:
     @property
     def arm(self) -> str:
         """
-        Group of joints that carry the hand, base to wrist.
+        Group of the joints that carry the hand, base to wrist.
         """
     @arm.setter
     def arm(self, arg0: str) -> None:
@@ -88,7 +88,7 @@ class Hand:
     @property
     def closed(self) -> str:
         """
-        State towards which every joint closes.
+        State towards which the joints close.
         """
     @closed.setter
     def closed(self, arg0: str) -> None:
@@ -96,7 +96,7 @@ class Hand:
     @property
     def fingers(self) -> tuple[Finger, ...]:
         """
-        Those that oppose the thumb.
+        Fingers that oppose the thumb.
         """
     @fingers.setter
     def fingers(self, arg1: collections.abc.Sequence[Finger]) -> None:
@@ -104,7 +104,7 @@ class Hand:
     @property
     def forward_H(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit, towards what is clasped, in H.
+        (3,) unit vector towards the handle, in H (v_fwd).
         """
     @forward_H.setter
     def forward_H(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -112,7 +112,7 @@ class Hand:
     @property
     def frame(self) -> str:
         """
-        Link H of the palm.
+        Link of the palm, H.
         """
     @frame.setter
     def frame(self, arg0: str) -> None:
@@ -120,7 +120,7 @@ class Hand:
     @property
     def hand(self) -> str:
         """
-        Group of the hand's joints that close.
+        Group of the joints that close the hand.
         """
     @hand.setter
     def hand(self, arg0: str) -> None:
@@ -128,7 +128,7 @@ class Hand:
     @property
     def open(self) -> str:
         """
-        State of the hand's joints with which the search begins.
+        State of the hand's joints at the start of the search.
         """
     @open.setter
     def open(self, arg0: str) -> None:
@@ -136,7 +136,7 @@ class Hand:
     @property
     def sideways_H(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit, along what is clasped, in H.
+        (3,) unit vector along the handle, in H (v_swd).
         """
     @sideways_H.setter
     def sideways_H(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -144,70 +144,105 @@ class Hand:
     @property
     def thumb(self) -> Finger:
         """
-        The finger that the others oppose.
+        Finger that the others oppose.
         """
     @thumb.setter
     def thumb(self, arg0: Finger) -> None:
         ...
 class Object:
     """
-    An object known by a cloud of points: its loops, and K_d as what must not be touched.
+    An object known from a point cloud: its loops, and K_d as collision model (Stork,
+    Pokorny, Kragic 2013, Section IV-A).
     """
     @staticmethod
     def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: graspless._core.geometry.LoopOptions = ...) -> Object:
         """
-        Points on the surface, (N, 3) in O [m]. An object without a reliable hole is still an object: plan() says so.
+        Finds the loops of a cloud and builds its collision model.
         
-        Raises ValueError as geometry.shortest_loops does.
+        Parameters
+        ----------
+        name : str
+            Name used in error messages and pictures.
+        p_OP : (N, 3) array
+            Points on the surface, in O [m].
+        options : geometry.LoopOptions, optional
+        
+        Returns
+        -------
+        Object
+            An object without a reliable hole is valid; plan() reports it as a status.
+        
+        Raises
+        ------
+        ValueError
+            As geometry.shortest_loops.
         """
     def __repr__(self) -> str:
         ...
     @property
     def loop_options(self) -> graspless._core.geometry.LoopOptions:
         """
-        How loops were looked for; a copy.
+        geometry.LoopOptions used to find the loops; a copy.
         """
     @property
     def loops(self) -> graspless._core.geometry.Loops:
         """
-        geometry.Loops, in O: what was found and from what; a copy.
+        geometry.Loops in O; a copy.
         """
     @property
     def name(self) -> str:
         """
-        What errors and pictures call it.
+        Name used in error messages and pictures.
         """
     @property
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) the cloud, as given, in O [m].
+        (N, 3) input cloud, in O [m].
         """
     @property
     def spacing(self) -> float:
         """
-        Between the points of K_d [m].
+        Median distance of neighbouring points of K_d [m].
         """
     @property
     def surface(self) -> graspless._core.geometry.Mesh:
         """
-        Mesh of what must not be touched, in O: the triangles of K_d, and thin ones along edges that bound none.
+        Collision surface, in O [m]: the triangles of K_d, and narrow ones for edges and points without a triangle.
         """
 class Problem:
     """
-    What is given: put the hand through a hole of the object and close it.
+    A clasp planning problem: put the hand through a hole of the object and close it.
     """
     def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], loops: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = [], marks: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, pull_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
         """
-        X_WO: (4, 4) pose of the object in the world. q_start: (dof,) where the robot stands.
-        loops: which of object.loops.loops may be clasped; empty: any. marks: (N, 3) points in O [m] near which
-        to clasp; none: anywhere. pull_W: (3,) where the object shall be pulled afterwards, in the world.
+        Parameters
+        ----------
+        robot : robot.Robot
+        hand : Hand
+        object : Object
+        X_WO : (4, 4) array
+            Pose of the object in W.
+        q_start : (dof,) array
+            Start configuration of all joints [rad or m].
+        obstacles : list of Obstacle, optional
+        loops : list of int, optional
+            Indices in object.loops.loops of the loops that may be clasped; empty: all.
+        marks : (N, 3) array, optional
+            Points in O [m]. The hand clasps at the loop points nearest to them; none: anywhere.
+        pull_W : (3,) array, optional
+            Direction in W in which the clasped object will be pulled. Unsuitable targets are excluded.
+        
+        Raises
+        ------
+        ValueError
+            If a shape is wrong. plan() validates the values.
         """
     def __repr__(self) -> str:
         ...
     @property
     def X_WO(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """
-        (4, 4) pose of the object in the world.
+        (4, 4) pose of the object in W.
         """
     @property
     def hand(self) -> Hand:
@@ -217,32 +252,32 @@ class Problem:
     @property
     def loops(self) -> list[int]:
         """
-        Which loops may be clasped; empty: any.
+        Indices of the loops that may be clasped; empty: all.
         """
     @property
     def marks(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) near which to clasp, in O [m]; none: anywhere.
+        (N, 3) points in O near which to clasp [m]; none: anywhere.
         """
     @property
     def object(self) -> Object:
         """
-        What is clasped.
+        The object to clasp.
         """
     @property
     def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
-        What else stands around.
+        Obstacles in W.
         """
     @property
     def pull_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"] | None:
         """
-        (3,) where the object shall be pulled, in the world, or None.
+        (3,) direction of the later pull in W, or None.
         """
     @property
     def q_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (dof,) [rad or m].
+        (dof,) start configuration [rad or m].
         """
     @property
     def robot(self) -> graspless._core.robot.Robot:
@@ -251,7 +286,9 @@ class Problem:
         """
 class StabilityOptions:
     """
-    The stability test: the hand stands still, the object moves at random, each move until it hits the hand.
+    Options of the stability test (Stork, Pokorny, Kragic 2013, Section V-A).
+    
+    The hand does not move. The object makes random moves, each until it hits the hand.
     """
     def __init__(self, *, sequences: typing.SupportsInt | typing.SupportsIndex = 10, moves: typing.SupportsInt | typing.SupportsIndex = 500, step: typing.SupportsFloat | typing.SupportsIndex = 0.002, turn: typing.SupportsFloat | typing.SupportsIndex = 0.01, penetration: typing.SupportsFloat | typing.SupportsIndex = 0.003, escape_distance: typing.SupportsFloat | typing.SupportsIndex = 0.0, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
@@ -262,7 +299,8 @@ class StabilityOptions:
     @property
     def escape_distance(self) -> float:
         """
-        Every point of the loop farther from the hand's centre has escaped [m]; 0: from the hand's size.
+        The loop has escaped when all its points are farther than this from the hand's centre [m], in [0, 10].
+        0: half the length of the longest finger curve.
         """
     @escape_distance.setter
     def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -270,7 +308,7 @@ class StabilityOptions:
     @property
     def moves(self) -> int:
         """
-        A sequence: translations and rotations in turn.
+        Moves per sequence, translations and rotations in turn; in [1, 10000].
         """
     @moves.setter
     def moves(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -278,7 +316,7 @@ class StabilityOptions:
     @property
     def penetration(self) -> float:
         """
-        That does not count as a hit [m].
+        Penetration depth that does not count as a hit [m], in [0, 0.05].
         """
     @penetration.setter
     def penetration(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -286,7 +324,7 @@ class StabilityOptions:
     @property
     def seed(self) -> int:
         """
-        Of the moves.
+        Seed of the random moves.
         """
     @seed.setter
     def seed(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -294,7 +332,7 @@ class StabilityOptions:
     @property
     def sequences(self) -> int:
         """
-        Of moves, each from the clasp.
+        Number of random sequences, each from the clasp; in [1, 1000].
         """
     @sequences.setter
     def sequences(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -302,7 +340,7 @@ class StabilityOptions:
     @property
     def step(self) -> float:
         """
-        Of a translation between tests [m].
+        Step of a translation [m], in [1e-4, 0.1].
         """
     @step.setter
     def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -310,14 +348,14 @@ class StabilityOptions:
     @property
     def turn(self) -> float:
         """
-        Of a rotation about the hand's centre between tests [rad].
+        Step of a rotation about the hand's centre [rad], in [1e-3, 1].
         """
     @turn.setter
     def turn(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Stability:
     """
-    Whether a clasp holds, and how well.
+    Result of the stability test.
     """
     def __init__(self, *, secure: bool = False, escapes: typing.SupportsInt | typing.SupportsIndex = 0, margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, checks: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
         """
@@ -328,7 +366,7 @@ class Stability:
     @property
     def checks(self) -> int:
         """
-        Poses looked at.
+        Number of poses checked.
         """
     @checks.setter
     def checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -336,7 +374,7 @@ class Stability:
     @property
     def escapes(self) -> int:
         """
-        Sequences in which the loop came free.
+        Number of sequences in which the loop escaped.
         """
     @escapes.setter
     def escapes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -344,7 +382,7 @@ class Stability:
     @property
     def margin(self) -> float:
         """
-        1 where the object cannot move, 0 or less where it escaped.
+        1: the object cannot move; 0 or less: it escaped.
         """
     @margin.setter
     def margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -352,7 +390,7 @@ class Stability:
     @property
     def secure(self) -> bool:
         """
-        No sequence of moves brought the loop out.
+        True if the loop escaped in no sequence.
         """
     @secure.setter
     def secure(self, arg0: bool) -> None:
@@ -566,11 +604,11 @@ class Segment:
         """
 class Tree:
     """
-    The tree that led to the clasp, for pictures.
+    The search tree that contains the clasp, for visualisation.
     """
     def __init__(self, p_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, parents: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = [], path: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = []) -> None:
         """
-        p_W: (N, 3) [m]. parents: (N,) indices. path: indices from the root to the clasp.
+        p_W: (N, 3) [m]. parents: (N,) node indices. path: node indices from the root to the clasp.
         """
     def __len__(self) -> int:
         """
@@ -581,17 +619,17 @@ class Tree:
     @property
     def p_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) centre of the hand's curves in the world, a node a row [m].
+        (N, 3) centre of the finger curves at every node, in W [m].
         """
     @property
     def parents(self) -> list[int]:
         """
-        Index of a node's parent; its own for the root.
+        Index of every node's parent; the root is its own parent.
         """
     @property
     def path(self) -> list[int]:
         """
-        Nodes from the root to the clasp.
+        Indices of the nodes from the root to the clasp.
         """
 class Statistics:
     """
@@ -802,50 +840,96 @@ class Plan:
         ...
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
-    Replays a plan against its problem with none of the search's code: limits, collisions, linking by the
-    double integral, closing until contact, and the stability test.
+    Replays a plan without the code of the search, and returns its faults: joint limits,
+    collisions, linking by the double integral, closing until contact, and the stability test.
     
     Each entry says which segment and row fails and how; an empty list means the plan holds.
     """
 def hand_from_yaml(text: str, what: str = 'hand') -> Hand:
     """
-    Reads a hand from YAML (the grammar: docs/task-files.md). what: its name in errors.
+    Reads a hand from YAML. docs/task-files.md has the grammar.
     
-    Raises ValueError that names the line, the field, the value and the choices.
+    Parameters
+    ----------
+    text : str
+        YAML document.
+    what : str, optional
+        Name used in error messages.
+    
+    Returns
+    -------
+    Hand
+    
+    Raises
+    ------
+    ValueError
+        Names the line, the field, the value and the choices.
     """
 def hand_from_yaml_file(path: str) -> Hand:
     """
-    As hand_from_yaml, from a file; those beside the URDFs of graspless are examples.
+    Reads a hand from a YAML file; see hand_from_yaml. The folder urdf/ has examples.
     """
 def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """
-    Plans a motion of arm and hand that ends in a clasp: reach, then close until contact.
-    Not finding a plan is a status.
+    Plans a motion of arm and hand that ends in a clasp: reach, then close until contact
+    (Stork, Pokorny, Kragic 2013, Section IV). Failure to find a plan is a status.
     
     Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
     Raises ValueError on a bad problem or bad options.
     """
 def sample_object(name: str, scale: typing.SupportsFloat | typing.SupportsIndex = 1.0) -> list[graspless._core.geometry.PlacedShape]:
     """
-    The PlacedShapes of one of sample_object_names(), at real size, on the floor z = 0 of O.
+    Shapes of a sample object, standing on the floor z = 0 of O.
     
-    Raises ValueError that lists the names.
+    Parameters
+    ----------
+    name : str
+        One of sample_object_names().
+    scale : float, optional
+        Factor on the real size, in (0, 1000].
+    
+    Returns
+    -------
+    list of geometry.PlacedShape
+        In O [m].
+    
+    Raises
+    ------
+    ValueError
+        Lists the names, or states the range of `scale`.
     """
 def sample_object_names() -> list[str]:
     """
-    Objects with holes that come with graspless: purse, bag, travel_bag, lawn_mower, chair.
+    Names of the sample objects with holes: purse, bag, travel_bag, lawn_mower, chair.
     """
 def test_stability(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loop: typing.SupportsInt | typing.SupportsIndex, options: StabilityOptions = ...) -> Stability:
     """
-    Whether the object's loop stays in the hand at q, (dof,): random moves that try to part them
-    (Stork, Pokorny, Kragic 2013, Section V-A).
+    Tests if a loop stays in the hand: random moves try to separate object and hand.
     
-    Raises ValueError on a bad problem, loop or configuration.
+    Stork, Pokorny, Kragic 2013, Section V-A.
+    
+    Parameters
+    ----------
+    problem : Problem
+    q : (dof,) array
+        Configuration of all joints [rad or m].
+    loop : int
+        Index in problem.object.loops.loops.
+    options : StabilityOptions, optional
+    
+    Returns
+    -------
+    Stability
+    
+    Raises
+    ------
+    ValueError
+        If the problem, the loop, the configuration or an option is invalid.
     """
 @typing.overload
 def validate(hand: Hand, robot: graspless._core.robot.Robot) -> None:
     """
-    Raises ValueError that names the field, the value and the choices.
+    Raises ValueError if the hand does not fit the robot; names the field, the value and the choices.
     """
 @typing.overload
 def validate(problem: Problem) -> None:

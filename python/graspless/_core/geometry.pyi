@@ -7,7 +7,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'Sphere', 'VirtualLinking', 'clasp_targets', 'gauss_linking', 'linking_number', 'outline', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'thin', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
+__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'Sphere', 'VirtualLinking', 'clasp_targets', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
 class Box:
     """
     A box centred at its frame's origin, sides along the axes.
@@ -29,14 +29,14 @@ class Sphere:
     """
     def __init__(self, radius: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        radius: [m], positive.
+        radius: radius [m], positive.
         """
     def __repr__(self) -> str:
         ...
     @property
     def radius(self) -> float:
         """
-        [m].
+        Radius [m].
         """
 class Capsule:
     """
@@ -44,19 +44,19 @@ class Capsule:
     """
     def __init__(self, radius: typing.SupportsFloat | typing.SupportsIndex, length: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        radius, length: [m], positive.
+        radius, length: [m], positive. length: of the segment.
         """
     def __repr__(self) -> str:
         ...
     @property
     def length(self) -> float:
         """
-        Of the segment, without the two half spheres [m].
+        Length of the segment, without the two half spheres [m].
         """
     @property
     def radius(self) -> float:
         """
-        [m].
+        Radius [m].
         """
 class Convex:
     """
@@ -64,34 +64,36 @@ class Convex:
     """
     def __init__(self, vertices: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
-        vertices: (N, 3) points [m] that span a volume.
+        vertices: (N, 3) points that span a volume [m].
         """
     def __repr__(self) -> str:
         ...
     @property
     def vertices(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) [m].
+        (N, 3) points [m].
         """
 class Mesh:
     """
-    A triangle surface. Only the surface collides: a body wholly inside does not touch it.
+    A triangle surface. Only the surface collides, so a body wholly inside does not touch it.
+    
+    A closed convex mesh is the exception: it collides as a solid.
     """
     def __init__(self, vertices: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], triangles: typing.Annotated[numpy.typing.ArrayLike, numpy.int32]) -> None:
         """
-        vertices: (N, 3) [m]. triangles: (M, 3) indices of vertices.
+        vertices: (N, 3) [m]. triangles: (M, 3) vertex indices.
         """
     def __repr__(self) -> str:
         ...
     @property
     def triangles(self) -> typing.Annotated[numpy.typing.NDArray[numpy.int32], "[m, 3]"]:
         """
-        (M, 3) indices of vertices.
+        (M, 3) vertex indices of the triangles.
         """
     @property
     def vertices(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) [m].
+        (N, 3) vertices [m].
         """
 class PlacedShape:
     """
@@ -99,14 +101,14 @@ class PlacedShape:
     """
     def __init__(self, shape: Box | Sphere | Capsule | Convex | Mesh, X_BG: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
         """
-        X_BG: (4, 4) pose of the shape's own frame G in the body.
+        shape: Box, Sphere, Capsule, Convex or Mesh. X_BG: (4, 4) pose of its frame G in B.
         """
     def __repr__(self) -> str:
         ...
     @property
     def X_BG(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """
-        (4, 4) pose of the shape's own frame G in the body.
+        (4, 4) pose of the shape's frame G in B.
         """
     @property
     def shape(self) -> Box | Sphere | Capsule | Convex | Mesh:
@@ -115,11 +117,11 @@ class PlacedShape:
         """
 class Polygon:
     """
-    A simple polygon in the plane, counter-clockwise, convex or not.
+    A simple polygon in the plane with counter-clockwise vertices, convex or not.
     """
     def __init__(self, vertices: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], what: str = 'polygon') -> None:
         """
-        vertices: (N, 2) [m]; a clockwise list is reversed. what: its name in errors.
+        vertices: (N, 2) [m]; a clockwise list is reversed. what: name used in error messages.
         
         Raises ValueError on fewer than three vertices, a value that is not finite, a repeated
         vertex, or a boundary that crosses or touches itself.
@@ -132,7 +134,7 @@ class Polygon:
         ...
     def contains(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> bool:
         """
-        Whether the point p, (2,) [m], lies inside.
+        True if the point p, (2,) [m], lies inside.
         """
     def convex_parts(self) -> list[Polygon]:
         """
@@ -140,20 +142,20 @@ class Polygon:
         """
     def depth(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> float:
         """
-        Distance from p, (2,), to the boundary [m]; positive inside, negative outside.
+        Signed distance from p, (2,), to the boundary [m]: positive inside, negative outside.
         """
     def edge(self, index: typing.SupportsInt | typing.SupportsIndex) -> Edge:
         """
-        The edge from vertex `index` to the next.
+        Edge from vertex `index` to the next.
         """
     def nearest_edge(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Edge:
         """
-        The edge nearest to p, (2,) [m].
+        Edge nearest to p, (2,) [m].
         """
     @property
     def area(self) -> float:
         """
-        [m^2], positive.
+        Area [m^2], positive.
         """
     @property
     def centroid(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
@@ -163,12 +165,12 @@ class Polygon:
     @property
     def is_convex(self) -> bool:
         """
-        Whether no corner is reflex.
+        True if no corner is reflex.
         """
     @property
     def vertices(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
         """
-        (N, 2) [m], counter-clockwise.
+        (N, 2) vertices, counter-clockwise [m].
         """
 class Edge:
     """
@@ -179,73 +181,87 @@ class Edge:
     @property
     def a(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        (2,) first end [m].
+        (2,) first end point [m].
         """
     @property
     def b(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        (2,) second end [m].
+        (2,) second end point [m].
         """
     @property
     def index(self) -> int:
         """
-        It leads from vertex `index` to the next.
+        Index of its first vertex.
         """
     @property
     def inward(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
         """
-        (2,) unit normal that points inside.
+        (2,) unit normal pointing inside.
         """
 class Band:
     """
-    The points of a polygon near its edges: what its contraction leaves out.
+    The points of a polygon near its edges: the polygon minus its contraction by `width`.
+    
+    P_g of Hang, Morgan, Dollar 2019, Section IV-B.
     """
     def __init__(self, polygon: Polygon, width: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        width: how far the band reaches from the edges [m], positive.
+        width: width of the band [m], positive.
         """
     def __repr__(self) -> str:
         ...
     def contains(self, p: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> bool:
         """
-        Whether the point p, (2,) [m], lies in the band.
+        True if the point p, (2,) [m], lies in the band.
         """
     def sample(self, seed: typing.SupportsInt | typing.SupportsIndex, margin: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"] | None:
         """
-        A point of the band, (2,), at least margin [m] inside the boundary, or None when none was found.
+        Draws a random point of the band, uniform by area if `exact`.
         
-        Uniform by area where exact; the same seed gives the same point.
+        Parameters
+        ----------
+        seed : int
+            The same seed gives the same point.
+        margin : float, optional
+            Smallest distance to the boundary of the polygon [m].
+        
+        Returns
+        -------
+        (2,) array or None
+            [m]. None after 1000 failed draws, as when the margin leaves no room.
         """
     @property
     def core(self) -> list[Polygon]:
         """
-        The contracted polygon, in pieces; empty where nothing is left.
+        Pieces of the contracted polygon; empty if nothing is left.
         """
     @property
     def exact(self) -> bool:
         """
-        False where the contraction failed verification.
+        False if the contraction failed verification. Then `core` is empty, and `contains`
+        and `sample` use the distance to the boundary.
         """
     @property
     def polygon(self) -> Polygon:
         """
-        The polygon it was made from.
+        The polygon.
         """
     @property
     def width(self) -> float:
         """
-        [m].
+        Width of the band [m].
         """
 class Complex:
     """
-    K_d of a cloud: the edges and triangles of its Delaunay triangulation whose edges are all shorter than d.
+    Simplicial complex K_d of a cloud: the edges and triangles of its Delaunay triangulation
+    with all edges shorter than d (Stork, Pokorny, Kragic 2013, Section IV-A).
     """
     def __repr__(self) -> str:
         ...
     @property
     def edges(self) -> typing.Annotated[numpy.typing.NDArray[numpy.int32], "[m, 2]"]:
         """
-        (E, 2) indices of points, the smaller first; sorted.
+        (E, 2) point indices, the smaller first; sorted.
         """
     @property
     def max_edge_length(self) -> float:
@@ -255,142 +271,164 @@ class Complex:
     @property
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) [m].
+        (N, 3) vertices [m].
         """
     @property
     def triangles(self) -> typing.Annotated[numpy.typing.NDArray[numpy.int32], "[m, 3]"]:
         """
-        (T, 3) indices of points, ascending; sorted. Those inside the object too.
+        (T, 3) point indices, ascending; sorted. Includes triangles inside the object.
         """
 class BettiCurve:
     """
-    How many independent loops K_d has: a step function of d.
+    Number of independent loops of K_d as a step function of d.
     
-    loops[i] for d above max_edge_length[i] up to the next, that included.
+    It is loops[i] for d in (max_edge_length[i], max_edge_length[i + 1]], and 0 below.
     """
     def __repr__(self) -> str:
         ...
     @property
     def loops(self) -> list[int]:
         """
-        How many there are.
+        Number of loops above each value.
         """
     @property
     def max_edge_length(self) -> list[float]:
         """
-        Where the number changes, ascending [m].
+        Values of d where the number changes, ascending [m].
         """
 class Plateau:
     """
-    A stretch of d over which the same loops live.
+    Interval of d over which the set of lasting loops does not change.
     """
     def __repr__(self) -> str:
         ...
     @property
     def loops(self) -> int:
         """
-        How many; 0 where no plateau was chosen.
+        Number of lasting loops; 0 if no plateau was selected.
         """
     @property
     def lower(self) -> float:
         """
-        The least d [m].
+        Lower bound of d [m], excluded.
         """
     @property
     def ratio(self) -> float:
         """
-        upper / lower: how sure the loops are.
+        upper / lower. A large ratio means reliable loops.
         """
     @property
     def upper(self) -> float:
         """
-        The greatest d [m].
+        Upper bound of d [m], included.
         """
 class Filtration:
     """
-    The Delaunay triangulation of a cloud, its simplices in order of their longest edge: every K_d at once.
+    The Delaunay triangulation of a cloud with its simplices ordered by longest edge.
+    
+    It represents K_d for every d.
     """
     def __init__(self, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], what: str = 'points') -> None:
         """
-        points: (N, 3) [m]; equal points count once. what: their name in errors.
+        points: (N, 3) [m]; equal points count once. what: name used in error messages.
         
-        Raises ValueError when there are fewer than 4 distinct points, one is not finite, or all lie in a plane.
+        Raises ValueError if there are fewer than 4 distinct points, if one is not finite, or if
+        all lie in a plane.
         """
     def __repr__(self) -> str:
         ...
     def betti(self) -> BettiCurve:
         """
-        The whole Betti-1 curve.
+        Number of independent loops for every d (first Betti number).
         """
     def complex(self, max_edge_length: typing.SupportsFloat | typing.SupportsIndex) -> Complex:
         """
-        K_d for d [m].
+        Returns K_d for d = max_edge_length [m].
         """
     def persistence(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
         """
-        (K, 2) birth and death [m] of every class of H_1 over Z_2, longest ratio first.
-        """
-    def plateaus(self, lasting: typing.SupportsFloat | typing.SupportsIndex = 1.12) -> list[Plateau]:
-        """
-        Stretches of d with at least one lasting loop, widest ratio first.
+        Persistence pairs of H_1 over Z_2: (K, 2) birth and death [m].
         
-        A loop lasts whose ratio death / birth is at least `lasting`; 1 counts all.
+        Largest ratio death / birth first. Omits pairs that die at birth.
+        """
+    def plateaus(self, lasting_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.12) -> list[Plateau]:
+        """
+        Plateaus of the Betti curve with at least one lasting loop, largest ratio first.
+        
+        lasting_ratio: smallest ratio death / birth of a lasting loop; 1 counts every loop.
         """
     def span(self, cycle: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], max_edge_length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float]:
         """
-        Birth and death [m] of the class in K_d of a closed walk: indices of points, the first not repeated.
+        Birth and death of the homology class of a closed walk in K_d.
         
-        Equal where it is filled in K_d. Raises ValueError on a step that is no edge.
+        Parameters
+        ----------
+        cycle : list of int
+            Point indices of the walk, without repeating the first.
+        max_edge_length : float
+            d of K_d [m].
+        
+        Returns
+        -------
+        (float, float)
+            Birth and death [m]. Equal if the walk is filled in K_d.
+        
+        Raises
+        ------
+        ValueError
+            If a step of the walk is not an edge of K_d.
         """
     @property
     def num_vertices(self) -> int:
         """
-        Distinct points.
+        Number of distinct points.
         """
     @property
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) as given [m].
+        (N, 3) input points [m].
         """
 class Loop:
     """
-    A closed polyline on a cloud: one of the shortest that tell its holes apart.
+    A closed polyline on a cloud: an element of a shortest basis of H_1(K_d).
     """
     def __repr__(self) -> str:
         ...
     @property
     def birth(self) -> float:
         """
-        The hole is there for d above this [m].
+        The loop exists in K_d for d above this value [m].
         """
     @property
     def death(self) -> float:
         """
-        The hole is filled for d above this [m].
+        The loop is filled in K_d for d above this value [m]. A body wider than this does not
+        pass the hole.
         """
     @property
     def length(self) -> float:
         """
-        [m].
+        Length of the closed polyline [m].
         """
     @property
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (K, 3) corners in order; the last is joined to the first [m].
+        (K, 3) corners in order [m]; the last connects to the first.
         """
     @property
     def thickness(self) -> float:
         """
-        Of what the loop runs along, at its thinnest place [m].
+        Thickness of the handle that the loop runs along, at its thinnest cross-section [m];
+        0 if unknown.
         """
     @property
     def vertices(self) -> list[int]:
         """
-        The same, as indices of the cloud given.
+        Indices of the corners in the input cloud.
         """
 class LoopOptions:
     """
-    How to look for loops.
+    Options of shortest_loops().
     """
     def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, lowest_plateau: bool = False, lowest_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.4, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.2, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> None:
         """
@@ -401,7 +439,7 @@ class LoopOptions:
     @property
     def drop_meridians(self) -> bool:
         """
-        Leave out loops that run around a thick handle instead of along it.
+        Discard loops that run around a thick handle instead of along it.
         """
     @drop_meridians.setter
     def drop_meridians(self, arg0: bool) -> None:
@@ -409,7 +447,8 @@ class LoopOptions:
     @property
     def lowest_plateau(self) -> bool:
         """
-        Instead, the lowest plateau with at least lowest_ratio: splits less sure holes off, and takes patches that the camera missed for holes.
+        Use the lowest plateau with a ratio of at least lowest_ratio instead of the widest.
+        Finds smaller holes, but mistakes gaps that the camera left for holes.
         """
     @lowest_plateau.setter
     def lowest_plateau(self, arg0: bool) -> None:
@@ -417,7 +456,7 @@ class LoopOptions:
     @property
     def lowest_ratio(self) -> float:
         """
-        See lowest_plateau.
+        Smallest ratio upper / lower for lowest_plateau, above 1.
         """
     @lowest_ratio.setter
     def lowest_ratio(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -425,7 +464,7 @@ class LoopOptions:
     @property
     def max_edge_length(self) -> float:
         """
-        d [m]; 0 takes the widest plateau of the Betti curve.
+        d of K_d [m], in [0, 10000]. 0: chosen from the widest plateau of the Betti curve.
         """
     @max_edge_length.setter
     def max_edge_length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -433,7 +472,8 @@ class LoopOptions:
     @property
     def max_points(self) -> int:
         """
-        Clouds with more points are thinned to about half of this.
+        Largest number of points without downsampling, in [100, 10^6]. A larger cloud is
+        downsampled to about half of this.
         """
     @max_points.setter
     def max_points(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -441,7 +481,7 @@ class LoopOptions:
     @property
     def min_ratio(self) -> float:
         """
-        Below this ratio of the plateau there is no reliable hole.
+        Smallest ratio upper / lower of a plateau with a reliable hole, above 1.
         """
     @min_ratio.setter
     def min_ratio(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -449,66 +489,66 @@ class LoopOptions:
     @property
     def polish(self) -> bool:
         """
-        After thinning: shorten the loops on the whole cloud.
+        Shorten the loops of a downsampled cloud on all its points, at most 10^6.
         """
     @polish.setter
     def polish(self, arg0: bool) -> None:
         ...
 class LoopStatus(enum.Enum):
     """
-    How a search for loops ended.
+    Outcome of shortest_loops().
     """
     found = ...
     no_reliable_hole = ...
 class Loops:
     """
-    The loops of a cloud, and what they were taken from.
+    Result of shortest_loops().
     """
     def __repr__(self) -> str:
         ...
     @property
     def betti(self) -> BettiCurve:
         """
-        The Betti curve of the same cloud.
+        Betti curve of the same points.
         """
     @property
     def complex(self) -> Complex:
         """
-        K_d, of the thinned cloud where it was thinned.
+        K_d of the cloud, after downsampling.
         """
     @property
     def loops(self) -> list[Loop]:
         """
-        Shortest first.
+        Loops, shortest first.
         """
     @property
     def meridians(self) -> list[Loop]:
         """
-        Left out: they run around a thick handle, not along it.
+        Discarded loops: they run around a thick handle, not along it.
         """
     @property
     def plateau(self) -> Plateau:
         """
-        The one chosen; zero where d was given.
+        Selected plateau; zero if max_edge_length was given.
         """
     @property
     def reason(self) -> str:
         """
-        One sentence, for people.
+        Explanation of the status in one sentence.
         """
     @property
     def status(self) -> LoopStatus:
         """
-        Whether loops were found.
+        Outcome of the search.
         """
     @property
     def warnings(self) -> list[str]:
         """
-        For people.
+        Warnings about the cloud and the result.
         """
 class ClaspTarget:
     """
-    A place on a loop where a hand may clasp.
+    A point of a loop where a hand may clasp, with its tangent.
     """
     def __init__(self, *, point: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., tangent: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
         """
@@ -519,7 +559,7 @@ class ClaspTarget:
     @property
     def point(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) [m].
+        (3,) point on the loop [m].
         """
     @point.setter
     def point(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -527,35 +567,35 @@ class ClaspTarget:
     @property
     def tangent(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit, along the loop.
+        (3,) unit vector along the loop.
         """
     @tangent.setter
     def tangent(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
 class VirtualLinking:
     """
-    Virtual linking with its derivative.
+    Virtual linking, eq. (2) of Stork 2013, with its gradient.
     """
     def __repr__(self) -> str:
         ...
     @property
     def gradient(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (K, 3): row i by corner i of the curve [1/m].
+        (K, 3) gradient with respect to the corners of the curve [1/m].
         """
     @property
     def linking_number(self) -> int:
         """
-        Of the loop and the closed curve.
+        Linking number of the loop and the curve closed by its chord.
         """
     @property
     def value(self) -> float:
         """
-        Eq. (2), signed.
+        VLk of eq. (2), signed.
         """
 class PreparedLoop:
     """
-    A closed loop prepared for many questions.
+    A closed loop preprocessed for many linking queries.
     """
     def __init__(self, loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -565,86 +605,272 @@ class PreparedLoop:
         ...
     def gauss_linking(self, curves: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]], are_closed: bool = True) -> list[float]:
         """
-        The Gauss integral of the loop with each curve, (K, 3) [m].
+        Gauss linking integral of the loop with each curve, (K, 3) [m].
         """
     def linking_numbers(self, curves: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]]) -> list[int]:
         """
-        The linking number of the loop with each closed curve, (K, 3) [m].
+        Linking number of the loop with each closed curve, (K, 3) [m].
         """
     @property
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (K, 3) [m].
+        (K, 3) corners [m].
         """
 def clasp_targets(loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], count: typing.SupportsInt | typing.SupportsIndex) -> list[ClaspTarget]:
     """
-    `count` ClaspTargets at equal arc length of a Loop or of corners (K, 3), the first at the first corner.
+    Places clasp targets on a loop at equal arc length (G_gamma of Stork 2013, Section IV-A).
+    
+    Parameters
+    ----------
+    loop : Loop or (K, 3) array
+        Closed loop, or its corners [m].
+    count : int
+        Number of targets, positive.
+    
+    Returns
+    -------
+    list of ClaspTarget
+        In the frame of the loop. The first target is at the first corner.
+    
+    Raises
+    ------
+    ValueError
+        If `count` is not positive, or the loop has fewer than 3 corners or no length.
+    """
+def downsample(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], cell: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.int32]:
+    """
+    Downsamples a cloud to one point per cubic cell: the point nearest to the cell's mean.
+    
+    Parameters
+    ----------
+    points : (N, 3) array
+        [m].
+    cell : float
+        Side of a cell [m], in (0, 10000].
+    
+    Returns
+    -------
+    array of int
+        Indices of the points kept, ascending.
+    
+    Raises
+    ------
+    ValueError
+        If `cell` is out of range or a point is not finite.
     """
 def gauss_linking(a: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], b: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], *, a_is_closed: bool = True, b_is_closed: bool = True) -> float:
     """
-    The Gauss linking integral of two polylines, (K, 3) [m]; an integer where both are closed.
+    Gauss linking integral of two polylines, eq. (1) of Stork, Pokorny, Kragic 2013.
     
-    Segments that touch or lie on one line count 0: the value is finite.
+    Parameters
+    ----------
+    a, b : Loop or (K, 3) array
+        Corners of the polylines [m], in one frame. A closed one does not repeat its first corner.
+    a_is_closed, b_is_closed : bool, optional
+        True if the last corner connects to the first.
+    
+    Returns
+    -------
+    float
+        An integer up to rounding if both are closed. Pairs of segments that touch or are collinear
+        contribute 0, so the value is finite.
+    
+    Raises
+    ------
+    ValueError
+        If a polyline has fewer than 2 corners (3 if closed) or is not finite.
     """
 def linking_number(a: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], b: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> int:
     """
-    How often two closed polylines, (K, 3) [m], wind around one another: by signed crossings.
+    Linking number of two closed polylines, by signed crossings.
+    
+    Parameters
+    ----------
+    a, b : Loop or (K, 3) array
+        Corners of the closed polylines [m], in one frame, without repeating the first.
+    
+    Returns
+    -------
+    int
+        Eq. (1) of Stork, Pokorny, Kragic 2013 as an exact integer.
+    
+    Raises
+    ------
+    ValueError
+        If a polyline has fewer than 3 corners or is not finite.
     """
 def outline(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], what: str = 'points') -> Polygon:
     """
-    The outer boundary of planar points (N, 2) [m]: their tightest alpha shape in one simple piece.
+    Outer boundary of planar points: their tightest alpha shape in one simple piece.
     
-    Holes are filled. Raises ValueError when the points are fewer than three, not finite or on a line.
+    Parameters
+    ----------
+    points : (N, 2) array
+        [m].
+    what : str, optional
+        Name used in error messages.
+    
+    Returns
+    -------
+    Polygon
+        Simplified by less than the point spacing. Holes are filled.
+    
+    Raises
+    ------
+    ValueError
+        If there are fewer than three points, if one is not finite, if all lie on a line, or if they
+        form several pieces.
     """
 def read_mesh(path: str, scale: typing.SupportsFloat | typing.SupportsIndex | typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = 1.0) -> Mesh:
     """
-    Reads a triangle mesh (.stl, .obj, .off, .ply); scale is one factor or one per axis.
+    Reads a triangle mesh. Polygons are triangulated.
     
-    Raises ValueError that names the path when it is missing, unreadable or empty.
+    Parameters
+    ----------
+    path : str
+        File of type .stl, .obj, .off or .ply.
+    scale : float or (3,) array, optional
+        Factor for all coordinates, or one per axis. Converts the unit of the file to metres.
+    
+    Returns
+    -------
+    Mesh
+        Vertices in [m].
+    
+    Raises
+    ------
+    ValueError
+        If the file is missing, unreadable or empty; names the path.
     """
 def sample_grid(polygon: Polygon, spacing: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
     """
-    Points (N, 2) on a square grid of `spacing` [m] inside a polygon; never empty.
+    Points of a square grid inside a polygon.
+    
+    Parameters
+    ----------
+    polygon : Polygon
+    spacing : float
+        Distance between grid points [m], positive.
+    
+    Returns
+    -------
+    (N, 2) array
+        [m]. If the grid misses the polygon: its first vertex.
+    
+    Raises
+    ------
+    ValueError
+        If `spacing` is not positive or gives more than 10^7 points.
     """
 def sample_surface(shapes: collections.abc.Sequence[PlacedShape], count: typing.SupportsInt | typing.SupportsIndex, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
     """
-    `count` points (N, 3) [m] spread evenly over the outer surface of the shapes' union.
+    Samples points evenly on the outer surface of a union of shapes (Yuksel 2015).
     
-    The same seed gives the same points.
+    Parameters
+    ----------
+    shapes : list of PlacedShape
+        Shapes in the frame B of a body. Points inside another shape are omitted. A mesh has no inside.
+    count : int
+        Number of points, in [1, 10^7].
+    seed : int, optional
+        The same seed gives the same points.
+    
+    Returns
+    -------
+    (count, 3) array
+        Points in B [m].
+    
+    Raises
+    ------
+    ValueError
+        If `count` is out of range, a shape is invalid, or there is almost no outer surface.
     """
 @typing.overload
 def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, lowest_plateau: bool = False, lowest_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.4, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.2, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> Loops:
     """
-    The shortest loops through the holes of what a cloud was taken from: a shortest basis of H_1(K_d; Z_2).
+    Finds the shortest loops through the holes of the object that a cloud was taken from.
     
-    points: (N, 3) [m]. max_edge_length: d [m]; None takes the widest plateau of the Betti curve. The keywords are those of LoopOptions.
+    They are a shortest basis of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
+    Section IV-A).
     
-    Not found is a status, see Loops.reason. Raises ValueError on fewer than 20 distinct points, values that are not finite, points in a plane, or more than 10^7 points.
+    Parameters
+    ----------
+    points : (N, 3) array
+        Points on the object's surface [m], in any frame.
+    max_edge_length : float, optional
+        d of K_d [m]. None: chosen from the widest plateau of the Betti curve.
+    lowest_plateau, lowest_ratio, min_ratio, max_points, polish, drop_meridians : optional
+        See LoopOptions.
     
+    Returns
+    -------
+    Loops
+        In the frame of the points. Finding no loop is a status; see Loops.reason.
+    
+    Raises
+    ------
+    ValueError
+        If there are fewer than 20 distinct points or more than 10^7 (10^6 with `polish`), if one is
+        not finite, if all lie in a plane, or if an option is out of range.
+    
+    Examples
+    --------
     >>> for loop in shortest_loops(points).loops: print(loop.length, loop.points)
     """
 @typing.overload
 def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: LoopOptions) -> Loops:
     """
-    The same with all options in one.
+    Same, with all options in a LoopOptions.
     """
 def spacing(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> float:
     """
-    The median distance from a point to its nearest other point [m].
-    """
-def thin(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], cell: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.int32]:
-    """
-    Indices of one point (N, 3) a cubic cell of side `cell` [m]; ascending.
+    Median distance between nearest neighbours among points, (N, 3) [m]. Equal points count once.
+    
+    0 if no two points differ. Raises ValueError if a value is not finite.
     """
 def virtual_linking(loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], curve: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> float:
     """
-    Virtual linking (Stork, Pokorny, Kragic 2013, eq. 2) of a closed loop and an open curve, (K, 3) [m]; signed.
+    Virtual linking of a closed loop and an open curve, eq. (2) of Stork, Pokorny, Kragic 2013.
+    
+    Parameters
+    ----------
+    loop : Loop or (K, 3) array
+        Closed loop, or its corners [m].
+    curve : (K, 3) array
+        Corners of the open curve [m], in the frame of the loop.
+    
+    Returns
+    -------
+    float
+        VLk, signed: 0 if the loop does not run through the closed curve, Lk if the ends meet.
+    
+    Raises
+    ------
+    ValueError
+        If the loop has fewer than 3 corners, the curve fewer than 2, or one is not finite.
     """
 def virtual_linking_gradient(loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], curve: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> VirtualLinking:
     """
-    Virtual linking with its derivative by the corners.
+    Virtual linking with its gradient with respect to the curve's corners; see virtual_linking.
     """
 def visible_points(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], viewpoint: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.int32]:
     """
-    Indices of the points (N, 3) that are seen from viewpoint, (3,) [m]; ascending.
+    Finds the points visible from a viewpoint (hidden point removal; Katz, Tal, Basri 2007).
+    
+    Parameters
+    ----------
+    points : (N, 3) array
+        [m].
+    viewpoint : (3,) array
+        In the frame of the points [m]; must not be one of them.
+    
+    Returns
+    -------
+    array of int
+        Indices of the visible points, ascending.
+    
+    Raises
+    ------
+    ValueError
+        If a value is not finite or the viewpoint is one of the points.
     """

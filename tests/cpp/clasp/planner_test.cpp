@@ -7,8 +7,8 @@
 
 #include "clasp/free_space/free_space.hpp"
 #include "clasp/hand/kinematics.hpp"
-#include "complaint.hpp"
 #include "clasp/ring_problem.hpp"
+#include "complaint.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -47,7 +47,8 @@ TEST(Validate, AcceptsWholeShapes) {
 TEST(Validate, NamesTheFieldAndTheValue) {
   EXPECT_EQ(complaint_about(Box{{1, 0, 3}}), "link2.size[1] must be in (0, 10000] m, not 0");
   EXPECT_EQ(complaint_about(Sphere{-1}), "link2.radius must be in (0, 10000] m, not -1");
-  EXPECT_EQ(complaint_about(Capsule{kNotANumber, 1}), "link2.radius must be in (0, 10000] m, not nan");
+  EXPECT_EQ(complaint_about(Capsule{kNotANumber, 1}),
+            "link2.radius must be in (0, 10000] m, not nan");
   EXPECT_EQ(complaint_about(Capsule{1, kInf}), "link2.length must be in (0, 10000] m, not inf");
 }
 
@@ -199,7 +200,10 @@ TEST_F(ReadMesh, ScalesEachAxisAndKeepsOutwardOutward) {
   EXPECT_DOUBLE_EQ(mesh.vertices.row(2).minCoeff(), -0.5);
   EXPECT_NEAR(volume(mesh), 0.5, 1e-12);
   EXPECT_NE(complaint([&] { read_mesh(path, {1, 0, 1}); }).find("scale"), std::string::npos);
-  EXPECT_NE(complaint([&] { read_mesh(path, {1, kNotANumber, 1}); }).find("scale"), std::string::npos);
+  EXPECT_NE(complaint([&] {
+              read_mesh(path, {1, kNotANumber, 1});
+            }).find("scale"),
+            std::string::npos);
 }
 
 TEST_F(ReadMesh, NamesThePathOfABadFile) {
@@ -251,7 +255,7 @@ TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {
   Mesh mesh = tetrahedron();
   mesh.vertices(1, 2) = kInf;
   const std::string path = write("inf.stl", binary_stl(mesh, "binary"));
-  EXPECT_NE(error_of_file(path).find("vertices must be within 10000 m of the origin, but column"),
+  EXPECT_NE(error_of_file(path).find("vertices must be within 10000 m of the origin, but point"),
             std::string::npos);
 }
 

@@ -63,18 +63,18 @@ enum class Status {
 };
 GRASPLESS_API std::string to_string(Status status);
 
-/// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
+/// Part of a motion: consecutive rows of `positions` differ by at most 0.05 rad in any joint.
 struct Segment {
-  std::string name;                        ///< reach or close
-  std::vector<Eigen::VectorXd> positions;  ///< all joints [rad or m]
-  /// |VLk| of every finger curve with the loop clasped, curves x rows.
+  std::string name;                        ///< "reach" or "close"
+  std::vector<Eigen::VectorXd> positions;  ///< of all joints [rad or m]
+  /// |VLk|, eq. (2), of every finger curve with the clasped loop, curves x rows, in [0, 1].
   Eigen::MatrixXd virtual_linking;
 };
 
-/// The tree that led to the clasp, for pictures.
+/// The search tree that contains the clasp, for visualisation.
 struct Tree {
-  Eigen::Matrix3Xd p_W;      ///< centre of the hand's curves, a node a column [m]
-  std::vector<int> parents;  ///< index of a node's parent; its own for the root
+  Eigen::Matrix3Xd p_W;      ///< centre of the finger curves at every node, 3 x n [m]
+  std::vector<int> parents;  ///< index of every node's parent; the root is its own parent
   std::vector<int> path;     ///< nodes from the root to the clasp
 };
 
@@ -92,15 +92,15 @@ struct Statistics {
   std::map<std::string, std::int64_t> refusals;  ///< why targets, connections and clasps failed
 };
 
-/// What was found, or why not.
+/// Result of plan(): a motion that clasps the object, or the reason for failure.
 struct Plan {
   Status status = Status::not_found;
-  std::string reason;  ///< one sentence, for people
+  std::string reason;  ///< explanation of the status in one sentence
   std::vector<std::string> joint_names;
   std::vector<Segment> segments;
-  int loop = -1;                 ///< clasped: index of object.loops().loops
-  geometry::ClaspTarget target;  ///< clasped, in O
-  double min_linking = 0;        ///< the threshold in force, kept by the last row
+  int loop = -1;                 ///< index of the clasped loop in object.loops().loops
+  geometry::ClaspTarget target;  ///< target that the hand holds, in O
+  double min_linking = 0;        ///< threshold on |VLk| of the closed hand
   Stability stability;           ///< of the last row
   Tree tree;
   std::vector<std::string> warnings;
@@ -108,17 +108,18 @@ struct Plan {
   explicit operator bool() const { return status == Status::solved; }
 };
 
-/// Plans a motion of arm and hand that ends in a clasp: reach, then close until contact. Throws
-/// std::invalid_argument on a bad problem, options or budget; not finding a plan is a status. One
-/// iteration of the budget is one cycle. Same seed and iterations: the same plan, bit by bit.
+/// Plans a motion of arm and hand that ends in a clasp: reach, then close until contact (Stork
+/// 2013, Section IV). One iteration of the budget is one cycle of Algorithm 1. The same seed and
+/// number of iterations give the same plan, bit by bit. Throws std::invalid_argument on an invalid
+/// problem, options or budget. Failure to find a plan is a status.
 GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 
-/// Replays a plan against its problem at steps of 0.01 rad with none of the search's code: limits,
-/// collisions by FCL, linking by the double integral (1), that the target is one that was asked
-/// for, that the fingers closed until contact. Shared with the search are the threshold derived
-/// from the hand and the stability test, which is run anew; beside it the object is tugged at by
-/// FCL alone. An empty list means the plan holds.
+/// Replays a plan at steps of 0.01 rad and returns its faults; an empty list means that the plan is
+/// valid. Checks joint limits, collisions by FCL, linking by the double integral, eq. (1), that the
+/// target is one of those requested, and that the fingers closed until contact. It uses no code of
+/// the search, with two exceptions: the threshold derived from the hand, and the stability test,
+/// which is run again. A second escape test uses FCL alone.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

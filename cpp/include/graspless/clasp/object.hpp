@@ -16,29 +16,29 @@
 
 namespace graspless::clasp {
 
-/// An object known by a cloud of points: its loops, and K_d as what must not be touched. Immutable;
-/// copies share.
+/// An object known from a point cloud: its loops, and K_d as collision model (Stork 2013, Section
+/// IV-A). Immutable; copies share their data.
 class GRASPLESS_API Object {
  public:
-  /// Points on the surface, in O (3 x n) [m]. Throws as geometry::shortest_loops does. An object
-  /// without a reliable hole is still an object: plan() says so.
+  /// `p_OP`: points on the surface, 3 x n in O [m]. An object without a reliable hole is valid;
+  /// plan() reports it as a status. Throws like geometry::shortest_loops().
   static Object from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
                            const geometry::LoopOptions& options = {});
 
   const std::string& name() const;
-  const Eigen::Matrix3Xd& points() const;  ///< the cloud, as given, in O [m]
+  const Eigen::Matrix3Xd& points() const;  ///< input cloud, 3 x n in O [m]
   const geometry::Loops& loops() const;    ///< in O
   const geometry::LoopOptions& loop_options() const;
-  /// What must not be touched, in O: the triangles of K_d, triangles 1 mm wide (a tenth of the edge
-  /// where that is less) along edges of K_d that bound none, and triangles 1 mm wide at points
-  /// without an edge. A surface has no inside: what is wholly in the object does not touch it.
+  /// Collision surface, in O [m]: the triangles of K_d, and narrow triangles for edges without a
+  /// triangle (1 mm wide, at most a tenth of the edge) and points without an edge (1 mm). A surface
+  /// has no inside, so a body wholly inside the object does not touch it.
   const geometry::Mesh& surface() const;
-  const collision::Solid& solid() const;  ///< the surface, for FCL; made when first asked
-  /// Of the surface; made when first asked. A copy has a grid of its own.
+  const collision::Solid& solid() const;  ///< surface() for FCL; built on first use
+  /// Distance bounds from surface(); built on first use. A copy has a grid of its own.
   const collision::Clearance& clearance() const;
-  /// Of the surface less what lies wholly within it: equal for every point outside, and cheaper.
+  /// Same without the triangles wholly inside: equal for every point outside, and cheaper.
   const collision::Clearance& outer_clearance() const;
-  double spacing() const;  ///< between the points of K_d [m]
+  double spacing() const;  ///< median distance of neighbouring points of K_d [m]
 
  private:
   struct Data;

@@ -18,20 +18,20 @@ namespace graspless::clasp {
 
 using collision::Obstacle;
 
-/// What is given: put the hand through a hole of `object` and close it.
+/// A clasp planning problem: put the hand through a hole of `object` and close it.
 struct Problem {
   robot::Robot robot;
   Hand hand;
   Object object;
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   std::vector<Obstacle> obstacles;
-  Eigen::VectorXd q_start;  ///< where the robot stands, all joints [rad or m]
-  /// Which loops may be clasped, as indices of object.loops().loops; empty: any.
+  Eigen::VectorXd q_start;  ///< start configuration of all joints [rad or m]
+  /// Loops that may be clasped, as indices of object.loops().loops; empty: all.
   std::vector<int> loops;
-  /// Where to clasp: the places of the loops nearest to these points, in O [m]; empty: anywhere.
+  /// Points in O [m]. The hand clasps at the loop points nearest to them; empty: anywhere.
   std::vector<Eigen::Vector3d> marks;
-  /// Where the object shall be pulled once it is clasped, in W: the loop and the places that are
-  /// good for it are tried first, those where the object would turn away are left out.
+  /// Direction in W in which the clasped object will be pulled. Targets where the hand would slip
+  /// or the object would turn round are excluded. The others are tried in order of suitability.
   std::optional<Eigen::Vector3d> pull_W;
 };
 

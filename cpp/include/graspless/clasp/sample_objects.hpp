@@ -8,13 +8,15 @@
 #include "graspless/export.hpp"
 #include "graspless/geometry/shape.hpp"
 
-/// Objects with holes of our own making, at real size, out of primitives (a physics engine keeps
-/// their holes open). O: on the floor z = 0, handles up, the middle at x = y = 0.
+/// Sample objects with holes at real size, like those of Stork 2013, Fig. 3. They consist of
+/// primitives, so a physics engine keeps their holes open. In O they stand on the floor z = 0,
+/// handles up, centred at x = y = 0.
 namespace graspless::clasp {
 
-/// purse, bag, travel_bag, lawn_mower, chair.
+/// Returns the names: purse, bag, travel_bag, lawn_mower, chair.
 GRASPLESS_API const std::vector<std::string>& sample_object_names();
-/// The shapes of one. Throws std::invalid_argument that lists the names. `scale` > 0.
+/// Returns the shapes of a sample object, in O. `scale` in (0, 1000]. Throws std::invalid_argument
+/// that lists the names.
 GRASPLESS_API std::vector<geometry::PlacedShape> sample_object(const std::string& name,
                                                                double scale = 1);
 

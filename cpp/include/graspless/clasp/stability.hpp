@@ -11,38 +11,41 @@
 
 namespace graspless::clasp {
 
-/// The test of Section V-A: the hand stands still, the object moves at random, each move until it
-/// hits the hand. Deeper penetration than the paper's none, so that the test errs towards escape;
-/// but a link that is a concave mesh is filled to its hull, which errs the other way.
+/// Options of the stability test (Stork 2013, Section V-A). The hand does not move. The object
+/// makes random moves, each until it hits the hand. Some penetration is allowed, unlike in the
+/// paper, so the test errs towards escape. But a link with a concave mesh is filled to its convex
+/// hull, which errs the other way.
 struct StabilityOptions {
-  int sequences = 10;
-  int moves = 500;             ///< a sequence: translations and rotations in turn
-  double step = 0.002;         ///< of a translation between tests [m]
-  double turn = 0.01;          ///< of a rotation about the hand's centre between tests [rad]
-  double penetration = 0.003;  ///< that does not count as a hit [m]
-  /// Every point of the loop farther from the hand's centre than this has escaped [m]; 0: half the
-  /// length of the longest of the hand's curves, which no hand can reach farther.
+  int sequences = 10;   ///< random sequences, each from the clasp; in [1, 1000]
+  int moves = 500;      ///< moves per sequence, translations and rotations in turn; in [1, 10000]
+  double step = 0.002;  ///< step of a translation [m], in [1e-4, 0.1]
+  double turn = 0.01;   ///< step of a rotation about the hand's centre [rad], in [1e-3, 1]
+  double penetration = 0.003;  ///< depth that does not count as a hit [m], in [0, 0.05]
+  /// The loop has escaped when all its points are farther than this from the hand's centre [m], in
+  /// [0, 10]. 0: half the length of the longest finger curve, because no hand reaches farther.
   double escape_distance = 0;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< of the random moves
 };
 
-/// Throws std::invalid_argument that names the option, its value and what it may be.
+/// Throws std::invalid_argument that names the option, its value and the allowed range.
 GRASPLESS_API void validate(const StabilityOptions& options);
 
+/// Result of the stability test.
 struct Stability {
-  bool secure = false;
-  int escapes = 0;  ///< sequences in which the loop came free
-  /// 1 - farthest / escape_distance, of the farthest that the loop's nearest point came from the
-  /// hand's centre in any sequence: 1 cannot move, 0 or less escaped.
+  bool secure = false;  ///< true if the loop escaped in no sequence
+  int escapes = 0;      ///< number of sequences in which the loop escaped
+  /// 1 - r / escape_distance, where r is the largest distance of the loop from the hand's centre in
+  /// any sequence. 1: the object cannot move; 0 or less: it escaped.
   double margin = 0;
-  std::int64_t checks = 0;  ///< poses looked at
+  std::int64_t checks = 0;  ///< number of poses checked
 };
 
-/// Whether the object's loop stays in the hand at q. All links are in the way, filled by balls (of
-/// a mesh that is not convex, its hull); a robot that stands deeper than `penetration` in the
-/// object holds nothing. The hand's centre is the middle of its curves' box. One move ends, if
-/// nothing is hit, after twice the escape distance or a whole turn. Throws std::invalid_argument on
-/// a bad problem, loop or configuration.
+/// Tests if the object's loop stays in the hand at configuration q (Stork 2013, Section V-A). All
+/// links of the robot are obstacles, filled with balls; a mesh that is not convex is filled to its
+/// hull. The clasp is not secure if the robot is deeper than `penetration` in the object. The
+/// hand's centre is that of the bounding box of the finger curves. A move without a hit ends after
+/// twice the escape distance or a full turn. Throws std::invalid_argument on an invalid problem,
+/// loop or configuration.
 GRASPLESS_API Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,
                                        const StabilityOptions& options = {});
 

@@ -13,26 +13,26 @@
 
 namespace graspless::geometry {
 
-/// What is left of a polygon when its contraction by `width` is taken away: the points near its
-/// edges (Hang 2019, Section IV-B, P_g). The contraction is mitred: at a reflex corner the band is
-/// a little wider.
+/// The points of a polygon near its edges: the polygon minus its contraction by `width` (P_g of
+/// Hang 2019, Section IV-B). The contraction is mitred, so the band is a little wider at a reflex
+/// corner.
 class GRASPLESS_API Band {
  public:
   /// Throws std::invalid_argument unless `width` [m] is finite and positive.
   Band(const Polygon& polygon, double width);
 
-  /// Whether `p` lies in the band.
+  /// True if `p` lies in the band.
   bool contains(const Eigen::Vector2d& p) const;
 
-  /// A point of the band at least `margin` [m] inside the boundary, uniform by area where exact().
-  /// Nothing when a thousand draws found none (a margin that leaves no room).
+  /// Random point of the band at least `margin` [m] inside the boundary, uniform by area if
+  /// exact(). Empty after 1000 failed draws, as when the margin leaves no room.
   std::optional<Eigen::Vector2d> sample(std::mt19937_64& rng, double margin = 0) const;
 
-  /// The contracted polygon, in pieces; empty where nothing is left. From CGAL's straight skeleton,
-  /// each piece verified to be simple and inside; `exact()` says whether that held.
+  /// Pieces of the contracted polygon; empty if nothing is left. Computed by CGAL's straight
+  /// skeleton. exact() is true if every piece was verified to be simple and inside the polygon.
   const std::vector<Polygon>& core() const { return core_; }
-  /// False where CGAL's offset failed verification: sample() then draws (edge, place, depth) and
-  /// keeps what lies in the polygon and within `width` of its boundary.
+  /// False if CGAL's offset failed verification. sample() then draws an edge, a position along it
+  /// and a depth, and rejects points outside the polygon or farther than `width` from its boundary.
   bool exact() const { return exact_; }
 
   const Polygon& polygon() const { return polygon_; }

@@ -12,8 +12,9 @@
 
 namespace graspless::geometry {
 
-/// K_d of a cloud: the edges and triangles of its Delaunay triangulation (CGAL) whose edges are all
-/// shorter than d. Interior triangles too; every point stays a vertex.
+/// Simplicial complex K_d of a cloud (Stork 2013, Section IV-A): the edges and triangles of its
+/// Delaunay triangulation (CGAL) with all edges shorter than d. Includes interior triangles. Every
+/// point is a vertex.
 struct Complex {
   Eigen::Matrix3Xd points;     ///< [m]
   Eigen::Matrix2Xi edges;      ///< columns of point indices, the smaller first; sorted
@@ -21,54 +22,54 @@ struct Complex {
   double max_edge_length = 0;  ///< d [m]
 };
 
-/// A step function of d: `loops[i]` for d above `max_edge_length[i]` up to the next, that included;
-/// nothing below the first.
+/// Number of independent loops of K_d as a step function of d: loops[i] for d in
+/// (max_edge_length[i], max_edge_length[i + 1]], and 0 up to max_edge_length[0].
 struct BettiCurve {
   std::vector<double> max_edge_length;  ///< ascending [m]
   std::vector<int> loops;               ///< dimension of H_1(K_d; Z_2)
 };
 
-/// A stretch of d, lower < d <= upper, over which the same loops live.
+/// Interval (lower, upper] of d over which the set of lasting loops does not change.
 struct Plateau {
-  double lower = 0, upper = 0;  ///< of d [m]
-  int loops = 0;
+  double lower = 0, upper = 0;  ///< bounds of d [m]
+  int loops = 0;                ///< number of lasting loops
   double ratio() const { return lower > 0 ? upper / lower : 0; }
 };
 
-/// A class of H_1 that K_d has for birth < d <= death [m].
+/// A class of H_1(K_d), present for d in (birth, death] [m].
 struct PersistencePair {
   double birth = 0, death = 0;
 };
 
-/// The least ratio death / birth of a loop that is not taken for noise.
-constexpr double kLasting = 1.12;
+/// Smallest ratio death / birth of a lasting loop. Loops below it count as noise.
+constexpr double kLastingRatio = 1.12;
 
-/// The Delaunay triangulation of a cloud, its simplices in order of their longest edge: every K_d
-/// at once. Immutable; copies share.
+/// The Delaunay triangulation of a cloud with its simplices ordered by longest edge. It represents
+/// K_d for every d. Immutable; copies share their data.
 class GRASPLESS_API Filtration {
  public:
-  /// Points are the columns [m]. Equal points count once (the first index stays a vertex, the
-  /// others hang on it by nothing). Throws std::invalid_argument, naming `what`, when there are
-  /// fewer than 4 distinct points, one is not finite or beyond kMaxLength, or all lie in a plane.
+  /// `points`: 3 x n [m]. Equal points count once: the first is a vertex of edges, the others are
+  /// isolated. Throws std::invalid_argument that names `what` if there are fewer than 4 distinct
+  /// points, if one is not finite or beyond kMaxLength, or if all lie in a plane.
   explicit Filtration(const Eigen::Matrix3Xd& points, const std::string& what = "points");
 
   const Eigen::Matrix3Xd& points() const;
-  /// Distinct points.
+  /// Number of distinct points.
   int num_vertices() const;
-  /// K_d for d = max_edge_length [m].
+  /// Returns K_d for d = max_edge_length [m].
   Complex complex(double max_edge_length) const;
-  /// The persistence of H_1 over Z_2, longest ratio death / birth first; pairs that die at birth
-  /// are left out.
+  /// Persistence pairs of H_1 over Z_2, largest ratio death / birth first. Omits pairs that die at
+  /// birth.
   const std::vector<PersistencePair>& persistence() const;
-  /// The whole Betti-1 curve.
+  /// Number of independent loops for every d (first Betti number).
   const BettiCurve& betti() const;
-  /// Stretches of d with at least one lasting loop, widest ratio first. A loop lasts whose ratio
-  /// death / birth is at least `lasting`: those that come and go at once are the cloud's noise. 1
-  /// counts all, as the Betti curve does.
-  std::vector<Plateau> plateaus(double lasting = kLasting) const;
-  /// From when to when the class of a closed walk of K_d lives: birth is where the first walk of
-  /// its class appears, death where it is filled; equal where it is filled in K_d itself. `cycle`
-  /// holds columns, the first not repeated. Throws std::invalid_argument on a step that is no edge.
+  /// Plateaus with at least one lasting loop, largest ratio upper / lower first. A loop is lasting
+  /// if its ratio death / birth is at least `lasting_ratio`; 1 counts every loop, as betti() does.
+  std::vector<Plateau> plateaus(double lasting_ratio = kLastingRatio) const;
+  /// Birth and death of the homology class of a closed walk in K_d. The class is born when the
+  /// first walk in it appears, and dies when it is filled. The two are equal if the walk is filled
+  /// in K_d itself. `cycle` lists columns of points() without repeating the first. Throws
+  /// std::invalid_argument if a step of the walk is not an edge of K_d.
   PersistencePair span(const std::vector<int>& cycle, double max_edge_length) const;
 
  private:

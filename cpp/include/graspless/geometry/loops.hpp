@@ -12,71 +12,79 @@
 
 namespace graspless::geometry {
 
-/// A closed polyline on a cloud: one of a shortest basis of the first homology group of K_d.
+/// A closed polyline on a cloud: an element of a shortest basis of H_1(K_d) (gamma of Stork 2013,
+/// Sections III-B and IV-A).
 struct Loop {
-  Eigen::Matrix3Xd points;    ///< corners in order; the last is joined to the first [m]
-  std::vector<int> vertices;  ///< the same, as columns of the cloud given
-  double length = 0;          ///< [m]
-  /// The loop's class lives in K_d for birth < d <= death [m]: death / birth says how sure it is,
-  /// and what is wider than the death does not pass. Of a thinned cloud: in its complex.
+  Eigen::Matrix3Xd points;    ///< corners in order, 3 x n [m]; the last connects to the first
+  std::vector<int> vertices;  ///< indices of the corners in the input cloud
+  double length = 0;          ///< length of the closed polyline [m]
+  /// The loop's homology class exists in K_d for d in (birth, death] [m]. A large ratio
+  /// death / birth means a reliable hole. A body wider than `death` does not pass the hole. For a
+  /// downsampled cloud, K_d is the complex of the downsampled points.
   double birth = 0, death = 0;
-  /// How thick what the loop runs along is, at its thinnest place [m]; a hand must close around it.
+  /// Thickness of the handle that the loop runs along, at its thinnest cross-section [m]. A hand
+  /// must close around it. 0 if unknown.
   double thickness = 0;
 };
 
-/// How to look for loops.
+/// Options of shortest_loops().
 struct LoopOptions {
-  /// d [m]; 0 takes the widest plateau, and the lowest one with the same loops (they are finer).
+  /// d of K_d [m], in [0, 10000]. 0: chosen from the Betti curve. Of the plateaus with the loops of
+  /// the widest one, the lowest is taken, because K_d is finer there.
   double max_edge_length = 0;
-  /// Instead of the widest, the lowest plateau whose ratio is at least `lowest_ratio`: splits less
-  /// sure holes off, and takes patches that the camera missed for holes.
+  /// Use the lowest plateau with a ratio of at least `lowest_ratio` instead of the widest. Finds
+  /// smaller holes, but mistakes gaps that the camera left for holes.
   bool lowest_plateau = false;
-  double lowest_ratio = 1.4;
-  /// Below this ratio upper / lower of the plateau there is no reliable hole.
+  double lowest_ratio = 1.4;  ///< smallest ratio upper / lower for lowest_plateau, above 1
+  /// Smallest ratio upper / lower of a plateau with a reliable hole, above 1.
   double min_ratio = 1.2;
-  /// Clouds with more points are thinned to about max_points / 2 before loops are looked for.
+  /// Largest number of points without downsampling, in [100, 10^6]. A larger cloud is downsampled
+  /// to about max_points / 2.
   int max_points = 5000;
-  /// After thinning: shorten the loops on the whole cloud, of at most 10^6 points.
+  /// Shorten the loops of a downsampled cloud on all its points, at most 10^6.
   bool polish = false;
-  /// Leave out loops that run around a thick handle instead of along it.
+  /// Discard loops that run around a thick handle instead of along it.
   bool drop_meridians = true;
 };
 
-/// Throws std::invalid_argument that names the option, its value and what it may be.
+/// Throws std::invalid_argument that names the option, its value and the allowed range.
 GRASPLESS_API void validate(const LoopOptions& options);
 
 enum class LoopStatus {
-  found,
-  no_reliable_hole,  ///< see Loops::betti
+  found,             ///< at least one loop was found
+  no_reliable_hole,  ///< no plateau of the Betti curve is wide enough, or K_d has no loop
 };
 
-/// The loops of a cloud, and what they were taken from.
+/// Result of shortest_loops(): the loops of a cloud and the complex they were found in.
 struct Loops {
   LoopStatus status = LoopStatus::no_reliable_hole;
-  std::string reason;           ///< one sentence, for people
+  std::string reason;           ///< explanation of the status in one sentence
   std::vector<Loop> loops;      ///< shortest first
-  std::vector<Loop> meridians;  ///< left out: they run around a handle, not along it
-  Complex complex;              ///< K_d, of the thinned cloud where it was thinned
-  BettiCurve betti;             ///< of the same cloud
-  Plateau plateau;              ///< the one chosen; zero where d was given
+  std::vector<Loop> meridians;  ///< discarded loops: they run around a handle, not along it
+  Complex complex;              ///< K_d of the cloud, after downsampling
+  BettiCurve betti;             ///< Betti curve of the same points
+  Plateau plateau;              ///< selected plateau; zero if max_edge_length was given
   std::vector<std::string> warnings;
 };
 
-/// The shortest basis of H_1(K_d; Z_2): loops through the holes of what the cloud was taken from
-/// (Dey, Sun, Wang 2010), exact up to `max_points`. Points are the columns [m]. Throws
-/// std::invalid_argument on fewer than 20 distinct points, values that are not finite, points in a
-/// plane, more than 10^7 points (10^6 to polish), or bad options.
+/// Finds the loops through the holes of the object that a cloud was taken from: a shortest basis of
+/// H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork 2013, Section IV-A). Exact for clouds of up to
+/// `max_points`. `points`: 3 x n [m]. Throws std::invalid_argument on fewer than 20 distinct
+/// points, values that are not finite, points in a plane, more than 10^7 points (10^6 with
+/// `polish`), or invalid options.
 GRASPLESS_API Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options = {});
 
-/// A place on a loop where a hand may clasp: p and p' of the paper.
+/// A point of a loop where a hand may clasp, with its tangent: (p, p') of Stork 2013, Section IV-A.
 struct ClaspTarget {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< [m]
-  Eigen::Vector3d tangent = Eigen::Vector3d::UnitX();  ///< unit
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< point on the loop [m]
+  Eigen::Vector3d tangent = Eigen::Vector3d::UnitX();  ///< unit vector along the loop
 };
 
-/// `count` targets at equal arc length, the first at the loop's first corner. Tangents are the
-/// chords of the loop over an arc as long as their distance, so that they do not follow the zigzag
-/// of the cloud. Throws std::invalid_argument unless count is positive and the loop has length.
+/// Returns `count` targets at equal arc length, the first at the loop's first corner. Each tangent
+/// is the chord over an arc as long as the distance between targets, so it does not follow the
+/// zigzag of the cloud. `loop`: corners of the closed polyline, 3 x n [m]. Throws
+/// std::invalid_argument unless `count` is positive and the loop has at least 3 corners and a
+/// positive length.
 GRASPLESS_API std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count);
 
 }  // namespace graspless::geometry

@@ -11,15 +11,15 @@
 
 namespace graspless::geometry {
 
-/// Points on a square grid of `spacing` [m] inside a polygon (2 x n); never empty: the first vertex
-/// stands where the grid misses the polygon. Throws std::invalid_argument where there would be more
-/// than ten million.
+/// Returns the points (2 x n) [m] of a square grid of `spacing` [m] inside a polygon. If the grid
+/// misses the polygon, returns the polygon's first vertex. Throws std::invalid_argument unless
+/// `spacing` is positive and gives at most 10^7 points.
 GRASPLESS_API Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing);
 
-/// The outer boundary of planar points (2 x n): the tightest alpha shape (CGAL) that holds every
-/// point and is one simple piece, simplified by less than the points' spacing. Holes are filled.
-/// Throws std::invalid_argument, naming `what`, when the points are fewer than three, not finite,
-/// or on a line.
+/// Returns the outer boundary of planar points (2 x n) [m]: the tightest alpha shape (CGAL) that
+/// contains every point and is one simple polygon, simplified by less than the point spacing. Holes
+/// are filled. Throws std::invalid_argument that names `what` if there are fewer than three points,
+/// if one is not finite, if all lie on a line, or if they form several pieces.
 GRASPLESS_API Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what = "points");
 
 }  // namespace graspless::geometry

@@ -11,34 +11,34 @@
 
 namespace graspless::geometry {
 
-/// A simple polygon in the plane, counter-clockwise, convex or not.
+/// A simple polygon in the plane with counter-clockwise vertices, convex or not.
 class GRASPLESS_API Polygon {
  public:
-  /// The edge nearest to a point: the line through `a` and `b`, with the unit normal that points
-  /// inside.
+  /// An edge from vertex `index` to the next.
   struct Edge {
     int index;
-    Eigen::Vector2d a, b;
-    Eigen::Vector2d inward;
+    Eigen::Vector2d a, b;    ///< end points [m]
+    Eigen::Vector2d inward;  ///< unit normal pointing inside
   };
 
-  /// `vertices` is 2 x n [m]; a clockwise list is reversed. Throws std::invalid_argument, naming
-  /// `what`, on fewer than three vertices, a value that is not finite, a repeated vertex, or a
+  /// `vertices`: 2 x n [m]; a clockwise list is reversed. Throws std::invalid_argument that names
+  /// `what` on fewer than three vertices, a value that is not finite, a repeated vertex, or a
   /// boundary that crosses or touches itself.
   explicit Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what = "polygon");
 
   const Eigen::Matrix2Xd& vertices() const { return vertices_; }
   int size() const { return static_cast<int>(vertices_.cols()); }
   double area() const;               ///< [m^2], positive
-  Eigen::Vector2d centroid() const;  ///< of the area
+  Eigen::Vector2d centroid() const;  ///< centroid of the area [m]
   bool is_convex() const;
 
-  /// Whether `p` lies inside; a point on the boundary may count either way.
+  /// True if `p` [m] lies inside. A point on the boundary may count either way.
   bool contains(const Eigen::Vector2d& p) const;
   /// Distance from `p` to the boundary [m], positive inside and negative outside.
   double depth(const Eigen::Vector2d& p) const;
-  Edge edge(int index) const;  ///< from vertex `index` to the next
-  /// Of two edges equally near, as round a corner, the one whose line `p` lies farther outside of.
+  Edge edge(int index) const;  ///< edge from vertex `index` to the next
+  /// Edge nearest to `p` [m]. If two are equally near, as at a corner, the one whose line `p` lies
+  /// farther outside of.
   Edge nearest_edge(const Eigen::Vector2d& p) const;
 
   /// Convex polygons that cover this one without overlap (CGAL).

@@ -10,8 +10,8 @@
 
 namespace graspless::geometry {
 
-/// Throws std::invalid_argument, naming `field`, unless a pose is rigid, finite and within
-/// kMaxLength.
+/// Throws std::invalid_argument that names `field` unless a pose is rigid, finite and within
+/// kMaxLength of the origin.
 GRASPLESS_API void require_pose(const Eigen::Isometry3d& X, const std::string& field);
 
 }  // namespace graspless::geometry

@@ -9,13 +9,13 @@
 namespace graspless::clasp {
 namespace {
 
-/// The hand's joints, and for each the direction in which it closes: 1 or -1, 0 for one that stays.
+/// Joints of the hand with their closing directions: 1 or -1, or 0 for a joint that does not move.
 std::vector<std::pair<int, double>> closing_joints(const Problem& problem) {
   const robot::Robot& robot = problem.robot;
-  const Eigen::VectorXd way = robot.state(problem.hand.closed) - robot.state(problem.hand.open);
+  const Eigen::VectorXd travel = robot.state(problem.hand.closed) - robot.state(problem.hand.open);
   std::vector<std::pair<int, double>> joints;
   for (const int joint : robot.group(problem.hand.hand)) {
-    joints.emplace_back(joint, way[joint] > 0 ? 1.0 : way[joint] < 0 ? -1.0 : 0.0);
+    joints.emplace_back(joint, travel[joint] > 0 ? 1.0 : travel[joint] < 0 ? -1.0 : 0.0);
   }
   return joints;
 }
@@ -29,7 +29,7 @@ PlanChecker::PlanChecker(const Problem& problem, const Plan& plan, const Options
 }
 
 Faults PlanChecker::run() {
-  if (!has_shape()) return faults_;
+  if (!is_complete()) return faults_;
   check_rows();
   check_target();
   for (const Segment& segment : plan_.segments) {
@@ -47,7 +47,7 @@ const Eigen::Matrix3Xd& PlanChecker::loop_points() const {
   return problem_.object.loops().loops[static_cast<std::size_t>(plan_.loop)].points;
 }
 
-bool PlanChecker::has_shape() {
+bool PlanChecker::is_complete() {
   if (!plan_) {
     fault("plan", "not solved: ", plan_.reason);
     return false;
@@ -83,18 +83,18 @@ bool PlanChecker::has_sound_rows(const Segment& segment) {
 
 void PlanChecker::check_rows() {
   Eigen::VectorXd before = problem_.q_start;
-  if ((reach().positions[0] - before).lpNorm<Eigen::Infinity>() > kSame)
+  if ((reach().positions[0] - before).lpNorm<Eigen::Infinity>() > kTolerance)
     fault("reach row 0", "is not where the robot stands");
   for (const Segment& segment : plan_.segments) {
     scene::check_rows(
-        problem_.robot, before, kSame, segment.positions,
+        problem_.robot, before, kTolerance, segment.positions,
         [&](std::size_t row, const std::string& what) { fault(at(segment, row), what); });
     before = segment.positions.back();
   }
 }
 
 void PlanChecker::check_collisions(const Segment& segment) {
-  std::size_t faulty_row = segment.positions.size();  // one report a row is enough
+  std::size_t faulty_row = segment.positions.size();  // at most one fault per row is reported
   scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const auto touching = replay_.touching(q);
     if (touching.empty() || row == faulty_row) return;
@@ -103,7 +103,7 @@ void PlanChecker::check_collisions(const Segment& segment) {
   });
 }
 
-/// While it closes, only the hand moves, and only towards its closed state.
+/// In the last segment only the hand moves, and only towards its closed state.
 void PlanChecker::check_hand_closes() {
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem_.robot.dof());
   for (const auto& [joint, sign] : closing_joints(problem_)) direction[joint] = sign;
@@ -114,8 +114,8 @@ void PlanChecker::check_hand_closes() {
   }
 }
 
-/// At the end no joint of the hand can close by 0.01 rad more: it touches, or is closed. FCL alone
-/// passes over grazing touches of two capsules, which the world's exact distances see.
+/// At the end, no joint of the hand can close by another 0.01 rad: it touches or is closed. FCL
+/// alone misses grazing contacts of two capsules, so the world's exact distances are used as well.
 void PlanChecker::check_closed_until_contact() {
   const Eigen::VectorXd& closed = problem_.robot.state(problem_.hand.closed);
   for (const auto& [joint, sign] : closing_joints(problem_)) {
@@ -130,11 +130,11 @@ void PlanChecker::check_closed_until_contact() {
   }
 }
 
-/// The stability test itself is the library's; beside it stands an attempt by FCL alone.
+/// Repeats the planner's stability test, and runs an independent one by FCL alone.
 void PlanChecker::check_stability() {
   const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
   if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||
-      !(std::abs(found.margin - plan_.stability.margin) <= kSame)) {
+      !(std::abs(found.margin - plan_.stability.margin) <= kTolerance)) {
     fault("plan", "stability is not what its test says: ", found.escapes, " escapes, margin ",
           found.margin);
   }

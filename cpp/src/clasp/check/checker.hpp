@@ -10,26 +10,26 @@
 
 #include "scene/replay.hpp"
 
-/// check(): the promises of a plan, one function each. The formulas are written anew from the
-/// paper, so that a mistake in the search's cannot hide here.
+/// check(): one function per property of a plan. The formulas are implemented independently of the
+/// search, so that a mistake there cannot go unnoticed here.
 namespace graspless::clasp {
 
-constexpr double kSame = 1e-6;  // [m, rad]
+constexpr double kTolerance = 1e-6;  // [m, rad]
 
 using Faults = std::vector<std::string>;
 
-/// The Gauss linking integral (1) of two closed polylines, segment by segment, by the angles that a
-/// pair of segments spans (Klenin, Langowski 2000, method 1a).
+/// Gauss linking integral, eq. (1), of two closed polylines: sum of the solid angles of all pairs
+/// of segments (Klenin, Langowski 2000, method 1a).
 double double_integral(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
 
-/// Corners of the curve from the tip of finger i to the tip of the thumb, in W.
+/// Corners of the curve from the tip of a finger to the tip of the thumb, 3 x n in W [m].
 Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen::VectorXd& q);
 
-/// Moves the object about the hand at q, at random, until FCL finds a touch, and says whether its
-/// loop came free: a short stability test by other means.
+/// A short stability test by FCL alone: makes random moves of the object, each until it touches the
+/// hand at q. Returns true if the loop came free.
 bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q);
 
-/// One plan under examination.
+/// Checks one plan.
 class PlanChecker {
  public:
   PlanChecker(const Problem& problem, const Plan& plan, const Options& options);
@@ -52,7 +52,7 @@ class PlanChecker {
   const Eigen::VectorXd& q_end() const { return close().positions.back(); }
   const Eigen::Matrix3Xd& loop_points() const;
 
-  bool has_shape();
+  bool is_complete();
   bool has_sound_rows(const Segment& segment);
   void check_rows();
   void check_collisions(const Segment& segment);

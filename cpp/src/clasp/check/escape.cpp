@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check(): an attempt of its own to pull the object out of the closed hand, by FCL alone.
+// check(): an independent attempt to move the object out of the closed hand, by FCL alone.
 #include <cmath>
 #include <random>
 
@@ -9,13 +9,13 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr int kSequences = 3, kMoves = 100, kSteps = 25;  // steps of a move, at most
-constexpr double kStep = 0.004, kTurn = 0.02;             // [m], [rad]
+constexpr int kSequences = 3, kMoves = 100, kMaxSteps = 25;  // steps per move
+constexpr double kStep = 0.004, kTurn = 0.02;                // [m], [rad]
 
-/// The robot at q as bodies that stand still, and the object as one that moves; nothing else.
-class Tug {
+/// The robot at q as fixed bodies, and the object as a moving body.
+class MovingObject {
  public:
-  Tug(const Problem& problem, const Eigen::VectorXd& q) {
+  MovingObject(const Problem& problem, const Eigen::VectorXd& q) {
     object_ = world_.add_body("object", problem.object.solid());
     robot::Poses X_WL;
     problem.robot.forward(q, X_WL);
@@ -43,7 +43,7 @@ Eigen::Vector3d random_direction(std::mt19937_64& rng) {
   return v.normalized();
 }
 
-/// A small motion in the world: along a direction, or about one through the hand's centre.
+/// A small motion in W: a translation, or a rotation about an axis through the hand's centre.
 Eigen::Isometry3d random_step(bool turns, const Eigen::Vector3d& center_W, std::mt19937_64& rng) {
   const Eigen::Vector3d direction = random_direction(rng);
   Eigen::Isometry3d step = Eigen::Isometry3d::Identity();
@@ -55,12 +55,13 @@ Eigen::Isometry3d random_step(bool turns, const Eigen::Vector3d& center_W, std::
          Eigen::Translation3d(-center_W);
 }
 
-struct Grip {
+/// Smallest ball about the mean of the nodes that contains the finger curves.
+struct HandBall {
   Eigen::Vector3d center_W;
-  double reach;  // of the hand's curves from there [m]
+  double radius;  // [m]
 };
 
-Grip grip(const Problem& problem, const Eigen::VectorXd& q) {
+HandBall hand_ball(const Problem& problem, const Eigen::VectorXd& q) {
   Eigen::Matrix3Xd nodes(3, 0);
   for (int i = 0; i < static_cast<int>(problem.hand.fingers.size()); ++i) {
     const Eigen::Matrix3Xd curve = curve_in_world(problem, i, q);
@@ -76,19 +77,19 @@ Grip grip(const Problem& problem, const Eigen::VectorXd& q) {
 bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q) {
   const Eigen::Matrix3Xd& p_OL =
       problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
-  const Grip hand = grip(problem, q);
-  // The hand's curves lie in a ball of its reach: a loop outside it is out of the hand.
+  const HandBall hand = hand_ball(problem, q);
+  // The curves lie in this ball, so a loop outside it is out of the hand.
   const auto is_out = [&](const Eigen::Isometry3d& X_WO) {
     const Eigen::Vector3d center_O = X_WO.inverse() * hand.center_W;
-    return (p_OL.colwise() - center_O).colwise().norm().minCoeff() > 1.2 * hand.reach;
+    return (p_OL.colwise() - center_O).colwise().norm().minCoeff() > 1.2 * hand.radius;
   };
-  Tug tug(problem, q);
+  MovingObject object(problem, q);
   std::mt19937_64 rng(20130901);
   for (int sequence = 0; sequence < kSequences; ++sequence) {
     Eigen::Isometry3d X_WO = problem.X_WO;
     for (int move = 0; move < kMoves; ++move) {
       const Eigen::Isometry3d step = random_step(move % 2 == 1, hand.center_W, rng);
-      for (int i = 0; i < kSteps && tug.is_free(step * X_WO); ++i) X_WO = step * X_WO;
+      for (int i = 0; i < kMaxSteps && object.is_free(step * X_WO); ++i) X_WO = step * X_WO;
       if (is_out(X_WO)) return true;
     }
   }

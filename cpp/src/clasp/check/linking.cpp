@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check(): virtual linking by the double integral, curve by curve and row by row.
+// check(): virtual linking of every curve at every row, by the double integral.
 #include <algorithm>
 #include <cmath>
 
@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Angle between a plane's normal and another's, as an arc sine; 0 where one has no normal.
+/// Arc sine of the cosine between two normals; 0 if one vanishes.
 double arc(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   const double length = m.norm() * n.norm();
   return length > 0 ? std::asin(std::clamp(m.dot(n) / length, -1.0, 1.0)) : 0;
 }
 
-/// The solid angle that segments (a, a2) and (b, b2) span, signed, over 4 pi.
+/// Signed solid angle of the segments (a, a2) and (b, b2), divided by 4 pi.
 double pair_integral(const Eigen::Vector3d& a, const Eigen::Vector3d& a2, const Eigen::Vector3d& b,
                      const Eigen::Vector3d& b2) {
   const Eigen::Vector3d r13 = b - a, r14 = b2 - a, r23 = b - a2, r24 = b2 - a2;
@@ -29,7 +29,7 @@ double pair_integral(const Eigen::Vector3d& a, const Eigen::Vector3d& a2, const 
   return side == 0 ? 0 : std::copysign(area, side) / (4 * kPi);
 }
 
-/// VLk of eq. (2), without its sign and at most 1.
+/// min(1, |VLk|), eq. (2).
 double linking_of(const Eigen::Matrix3Xd& loop, const Eigen::Matrix3Xd& curve) {
   double length = 0;
   for (Eigen::Index i = 1; i < curve.cols(); ++i)
@@ -70,27 +70,26 @@ void PlanChecker::check_linking(const Segment& segment) {
   const Eigen::Matrix3Xd loop = loop_W();
   for (std::size_t row = 0; row < segment.positions.size(); ++row) {
     for (int i = 0; i < segment.virtual_linking.rows(); ++i) {
-      const double said = segment.virtual_linking(i, static_cast<Eigen::Index>(row));
+      const double stated = segment.virtual_linking(i, static_cast<Eigen::Index>(row));
       const double found = linking_of(loop, curve_in_world(problem_, i, segment.positions[row]));
-      if (std::abs(said - found) <= kSame) continue;
-      fault(at(segment, row), "virtual linking of curve ", i, " is ", found, ", not ", said);
+      if (std::abs(stated - found) <= kTolerance) continue;
+      fault(at(segment, row), "virtual linking of curve ", i, " is ", found, ", not ", stated);
     }
   }
 }
 
-/// The closed hand holds as the search asks. Where the user gives the figure, the hand has it
-/// before it closes until contact; else it is that of hand and handle, and every curve was linked
-/// before.
+/// The closed hand meets the threshold. A threshold given by the user must be met before the hand
+/// closes. With a derived threshold, every curve must be linked before.
 void PlanChecker::check_threshold() {
-  const double asked = derived(options_, problem_, plan_.loop).min_linking;
-  if (!(std::abs(plan_.min_linking - asked) <= kSame))
-    fault("plan", "min_linking is ", plan_.min_linking, ", not ", asked);
+  const double required = derived(options_, problem_, plan_.loop).min_linking;
+  if (!(std::abs(plan_.min_linking - required) <= kTolerance))
+    fault("plan", "min_linking is ", plan_.min_linking, ", not ", required);
   const double reached = reach().virtual_linking.rightCols(1).minCoeff();
-  if (!(options_.min_linking > 0 ? reached >= asked - kSame : reached > 0))
-    fault("reach", "ends with a virtual linking of ", reached, ", below min_linking ", asked);
+  if (!(options_.min_linking > 0 ? reached >= required - kTolerance : reached > 0))
+    fault("reach", "ends with a virtual linking of ", reached, ", below min_linking ", required);
   const double kept = close().virtual_linking.rightCols(1).minCoeff();
-  if (!(kept >= asked - kSame))
-    fault("close", "ends with a virtual linking of ", kept, ", below min_linking ", asked);
+  if (!(kept >= required - kTolerance))
+    fault("close", "ends with a virtual linking of ", kept, ", below min_linking ", required);
 }
 
 }  // namespace graspless::clasp

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check(): the place that is clasped is one that was asked for, and the hand is there.
+// check(): the target is one that the problem allows, and the hand is there.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,31 +11,31 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr double kChord = 0.025;      // of the loop's length, to either side of the target
-constexpr double kLeastCosine = 0.5;  // between tangent and chord: loops of clouds zigzag
-constexpr double kNear = 0.4;         // of the longest finger curve: from the hand to its target
+constexpr double kChord = 0.025;    // fraction of the loop's length to either side of the target
+constexpr double kMinCosine = 0.5;  // between tangent and chord, because loops of clouds zigzag
+constexpr double kNear = 0.4;       // distance from the hand to the target, by the longest curve
 
-/// The place of a closed polyline that is nearest to a point.
-Eigen::Vector3d nearest_place(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
+/// Point of a closed polyline nearest to p.
+Eigen::Vector3d nearest_point(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
   double least = std::numeric_limits<double>::infinity();
   Eigen::Vector3d nearest = p;
   for (Eigen::Index i = 0; i < loop.cols(); ++i) {
     const Eigen::Vector3d a = loop.col(i), ab = loop.col((i + 1) % loop.cols()) - a;
     const double t =
         ab.squaredNorm() > 0 ? std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) : 0;
-    const Eigen::Vector3d place = a + t * ab;
-    if ((place - p).norm() >= least) continue;
-    least = (place - p).norm();
-    nearest = place;
+    const Eigen::Vector3d q = a + t * ab;
+    if ((q - p).norm() >= least) continue;
+    least = (q - p).norm();
+    nearest = q;
   }
   return nearest;
 }
 
 double distance(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
-  return (nearest_place(loop, p) - p).norm();
+  return (nearest_point(loop, p) - p).norm();
 }
 
-/// Points of a closed polyline, densely, at equal arc length.
+/// Points of a closed polyline at equal arc length.
 Eigen::Matrix3Xd resampled(const Eigen::Matrix3Xd& loop, int count) {
   double length = 0;
   for (Eigen::Index i = 0; i < loop.cols(); ++i)
@@ -63,13 +63,13 @@ Eigen::Matrix3Xd PlanChecker::loop_W() const {
   return (problem_.X_WO.linear() * loop_points()).colwise() + problem_.X_WO.translation();
 }
 
-/// The target lies on a loop that may be clasped, where the user marked, and the hand is there.
+/// The target lies on an allowed loop, at a mark if there are any, and the hand is there.
 void PlanChecker::check_target() {
   const auto& allowed = problem_.loops;
   if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), plan_.loop) == allowed.end())
     fault("plan", "loop ", plan_.loop, " is not one of those that may be clasped");
   const Eigen::Vector3d& point = plan_.target.point;
-  if (!point.allFinite() || !(distance(loop_points(), point) <= kSame)) {
+  if (!point.allFinite() || !(distance(loop_points(), point) <= kTolerance)) {
     fault("plan", "the target does not lie on its loop");
     return;
   }
@@ -80,7 +80,7 @@ void PlanChecker::check_target() {
   check_hand_at_target();
 }
 
-/// A mark asks for the place nearest to it, of the nearest loop that may be clasped.
+/// The target of a mark is the nearest point of the nearest allowed loop.
 bool PlanChecker::is_marked() const {
   const auto& loops = problem_.object.loops().loops;
   const auto is_nearest_loop = [&](const Eigen::Vector3d& mark) {
@@ -89,13 +89,13 @@ bool PlanChecker::is_marked() const {
       const auto& only = problem_.loops;
       const bool may_be =
           only.empty() || std::find(only.begin(), only.end(), static_cast<int>(i)) != only.end();
-      if (may_be && distance(loops[i].points, mark) < own - kSame) return false;
+      if (may_be && distance(loops[i].points, mark) < own - kTolerance) return false;
     }
     return true;
   };
   return std::any_of(problem_.marks.begin(), problem_.marks.end(), [&](const auto& mark) {
     return is_nearest_loop(mark) &&
-           (nearest_place(loop_points(), mark) - plan_.target.point).norm() <= kSame;
+           (nearest_point(loop_points(), mark) - plan_.target.point).norm() <= kTolerance;
   });
 }
 
@@ -107,24 +107,24 @@ void PlanChecker::check_tangent() {
   const Eigen::Vector3d chord =
       points.col((at + kReach) % kPoints) - points.col((at + kPoints - kReach) % kPoints);
   const Eigen::Vector3d& tangent = plan_.target.tangent;
-  const bool is_unit = std::abs(tangent.norm() - 1) <= kSame;
-  if (!is_unit || std::abs(tangent.dot(chord)) < kLeastCosine * chord.norm())
+  const bool is_unit = std::abs(tangent.norm() - 1) <= kTolerance;
+  if (!is_unit || std::abs(tangent.dot(chord)) < kMinCosine * chord.norm())
     fault("plan", "the target's tangent is not the unit direction of its loop there");
 }
 
-/// A hand that pulls must hold a segment across the pull, on the side of the loop that it leads to.
+/// The handle must lie across the pull, on the side of the loop in the direction of the pull.
 void PlanChecker::check_pull() {
   if (!problem_.pull_W) return;
   const Eigen::Vector3d pull = problem_.X_WO.linear().transpose() * problem_.pull_W->normalized();
   const Eigen::Vector3d out = plan_.target.point - loop_points().rowwise().mean();
-  if (std::abs(plan_.target.tangent.dot(pull)) > kMostAlong + kSame ||
-      out.dot(pull) < (kLeastOutward - kSame) * out.norm()) {
+  if (std::abs(plan_.target.tangent.dot(pull)) > kMaxAlong + kTolerance ||
+      out.dot(pull) < (kMinOutward - kTolerance) * out.norm()) {
     fault("plan", "the target is not good for the pull");
   }
 }
 
-/// The middle of the hand's curves is no farther from the target than half of what a finger
-/// reaches.
+/// The distance from the centre of the finger curves to the target is at most kNear of the longest
+/// curve's length.
 void PlanChecker::check_hand_at_target() {
   double longest = 0;
   Eigen::Vector3d lower, upper;

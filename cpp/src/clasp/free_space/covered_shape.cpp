@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clasp/free_space/link_spheres.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include "graspless/collision/clearance.hpp"
 
+#include "clasp/free_space/link_spheres.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace graspless::clasp {
@@ -17,11 +16,11 @@ namespace {
 
 using Depth = std::function<double(const Eigen::Vector3d&)>;
 
-constexpr double kCapsuleExcess = 0.0001;  // of the spheres around a capsule [m]
-constexpr double kCell = 0.008;            // side of the cells that others are cut into [m]
-constexpr double kMaxCells = 600;          // about as many a shape at most
+constexpr double kCapsuleExcess = 0.0001;  // of the spheres beyond a capsule [m]
+constexpr double kCell = 0.008;            // side of the cells of other shapes [m]
+constexpr double kMaxCells = 600;          // approximate limit per shape
 
-double nowhere(const Eigen::Vector3d&) { return -1; }
+double no_depth(const Eigen::Vector3d&) { return -1; }
 
 CoveredShape cover(const geometry::Sphere& sphere, MeshInside) {
   const double radius = sphere.radius;
@@ -44,7 +43,7 @@ CoveredShape cover(const geometry::Capsule& capsule, MeshInside) {
   return shape;
 }
 
-/// Spheres around the cubes that fill the box from `low` to `high`, of those that `keep` wants.
+/// Spheres around the cells of the box from `low` to `high` that `keep` accepts.
 template <typename Keep>
 std::vector<Sphere> cells(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Keep keep) {
   const Eigen::Vector3d size = (high - low).cwiseMax(1e-6);
@@ -125,7 +124,7 @@ CoveredShape cover(const geometry::Mesh& mesh, MeshInside inside) {
     return surface.distance(p) <= 1.001 * radius;
   };
   return {cells(mesh.vertices.rowwise().minCoeff(), mesh.vertices.rowwise().maxCoeff(), keep),
-          nowhere};
+          no_depth};
 }
 
 }  // namespace

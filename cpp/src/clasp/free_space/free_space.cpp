@@ -14,40 +14,40 @@ FreeSpace::FreeSpace(const Problem& problem)
   for (const Obstacle& obstacle : problem.obstacles) {
     scene_.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
   }
-  place(robot_.clamp(Eigen::VectorXd::Zero(robot_.dof())));
+  update_poses(robot_.clamp(Eigen::VectorXd::Zero(robot_.dof())));
   for (const int link : object_.links()) {
     if (!robot_.reach(link).isZero(0)) {
       links_.push_back(link);
-    } else if (object_.look(link, X_WL_[at(link)], 0).touches) {
+    } else if (object_.check(link, X_WL_[at(link)], 0).touches) {
       base_touches_object_ = true;
     }
   }
 }
 
-void FreeSpace::place(const Eigen::VectorXd& q) {
+void FreeSpace::update_poses(const Eigen::VectorXd& q) {
   ++checks_;
   robot_.forward(q, X_WL_);
 }
 
 bool FreeSpace::misses_object() {
-  const auto touches = [&](int link) { return object_.look(link, X_WL_[at(link)], 0).touches; };
+  const auto touches = [&](int link) { return object_.check(link, X_WL_[at(link)], 0).touches; };
   const auto touching = std::find_if(links_.begin(), links_.end(), touches);
   if (touching == links_.end()) return true;
-  // Neighbouring configurations fail alike.
+  // The same link is likely to collide at the next configuration, so it is checked first.
   std::rotate(links_.begin(), touching, touching + 1);
   return false;
 }
 
 bool FreeSpace::is_free(const Eigen::VectorXd& q) {
   if (base_touches_object_ || !robot_.is_within(q)) return false;
-  place(q);
+  update_poses(q);
   return misses_object() && scene_.is_free(X_WL_);
 }
 
 std::pair<std::string, std::string> FreeSpace::collision(const Eigen::VectorXd& q) {
   const auto others = scene_.collision(q);
   if (!others.first.empty()) return others;
-  place(q);
+  update_poses(q);
   for (const int link : object_.links()) {
     if (!object_.touches_by_fcl(link, X_WL_[at(link)])) continue;
     return {robot_.frame_names()[at(link)], object_name_};

@@ -12,58 +12,58 @@
 #include "graspless/clasp/problem.hpp"
 #include "graspless/scene/scene.hpp"
 
-#include "clasp/free_space/links_against_object.hpp"
+#include "clasp/free_space/object_collision.hpp"
 
 namespace graspless::clasp {
 
-/// Where robot, object and obstacles do not touch. FCL against the triangles of K_d is the judge;
-/// spheres around the links and the object's clearance settle the clear cases before it. Limits and
-/// self-collision included. K_d is a surface: a link wholly inside the object would not touch it,
-/// but no motion that is looked at in small steps gets it there. Not shared between threads.
+/// Collision-free configurations and motions of the robot, including joint limits and
+/// self-collision. Spheres around the links and the object's clearance decide clear cases. FCL with
+/// the triangles of K_d decides the others. K_d is a surface, so a link wholly inside the object
+/// does not touch it, but no motion checked in small steps leads there. Not thread-safe.
 class GRASPLESS_API FreeSpace {
  public:
   explicit FreeSpace(const Problem& problem);
 
+  /// True if configuration q is free.
   bool is_free(const Eigen::VectorXd& q);
-  /// Whether the straight motion is: what is_free(q) says at its ends and at even steps of at most
-  /// `resolution` in any joint; stretches that bounds on the motion prove free are not stepped
-  /// through.
+  /// True if is_free(q) holds at both ends of the straight motion and at even steps of at most
+  /// `resolution` [rad or m] in any joint. Parts that bounds on the motion prove free are not
+  /// sampled.
   bool is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution);
-  /// The first touching pair at q, by name, by FCL; empty names when free.
+  /// Names of the first colliding pair at q, by FCL; empty if free.
   std::pair<std::string, std::string> collision(const Eigen::VectorXd& q);
 
-  std::int64_t num_checks() const { return checks_; }  ///< configurations looked at
-  /// Links tested against the object by FCL.
+  std::int64_t num_checks() const { return checks_; }  ///< configurations checked
+  /// Number of tests of a link against the object by FCL.
   std::int64_t num_fcl_checks() const { return object_.num_fcl_checks(); }
 
  private:
-  /// A link that is not yet known to stay clear of the object over a stretch of motion.
-  struct OpenLink {
+  /// A link that is not yet proven to stay clear of the object over part of a motion.
+  struct UncertainLink {
     int link;
-    double motion;                   // bound on how far it moves in one step [m]
-    double clear_first, clear_last;  // of the object, at the ends of the stretch [m]
-    double clear_middle = 0;
+    double motion;                   // bound on its motion in one step [m]
+    double clear_first, clear_last;  // clearance at both ends of the part [m]
+    double clear_middle = 0;         // clearance in the middle [m]
   };
 
-  void place(const Eigen::VectorXd& q);
+  void update_poses(const Eigen::VectorXd& q);
   bool misses_object();
-  bool open_links(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps);
-  bool is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first, int last,
-                       std::size_t begin);
-  bool look_at_middle(const Eigen::VectorXd& q, int steps_before, int steps_after,
-                      std::size_t begin);
-  void open_half(std::size_t begin, std::size_t end, bool second, int steps);
+  bool find_uncertain_links(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps);
+  bool is_part_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first, int last,
+                    std::size_t begin);
+  bool check_middle(const Eigen::VectorXd& q, int steps_before, int steps_after, std::size_t begin);
+  void push_half(std::size_t begin, std::size_t end, bool second, int steps);
 
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   robot::Robot robot_;
   std::string object_name_;
-  scene::Scene scene_;  // all but the object
-  LinksAgainstObject object_;
-  std::vector<int> links_;  // that move
+  scene::Scene scene_;  // everything except the object
+  ObjectCollision object_;
+  std::vector<int> links_;  // moving links with shapes
   bool base_touches_object_ = false;
   robot::Poses X_WL_;
-  std::vector<OpenLink> open_;  // a stack of stretches
+  std::vector<UncertainLink> uncertain_;  // stack: the links of each part
   std::int64_t checks_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 using Spheres = std::vector<Sphere>;
 
-/// A tree over spheres, split in two halves along the longest side again and again.
+/// Builds a tree over spheres by recursive bisection along the longest side.
 class TreeBuilder {
  public:
   explicit TreeBuilder(const std::vector<CoveredShape>& shapes) : shapes_(shapes) {

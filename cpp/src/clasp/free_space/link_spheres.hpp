@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Spheres around and inside the links of a robot.
+// Spheres around and inside the links of a robot, for fast distance bounds.
 #pragma once
 
 #include <functional>
@@ -14,19 +14,19 @@
 
 namespace graspless::clasp {
 
-/// A node of a link's tree of spheres. The sphere of radius `outer` holds what of the link its
-/// children's hold; the root's holds the whole link, and the leaves' together do.
+/// A node of a link's tree of bounding spheres. The sphere of radius `outer` contains the spheres
+/// of its leaves. The leaves together cover the link.
 struct LinkSphere {
   Eigen::Vector3d p_L;  ///< centre, in the link's frame [m]
-  double outer;         ///< [m]
-  double inner;         ///< this much around the centre is solid link; negative: none [m]
-  int next;             ///< the node after the subtree; the next in line is the first child
+  double outer;         ///< radius of the bounding sphere [m]
+  double inner;         ///< radius of a sphere inside the link [m]; negative: none
+  int next;  ///< first node after the subtree; the first child directly follows its parent
 };
 
-/// The nodes of one link, a parent before its children; empty for a link without shapes.
+/// Nodes of one link in depth-first order; empty for a link without shapes.
 using SphereTree = std::vector<LinkSphere>;
 
-/// One tree a link, indexed as Robot::frame_names().
+/// Builds one tree per link, in the order of Robot::frame_names().
 std::vector<SphereTree> link_spheres(const robot::Robot& robot);
 
 struct Sphere {
@@ -34,22 +34,23 @@ struct Sphere {
   double radius;
 };
 
-/// A shape in the frame of its link: spheres that cover it, and how deep a point lies inside
-/// (negative or zero: not known to be inside) [m].
+/// A shape in the frame of its link: spheres that cover it, and a function for the depth of a point
+/// inside [m] (negative or zero: not known to be inside).
 struct CoveredShape {
   std::vector<Sphere> spheres;
   std::function<double(const Eigen::Vector3d&)> depth;
 };
 
-/// What a mesh counts as inside.
+/// Interior of a mesh.
 enum class MeshInside {
-  hollow,  ///< nothing: collision tests see the surface, unless the mesh is closed and convex
+  hollow,  ///< none, as in collision tests, unless the mesh is closed and convex
   hull,    ///< its convex hull
 };
 
+/// Covers a shape with spheres.
 CoveredShape covered(const geometry::PlacedShape& placed, MeshInside inside);
 
-/// The tree over the spheres of several shapes in one frame.
+/// Builds the tree over the spheres of several shapes in one frame.
 SphereTree sphere_tree(const std::vector<CoveredShape>& shapes);
 
 }  // namespace graspless::clasp

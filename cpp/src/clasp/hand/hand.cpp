@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must hold of a hand on its robot.
+// Validation of a hand on its robot.
 #include "graspless/clasp/hand.hpp"
 
 #include <algorithm>
@@ -13,17 +13,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kShortest = 1e-4;  // of a stretch of a curve [m]
-constexpr double kPalm = 0.25;      // no hand is wider [m]
+constexpr double kMinSegment = 1e-4;  // length of a segment of a curve [m]
+constexpr double kMaxPalm = 0.25;     // width of a palm [m]
 
 std::string text(const Vector3d& v) {
   return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " + std::to_string(v.z()) +
          ")";
 }
 
-/// Runs a look-up by name and puts the field before what it throws.
+/// Runs a lookup by name and prefixes its error message with the field.
 template <typename Function>
-auto located(const std::string& field, Function function) {
+auto with_field(const std::string& field, Function function) {
   try {
     return function();
   } catch (const std::invalid_argument& error) {
@@ -33,7 +33,7 @@ auto located(const std::string& field, Function function) {
 
 std::vector<int> joints(const std::string& field, const std::string& group,
                         const robot::Robot& robot) {
-  const std::vector<int> found = located(field, [&] { return robot.group(group); });
+  const std::vector<int> found = with_field(field, [&] { return robot.group(group); });
   if (!found.empty()) return found;
   throw std::invalid_argument(field + " '" + group + "' is a group without joints");
 }
@@ -48,13 +48,13 @@ void check_groups(const Hand& hand, const robot::Robot& robot) {
   }
 }
 
-Vector3d place(const robot::Robot& robot, const CurveNode& node, const Eigen::VectorXd& q) {
+Vector3d node_position(const robot::Robot& robot, const CurveNode& node, const Eigen::VectorXd& q) {
   return robot.pose(robot.frame(node.link), q) * node.p_L;
 }
 
-/// Whether a joint of the hand, moved alone from the open state, changes what `measure` says.
+/// True if moving a single joint of the hand from the open state changes `measure(q)`.
 template <typename Measure>
-bool hand_changes(const Hand& hand, const robot::Robot& robot, Measure measure) {
+bool a_joint_changes(const Hand& hand, const robot::Robot& robot, Measure measure) {
   const Eigen::VectorXd open = robot.state(hand.open);
   for (const int joint : robot.group(hand.hand)) {
     Eigen::VectorXd moved = open;
@@ -65,8 +65,9 @@ bool hand_changes(const Hand& hand, const robot::Robot& robot, Measure measure) 
 }
 
 void check_states(const Hand& hand, const robot::Robot& robot) {
-  const Eigen::VectorXd open = located("hand.open", [&] { return robot.state(hand.open); });
-  const Eigen::VectorXd closed = located("hand.closed", [&] { return robot.state(hand.closed); });
+  const Eigen::VectorXd open = with_field("hand.open", [&] { return robot.state(hand.open); });
+  const Eigen::VectorXd closed =
+      with_field("hand.closed", [&] { return robot.state(hand.closed); });
   for (const int joint : robot.group(hand.hand)) {
     if (std::abs(closed[joint] - open[joint]) > 1e-6) return;
   }
@@ -74,9 +75,9 @@ void check_states(const Hand& hand, const robot::Robot& robot) {
                               "' are the same for every joint of '" + hand.hand + "'");
 }
 
-/// The arm must carry H: where it turns, forward and sideways turn.
+/// The arm must move the frame H.
 void check_frame(const Hand& hand, const robot::Robot& robot) {
-  const int frame = located("hand.frame", [&] { return robot.frame(hand.frame); });
+  const int frame = with_field("hand.frame", [&] { return robot.frame(hand.frame); });
   const Eigen::VectorXd q = robot.state(hand.open);
   Eigen::VectorXd moved = q;
   moved[robot.group(hand.arm).back()] += 0.1;
@@ -106,7 +107,7 @@ void check_nodes(const std::string& field, const Finger& finger, const robot::Ro
   }
   for (std::size_t i = 0; i < finger.nodes.size(); ++i) {
     const std::string node = field + ".nodes[" + std::to_string(i) + "]";
-    located(node + ".link", [&] { return robot.frame(finger.nodes[i].link); });
+    with_field(node + ".link", [&] { return robot.frame(finger.nodes[i].link); });
     const Vector3d& p = finger.nodes[i].p_L;
     if (!p.allFinite() || p.norm() > 1) {
       throw std::invalid_argument(
@@ -115,24 +116,25 @@ void check_nodes(const std::string& field, const Finger& finger, const robot::Ro
   }
 }
 
-/// No two corners that follow each other on a curve may coincide while the hand is open.
+/// Consecutive corners of a curve must not coincide when the hand is open.
 void check_curve(const Hand& hand, const robot::Robot& robot, const std::string& field,
                  const Finger& finger) {
   const Eigen::VectorXd open = robot.state(hand.open);
   std::vector<Vector3d> corners_W;
   for (auto node = finger.nodes.rbegin(); node != finger.nodes.rend(); ++node) {
-    corners_W.push_back(place(robot, *node, open));
+    corners_W.push_back(node_position(robot, *node, open));
   }
-  for (const CurveNode& node : hand.thumb.nodes) corners_W.push_back(place(robot, node, open));
+  for (const CurveNode& node : hand.thumb.nodes)
+    corners_W.push_back(node_position(robot, node, open));
   const auto refuse = [&](std::size_t a, std::size_t b) {
     throw std::invalid_argument(
         field + ": corners " + std::to_string(a) + " and " + std::to_string(b) +
         " of the curve from its tip to the thumb's coincide at the state '" + hand.open + "'");
   };
   for (std::size_t i = 1; i < corners_W.size(); ++i) {
-    if ((corners_W[i] - corners_W[i - 1]).norm() < kShortest) refuse(i - 1, i);
+    if ((corners_W[i] - corners_W[i - 1]).norm() < kMinSegment) refuse(i - 1, i);
   }
-  if ((corners_W.back() - corners_W.front()).norm() < kShortest) refuse(0, corners_W.size() - 1);
+  if ((corners_W.back() - corners_W.front()).norm() < kMinSegment) refuse(0, corners_W.size() - 1);
 }
 
 void check_names(const Hand& hand) {
@@ -146,26 +148,29 @@ void check_names(const Hand& hand) {
 void check_tip(const Hand& hand, const robot::Robot& robot, const std::string& field,
                const Finger& finger) {
   const CurveNode& tip = finger.nodes.back();
-  if (hand_changes(hand, robot, [&](const auto& q) { return place(robot, tip, q); })) return;
+  if (a_joint_changes(hand, robot, [&](const auto& q) { return node_position(robot, tip, q); }))
+    return;
   throw std::invalid_argument(field + ": its tip, on link '" + tip.link +
                               "', is moved by no joint of the group '" + hand.hand + "'");
 }
 
-/// Finger and thumb must meet in the palm, near each other, where no joint of the hand parts them.
+/// The first nodes of finger and thumb must be close to each other in the palm, and no joint of the
+/// hand may move one against the other.
 void check_meeting(const Hand& hand, const robot::Robot& robot, const std::string& field,
                    const Finger& finger) {
   const CurveNode &first = finger.nodes.front(), &thumbs = hand.thumb.nodes.front();
   const auto distance = [&](const Eigen::VectorXd& q) {
-    return Eigen::Matrix<double, 1, 1>((place(robot, first, q) - place(robot, thumbs, q)).norm());
+    return Eigen::Matrix<double, 1, 1>(
+        (node_position(robot, first, q) - node_position(robot, thumbs, q)).norm());
   };
   const double apart = distance(robot.state(hand.open))[0];
-  if (apart > kPalm) {
+  if (apart > kMaxPalm) {
     throw std::invalid_argument(field + " does not meet the thumb: their first nodes, on links '" +
                                 first.link + "' and '" + thumbs.link + "', are " +
                                 std::to_string(apart) + " m apart; a palm is at most " +
-                                std::to_string(kPalm) + " m wide");
+                                std::to_string(kMaxPalm) + " m wide");
   }
-  if (!hand_changes(hand, robot, distance)) return;
+  if (!a_joint_changes(hand, robot, distance)) return;
   throw std::invalid_argument(field + " does not meet the thumb: joints of the group '" +
                               hand.hand + "' move its first node, on link '" + first.link +
                               "', against the thumb's, on link '" + thumbs.link +

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads the description of a hand from YAML. What it says of the robot is looked at by validate().
+// Reads the description of a hand from YAML. validate() checks it against the robot.
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -64,7 +64,7 @@ class HandReader {
     }
   }
 
-  /// A mapping whose keys are all of `allowed` (any when that is empty), none given twice.
+  /// Requires a mapping with unique keys from `allowed`. An empty `allowed` permits any key.
   void check_keys(const YAML::Node& node, const std::string& owner,
                   const std::vector<std::string>& allowed) const {
     if (!node.IsMap()) fail(node, owner + " must be a mapping of names to values");
@@ -108,7 +108,7 @@ class HandReader {
     return vector;
   }
 
-  /// Of any length in the file.
+  /// Normalises a vector of any length.
   Eigen::Vector3d read_direction(const YAML::Node& node, const std::string& field) const {
     const Eigen::Vector3d vector = read_vector(node, field);
     const double length = vector.norm();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the corners of the finger curves are, and how the joints move them.
+// Positions and Jacobians of the finger curves.
 #include "clasp/hand/kinematics.hpp"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 
 namespace graspless::clasp {
 
-/// Where the hand's curves are at a configuration, and how they move. Not shared between threads.
+/// Positions and Jacobians of the finger curves. Not thread-safe.
 class GRASPLESS_API HandKinematics {
  public:
   using Jacobian3 = Eigen::Matrix<double, 3, Eigen::Dynamic>;
@@ -19,40 +19,40 @@ class GRASPLESS_API HandKinematics {
 
   HandKinematics(const robot::Robot& robot, const Hand& hand);
 
-  /// Forward kinematics: the poses of all links, and the nodes of all curves.
+  /// Forward kinematics: computes the poses of all links and the nodes of all curves.
   void update(const Eigen::VectorXd& q);
   const robot::Poses& poses() const { return X_WL_; }
 
-  /// Every distinct node once: finger 0 from palm to tip, finger 1, ..., the thumb last [m].
+  /// All distinct nodes in W, 3 x n [m]: finger 0 from palm to tip, finger 1, ..., the thumb last.
   const Eigen::Matrix3Xd& nodes() const { return p_WN_; }
   int num_curves() const { return static_cast<int>(curves_.size()); }
-  /// Curve i as columns of nodes(): from the tip of finger i to the tip of the thumb.
+  /// Curve i as indices into nodes(): from the tip of finger i to the tip of the thumb.
   const std::vector<int>& curve(int i) const { return curves_[static_cast<std::size_t>(i)]; }
   Eigen::Matrix3Xd curve_points(int i) const;
   Eigen::Vector3d forward_W() const;   ///< v_fwd
   Eigen::Vector3d sideways_W() const;  ///< v_swd
 
-  /// Derivative of node n by q (3 x dof), at the configuration last given to update().
+  /// Jacobian of node n (3 x dof) at the configuration of the last update().
   void node_jacobian(int n, Jacobian3& J) const;
-  /// Adds the derivative of `direction` times node n to a row of dof numbers.
+  /// Adds the gradient of the dot product of `direction` and node n to a row (1 x dof).
   void add_row(int n, const Eigen::Vector3d& direction, Row row) const;
-  /// Angular velocity of the hand frame by q (3 x dof).
+  /// Angular Jacobian of the hand frame (3 x dof).
   void hand_rotation_jacobian(Jacobian3& J) const;
-  /// Adds `axis` times that angular velocity to a row of dof numbers.
+  /// Adds the product of `axis` and the angular Jacobian to a row (1 x dof).
   void add_rotation_row(const Eigen::Vector3d& axis, Row row) const;
 
  private:
-  /// A link that a joint moves.
+  /// A moving link with the joint that moves it.
   struct Mover {
     int link, joint;
     bool is_prismatic;
-    Eigen::Vector3d axis_L;  // times the multiplier of a joint that follows another
+    Eigen::Vector3d axis_L;  // times the multiplier of a mimic joint
     Eigen::Vector3d axis_W, p_W;
   };
   struct Node {
     int link;
     Eigen::Vector3d p_L;
-    std::vector<int> movers;  // of movers_, that carry it
+    std::vector<int> movers;  // indices in movers_ of the joints that move it
   };
 
   std::vector<int> movers_of(int link);

@@ -9,27 +9,27 @@
 namespace graspless::clasp {
 namespace {
 
-/// Links from the first one that the arm moves to the hand's frame.
+/// Links from the first that the arm moves to the hand's frame.
 std::vector<int> arm_links(const robot::Robot& robot, const Hand& hand, const Eigen::VectorXd& q) {
   const std::vector<int>& arm = robot.group(hand.arm);
   std::vector<int> links;
   for (int link = robot.frame(hand.frame); link >= 0; link = robot.parent(link)) {
     const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, q);
-    const auto stands_still = [&](int joint) { return J.col(joint).isZero(); };
-    if (std::all_of(arm.begin(), arm.end(), stands_still)) break;
+    const auto is_fixed = [&](int joint) { return J.col(joint).isZero(); };
+    if (std::all_of(arm.begin(), arm.end(), is_fixed)) break;
     links.push_back(link);
   }
   std::reverse(links.begin(), links.end());
   return links;
 }
 
-/// The lengths between consecutive origins, the first one's from the base, longest over the ends of
-/// every sliding joint.
-double length(const robot::Robot& robot, const Hand& hand, const std::vector<int>& links,
-              const Eigen::Vector3d& base_W, Eigen::VectorXd q) {
+/// Sum of the distances between consecutive link origins, starting at the base. Each is the largest
+/// over the limits of all joints.
+double arm_length(const robot::Robot& robot, const Hand& hand, const std::vector<int>& links,
+                  const Eigen::Vector3d& base_W, Eigen::VectorXd q) {
   Eigen::VectorXd longest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(links.size()));
   robot::Poses X_WL;
-  const auto look = [&] {
+  const auto update = [&] {
     robot.forward(q, X_WL);
     Eigen::Vector3d last_W = base_W;
     for (std::size_t i = 0; i < links.size(); ++i) {
@@ -42,13 +42,13 @@ double length(const robot::Robot& robot, const Hand& hand, const std::vector<int
   for (const int joint : robot.group(hand.arm)) {
     for (const double end : {robot.lower()[joint], robot.upper()[joint]}) {
       q[joint] = end;
-      look();
+      update();
     }
   }
   return longest.sum();
 }
 
-/// The farthest corner of the hand's curves from the hand's frame, open or closed.
+/// Largest distance of a node from the hand's frame, with the hand open or closed [m].
 double hand_size(const robot::Robot& robot, const Hand& hand) {
   HandKinematics kinematics(robot, hand);
   double farthest = 0;
@@ -70,7 +70,7 @@ Reach arm_reach(const robot::Robot& robot, const Hand& hand, Eigen::VectorXd q) 
   }
   const std::vector<int> links = arm_links(robot, hand, q);
   const Eigen::Vector3d base_W = robot.pose(links.front(), q).translation();
-  return {base_W, length(robot, hand, links, base_W, q) + hand_size(robot, hand)};
+  return {base_W, arm_length(robot, hand, links, base_W, q) + hand_size(robot, hand)};
 }
 
 }  // namespace graspless::clasp

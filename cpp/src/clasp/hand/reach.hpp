@@ -8,18 +8,18 @@
 
 namespace graspless::clasp {
 
-/// A ball that the hand's curves never leave, whatever the arm does.
+/// A ball that contains the finger curves in every configuration of the arm.
 struct Reach {
-  Eigen::Vector3d base_W;  ///< of the arm's first link; if that slides, half way along [m]
-  /// The lengths of the arm's links, the way that the first may slide from the base and the hand's
-  /// size, summed [m].
+  Eigen::Vector3d base_W;  ///< centre: the arm's first link, at mid-range if it slides [m]
+  /// Sum of the lengths of the arm's links, of its sliding joints' travel and of the hand's size
+  /// [m].
   double radius;
 
-  /// How far a point lies outside; not positive inside [m].
+  /// Distance of a point from the ball [m]; not positive inside.
   double excess(const Eigen::Vector3d& p_W) const { return (p_W - base_W).norm() - radius; }
 };
 
-/// Of a valid hand's arm, wherever it stands; joints outside the arm stay as in q.
+/// Reach of the arm of a valid hand. Joints outside the arm keep their values from q.
 Reach arm_reach(const robot::Robot& robot, const Hand& hand, Eigen::VectorXd q);
 
 }  // namespace graspless::clasp

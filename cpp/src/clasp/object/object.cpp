@@ -12,7 +12,7 @@
 
 namespace graspless::clasp {
 
-/// What only collision tests need is made when they begin: a user of loops does not wait for it.
+/// Data for collision tests is built on first use, so that finding loops alone stays fast.
 struct Object::Data {
   std::string name;
   Eigen::Matrix3Xd points;

@@ -11,14 +11,14 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr double kWidth = 0.001;  // of the triangle that stands for an edge or a point [m]
-constexpr double kFlat = 1e-6;    // sine of an angle below which a tetrahedron has no sides
+constexpr double kWidth = 0.001;  // of the triangle that represents an edge or a point [m]
+constexpr double kFlat = 1e-6;    // sine of the angle below which a tetrahedron is degenerate
 
 std::uint64_t edge_key(int low, int high) {
   return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint32_t>(high);
 }
 
-/// Edges of the complex that bound no triangle.
+/// Indices of the edges that bound no triangle.
 std::vector<int> bare_edges(const geometry::Complex& complex) {
   std::unordered_set<std::uint64_t> bounding;
   bounding.reserve(static_cast<std::size_t>(3 * complex.triangles.cols()));
@@ -37,13 +37,13 @@ std::vector<int> bare_edges(const geometry::Complex& complex) {
   return bare;
 }
 
-/// The third corner of the triangle that stands for the edge from a to b.
+/// Third corner of the triangle that represents the edge from a to b.
 Eigen::Vector3d beside(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d along = b - a;
   return (a + b) / 2 + std::min(kWidth, along.norm() / 10) * along.unitOrthogonal();
 }
 
-/// Points of the complex that end no edge.
+/// Indices of the points without an edge.
 std::vector<int> lone_points(const geometry::Complex& complex) {
   std::vector<bool> ends(static_cast<std::size_t>(complex.points.cols()), false);
   for (const int point : complex.edges.reshaped()) ends[static_cast<std::size_t>(point)] = true;
@@ -54,7 +54,7 @@ std::vector<int> lone_points(const geometry::Complex& complex) {
   return lone;
 }
 
-/// The triangles of a complex by their corners, and the points that make a triangle with an edge.
+/// Lookup table of triangles: for each edge, the points that form a triangle with it.
 class TriangleTable {
  public:
   explicit TriangleTable(const geometry::Complex& complex) : points_(complex.points) {
@@ -68,8 +68,8 @@ class TriangleTable {
     }
   }
 
-  /// Whether there is a tetrahedron of triangles on either side of this one.
-  bool is_walled_in(int a, int b, int c) const {
+  /// True if there is a tetrahedron of triangles on both sides of this triangle.
+  bool is_enclosed(int a, int b, int c) const {
     const Eigen::Vector3d p = points_.col(a);
     const Eigen::Vector3d normal = (points_.col(b) - p).cross(Eigen::Vector3d(points_.col(c) - p));
     bool above = false, below = false;
@@ -131,7 +131,7 @@ geometry::Mesh shell_of(const geometry::Complex& complex) {
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
     const Eigen::Vector3i corners = mesh.triangles.col(i);
     const bool is_of_complex = i < complex.triangles.cols();
-    if (is_of_complex && table.is_walled_in(corners[0], corners[1], corners[2])) continue;
+    if (is_of_complex && table.is_enclosed(corners[0], corners[1], corners[2])) continue;
     mesh.triangles.col(kept++) = corners;
   }
   mesh.triangles.conservativeResize(3, kept);

@@ -7,12 +7,11 @@
 
 namespace graspless::clasp {
 
-/// What of a complex must not be touched (Object::surface).
+/// Collision surface of a complex; see Object::surface().
 geometry::Mesh surface_of(const geometry::Complex& complex);
 
-/// The same without the triangles that are walled in: those with a fourth point on either side that
-/// makes a tetrahedron of triangles with them. As far from every point outside, but a third of the
-/// triangles.
+/// Same without enclosed triangles: those with a tetrahedron of triangles on either side. The
+/// distance from every outside point is the same, with about a third of the triangles.
 geometry::Mesh shell_of(const geometry::Complex& complex);
 
 }  // namespace graspless::clasp

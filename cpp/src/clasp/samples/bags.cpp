@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Purse, bag and travel bag: a body with one handle. Every clear width lets the two parallel
-// fingers of a Schunk SDH (96 mm) through, every clear height a finger with room to close.
+// Purse, bag and travel bag: a body with one handle. Each handle is wide enough for the two
+// parallel fingers of a Schunk SDH (96 mm), and high enough for a finger to close.
 #include "clasp/samples/parts.hpp"
 
 namespace graspless::clasp {
 namespace {
 
-/// Narrow at the top, so that a hand has room on both sides of the handle.
+/// Narrow at the top, which leaves room for a hand on both sides of the handle.
 struct Purse {
   Eigen::Vector2d lower_size{0.28, 0.10}, upper_size{0.22, 0.03};  // [m]
   double height = 0.18;                                            // of the body [m]

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Chair: four holes between legs, rungs and seat, three between the slats of the back.
+// Chair with seven holes: four between legs, rungs and seat, and three between the slats of the
+// back.
 #include "clasp/samples/parts.hpp"
 
 namespace graspless::clasp {
@@ -24,7 +25,7 @@ Parts legs(const Chair& chair) {
   Parts parts;
   for (const double y : {-at, at}) {
     append(parts, bar({{at, y, foot}, {at, y, under_seat}}, chair.bar_radius));
-    append(parts, bar({{-at, y, foot}, {-at, y, top}}, chair.bar_radius));  // the back too
+    append(parts, bar({{-at, y, foot}, {-at, y, top}}, chair.bar_radius));  // carries the back
   }
   return parts;
 }

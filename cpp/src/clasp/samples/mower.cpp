@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lawn mower: a deck on four wheels, and a handle frame with a cross bar that makes two holes of
-// it.
+// Lawn mower: a deck on four wheels, and a handle frame that a cross bar divides into two holes.
 #include <cmath>
 
 #include "clasp/samples/parts.hpp"
@@ -55,7 +54,7 @@ Parts make_lawn_mower() {
   Parts parts{box(mower.deck, {0, 0, mower.ground_clearance + mower.deck.z() / 2})};
   append(parts, wheels(mower));
   append(parts, frame(mower));
-  // From the front wheels to the top bar, the middle is behind the deck.
+  // Centres the object between the front wheels and the top bar.
   const double front = (mower.deck.x() + mower.wheel_radius) / 2;
   const double rear = mower.deck.x() / 2 + mower.length * std::cos(mower.slope);
   return moved(parts, {(rear - front) / 2, 0, 0});

@@ -9,8 +9,8 @@ namespace {
 
 using geometry::PlacedShape;
 
-constexpr double kTurn = 6.283185307179586;  // of a circle [rad]
-constexpr int kCornerStretches = 4;
+constexpr double kFullTurn = 6.283185307179586;  // [rad]
+constexpr int kCornerSegments = 4;
 
 PlacedShape placed(const geometry::Shape& shape, const Eigen::Vector3d& p_OG) {
   PlacedShape part{shape};
@@ -36,14 +36,14 @@ Parts bar(const Points& points, double radius) {
 }
 
 Parts arch(const Arch& arch) {
-  const double bend = arch.corner + arch.radius;  // of the bar's middle
+  const double bend = arch.corner + arch.radius;  // of the bar's centre line
   const double x = arch.width / 2 - arch.corner, z = arch.height - arch.corner;
   Points points{{-x - bend, 0, -arch.root}};
-  for (int i = 0; i <= kCornerStretches; ++i) {
-    const double angle = kTurn / 4 * i / kCornerStretches;
+  for (int i = 0; i <= kCornerSegments; ++i) {
+    const double angle = kFullTurn / 4 * i / kCornerSegments;
     points.emplace_back(-x - bend * std::cos(angle), 0, z + bend * std::sin(angle));
   }
-  for (std::size_t i = points.size(); i-- > 0;) {  // the other half
+  for (std::size_t i = points.size(); i-- > 0;) {  // mirrored half
     points.emplace_back(-points[i].x(), 0, points[i].z());
   }
   return bar(points, arch.radius);
@@ -68,9 +68,9 @@ PlacedShape ellipsoid(const Eigen::Vector3d& half_axes, const Eigen::Vector3d& p
   Eigen::Matrix3Xd points(3, kRings * kSectors + 2);
   Eigen::Index next = 0;
   for (int ring = 1; ring <= kRings; ++ring) {
-    const double polar = kTurn / 2 * ring / (kRings + 1);
+    const double polar = kFullTurn / 2 * ring / (kRings + 1);
     for (int sector = 0; sector < kSectors; ++sector) {
-      const double around = kTurn * sector / kSectors;
+      const double around = kFullTurn * sector / kSectors;
       points.col(next++) << std::cos(polar), std::sin(polar) * std::cos(around),
           std::sin(polar) * std::sin(around);
     }
@@ -84,7 +84,7 @@ PlacedShape disc(double radius, double width, const Eigen::Vector3d& p_OG) {
   constexpr int kSectors = 20;
   Eigen::Matrix3Xd points(3, 2 * kSectors);
   for (int i = 0; i < kSectors; ++i) {
-    const double angle = kTurn * i / kSectors;
+    const double angle = kFullTurn * i / kSectors;
     points.col(2 * i) << radius * std::sin(angle), width / 2, -radius * std::cos(angle);
     points.col(2 * i + 1) << radius * std::sin(angle), -width / 2, -radius * std::cos(angle);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// TS-CONTROL, Algorithm 4. Numbers in the margin are the paper's lines.
+// TS-CONTROL, Algorithm 4 of Stork 2013. Numbers in the margin are its lines.
 #include "clasp/search/controller.hpp"
 
 #include <cmath>
@@ -12,9 +12,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kShortestStep = 2e-4;  // that is worth a node [rad]
-constexpr double kAtLimit = 1e-9;       // [rad]
-constexpr int kMostRounds = 4;          // of leaving out joints at their limits
+constexpr double kMinStep = 2e-4;  // shorter steps make no node [rad]
+constexpr double kAtLimit = 1e-9;  // distance from a limit that counts as reached [rad]
+constexpr int kMaxRounds = 4;      // of excluding joints at their limits
 
 Eigen::RowVectorXd gains_of(const robot::Robot& robot, const std::string& group) {
   Eigen::RowVectorXd gains = Eigen::RowVectorXd::Zero(robot.dof());
@@ -24,9 +24,9 @@ Eigen::RowVectorXd gains_of(const robot::Robot& robot, const std::string& group)
 
 }  // namespace
 
-Controller::Controller(Tasks& tasks, const robot::Robot& robot, const Hand& hand,
+Controller::Controller(TaskSpace& task_space, const robot::Robot& robot, const Hand& hand,
                        const Options& options)
-    : tasks_(tasks),
+    : task_space_(task_space),
       options_(options),
       lower_(robot.lower()),
       upper_(robot.upper()),
@@ -34,24 +34,25 @@ Controller::Controller(Tasks& tasks, const robot::Robot& robot, const Hand& hand
       hand_gains_(gains_of(robot, hand.hand)),
       position_(make_task(options.position_damping, 3)),
       alignment_(make_task(options.alignment_damping, 2)),
-      linking_(make_task(options.linking_damping, tasks.kinematics().num_curves())),
+      linking_(make_task(options.linking_damping, task_space.kinematics().num_curves())),
       q_dot_arm_(robot.dof()),
       q_dot_hand_(robot.dof()),
       q_dot_(robot.dof()) {}
 
 bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_step,
                       VectorXd& q_new) {
-  tasks_.project(q);
-  position_.u = x_target.head<3>() - tasks_.position();           // 1, 2
-  tasks_.position_jacobian(position_.J);                          // 3
-  alignment_.u = Eigen::Vector2d::Ones() - tasks_.alignment();    // 4, 5
-  tasks_.alignment_jacobian(alignment_.J);                        // 6
-  linking_.u = x_target[3] - tasks_.linking_of_curves().array();  // 7, 8
-  tasks_.linking_jacobian(linking_.J);                            // 9
-  const double fade = 1 / (1 + std::pow(options_.blend_distance / tasks_.target_distance(), 2));
+  task_space_.project(q);
+  position_.u = x_target.head<3>() - task_space_.position();           // 1, 2
+  task_space_.position_jacobian(position_.J);                          // 3
+  alignment_.u = Eigen::Vector2d::Ones() - task_space_.alignment();    // 4, 5
+  task_space_.alignment_jacobian(alignment_.J);                        // 6
+  linking_.u = x_target[3] - task_space_.linking_of_curves().array();  // 7, 8
+  task_space_.linking_jacobian(linking_.J);                            // 9
+  const double fade =
+      1 / (1 + std::pow(options_.blend_distance / task_space_.target_distance(), 2));
   alignment_.u[1] *= fade;
   alignment_.J.row(1) *= fade;
-  if (options_.attract) tasks_.attract(linking_.u, linking_.J);
+  if (options_.attract) task_space_.attract(linking_.u, linking_.J);
   position_.J.array().rowwise() *= arm_gains_.array();
   alignment_.J.array().rowwise() *= arm_gains_.array();
   linking_.J.array().rowwise() *= hand_gains_.array();
@@ -59,15 +60,15 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
   const double misalignment = alignment_.u.maxCoeff();
   position_.u /= 1 + options_.patience * misalignment * misalignment;
   solve();  // 10, 11, 13, 14
-  for (int round = 1; round < kMostRounds && leave_out_blocked(q); ++round) solve();
+  for (int round = 1; round < kMaxRounds && exclude_blocked(q); ++round) solve();
   q_dot_ *= options_.dt;  // 15
   const double longest = q_dot_.cwiseAbs().maxCoeff();
   if (longest > max_step) q_dot_ *= max_step / longest;
   q_new = (q + q_dot_).cwiseMax(lower_).cwiseMin(upper_);
-  return (q_new - q).cwiseAbs().maxCoeff() >= kShortestStep;
+  return (q_new - q).cwiseAbs().maxCoeff() >= kMinStep;
 }
 
-/// GAIN: 1 far away, 0 near.
+/// GAIN of line 12: 1 far from the target, 0 near it.
 double Controller::gain(double distance) const {
   return 1 / (1 + std::exp(-options_.blend_slope * (distance - options_.blend_distance)));
 }
@@ -82,13 +83,13 @@ void Controller::solve() {
   add_inverse(position_, position_.y, q_dot_arm_);
   q_dot_hand_.setZero();
   add_inverse(linking_, linking_.u, q_dot_hand_);  // 11
-  // The arm carries the hand as a whole, J_vlink M_arm = 0: what the null space of the linking
-  // leaves of the arm's motion is all of it.
+  // The arm moves the hand as a whole, J_vlink M_arm = 0. So the null-space projection in line 14
+  // does not change the arm's motion.
   q_dot_ = q_dot_arm_ + (1 - blend_) * q_dot_hand_;  // 13, 14
 }
 
-/// Takes the joints out of all tasks that stand at a limit and would go on; false when none does.
-bool Controller::leave_out_blocked(const VectorXd& q) {
+/// Excludes joints that are at a limit and would move beyond it. Returns false if there are none.
+bool Controller::exclude_blocked(const VectorXd& q) {
   bool any = false;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const bool blocked = (q_dot_[j] > 0 && q[j] >= upper_[j] - kAtLimit) ||

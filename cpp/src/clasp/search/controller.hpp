@@ -6,32 +6,34 @@
 
 #include "graspless/clasp/clasp.hpp"
 
-#include "clasp/search/tasks.hpp"
+#include "clasp/search/task_space.hpp"
 
 namespace graspless::clasp {
 
-/// TS-CONTROL, Algorithm 4: arm and hand one step towards a point of task space.
+/// TS-CONTROL, Algorithm 4: moves arm and hand one step towards a point of task space.
 ///
-/// Read as follows: M_arm and M_hand let the arm do what position and alignment ask and the hand
-/// what the linking asks, before the pseudo-inverses, so that no part of a motion is asked of a
-/// joint that will not do it. Pseudo-inverses are damped. A curve that is not linked asks nothing.
-/// The direction to the target counts less the nearer the target is. The hand waits on its way
-/// while it is misaligned (Options::patience). A joint that would leave its limits is left out and
-/// the others asked anew.
+/// Choices that the paper leaves open:
+/// - M_arm and M_hand select the arm for position and alignment, and the hand for linking. They are
+///   applied before the pseudo-inverses, so that no motion is assigned to a joint that is masked.
+/// - Pseudo-inverses are damped.
+/// - A curve that is not linked has no linking error.
+/// - The direction to the target counts less near the target.
+/// - The hand slows down while it is misaligned (Options::patience).
+/// - A joint at its limit is excluded, and the step is solved again for the others.
 class Controller {
  public:
-  /// `tasks` must outlive the controller.
-  Controller(Tasks& tasks, const robot::Robot& robot, const Hand& hand, const Options& options);
+  /// `task_space` must outlive the controller.
+  Controller(TaskSpace& task_space, const robot::Robot& robot, const Hand& hand,
+             const Options& options);
 
-  /// Writes the configuration one step from q towards x_target, within the joint limits, no joint
-  /// moving more than `max_step`; false when the step would be shorter than 2e-4 [rad] in every
-  /// joint. Projects q anew unless it is the one projected last. Allocates nothing.
+  /// Computes the configuration one step from q towards x_target, within the joint limits. No joint
+  /// moves more than `max_step` [rad]. Returns false if no joint would move by 2e-4 rad. Projects q
+  /// unless it was projected last. Allocates no memory.
   bool step(const Eigen::VectorXd& q, const TaskPoint& x_target, double max_step,
             Eigen::VectorXd& q_new);
 
  private:
-  /// What is asked (u), how the joints that may bring it about (J), and the pseudo-inverse
-  /// J' (J J' + damping^2)^-1.
+  /// Error u and Jacobian J of a task, with the damped pseudo-inverse J' (J J' + damping^2)^-1.
   struct Task {
     double damping;
     Eigen::MatrixXd J, JJ;
@@ -43,10 +45,10 @@ class Controller {
   static void factorise(Task& task);
   static void add_inverse(Task& task, const Eigen::VectorXd& u, Eigen::VectorXd& q_dot);
   void solve();
-  bool leave_out_blocked(const Eigen::VectorXd& q);
+  bool exclude_blocked(const Eigen::VectorXd& q);
   double gain(double distance) const;
 
-  Tasks& tasks_;
+  TaskSpace& task_space_;
   Options options_;
   Eigen::VectorXd lower_, upper_;
   Eigen::RowVectorXd arm_gains_, hand_gains_;  // diagonals of M_arm and M_hand

@@ -16,8 +16,8 @@ using planning::vector;
 
 namespace {
 
-constexpr int kStall = 12;       // control steps without progress that end the tightening
-constexpr double kMargin = 0.3;  // of the box of random tasks around hand and object [m]
+constexpr int kStall = 12;       // control steps without progress that end tighten()
+constexpr double kMargin = 0.3;  // of the box of random samples around hand and object [m]
 
 /// COLLISION-FREE of Algorithms 2 and 3.
 class FreeMotion : public ob::MotionValidator {
@@ -41,11 +41,11 @@ class FreeMotion : public ob::MotionValidator {
 
 }  // namespace
 
-LoopSearch::LoopSearch(Query& query, const LoopTargets& of, const Eigen::VectorXd& q_start)
+LoopSearch::LoopSearch(Query& query, const LoopTask& task, const Eigen::VectorXd& q_start)
     : query_(query),
-      of_(of),
-      tasks_(query.problem.robot, query.problem.hand, of.points_W, of.targets_W),
-      controller_(tasks_, query.problem.robot, query.problem.hand, of.options),
+      task_(task),
+      task_space_(query.problem.robot, query.problem.hand, task.points_W, task.targets_W),
+      controller_(task_space_, query.problem.robot, query.problem.hand, task.options),
       dof_(query.problem.robot.dof()) {
   workspace_W_.extend(project(q_start).head<3>());
   const Eigen::Matrix3Xd object_W = query.problem.X_WO * query.problem.object.points();
@@ -71,7 +71,7 @@ void LoopSearch::make_space(const Eigen::VectorXd& q_start) {
 }
 
 void LoopSearch::make_planner() {
-  const Options& options = of_.options;
+  const Options& options = task_.options;
   planner_ = std::make_shared<planning::TaskSpaceRRT>(si_);
   planner_->setProblemDefinition(problem_);
   planner_->set_seed(query_.rng());
@@ -84,7 +84,7 @@ void LoopSearch::make_planner() {
   weights << 1, 1, 1, options.linking_weight, 0;
   planner_->set_weights(weights);
   std::vector<Eigen::VectorXd> goals;
-  for (const geometry::ClaspTarget& target : of_.targets_W) {
+  for (const geometry::ClaspTarget& target : task_.targets_W) {
     goals.emplace_back(5);
     goals.back() << target.point, 1, 1;  // Algorithm 1: 9
   }
@@ -95,7 +95,7 @@ void LoopSearch::make_planner() {
       [this, q_new = Eigen::VectorXd(dof_)](const ob::State* q, const Eigen::VectorXd&,
                                             const Eigen::VectorXd& x_target, bool is_exploring,
                                             ob::State* new_state) mutable {
-        const Options& o = of_.options;
+        const Options& o = task_.options;
         const double step = is_exploring ? o.exploring_step : o.max_step;
         if (!controller_.step(vector(q, dof_), x_target.head<4>(), step, q_new)) {
           query_.refuse("control: stalled");
@@ -107,19 +107,19 @@ void LoopSearch::make_planner() {
   planner_->set_random_task(
       [this](std::mt19937_64& rng, Eigen::VectorXd& x) { draw_task(rng, x); });
   planner_->set_tolerance([this](const Eigen::VectorXd&, const Eigen::VectorXd& x) {
-    // Where the threshold is derived it is the closed hand that must reach it.
-    return query_.options.min_linking > 0 ? x[4] >= of_.options.min_linking : x[4] > 0;
+    // A derived threshold applies to the closed hand only.
+    return query_.options.min_linking > 0 ? x[4] >= task_.options.min_linking : x[4] > 0;
   });
 }
 
 Eigen::VectorXd LoopSearch::project(const Eigen::VectorXd& q) {
   Eigen::VectorXd x(5);
-  x.head<4>() = tasks_.project(q);
-  x[4] = tasks_.linking_of_curves().minCoeff();
+  x.head<4>() = task_space_.project(q);
+  x[4] = task_space_.linking_of_curves().minCoeff();
   return x;
 }
 
-// RANDOM-TS-SAMPLE.
+// RANDOM-TS-SAMPLE of Algorithm 1.
 void LoopSearch::draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const {
   x.resize(5);
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -147,35 +147,35 @@ void LoopSearch::tighten(planning::Path& path) {
   goal << reached_W().point, 1;
   Eigen::VectorXd q_new(dof_);
   double least = 1e9;
-  int since = 0;
-  for (int i = 0; i < of_.options.max_connect_steps && since < kStall; ++i) {
-    if (!controller_.step(path.back(), goal, of_.options.max_step, q_new)) return;
+  int stalled = 0;
+  for (int i = 0; i < task_.options.max_connect_steps && stalled < kStall; ++i) {
+    if (!controller_.step(path.back(), goal, task_.options.max_step, q_new)) return;
     const Eigen::VectorXd x = project(q_new);
     if (x[4] == 0 || !query_.is_motion_free(path.back(), q_new)) return;
     Eigen::Vector4d left = x.head<4>() - goal;
-    left[3] *= of_.options.linking_weight;
-    since = left.norm() < least - 1e-4 ? 0 : since + 1;
+    left[3] *= task_.options.linking_weight;
+    stalled = left.norm() < least - 1e-4 ? 0 : stalled + 1;
     least = std::min(least, left.norm());
     path.push_back(q_new);
   }
 }
 
 const Eigen::VectorXd& LoopSearch::linking(const Eigen::VectorXd& q) {
-  tasks_.project(q);
-  return tasks_.linking_of_curves();
+  task_space_.project(q);
+  return task_space_.linking_of_curves();
 }
 
-const geometry::ClaspTarget* LoopSearch::held_W(const Eigen::VectorXd& q) {
+const geometry::ClaspTarget* LoopSearch::held_target_W(const Eigen::VectorXd& q) {
   const Eigen::Vector3d hand_W = project(q).head<3>();
   double longest = 0;
-  for (int i = 0; i < tasks_.kinematics().num_curves(); ++i) {
-    const Eigen::Matrix3Xd p = tasks_.kinematics().curve_points(i);
+  for (int i = 0; i < task_space_.kinematics().num_curves(); ++i) {
+    const Eigen::Matrix3Xd p = task_space_.kinematics().curve_points(i);
     const Eigen::Index n = p.cols() - 1;
     longest = std::max(longest, (p.rightCols(n) - p.leftCols(n)).colwise().norm().sum());
   }
   const geometry::ClaspTarget* nearest = nullptr;
   double least = longest / 2;
-  for (const geometry::ClaspTarget& target : of_.targets_W) {
+  for (const geometry::ClaspTarget& target : task_.targets_W) {
     const double distance = (target.point - hand_W).norm();
     if (distance >= least) continue;
     least = distance;
@@ -185,7 +185,7 @@ const geometry::ClaspTarget* LoopSearch::held_W(const Eigen::VectorXd& q) {
 }
 
 const geometry::ClaspTarget& LoopSearch::reached_W() const {
-  return of_.targets_W[static_cast<std::size_t>(planner_->reached_target())];
+  return task_.targets_W[static_cast<std::size_t>(planner_->reached_target())];
 }
 
 Tree LoopSearch::tree() const {

@@ -5,37 +5,38 @@
 #include "graspless/planning/path.hpp"
 #include "graspless/planning/task_space_rrt.hpp"
 
-#include "clasp/search/controller.hpp"
 #include "clasp/query.hpp"
+#include "clasp/search/controller.hpp"
 #include "clasp/search/targets.hpp"
-#include "clasp/search/tasks.hpp"
+#include "clasp/search/task_space.hpp"
 
 namespace graspless::clasp {
 
-/// The search for a clasp of one loop: TaskSpaceRRT with the tasks and the controller of the hand.
+/// Search for a clasp of one loop: TaskSpaceRRT (Algorithms 1 to 3) with the task space and the
+/// controller of the hand.
 ///
-/// x of the tree is (3) and (4), the centre of the curves and their mean virtual linking, with the
-/// least virtual linking of any curve behind, which the tolerance asks for and the distance
-/// ignores.
+/// A node x of the tree has five entries: p_AABB, Pi_vlink of eq. (4), and the smallest virtual
+/// linking of any curve. The tolerance applies to the last, and the distance ignores it.
 class LoopSearch {
  public:
-  LoopSearch(Query& query, const LoopTargets& of, const Eigen::VectorXd& q_start);
+  LoopSearch(Query& query, const LoopTask& task, const Eigen::VectorXd& q_start);
   LoopSearch(const LoopSearch&) = delete;
   LoopSearch& operator=(const LoopSearch&) = delete;
 
-  /// One cycle of Algorithm 1; whether it reached a target.
+  /// Runs one cycle of Algorithm 1. Returns true if it reached a target.
   bool cycle();
-  /// From the start to the target reached, and on as far as control closes the hand without a
-  /// touch: it keeps the loop in the middle, which the fingers alone would not.
+  /// Path from the start to the target reached, continued while the controller closes the hand
+  /// without collision. The controller keeps the loop centred, unlike the closing of the fingers
+  /// alone.
   planning::Path path();
   Tree tree() const;
   /// |VLk| of every finger curve at q.
   const Eigen::VectorXd& linking(const Eigen::VectorXd& q);
 
-  const LoopTargets& of() const { return of_; }
-  /// The target that the hand at q holds: the nearest, if it is nearer than a finger curve could
-  /// span; null otherwise.
-  const geometry::ClaspTarget* held_W(const Eigen::VectorXd& q);
+  const LoopTask& task() const { return task_; }
+  /// Target held by the hand at q: the nearest one, if closer than half the longest finger curve,
+  /// else null.
+  const geometry::ClaspTarget* held_target_W(const Eigen::VectorXd& q);
   const planning::TaskSpaceRRT& planner() const { return *planner_; }
 
  private:
@@ -47,8 +48,8 @@ class LoopSearch {
   void draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const;
 
   Query& query_;
-  LoopTargets of_;
-  Tasks tasks_;
+  LoopTask task_;
+  TaskSpace task_space_;
   Controller controller_;
   Eigen::Index dof_;
   Eigen::AlignedBox3d workspace_W_;

@@ -14,12 +14,12 @@ double cosine(const Eigen::Vector3d& v, const Eigen::Vector3d& unit) {
 
 }  // namespace
 
-std::optional<double> pull_score(const geometry::ClaspTarget& place, const Pulled& of,
+std::optional<double> pull_score(const geometry::ClaspTarget& target, const PullCenters& centers,
                                  const Eigen::Vector3d& pull) {
-  const double along = std::abs(place.tangent.dot(pull));
-  const double outward = cosine(place.point - of.loop_middle, pull);
-  if (along > kMostAlong || outward < kLeastOutward) return std::nullopt;
-  return outward - along + cosine(place.point - of.object_middle, pull);
+  const double along = std::abs(target.tangent.dot(pull));
+  const double outward = cosine(target.point - centers.loop, pull);
+  if (along > kMaxAlong || outward < kMinOutward) return std::nullopt;
+  return outward - along + cosine(target.point - centers.object, pull);
 }
 
 }  // namespace graspless::clasp

@@ -10,22 +10,21 @@
 
 namespace graspless::clasp {
 
-/// What an object can be pulled at: the middle of a loop and of the whole object.
-struct Pulled {
-  Eigen::Vector3d loop_middle, object_middle;
+constexpr double kMaxAlong = 0.6;    ///< largest |cosine| between pull and tangent
+constexpr double kMinOutward = 0.4;  ///< smallest cosine between pull and direction out of the loop
+
+/// Centres of a loop and of the whole object [m].
+struct PullCenters {
+  Eigen::Vector3d loop, object;
 };
 
-constexpr double kMostAlong = 0.6;  ///< cosine between pull and segment, at most
-constexpr double kLeastOutward =
-    0.4;  ///< cosine between pull and the way out of the loop, at least
-
-/// How well a place of a loop serves a pull along the unit vector `pull`, in one frame; more is
-/// better, nothing where the hand would slip or the object would turn round.
+/// Suitability of a target for a pull along the unit vector `pull`; higher is better. All arguments
+/// are in one frame. Empty if the hand would slip or the object would turn round.
 ///
-/// A hand in the hole pulls the segment it holds outwards: the pull must lie across the segment
-/// and point from the middle of the loop to the place. The object then trails the hand quietly if
-/// its middle lies behind the place.
-std::optional<double> pull_score(const geometry::ClaspTarget& place, const Pulled& of,
+/// A hand in the hole pulls the handle outwards. So the pull must lie across the handle and point
+/// from the centre of the loop to the target. The object then follows the hand without turning if
+/// its centre lies behind the target.
+std::optional<double> pull_score(const geometry::ClaspTarget& target, const PullCenters& centers,
                                  const Eigen::Vector3d& pull);
 
 }  // namespace graspless::clasp

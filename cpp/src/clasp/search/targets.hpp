@@ -8,17 +8,17 @@
 
 namespace graspless::clasp {
 
-/// A loop with the places where it shall be clasped: gamma and G_gamma of the paper.
-struct LoopTargets {
-  int loop;         ///< index of object.loops().loops
-  Options options;  ///< derived for this loop
-  Eigen::Matrix3Xd points_W;
-  std::vector<geometry::ClaspTarget> targets_W;  ///< the best first
+/// A loop with its clasp targets: gamma and G_gamma of Stork 2013, Section IV-A.
+struct LoopTask {
+  int loop;                                      ///< index in object.loops().loops
+  Options options;                               ///< derived for this loop
+  Eigen::Matrix3Xd points_W;                     ///< corners of the loop, 3 x n [m]
+  std::vector<geometry::ClaspTarget> targets_W;  ///< best first
 };
 
-/// The loops and places worth trying, the best first: those in the arm's reach, good for the pull
-/// if there is one, near the user's marks if there are any; places with room for a finger all round
-/// before others. When none is left, says so in `plan`: status and reason.
-std::vector<LoopTargets> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan);
+/// Selects the loops and targets to try, best first: targets in the arm's reach, suitable for the
+/// pull if there is one, and nearest to the user's marks if there are any. Targets with room for a
+/// finger all round come first. If none is left, sets status and reason of the plan.
+std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan);
 
 }  // namespace graspless::clasp

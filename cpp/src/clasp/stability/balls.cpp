@@ -11,10 +11,10 @@
 namespace graspless::clasp {
 namespace {
 
-// Between balls of radius r whose centres are sqrt(8 r times this) apart [m].
+// Depth of the dent between balls of radius r whose centres are sqrt(8 r kDent) apart [m].
 constexpr double kDent = 0.0008;
-// Balls smaller than this part of a shape's largest only fill its edges.
-constexpr double kSmallest = 1.0 / 3;
+// Balls smaller than this fraction of a shape's largest only fill its edges, and are dropped.
+constexpr double kMinRatio = 1.0 / 3;
 
 bool adds(const LinkSphere& ball, const SphereTree& larger) {
   return std::none_of(larger.begin(), larger.end(), [&](const LinkSphere& other) {
@@ -23,19 +23,19 @@ bool adds(const LinkSphere& ball, const SphereTree& larger) {
   });
 }
 
-/// The inner spheres of a shape that count, largest first.
-SphereTree needed(SphereTree tree) {
+/// Selects the inner spheres that fill a shape, largest first.
+SphereTree filling(SphereTree tree) {
   std::stable_sort(tree.begin(), tree.end(),
                    [](const LinkSphere& a, const LinkSphere& b) { return a.inner > b.inner; });
   SphereTree kept;
   for (const LinkSphere& ball : tree) {
-    const double least = kept.empty() ? 0 : kSmallest * kept.front().inner;
+    const double least = kept.empty() ? 0 : kMinRatio * kept.front().inner;
     if (ball.inner > least && adds(ball, kept)) kept.push_back(ball);
   }
   return kept;
 }
 
-/// Evenly along the axis.
+/// Balls spaced evenly along the axis.
 SphereTree balls_of_capsule(const geometry::Capsule& capsule, const Eigen::Isometry3d& X_LG) {
   const double most = std::sqrt(8 * kDent * capsule.radius);
   const int gaps = static_cast<int>(std::ceil(capsule.length / most));
@@ -51,7 +51,7 @@ SphereTree balls_of(const geometry::PlacedShape& placed) {
   if (const auto* capsule = std::get_if<geometry::Capsule>(&placed.shape)) {
     return balls_of_capsule(*capsule, placed.X_BG);
   }
-  return needed(sphere_tree({covered(placed, MeshInside::hull)}));
+  return filling(sphere_tree({covered(placed, MeshInside::hull)}));
 }
 
 }  // namespace

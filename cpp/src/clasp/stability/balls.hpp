@@ -10,12 +10,12 @@
 
 namespace graspless::clasp {
 
-/// Balls within the links that fill them but for edges and dents of a millimetre.
+/// Balls inside the links that fill them up to edges and dents of about a millimetre.
 class LinkBalls {
  public:
   explicit LinkBalls(const robot::Robot& robot);
 
-  Eigen::Matrix3Xd centers_W(const robot::Poses& X_WL) const;  ///< one a column [m]
+  Eigen::Matrix3Xd centers_W(const robot::Poses& X_WL) const;  ///< centres, 3 x n [m]
   const Eigen::VectorXd& radii() const { return radii_; }      ///< [m]
 
  private:

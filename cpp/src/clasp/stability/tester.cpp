@@ -11,8 +11,8 @@
 namespace graspless::clasp {
 namespace {
 
-/// Half the length of the longest curve laid straight: no corner of it can be farther than that
-/// from its middle.
+/// Half the length of the longest curve [m]: the largest possible distance of a corner from the
+/// curve's centre.
 double half_length(const HandKinematics& hand) {
   double longest = 0;
   for (int i = 0; i < hand.num_curves(); ++i) {
@@ -58,11 +58,11 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
   const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
   const double escape =
       options.escape_distance > 0 ? options.escape_distance : half_length(kinematics_);
-  // Nothing needs to be moved farther in one go than from one side of the escape to the other.
-  const int most_steps = static_cast<int>(std::ceil(2 * escape / options.step));
-  const int most_turns = static_cast<int>(std::ceil(2 * M_PI / options.turn));
+  // No move needs to be longer than the diameter of the escape sphere, or than a full turn.
+  const int max_steps = static_cast<int>(std::ceil(2 * escape / options.step));
+  const int max_turns = static_cast<int>(std::ceil(2 * M_PI / options.turn));
 
-  // Of a thin finger half is left: the object must not pass through it.
+  // At least half of each ball remains, so that the object cannot pass through thin fingers.
   const Eigen::ArrayXd whole = balls_.radii();
   const Eigen::VectorXd radii = (whole - options.penetration).max(whole / 2);
   ObjectWalk walk(balls_.centers_W(kinematics_.poses()).colwise() - p_WC, radii, X_OW_.linear(),
@@ -72,15 +72,15 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
   double farthest = 0;
   std::mt19937_64 rng(options.seed);
   for (int sequence = 0; sequence < options.sequences; ++sequence) {
-    walk.to_start();
+    walk.reset();
     double distance = distance_to_loop(loop_O, walk.p_OC());
     for (int move = 0; move < options.moves && distance <= escape; ++move) {
       if (move % 2 == 0) {
-        walk.translate(random_direction(rng), most_steps);
+        walk.translate(random_direction(rng), max_steps);
         distance = distance_to_loop(loop_O, walk.p_OC());
         farthest = std::max(farthest, distance);
       } else {
-        walk.rotate(random_direction(rng), most_turns);
+        walk.rotate(random_direction(rng), max_turns);
       }
     }
     result.escapes += distance > escape;

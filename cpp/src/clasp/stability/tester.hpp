@@ -13,12 +13,12 @@
 
 namespace graspless::clasp {
 
-/// test_stability for many configurations of one problem. Not shared between threads.
+/// Stability test for many configurations of one problem. Not thread-safe.
 class StabilityTester {
  public:
   explicit StabilityTester(const Problem& problem);
 
-  /// `loop`: corners, in O. Options must be valid and q a configuration of the robot.
+  /// Runs the test for a loop, 3 x n in O [m]. q and the options must be valid.
   Stability test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
                  const StabilityOptions& options);
 

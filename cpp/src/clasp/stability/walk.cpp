@@ -23,83 +23,85 @@ ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& ra
       step_(options.step),
       turn_(options.turn),
       clearance_(clearance),
-      looked_(3, radii.size()),
+      checked_at_(3, radii.size()),
       distance_(radii.size()),
       next_due_(static_cast<std::size_t>(radii.size())) {
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {
-    if (look(i, R_OW_ * p_CB_W_.col(i) + p_OC_)) hits_at_start_ = true;
+    if (hits(i, R_OW_ * p_CB_W_.col(i) + p_OC_)) hits_at_start_ = true;
   }
-  looked_at_start_ = looked_;
+  checked_at_start_ = checked_at_;
   distance_at_start_ = distance_;
 }
 
-void ObjectWalk::to_start() {
+void ObjectWalk::reset() {
   R_OW_ = R_OW_start_;
   p_OC_ = p_OC_start_;
-  looked_ = looked_at_start_;
+  checked_at_ = checked_at_start_;
   distance_ = distance_at_start_;
 }
 
-/// Whether a ball hits the object; if not, how far it is from it.
-bool ObjectWalk::look(Eigen::Index ball, const Eigen::Vector3d& p_O) {
+/// True if a ball at p_O hits the object. If not, stores its distance.
+bool ObjectWalk::hits(Eigen::Index ball, const Eigen::Vector3d& p_O) {
   const double radius = radii_[ball];
   const auto distance = clearance_.bounds(p_O, radius);
   if (distance.upper < radius) return true;
-  looked_.col(ball) = p_O;
+  checked_at_.col(ball) = p_O;
   distance_[ball] = std::max(0.0, distance.lower - radius);
   return false;
 }
 
-/// Puts a ball down for the first step at which it may hit, when it is `bound` [m] away at `from`.
-void ObjectWalk::schedule(int ball, double bound, double travel, int from, int most) {
+/// Schedules the next check of a ball: the first step at which it may hit, given a distance of at
+/// least `bound` [m] at step `from`.
+void ObjectWalk::schedule(int ball, double bound, double travel, int from, int max_steps) {
   const double safe = bound / (travel + 1e-12);
-  if (safe >= most - from) return;
+  if (safe >= max_steps - from) return;
   int& first =
       first_due_[static_cast<std::size_t>(from + static_cast<int>(std::max(0.0, safe)) + 1)];
   next_due_[static_cast<std::size_t>(ball)] = first;
   first = ball;
 }
 
-/// Goes on until a ball hits; returns the steps gone. `travel` of each ball in a step [m];
-/// place_at(ball, step) is where it is then, in O.
+/// Moves until the next step would hit, and returns the number of steps. `travel`: bound on the
+/// motion of each ball in a step [m]. place_at(ball, step): position of a ball in O.
 template <typename PlaceAt>
-int ObjectWalk::advance(const Eigen::VectorXd& travel, int most, PlaceAt place_at) {
-  first_due_.assign(static_cast<std::size_t>(most) + 1, -1);
+int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PlaceAt place_at) {
+  first_due_.assign(static_cast<std::size_t>(max_steps) + 1, -1);
   for (int i = 0; i < static_cast<int>(radii_.size()); ++i) {
-    schedule(i, distance_[i] - (place_at(i, 0) - looked_.col(i)).norm(), travel[i], 0, most);
+    schedule(i, distance_[i] - (place_at(i, 0) - checked_at_.col(i)).norm(), travel[i], 0,
+             max_steps);
   }
-  for (int step = 1; step <= most; ++step) {
+  for (int step = 1; step <= max_steps; ++step) {
     int next = first_due_[static_cast<std::size_t>(step)];
     while (next >= 0) {
       const int ball = next;
       next = next_due_[static_cast<std::size_t>(ball)];
-      if (look(ball, place_at(ball, step))) {
+      if (hits(ball, place_at(ball, step))) {
         steps_ += step;
         return step - 1;
       }
-      schedule(ball, distance_[ball], travel[ball], step, most);
+      schedule(ball, distance_[ball], travel[ball], step, max_steps);
     }
   }
-  steps_ += most + 1;
-  return most;
+  steps_ += max_steps + 1;
+  return max_steps;
 }
 
-void ObjectWalk::translate(const Eigen::Vector3d& direction_W, int most) {
-  // Seen from the object, the hand goes the other way.
+void ObjectWalk::translate(const Eigen::Vector3d& direction_W, int max_steps) {
+  // In O, the hand moves in the opposite direction.
   const Eigen::Vector3d step_O = R_OW_ * (-step_ * direction_W);
-  const int gone = advance(travel_of_step_, most, [&](int ball, int step) -> Eigen::Vector3d {
+  const int gone = advance(travel_of_step_, max_steps, [&](int ball, int step) -> Eigen::Vector3d {
     return R_OW_ * p_CB_W_.col(ball) + p_OC_ + step * step_O;
   });
   p_OC_ += gone * step_O;
 }
 
-void ObjectWalk::rotate(const Eigen::Vector3d& axis_W, int most) {
+void ObjectWalk::rotate(const Eigen::Vector3d& axis_W, int max_steps) {
   const auto turned = [&](int step) -> Eigen::Matrix3d {
     return R_OW_ * Eigen::AngleAxisd(-step * turn_, axis_W).toRotationMatrix();
   };
   int at = -1;
-  Eigen::Matrix3d R_OW;  // at that step: several balls are often due at one
-  const int gone = advance(travel_of_turn_, most, [&](int ball, int step) -> Eigen::Vector3d {
+  Eigen::Matrix3d R_OW;  // cached for that step, at which several balls may be due
+  const int gone = advance(travel_of_turn_, max_steps, [&](int ball, int step) -> Eigen::Vector3d {
     if (step != at) R_OW = turned(at = step);
     return R_OW * p_CB_W_.col(ball) + p_OC_;
   });

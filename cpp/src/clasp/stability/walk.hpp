@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The object's moves against a hand that stands still.
+// Random moves of the object against a hand that does not move.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +14,34 @@
 
 namespace graspless::clasp {
 
-/// Moves the object until it hits one of the balls: seen from the object, the balls move.
+/// Moves the object until it hits one of the balls. Computations are in O, where the balls move.
 ///
-/// Every ball remembers where it was looked at and how far from the object it was there: it is
-/// looked at again only when it may have gone so far.
+/// For every ball, the position of its last check and its distance from the object are stored. The
+/// ball is checked again only when it may have moved by that distance.
 class ObjectWalk {
  public:
-  /// Balls about the hand's centre, in W; where the hand's centre and the axes of W are in O.
+  /// `p_CB_W`: centres of the balls relative to the hand's centre C, in W [m]. `R_OW`, `p_OC`:
+  /// orientation of W and position of C in O.
   ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& radii,
              const Eigen::Matrix3d& R_OW, const Eigen::Vector3d& p_OC,
              const StabilityOptions& options, collision::Clearance& clearance);
 
   bool hits_at_start() const { return hits_at_start_; }
-  void to_start();
-  /// Moves the object along a unit vector of W by steps of options.step, at most so many, until the
-  /// next would hit.
-  void translate(const Eigen::Vector3d& direction_W, int most);
-  /// Turns the object about an axis through the hand's centre, likewise.
-  void rotate(const Eigen::Vector3d& axis_W, int most);
+  void reset();
+  /// Moves the object along a unit vector by steps of options.step until the next step would hit,
+  /// at most `max_steps`.
+  void translate(const Eigen::Vector3d& direction_W, int max_steps);
+  /// Same for a rotation about an axis through the hand's centre, by steps of options.turn.
+  void rotate(const Eigen::Vector3d& axis_W, int max_steps);
 
-  const Eigen::Vector3d& p_OC() const { return p_OC_; }  ///< the hand's centre [m]
-  std::int64_t steps() const { return steps_; }          ///< poses gone through so far
+  const Eigen::Vector3d& p_OC() const { return p_OC_; }  ///< hand's centre in O [m]
+  std::int64_t steps() const { return steps_; }          ///< number of poses so far
 
  private:
   template <typename PlaceAt>
-  int advance(const Eigen::VectorXd& travel, int most, PlaceAt place_at);
-  void schedule(int ball, double bound, double travel, int from, int most);
-  bool look(Eigen::Index ball, const Eigen::Vector3d& p_O);
+  int advance(const Eigen::VectorXd& travel, int max_steps, PlaceAt place_at);
+  void schedule(int ball, double bound, double travel, int from, int max_steps);
+  bool hits(Eigen::Index ball, const Eigen::Vector3d& p_O);
 
   Eigen::Matrix3Xd p_CB_W_;
   Eigen::VectorXd radii_, travel_of_step_, travel_of_turn_;
@@ -49,10 +50,9 @@ class ObjectWalk {
   double step_, turn_;
   collision::Clearance& clearance_;
   bool hits_at_start_ = false;
-  Eigen::Matrix3Xd looked_, looked_at_start_;     // where, in O
-  Eigen::VectorXd distance_, distance_at_start_;  // of each ball from the object there, at least
-  // For each step of the present move the first ball that is due, and for each ball the one after
-  // it; -1 at the end.
+  Eigen::Matrix3Xd checked_at_, checked_at_start_;  // position at its last check, in O
+  Eigen::VectorXd distance_, distance_at_start_;    // lower bound on the distance there
+  // Linked lists of the balls due at each step of the current move; -1 at the end.
   std::vector<int> first_due_, next_due_;
   std::int64_t steps_ = 0;
 };

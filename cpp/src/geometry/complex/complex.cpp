@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Filtration: the simplices at once, what has to do with persistence when it is asked for.
+// Filtration: computes the simplices at construction, and persistence on first use.
 #include "graspless/geometry/complex.hpp"
 
 #include <mutex>
@@ -14,13 +14,13 @@
 #include "geometry/complex/delaunay.hpp"
 #include "geometry/complex/plateaus.hpp"
 #include "geometry/complex/reduction.hpp"
-#include "geometry/require_points.hpp"
 #include "geometry/complex/simplices.hpp"
+#include "geometry/require_points.hpp"
 
 namespace graspless::geometry {
 namespace {
 
-/// Thickness by length of a cloud that counts as flat.
+/// Ratio of thickness to length below which a cloud counts as flat.
 constexpr double kFlat = 1e-6;
 
 bool is_flat(const Eigen::Matrix3Xd& points) {
@@ -110,8 +110,8 @@ const std::vector<PersistencePair>& Filtration::persistence() const {
 
 const BettiCurve& Filtration::betti() const { return data_->curve(); }
 
-std::vector<Plateau> Filtration::plateaus(double lasting) const {
-  return geometry::plateaus(persistence(), lasting);
+std::vector<Plateau> Filtration::plateaus(double lasting_ratio) const {
+  return geometry::plateaus(persistence(), lasting_ratio);
 }
 
 PersistencePair Filtration::span(const std::vector<int>& cycle, double max_edge_length) const {

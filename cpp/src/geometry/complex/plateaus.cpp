@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which d: where the same loops live on for long.
+// Plateaus of the Betti curve, and the choice of d on one.
 #include "geometry/complex/plateaus.hpp"
 
 #include <algorithm>
@@ -10,23 +10,24 @@
 namespace graspless::geometry {
 namespace {
 
-/// Above the lower end of a plateau, relative to it.
+/// Ratio of d to the lower end of the interval it is chosen in.
 constexpr double kAbove = 1.05;
 
 using Pairs = std::vector<PersistencePair>;
 
-Pairs lasting_pairs(const Pairs& pairs, double lasting) {
+Pairs lasting_pairs(const Pairs& pairs, double lasting_ratio) {
   Pairs result;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(result),
-               [&](const PersistencePair& pair) { return pair.death >= lasting * pair.birth; });
+  std::copy_if(
+      pairs.begin(), pairs.end(), std::back_inserter(result),
+      [&](const PersistencePair& pair) { return pair.death >= lasting_ratio * pair.birth; });
   return result;
 }
 
 }  // namespace
 
-std::vector<Plateau> plateaus(const Pairs& pairs, double lasting) {
+std::vector<Plateau> plateaus(const Pairs& pairs, double lasting_ratio) {
   std::vector<std::pair<double, int>> steps;
-  for (const PersistencePair& pair : lasting_pairs(pairs, lasting)) {
+  for (const PersistencePair& pair : lasting_pairs(pairs, lasting_ratio)) {
     steps.emplace_back(pair.birth, 1);
     steps.emplace_back(pair.death, -1);
   }
@@ -52,7 +53,7 @@ double edge_length_on(const Plateau& plateau, const BettiCurve& curve) {
     if (curve.loops[i] != plateau.loops || upper <= widest * lower) continue;
     widest = upper / lower;
     d = std::min(kAbove, std::sqrt(widest)) * lower;
-    if (widest >= kAbove) break;  // the first that leaves room
+    if (widest >= kAbove) break;  // lowest interval that is wide enough
   }
   return d;
 }

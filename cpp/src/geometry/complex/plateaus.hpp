@@ -8,12 +8,12 @@
 
 namespace graspless::geometry {
 
-/// The stretches of d on which at least one of the pairs that last is alive, and no such pair
-/// begins or ends; widest ratio first.
-std::vector<Plateau> plateaus(const std::vector<PersistencePair>& pairs, double lasting);
+/// Intervals of d in which at least one lasting pair is alive and none is born or dies; largest
+/// ratio first. A pair is lasting if death / birth is at least `lasting_ratio`.
+std::vector<Plateau> plateaus(const std::vector<PersistencePair>& pairs, double lasting_ratio);
 
-/// A d near the lower end of a plateau (loops are shortest on a fine complex), where no other loops
-/// are alive if there is such a place.
+/// Chooses d near the lower end of a plateau, where K_d is fine and its loops are short. If
+/// possible, only the plateau's own loops are alive at d.
 double edge_length_on(const Plateau& plateau, const BettiCurve& curve);
 
 }  // namespace graspless::geometry

@@ -11,11 +11,11 @@
 namespace graspless::geometry {
 namespace {
 
-/// Classes of 0 ... n - 1 under joining.
-class Sets {
+/// Disjoint sets of 0 ... n - 1 (union-find).
+class DisjointSets {
  public:
-  explicit Sets(int n) : sets_(static_cast<std::size_t>(n)) {}
-  /// False when they were together already.
+  explicit DisjointSets(int n) : sets_(static_cast<std::size_t>(n)) {}
+  /// Joins two sets. Returns false if they were one set already.
   bool join(int a, int b) {
     const auto i = sets_.find_set(static_cast<std::size_t>(a));
     const auto j = sets_.find_set(static_cast<std::size_t>(b));
@@ -39,7 +39,7 @@ std::vector<int> by_length(const Simplices& simplices) {
   return order;
 }
 
-/// Triangles of Simplices by the rank of their longest edge, stable.
+/// Indices of triangles sorted by the rank of their longest edge, stable.
 std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std::size_t n) {
   std::vector<int> next(n + 1);
   for (const auto& triangle : triangles) ++next[static_cast<std::size_t>(triangle.longest) + 1];
@@ -52,10 +52,10 @@ std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std
   return order;
 }
 
-/// By Alexander duality a triangle encloses a new void, and fills no loop, exactly if it parts
-/// what was connected in the complement. Seen backwards, from the full complex, it joins two sets.
+/// By Alexander duality, a triangle encloses a new void, and fills no loop, exactly if it separates
+/// a connected part of the complement. In reverse order, such a triangle joins two sets of regions.
 void mark_fillings(const Simplices& simplices, const std::vector<int>& order, Ranking& out) {
-  Sets regions(simplices.num_regions);
+  DisjointSets regions(simplices.num_regions);
   for (std::size_t i = order.size(); i-- > 0;) {
     const auto [one, other] = simplices.triangles[static_cast<std::size_t>(order[i])].regions;
     out.triangles[i].fills_loop = !regions.join(one, other);
@@ -70,7 +70,7 @@ Ranking ranking(const Simplices& simplices) {
   result.rank.resize(order.size());
   result.lengths.reserve(order.size());
   result.makes_loop.reserve(order.size());
-  Sets pieces(static_cast<int>(simplices.first_edge.size()));
+  DisjointSets pieces(static_cast<int>(simplices.first_edge.size()));
   for (const int edge : order) {
     const auto e = static_cast<std::size_t>(edge);
     result.rank[e] = static_cast<int>(result.lengths.size());

@@ -11,17 +11,17 @@
 
 namespace graspless::geometry {
 
-/// The simplices in the order in which they enter K_d as d grows, and what each of them does to
-/// H_1. Edges are named by their rank.
+/// The simplices in the order in which they enter K_d as d grows, and their effect on H_1. Edges
+/// are identified by their rank in this order.
 struct Ranking {
   struct Triangle {
-    int longest;
-    std::array<int, 2> others;
-    bool fills_loop;  ///< its boundary was no boundary before
+    int longest;                ///< its longest edge
+    std::array<int, 2> others;  ///< its other edges
+    bool fills_loop;            ///< true if it fills a loop, false if it encloses a void
   };
-  std::vector<int> rank;         ///< of an edge of Simplices
-  std::vector<double> lengths;   ///< ascending
-  std::vector<char> makes_loop;  ///< the edge joins what was joined already
+  std::vector<int> rank;         ///< rank of each edge of Simplices
+  std::vector<double> lengths;   ///< of the edges by rank, ascending [m]
+  std::vector<char> makes_loop;  ///< by rank: true if the edge's ends were connected before
   std::vector<Triangle> triangles;
 };
 

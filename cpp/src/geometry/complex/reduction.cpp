@@ -20,7 +20,8 @@ int pop(std::vector<int>& heap) {
   return top;
 }
 
-/// The longest edge of a sum over Z_2, in which edges that occur twice cancel; -1 when it is empty.
+/// Removes and returns the longest edge of a sum over Z_2, or -1 if the sum is empty. Edges that
+/// occur twice cancel.
 int pop_pivot(std::vector<int>& heap) {
   while (!heap.empty()) {
     const int top = pop(heap);
@@ -45,7 +46,7 @@ void Reduction::add_column(int triangle) {
   const Ranking::Triangle& boundary = ranking_.triangles[static_cast<std::size_t>(triangle)];
   Column* column = &columns_[static_cast<std::size_t>(boundary.longest)];
   const int begin = static_cast<int>(entries_.size());
-  if (column->triangle < 0) {  // the first with this longest edge: reduced as it is
+  if (column->triangle < 0) {  // first column with this pivot: already reduced
     entries_.insert(entries_.end(), boundary.others.begin(), boundary.others.end());
   } else {
     std::vector<int> heap{boundary.longest, boundary.others[0], boundary.others[1]};

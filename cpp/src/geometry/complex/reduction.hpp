@@ -8,34 +8,34 @@
 
 namespace graspless::geometry {
 
-/// The reduced boundary matrix of the triangles over Z_2: which triangle fills what which edge
-/// began. Only triangles that fill a loop have a column.
+/// Reduced boundary matrix of the triangles over Z_2. It pairs each triangle that fills a loop with
+/// the edge that created the loop. Other triangles have no column.
 class Reduction {
  public:
   explicit Reduction(Ranking ranking);
 
   const Ranking& ranking() const { return ranking_; }
-  /// Longest ratio first; pairs that die at birth are left out.
+  /// Persistence pairs, largest ratio death / birth first. Omits pairs that die at birth.
   const std::vector<PersistencePair>& pairs() const { return pairs_; }
-  /// From when to when the class in K_d of a cycle (ranks of its edges) lives.
+  /// Birth and death of the class of a cycle in K_d, given by the ranks of its edges.
   PersistencePair span(const std::vector<int>& cycle, double max_edge_length) const;
 
  private:
   struct Column {
     int triangle = -1;
-    int begin = 0, end = 0;  // of entries_
+    int begin = 0, end = 0;  // range in entries_
   };
   struct Remainder {
-    int pivot;          // -1: nothing is left
-    int last_triangle;  // of the columns added
+    int pivot;          // longest edge left, or -1
+    int last_triangle;  // largest triangle of the columns added, or -1
   };
   Remainder reduce(std::vector<int>& heap, int end_triangle) const;
   void add_column(int triangle);
   void collect_pairs();
 
   Ranking ranking_;
-  std::vector<Column> columns_;  // by pivot, the longest edge of the column
-  std::vector<int> entries_;     // of the columns, without the pivots
+  std::vector<Column> columns_;  // by pivot: the longest edge of the column
+  std::vector<int> entries_;     // other edges of the columns
   std::vector<PersistencePair> pairs_;
 };
 

@@ -10,14 +10,14 @@ namespace {
 
 using Facet = Delaunay::Facet;
 
-/// Where the items of each bucket begin.
+/// Index of the first item of each bucket (exclusive prefix sum).
 std::vector<int> starts(std::vector<int> counts) {
   int sum = 0;
   for (int& count : counts) sum += std::exchange(count, sum);
   return counts;
 }
 
-/// Lexicographic: buckets by the first vertex, each sorted.
+/// Sorts lexicographically: buckets by the first vertex, then each bucket.
 std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
   std::vector<int> counts(n + 1);
   for (const Facet& facet : facets) ++counts[static_cast<std::size_t>(facet.vertices[0])];
@@ -35,7 +35,8 @@ std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
   return result;
 }
 
-/// Every edge lies in a triangle. Buckets by the smaller vertex, each sorted without repetition.
+/// Collects the edges of all triangles, which are all edges: buckets by the smaller vertex, each
+/// sorted without duplicates.
 void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& out) {
   std::vector<int> counts(n + 1);
   for (const Facet& facet : facets) {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The Gauss integral of two polylines. Seen from nowhere in particular, a pair of segments gives
-// the solid angle of the parallelogram of differences b - a: two triangles, each of which is twice
-// the argument of a complex number (van Oosterom, Strackee 1983). The product of the two has an
-// argument within (-pi, pi), so that the products of all pairs may be multiplied on, counting how
-// often the negative real axis is crossed: one arctangent a lane instead of one a pair.
+// Gauss linking integral of two polylines. A pair of segments contributes the solid angle of the
+// parallelogram of differences b - a. Each of its two triangles contributes twice the argument of a
+// complex number (van Oosterom, Strackee 1983). The product of the two numbers has an argument in
+// (-pi, pi). So the numbers of all pairs are multiplied, and crossings of the negative real axis
+// are counted. This takes one arctangent per lane instead of one per pair.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -15,22 +15,22 @@
 namespace graspless::geometry::kernels {
 namespace {
 
-/// Volumes below this part of length times length (times 1, what all coordinates are below) are
-/// rounding: the segments lie in a plane or touch.
+/// Determinants below this multiple of length times length count as rounding errors: the segments
+/// are coplanar or touch. Coordinates are at most 1.
 constexpr double kFlat = 1e-15;
 
-/// From corner i of the curve to every corner of the strip.
+/// Vectors from a corner of the curve to every corner of the strip.
 struct Row {
   double x[kStrip + 1], y[kStrip + 1], z[kStrip + 1], norm[kStrip + 1];
-  double along[kStrip];  // dot product of neighbours
+  double along[kStrip];  // dot products of consecutive vectors
 };
 
-/// A complex number and how often its argument has passed pi (less: -pi), in every lane.
+/// A complex number per lane, and how often its argument passed pi minus how often it passed -pi.
 struct Turns {
   double re[kLanes], im[kLanes], turns[kLanes];
 };
 
-GRASPLESS_INLINE void look(const Strip& strip, const double* from, Row& row) {
+GRASPLESS_INLINE void compute_row(const Strip& strip, const double* from, Row& row) {
   for (int j = 0; j <= strip.count; ++j) {
     const double x = strip.x[j] - from[0], y = strip.y[j] - from[1], z = strip.z[j] - from[2];
     row.x[j] = x;
@@ -43,7 +43,7 @@ GRASPLESS_INLINE void look(const Strip& strip, const double* from, Row& row) {
   }
 }
 
-/// The complex numbers of segment (A, B) of the curve with all of the strip. u = B - A.
+/// Complex numbers of segment u = B - A of the curve with every segment of the strip.
 GRASPLESS_INLINE void factors(const Strip& strip, const Row& A, const Row& B, const double* u,
                               double flat, double* re, double* im) {
   for (int j = 0; j < strip.count; ++j) {
@@ -56,7 +56,7 @@ GRASPLESS_INLINE void factors(const Strip& strip, const Row& A, const Row& B, co
     const double diagonal = A.x[j] * B.x[j + 1] + A.y[j] * B.y[j + 1] + A.z[j] * B.z[j + 1];
     const double crosswise = A.x[j + 1] * B.x[j] + A.y[j + 1] * B.y[j] + A.z[j + 1] * B.z[j];
     const double a = A.norm[j], a1 = A.norm[j + 1], b = B.norm[j], b1 = B.norm[j + 1];
-    // Cut along the diagonal that runs less close to the origin: both ways the volume is the same.
+    // Splits the parallelogram along the diagonal farther from the origin, for accuracy.
     const bool by_diagonal = a * b1 + diagonal >= a1 * b + crosswise;
     const double first = a * (a1 * b1 + there) + A.along[j] * b1 + diagonal * a1;
     const double second = a * (b1 * b + B.along[j]) + diagonal * b + here * b1;
@@ -72,7 +72,7 @@ GRASPLESS_INLINE void factors(const Strip& strip, const Row& A, const Row& B, co
   }
 }
 
-/// 2^-exponent of a normal positive number.
+/// 2^-e for a positive normal number with exponent e.
 GRASPLESS_INLINE double inverse_power(double value) {
   std::uint64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
@@ -103,12 +103,12 @@ GRASPLESS_SIMD void add_strip(const Strip& strip, const Curve& curve, double sca
   double re[kStrip], im[kStrip];
   double from[3], to[3], u[3];
   for (int k = 0; k < 3; ++k) from[k] = curve.corners(k, 0) * scale;
-  look(strip, from, rows[0]);
+  compute_row(strip, from, rows[0]);
   for (int i = 0; i < curve.segments; ++i) {
     const Eigen::Index next = i + 1 < curve.corners.cols() ? i + 1 : 0;
     for (int k = 0; k < 3; ++k) to[k] = curve.corners(k, next) * scale;
     for (int k = 0; k < 3; ++k) u[k] = to[k] - from[k];
-    look(strip, to, rows[(i + 1) % 2]);
+    compute_row(strip, to, rows[(i + 1) % 2]);
     const double length = __builtin_sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     factors(strip, rows[i % 2], rows[(i + 1) % 2], u, kFlat * length, re, im);
     multiply(re, im, strip.count, product);
@@ -127,7 +127,7 @@ double gauss_integral(const Line& line, const Curve& curve, double scale) {
     product.im[l] = product.turns[l] = 0;
   }
   for (int begin = 0; begin < line.segments; begin += kStrip) {
-    cut(line, begin, scale, strip);
+    load_strip(line, begin, scale, strip);
     add_strip(strip, curve, scale, rows, product);
   }
   double sum = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How curves wind around one another: the front of the sums in linking_kernels.hpp.
+// Linking of curves: checks, scales and lays out the input of the sums in kernels.hpp.
 #include "graspless/geometry/linking.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Corners = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-void check(const Matrix3Xd& curve, const char* name, bool is_closed) {
+void require_curve(const Matrix3Xd& curve, const char* name, bool is_closed) {
   const int least = is_closed ? 3 : 2;
   if (curve.cols() < least) {
     throw std::invalid_argument(std::string(name) + " must have at least " + std::to_string(least) +
@@ -29,10 +29,10 @@ void check(const Matrix3Xd& curve, const char* name, bool is_closed) {
   if (!curve.allFinite()) throw std::invalid_argument(std::string(name) + " must be finite");
 }
 
-double reach(const Matrix3Xd& curve) { return curve.cwiseAbs().maxCoeff(); }
+double max_coordinate(const Matrix3Xd& curve) { return curve.cwiseAbs().maxCoeff(); }
 
-/// The power of two that brings coordinates of this size to at most 1; differences of them cannot
-/// overflow then, and results do not depend on the unit.
+/// Power of two that scales coordinates of this size to at most 1. Their differences then cannot
+/// overflow, and results do not depend on the unit.
 double scale_for(double size) {
   return std::ldexp(1.0, std::min(1000, -std::ilogb(std::max(size, 1e-300)) - 1));
 }
@@ -54,44 +54,46 @@ kernels::Curve curve_of(const Matrix3Xd& corners, bool is_closed) {
   return {corners, static_cast<int>(corners.cols()) - (is_closed ? 0 : 1)};
 }
 
-/// In a fan from beside the curve; where a test is in doubt, from another place. Where the curves
-/// touch every apex leaves doubt: then the integral decides, which leaves out what touches, rounded
-/// towards zero from the middle.
-int count_with_care(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
+/// Tries several apexes beside the curve until no test is within rounding of changing sides. If the
+/// curves touch, every apex fails. The integral, which omits touching segments, then decides. It is
+/// rounded with a half towards zero.
+int robust_linking_number(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
   constexpr int kApexes = 5;
   const kernels::Curve closed = curve_of(curve, true);
   const Vector3d middle = scale * curve.rowwise().mean();
   const double size = ((scale * curve).colwise() - middle).cwiseAbs().maxCoeff();
   for (int k = 1; k <= kApexes; ++k) {
-    // no symmetry of a curve that people draw
+    // Avoids the symmetries of hand-made curves.
     const Vector3d aside(std::cos(1.7 * k), std::sin(2.9 * k), std::cos(4.3 * k + 1));
     const Vector3d apex = middle + 0.37 * size * aside;
-    bool is_sure = true;
-    const int number = kernels::signed_crossings(line, closed, scale, apex, is_sure);
-    if (is_sure) return number;
+    bool is_certain = true;
+    const int number = kernels::signed_crossings(line, closed, scale, apex, is_certain);
+    if (is_certain) return number;
   }
   const double integral = kernels::gauss_integral(line, closed, scale);
   const double rounded = std::ceil(std::max(0.0, std::abs(integral) - 0.5 - 1e-6));
   return static_cast<int>(std::copysign(rounded, integral));
 }
 
-/// In the fan from the curve's first corner, which is cheapest.
-int count_crossings(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
-  bool is_sure = true;
-  const int number =
-      kernels::signed_crossings(line, curve_of(curve, true), scale, scale * curve.col(0), is_sure);
-  return is_sure ? number : count_with_care(line, curve, scale);
+/// Uses the curve's first corner as the apex, which is cheapest.
+int fast_linking_number(const kernels::Line& line, const Matrix3Xd& curve, double scale) {
+  bool is_certain = true;
+  const int number = kernels::signed_crossings(line, curve_of(curve, true), scale,
+                                               scale * curve.col(0), is_certain);
+  return is_certain ? number : robust_linking_number(line, curve, scale);
 }
 
-/// Segments of a prepared loop that share a box.
-constexpr int kBoxed = 8;
+/// Number of consecutive segments of a prepared loop that share a bounding box.
+constexpr int kSegmentsPerBox = 8;
 
 Eigen::Matrix<double, 6, Eigen::Dynamic> boxes_along(const Corners& corners) {
   const Eigen::Index segments = corners.rows() - 1;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes(6, (segments + kBoxed - 1) / kBoxed);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> boxes(
+      6, (segments + kSegmentsPerBox - 1) / kSegmentsPerBox);
   for (Eigen::Index b = 0; b < boxes.cols(); ++b) {
-    const auto part =
-        corners.middleRows(b * kBoxed, std::min<Eigen::Index>(kBoxed, segments - b * kBoxed) + 1);
+    const auto part = corners.middleRows(
+        b * kSegmentsPerBox,
+        std::min<Eigen::Index>(kSegmentsPerBox, segments - b * kSegmentsPerBox) + 1);
     boxes.col(b) << part.colwise().minCoeff().transpose(), part.colwise().maxCoeff().transpose();
   }
   return boxes;
@@ -100,42 +102,43 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> boxes_along(const Corners& corners) {
 }  // namespace
 
 double gauss_linking(const Matrix3Xd& a, bool a_is_closed, const Matrix3Xd& b, bool b_is_closed) {
-  check(a, "a", a_is_closed);
-  check(b, "b", b_is_closed);
+  require_curve(a, "a", a_is_closed);
+  require_curve(b, "b", b_is_closed);
   if (a.cols() < b.cols()) return gauss_linking(b, b_is_closed, a, a_is_closed);
   const Corners corners = by_coordinate(a, a_is_closed);
   return kernels::gauss_integral(line_of(corners), curve_of(b, b_is_closed),
-                                 scale_for(std::max(reach(a), reach(b))));
+                                 scale_for(std::max(max_coordinate(a), max_coordinate(b))));
 }
 
 int linking_number(const Matrix3Xd& a, const Matrix3Xd& b) {
-  check(a, "a", true);
-  check(b, "b", true);
+  require_curve(a, "a", true);
+  require_curve(b, "b", true);
   if (a.cols() < b.cols()) return linking_number(b, a);
   const Corners corners = by_coordinate(a, true);
-  return count_crossings(line_of(corners), b, scale_for(std::max(reach(a), reach(b))));
+  return fast_linking_number(line_of(corners), b,
+                             scale_for(std::max(max_coordinate(a), max_coordinate(b))));
 }
 
 PreparedLoop::PreparedLoop(const Matrix3Xd& loop) : points_(loop) {
-  check(loop, "loop", true);
+  require_curve(loop, "loop", true);
   corners_ = by_coordinate(loop, true);
-  reach_ = reach(loop);
+  max_coordinate_ = max_coordinate(loop);
   boxes_ = boxes_along(corners_);
 }
 
 double PreparedLoop::gauss_linking(const Matrix3Xd& curve, bool is_closed) const {
-  check(curve, "curve", is_closed);
+  require_curve(curve, "curve", is_closed);
   return kernels::gauss_integral(line_of(corners_), curve_of(curve, is_closed),
-                                 scale_for(std::max(reach_, reach(curve))));
+                                 scale_for(std::max(max_coordinate_, max_coordinate(curve))));
 }
 
-/// The fan from a corner of the curve lies within the curve's box: only segments that come near
-/// that can run through it.
+/// The fan of triangles from a corner of the curve lies within the curve's bounding box. Only
+/// segments whose box overlaps that box can cross it.
 int PreparedLoop::linking_number(const Matrix3Xd& closed_curve) const {
-  check(closed_curve, "curve", true);
+  require_curve(closed_curve, "curve", true);
   const kernels::Line line = line_of(corners_);
   const kernels::Curve curve = curve_of(closed_curve, true);
-  const double scale = scale_for(std::max(reach_, reach(closed_curve)));
+  const double scale = scale_for(std::max(max_coordinate_, max_coordinate(closed_curve)));
   const Vector3d low = closed_curve.rowwise().minCoeff();
   const Vector3d high = closed_curve.rowwise().maxCoeff();
   const auto is_near = [&](Eigen::Index b) {
@@ -143,16 +146,17 @@ int PreparedLoop::linking_number(const Matrix3Xd& closed_curve) const {
            (boxes_.col(b).tail<3>().array() >= low.array()).all();
   };
   int number = 0;
-  bool is_sure = true;
-  for (Eigen::Index b = 0; b < boxes_.cols() && is_sure; ++b) {
+  bool is_certain = true;
+  for (Eigen::Index b = 0; b < boxes_.cols() && is_certain; ++b) {
     if (!is_near(b)) continue;
-    const int begin = static_cast<int>(b) * kBoxed;
+    const int begin = static_cast<int>(b) * kSegmentsPerBox;
     while (b + 1 < boxes_.cols() && is_near(b + 1)) ++b;
-    const int end = std::min(line.segments, static_cast<int>(b + 1) * kBoxed);
+    const int end = std::min(line.segments, static_cast<int>(b + 1) * kSegmentsPerBox);
     const kernels::Line part{line.x + begin, line.y + begin, line.z + begin, end - begin};
-    number += kernels::signed_crossings(part, curve, scale, scale * closed_curve.col(0), is_sure);
+    number +=
+        kernels::signed_crossings(part, curve, scale, scale * closed_curve.col(0), is_certain);
   }
-  return is_sure ? number : count_with_care(line, closed_curve, scale);
+  return is_certain ? number : robust_linking_number(line, closed_curve, scale);
 }
 
 Vector3d PreparedLoop::field(const Vector3d& point) const {
@@ -161,9 +165,9 @@ Vector3d PreparedLoop::field(const Vector3d& point) const {
   Vector3d r0 = points_.col(points_.cols() - 1) - point;
   for (Eigen::Index i = 0; i < points_.cols(); ++i) {
     const Vector3d r1 = points_.col(i) - point;
-    const double lengths = r0.norm() * r1.norm(), apart = lengths + r0.dot(r1);
-    if (apart > 1e-15 * lengths) {
-      sum += r0.cross(r1) * ((r0.norm() + r1.norm()) / (lengths * apart));
+    const double lengths = r0.norm() * r1.norm(), denominator = lengths + r0.dot(r1);
+    if (denominator > 1e-15 * lengths) {
+      sum += r0.cross(r1) * ((r0.norm() + r1.norm()) / (lengths * denominator));
     }
     r0 = r1;
   }

@@ -10,17 +10,17 @@
 
 namespace graspless::geometry::kernels {
 
-constexpr int kLanes = 8;    // doubles worked on side by side
-constexpr int kStrip = 128;  // segments of the line looked at together
+constexpr int kLanes = 8;    // doubles processed in parallel
+constexpr int kStrip = 128;  // largest number of segments in a strip
 
-/// A stretch of the line, scaled; filled up to whole lanes with segments of no length.
+/// Consecutive segments of a line, scaled, and padded to full lanes with segments of length 0.
 struct Strip {
   int count;  // segments, a multiple of kLanes
   double x[kStrip + 1], y[kStrip + 1], z[kStrip + 1];
   double dx[kStrip], dy[kStrip], dz[kStrip], length[kStrip];
 };
 
-GRASPLESS_INLINE void cut(const Line& line, int begin, double scale, Strip& strip) {
+GRASPLESS_INLINE void load_strip(const Line& line, int begin, double scale, Strip& strip) {
   const int given = std::min(kStrip, line.segments - begin);
   strip.count = (given + kLanes - 1) / kLanes * kLanes;
   for (int j = 0; j <= given; ++j) {

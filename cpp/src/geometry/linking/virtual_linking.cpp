@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Virtual linking, eq. (2) of Stork, Pokorny and Kragic (2013).
+// Virtual linking, eq. (2) of Stork, Pokorny, Kragic 2013.
 #include <stdexcept>
 #include <string>
 
@@ -14,7 +14,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 struct Lengths {
-  double chord, closed;  // of the closed curve
+  double chord, closed;  // delta and |alpha^|: chord, and curve with chord [m]
 };
 
 Lengths measure(const Matrix3Xd& curve) {
@@ -34,9 +34,9 @@ double closedness_of(const Lengths& lengths) {
   return lengths.closed > 0 ? 1 - lengths.chord / lengths.closed : 0;
 }
 
-/// Adds `factor` times the derivative of the distance between corners i and j.
-void add_distance(const Matrix3Xd& curve, Eigen::Index i, Eigen::Index j, double factor,
-                  Matrix3Xd& gradient) {
+/// Adds `factor` times the gradient of the distance between corners i and j.
+void add_distance_gradient(const Matrix3Xd& curve, Eigen::Index i, Eigen::Index j, double factor,
+                           Matrix3Xd& gradient) {
   const Vector3d difference = curve.col(j) - curve.col(i);
   const double length = difference.norm();
   if (length == 0) return;
@@ -58,8 +58,9 @@ double closedness(const Matrix3Xd& curve, Matrix3Xd& gradient) {
   if (lengths.closed == 0) return 0;
   const double per_length = lengths.chord / (lengths.closed * lengths.closed);
   const Eigen::Index last = curve.cols() - 1;
-  for (Eigen::Index i = 0; i < last; ++i) add_distance(curve, i, i + 1, per_length, gradient);
-  add_distance(curve, last, 0, per_length - 1 / lengths.closed, gradient);
+  for (Eigen::Index i = 0; i < last; ++i)
+    add_distance_gradient(curve, i, i + 1, per_length, gradient);
+  add_distance_gradient(curve, last, 0, per_length - 1 / lengths.closed, gradient);
   return closedness_of(lengths);
 }
 

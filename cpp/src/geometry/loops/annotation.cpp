@@ -13,7 +13,7 @@
 namespace graspless::geometry {
 namespace {
 
-/// A sum of symbols over Z_2: those that stand in it, ascending.
+/// A sum of distinct symbols over Z_2, ascending.
 using Symbols = std::vector<int>;
 
 Symbols sum(const Symbols& a, const Symbols& b) {
@@ -23,20 +23,21 @@ Symbols sum(const Symbols& a, const Symbols& b) {
   return c;
 }
 
-/// Symbols spread from edge to edge over the triangles, whose sums must be zero. An edge of the
-/// forest of shortest paths carries nothing; an edge that no triangle settles gets a new symbol,
-/// those with the shortest way round first, so that few symbols turn out to be superfluous.
-class Spreading {
+/// Propagates labels from edge to edge over the triangles: the labels of a triangle's edges must
+/// sum to zero. Edges of a forest of shortest paths have label zero. An edge that no triangle
+/// determines gets a new symbol, in order of the length of the cycle it closes in the forest. With
+/// this order few symbols turn out to be redundant.
+class LabelPropagation {
  public:
-  Spreading(const Complex& complex, const EdgeGraph& graph) : graph_(graph) {
+  LabelPropagation(const Complex& complex, const EdgeGraph& graph) : graph_(graph) {
     list_triangles(complex);
     is_known_.assign(static_cast<std::size_t>(graph.num_edges()), 0);
     value_.resize(is_known_.size());
     grow_forest();
-    for (const int edge : by_way_round()) {
+    for (const int edge : by_cycle_length()) {
       if (is_known_[index(edge)]) continue;
-      settle(edge, {num_symbols_++});
-      spread();
+      assign(edge, {num_symbols_++});
+      propagate();
     }
   }
 
@@ -74,14 +75,14 @@ class Spreading {
       for (int v = root; (v = paths.next()) >= 0;) {
         depth_[index(v)] = paths.distance(v);
         paths.expand(v);
-        if (paths.via(v) >= 0) settle(paths.via(v), {});
+        if (paths.via(v) >= 0) assign(paths.via(v), {});
       }
     }
-    spread();
+    propagate();
   }
 
-  /// The edges not known yet, those with the shortest way round first.
-  std::vector<int> by_way_round() const {
+  /// Edges without a label, in order of the length of the cycle they close in the forest.
+  std::vector<int> by_cycle_length() const {
     std::vector<std::pair<double, int>> order;
     for (int e = 0; e < graph_.num_edges(); ++e) {
       const auto [a, b] = graph_.ends(e);
@@ -90,26 +91,26 @@ class Spreading {
     }
     std::sort(order.begin(), order.end());
     std::vector<int> edges;
-    for (const auto& [way, edge] : order) edges.push_back(edge);
+    for (const auto& [length, edge] : order) edges.push_back(edge);
     return edges;
   }
 
-  void settle(int edge, Symbols value) {
+  void assign(int edge, Symbols value) {
     is_known_[index(edge)] = 1;
     value_[index(edge)] = std::move(value);
     queue_.push_back(edge);
   }
 
-  void spread() {
+  void propagate() {
     while (!queue_.empty()) {
       const int edge = queue_.back();
       queue_.pop_back();
       for (int i = first_[index(edge)]; i < first_[index(edge) + 1]; ++i)
-        look_at(triangles_[index(cofaces_[index(i)])]);
+        visit(triangles_[index(cofaces_[index(i)])]);
     }
   }
 
-  void look_at(const std::array<int, 3>& edges) {
+  void visit(const std::array<int, 3>& edges) {
     int unknown = -1, num_unknown = 0;
     bool is_empty = true;
     for (const int edge : edges) {
@@ -126,23 +127,24 @@ class Spreading {
       if (!value_[index(edge)].empty()) total = sum(total, value_[index(edge)]);
     }
     if (num_unknown == 1) {
-      settle(unknown, std::move(total));
+      assign(unknown, std::move(total));
     } else if (!total.empty()) {
       relations_.push_back(std::move(total));
     }
   }
 
   const EdgeGraph& graph_;
-  std::vector<std::array<int, 3>> triangles_;  // their edges
-  std::vector<int> first_, cofaces_;           // the triangles of an edge
-  std::vector<double> depth_;                  // distance of a vertex in its tree [m]
+  std::vector<std::array<int, 3>> triangles_;  // edges of each triangle
+  std::vector<int> first_, cofaces_;           // triangles of each edge
+  std::vector<double> depth_;                  // distance of each vertex to its root [m]
   std::vector<char> is_known_;
   std::vector<Symbols> value_, relations_;
   std::vector<int> queue_;
   int num_symbols_ = 0;
 };
 
-/// Relations in reduced form: each rules out its last symbol, which stands in no other.
+/// Relations between symbols in reduced form: each eliminates its last symbol, which occurs in no
+/// other relation.
 class Relations {
  public:
   explicit Relations(const std::vector<Symbols>& relations) {
@@ -156,7 +158,7 @@ class Relations {
       rows_.emplace(pivot, std::move(rest));
     }
   }
-  bool rules_out(int symbol) const { return rows_.count(symbol) > 0; }
+  bool eliminates(int symbol) const { return rows_.count(symbol) > 0; }
   int size() const { return static_cast<int>(rows_.size()); }
   Symbols reduced(Symbols value) const {
     const Symbols given = value;
@@ -174,19 +176,19 @@ class Relations {
 }  // namespace
 
 Annotation::Annotation(const Complex& complex, const EdgeGraph& graph) {
-  const Spreading spreading(complex, graph);
-  const Relations relations(spreading.relations());
-  num_classes_ = spreading.num_symbols() - relations.size();
+  const LabelPropagation labels(complex, graph);
+  const Relations relations(labels.relations());
+  num_classes_ = labels.num_symbols() - relations.size();
   words_ = std::max(1, (num_classes_ + 63) / 64);
-  std::vector<int> bit(static_cast<std::size_t>(spreading.num_symbols()), -1);
+  std::vector<int> bit(static_cast<std::size_t>(labels.num_symbols()), -1);
   int next = 0;
-  for (int symbol = 0; symbol < spreading.num_symbols(); ++symbol) {
-    if (!relations.rules_out(symbol)) bit[static_cast<std::size_t>(symbol)] = next++;
+  for (int symbol = 0; symbol < labels.num_symbols(); ++symbol) {
+    if (!relations.eliminates(symbol)) bit[static_cast<std::size_t>(symbol)] = next++;
   }
-  bits_.assign(spreading.values().size() * static_cast<std::size_t>(words_), 0);
-  for (std::size_t e = 0; e < spreading.values().size(); ++e) {
-    if (spreading.values()[e].empty()) continue;
-    for (const int symbol : relations.reduced(spreading.values()[e])) {
+  bits_.assign(labels.values().size() * static_cast<std::size_t>(words_), 0);
+  for (std::size_t e = 0; e < labels.values().size(); ++e) {
+    if (labels.values()[e].empty()) continue;
+    for (const int symbol : relations.reduced(labels.values()[e])) {
       const auto b = static_cast<std::size_t>(bit[static_cast<std::size_t>(symbol)]);
       bits_[e * static_cast<std::size_t>(words_) + b / 64] |= Word{1} << (b % 64);
     }

@@ -9,15 +9,15 @@
 
 namespace graspless::geometry {
 
-/// Which class of H_1(K; Z_2) a cycle belongs to: the sum of what its edges carry (Busaryev,
-/// Cabello, Chen, Dey, Wang 2012). A class is words() words of bits.
+/// A label per edge such that the labels of a cycle's edges sum to its class in H_1(K; Z_2)
+/// (Busaryev, Cabello, Chen, Dey, Wang 2012). Labels and classes are bit vectors of words() words.
 class Annotation {
  public:
   using Word = std::uint64_t;
 
   Annotation(const Complex& complex, const EdgeGraph& graph);
 
-  int num_classes() const { return num_classes_; }  ///< the dimension of H_1
+  int num_classes() const { return num_classes_; }  ///< dimension of H_1
   int words() const { return words_; }
   const Word* of(int edge) const {
     return bits_.data() + static_cast<std::size_t>(edge) * static_cast<std::size_t>(words_);
@@ -26,7 +26,7 @@ class Annotation {
 
  private:
   int num_classes_, words_;
-  std::vector<Word> bits_;  // words() an edge
+  std::vector<Word> bits_;  // words() per edge
 };
 
 }  // namespace graspless::geometry

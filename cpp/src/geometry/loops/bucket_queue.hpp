@@ -7,8 +7,8 @@
 
 namespace graspless::geometry {
 
-/// A priority queue whose least key never falls, as Dijkstra's algorithm needs it: keys in buckets
-/// of one width, of which only the lowest is sorted (Dial 1969). Exact; ties go by vertex.
+/// A monotone priority queue for Dijkstra's algorithm: buckets of equal width, of which only the
+/// lowest is sorted (Dial 1969). Exact. Ties are broken by vertex.
 class BucketQueue {
  public:
   struct Item {
@@ -24,7 +24,7 @@ class BucketQueue {
     is_sorted_ = false;
   }
 
-  /// The key must not be less than the last one popped.
+  /// `key` must not be less than the last key popped.
   void push(double key, int vertex) {
     const auto b = static_cast<std::size_t>(key * per_unit_);
     if (b >= end_) {
@@ -40,7 +40,7 @@ class BucketQueue {
     }
   }
 
-  /// Takes the least out; false when there is none.
+  /// Removes the item with the smallest key. Returns false if the queue is empty.
   bool pop(Item& item) {
     while (first_ < end_ && buckets_[first_].empty()) {
       ++first_;
@@ -64,8 +64,8 @@ class BucketQueue {
 
   double per_unit_;
   std::vector<std::vector<Item>> buckets_;
-  std::size_t first_ = 0, end_ = 0;  // of the buckets in use
-  bool is_sorted_ = false;           // the first one, its least item last
+  std::size_t first_ = 0, end_ = 0;  // range of the buckets in use
+  bool is_sorted_ = false;           // true if the first bucket is sorted, smallest key last
 };
 
 }  // namespace graspless::geometry

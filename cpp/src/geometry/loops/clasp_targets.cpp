@@ -12,17 +12,17 @@
 namespace graspless::geometry {
 namespace {
 
-/// A closed polyline by its arc length.
-class Arc {
+/// A closed polyline parametrised by arc length.
+class ClosedCurve {
  public:
-  explicit Arc(const Eigen::Matrix3Xd& loop) : loop_(loop) {
+  explicit ClosedCurve(const Eigen::Matrix3Xd& loop) : loop_(loop) {
     for (Eigen::Index i = 0; i < loop.cols(); ++i) {
       ends_.push_back(length() + (loop.col((i + 1) % loop.cols()) - loop.col(i)).norm());
     }
   }
   double length() const { return ends_.empty() ? 0 : ends_.back(); }
 
-  /// The point at arc length s of [-length, 2 length).
+  /// Point at arc length s, which is taken modulo the length [m].
   Eigen::Vector3d at(double s) const {
     s -= std::floor(s / length()) * length();
     const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, s);
@@ -34,7 +34,7 @@ class Arc {
 
  private:
   const Eigen::Matrix3Xd& loop_;
-  std::vector<double> ends_;  // of the segments
+  std::vector<double> ends_;  // arc length at the end of each segment [m]
 };
 
 }  // namespace
@@ -44,22 +44,22 @@ std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count) 
   if (count < 1) {
     throw std::invalid_argument("count must be positive, not " + std::to_string(count));
   }
-  const Arc arc(loop);
-  if (loop.cols() < 3 || !(arc.length() > 0)) {
+  const ClosedCurve curve(loop);
+  if (loop.cols() < 3 || !(curve.length() > 0)) {
     throw std::invalid_argument("loop must have at least 3 corners and a length, not " +
                                 std::to_string(loop.cols()) + " corners and " +
-                                std::to_string(arc.length()) + " m");
+                                std::to_string(curve.length()) + " m");
   }
   // With one or two targets the chord would span the whole loop.
-  const double step = arc.length() / count, half = arc.length() / std::max(2 * count, 16);
+  const double step = curve.length() / count, half = curve.length() / std::max(2 * count, 16);
   std::vector<ClaspTarget> targets;
   for (int i = 0; i < count; ++i) {
     const double s = i * step;
-    Eigen::Vector3d chord = arc.at(s + half) - arc.at(s - half);
-    // A loop that runs back along itself has none there: take the way ahead.
-    if (!(chord.norm() > 1e-9 * arc.length())) chord = arc.at(s + half) - arc.at(s);
+    Eigen::Vector3d chord = curve.at(s + half) - curve.at(s - half);
+    // The chord vanishes where a loop runs back along itself. The chord ahead replaces it.
+    if (!(chord.norm() > 1e-9 * curve.length())) chord = curve.at(s + half) - curve.at(s);
     if (!(chord.norm() > 0)) chord = Eigen::Vector3d::UnitX();
-    targets.push_back({arc.at(s), chord.normalized()});
+    targets.push_back({curve.at(s), chord.normalized()});
   }
   return targets;
 }

@@ -6,7 +6,7 @@
 
 namespace graspless::geometry {
 
-/// The highest bit; -1 for zero.
+/// Index of the highest bit, or -1 for zero.
 int CycleBasis::lead(const std::vector<Word>& cls) const {
   for (int w = words_ - 1; w >= 0; --w) {
     const Word word = cls[static_cast<std::size_t>(w)];
@@ -15,7 +15,7 @@ int CycleBasis::lead(const std::vector<Word>& cls) const {
   return -1;
 }
 
-/// Whether a class is a sum of the first members'; leaves what is left of it.
+/// Reduces a class by the first `count` rows. Returns true if nothing is left.
 bool CycleBasis::depends(std::vector<Word>& cls, std::size_t count) const {
   for (std::size_t i = 0; i < count; ++i) {
     const Row& row = rows_[i];
@@ -26,7 +26,7 @@ bool CycleBasis::depends(std::vector<Word>& cls, std::size_t count) const {
   return lead(cls) < 0;
 }
 
-bool CycleBasis::has_place(const Word* cls, double length) const {
+bool CycleBasis::would_improve(const Word* cls, double length) const {
   if (length >= bound()) return false;
   std::size_t shorter = 0;
   while (shorter < members_.size() && members_[shorter].length <= length) ++shorter;
@@ -47,17 +47,17 @@ double CycleBasis::bound(const Word* cls) const {
 }
 
 void CycleBasis::offer(const Word* cls, double length, Cycle cycle) {
-  if (!has_place(cls, length)) return;
-  const auto place =
+  if (!would_improve(cls, length)) return;
+  const auto position =
       std::upper_bound(members_.begin(), members_.end(), length,
                        [](double value, const Member& member) { return value < member.length; });
-  const auto first = static_cast<std::size_t>(place - members_.begin());
-  members_.insert(place, {length, {cls, cls + words_}, std::move(cycle)});
+  const auto first = static_cast<std::size_t>(position - members_.begin());
+  members_.insert(position, {length, {cls, cls + words_}, std::move(cycle)});
   make_rows(first);
 }
 
-/// Gauss's elimination, shortest first: a member that depends on shorter ones goes. The rows of
-/// members before the first that is new stay.
+/// Gaussian elimination from the first new member on, in order of length. Removes members that
+/// depend on shorter ones.
 void CycleBasis::make_rows(std::size_t first) {
   rows_.resize(first);
   for (std::size_t i = first; i < members_.size();) {

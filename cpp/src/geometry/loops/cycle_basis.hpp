@@ -10,22 +10,22 @@
 
 namespace graspless::geometry {
 
-/// The shortest independent cycles of those offered so far, at most one a dimension of H_1.
+/// The shortest independent cycles among those offered so far, at most one per dimension of H_1.
 class CycleBasis {
  public:
   explicit CycleBasis(const Annotation& annotation)
       : num_classes_(annotation.num_classes()), words_(annotation.words()) {}
 
-  /// A cycle must be shorter than this to have a place [m].
+  /// Upper bound on the length of a cycle that can still enter the basis [m].
   double bound() const {
     return size() < num_classes_ ? std::numeric_limits<double>::infinity() : members_.back().length;
   }
-  /// Whether a cycle of this class and length would have a place.
-  bool has_place(const Annotation::Word* cls, double length) const;
-  /// Length of the longest member that a class is made of: a cycle of this class must be shorter to
-  /// have a place [m].
+  /// True if a cycle of this class and length would enter the basis.
+  bool would_improve(const Annotation::Word* cls, double length) const;
+  /// Same for a cycle of a given class: the length of the longest member in the representation of
+  /// the class [m].
   double bound(const Annotation::Word* cls) const;
-  /// Gives it that place, which may cost a longer one its own.
+  /// Adds the cycle if it improves the basis. A longer member may be removed.
   void offer(const Annotation::Word* cls, double length, Cycle cycle);
 
   int size() const { return static_cast<int>(members_.size()); }
@@ -38,7 +38,7 @@ class CycleBasis {
     std::vector<Word> cls;
     Cycle cycle;
   };
-  /// A class less what the first members make of it; its highest bit is no other row's.
+  /// A class reduced by the rows before it, with its highest bit. No other row has the same one.
   struct Row {
     std::vector<Word> bits;
     int lead;
@@ -48,9 +48,9 @@ class CycleBasis {
   void make_rows(std::size_t first);
 
   int num_classes_, words_;
-  std::vector<Member> members_;  // shortest first
-  std::vector<Row> rows_;        // row i: member i, reduced by the rows before it
-  mutable std::vector<Word> scratch_;
+  std::vector<Member> members_;        // shortest first
+  std::vector<Row> rows_;              // row i: member i, reduced by the rows before it
+  mutable std::vector<Word> scratch_;  // avoids allocations
 };
 
 }  // namespace graspless::geometry

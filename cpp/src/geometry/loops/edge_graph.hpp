@@ -8,7 +8,7 @@
 
 namespace graspless::geometry {
 
-/// The edges of a complex as neighbours of its points.
+/// Adjacency lists of the points of a complex.
 class EdgeGraph {
  public:
   struct Arc {
@@ -34,13 +34,13 @@ class EdgeGraph {
   };
   Ends ends(int edge) const { return ends_[static_cast<std::size_t>(edge)]; }
   double length(int edge) const { return lengths_[static_cast<std::size_t>(edge)]; }
-  /// The edge between two vertices; -1 where there is none.
+  /// Index of the edge between two vertices, or -1.
   int edge(int a, int b) const;
-  /// Takes a vertex's arcs away, to it and from it.
+  /// Removes all arcs to and from a vertex.
   void remove(int vertex);
 
  private:
-  std::vector<int> first_, last_;  // arcs of a vertex; past num_vertices(), their count
+  std::vector<int> first_, last_;  // range of each vertex in arcs_; first_ has one more entry
   std::vector<Arc> arcs_;
   std::vector<Ends> ends_;
   std::vector<double> lengths_;

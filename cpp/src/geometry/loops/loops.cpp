@@ -52,7 +52,7 @@ int shared_loops(const std::vector<PersistencePair>& pairs, const Plateau& lower
                  const Plateau& upper) {
   return static_cast<int>(
       std::count_if(pairs.begin(), pairs.end(), [&](const PersistencePair& pair) {
-        return pair.death >= kLasting * pair.birth && pair.birth <= lower.lower &&
+        return pair.death >= kLastingRatio * pair.birth && pair.birth <= lower.lower &&
                pair.death >= upper.upper;
       }));
 }
@@ -99,7 +99,7 @@ Loop make_loop(const Eigen::Matrix3Xd& points, const Cycle& cycle,
 /// True for a short-lived loop where the basis holds more loops than the chosen plateau.
 bool is_noise(const PersistencePair& span, const Plateau& plateau, std::size_t found) {
   return plateau.loops > 0 && static_cast<int>(found) > plateau.loops &&
-         span.death < kLasting * span.birth;
+         span.death < kLastingRatio * span.birth;
 }
 
 void find_loops(const Filtration& filtration, const std::vector<int>& columns, bool drop_meridians,
@@ -180,7 +180,7 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options)
     result.plateau = *plateau;
     d = edge_length_on(*plateau, result.betti);
   }
-  result.complex = filtration.complex(d);                            // IV-A: K_d
+  result.complex = filtration.complex(d);                           // IV-A: K_d
   find_loops(filtration, columns, options.drop_meridians, result);  // III-B, IV-A: S
   if (downsamples && options.polish) polish(points, result);
   report(filtration, result);

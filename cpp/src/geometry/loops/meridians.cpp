@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A loop that runs around a thick handle has the handle's inside in its middle: from there, every
-// way out is barred. From the middle of a hole, most are open.
+// A loop that runs around a thick handle has the inside of the handle at its centre, where almost
+// every ray hits the object. From the centre of a hole, most rays miss it.
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -12,9 +12,10 @@ namespace graspless::geometry {
 namespace {
 
 constexpr int kRays = 160;
-constexpr int kMostOpen = kRays / 10;  // where the middle is inside
+constexpr int kMaxOpenRays = kRays / 10;  // from a centre that is inside
 
-/// Directions spread evenly over the sphere (a Fibonacci spiral), and so are the first few of them.
+/// Directions spread evenly over the sphere (Fibonacci spiral), in an order whose first few are
+/// also spread evenly.
 Eigen::Matrix3Xd directions() {
   constexpr double kGolden = 2.39996322972865332;
   constexpr int kStride = 63;  // has no factor in common with kRays
@@ -26,23 +27,23 @@ Eigen::Matrix3Xd directions() {
   return rays;
 }
 
-/// Whether all but kMostOpen of the rays are barred. The first ones that are not settle most cases.
-template <class IsBarred>
-bool most_are(const IsBarred& is_barred) {
+/// True if at most kMaxOpenRays rays are not blocked. Most cases end after a few open rays.
+template <class IsBlocked>
+bool most_rays_blocked(const IsBlocked& is_blocked) {
   static const Eigen::Matrix3Xd rays = directions();
   int num_open = 0;
   for (int i = 0; i < kRays; ++i) {
-    if (!is_barred(rays.col(i)) && ++num_open > kMostOpen) return false;
+    if (!is_blocked(rays.col(i)) && ++num_open > kMaxOpenRays) return false;
   }
   return true;
 }
 
-/// Whether most rays come by a point within `near`: no more can be barred, since every place of a
-/// triangle is that near to a corner.
-bool most_come_near_points(const Complex& complex, const Eigen::Vector3d& middle, double near) {
+/// True if most rays pass a point within `near`. A cheap necessary condition: every point of a
+/// triangle is that close to one of its corners.
+bool most_rays_pass_points(const Complex& complex, const Eigen::Vector3d& middle, double near) {
   const Eigen::Matrix3Xd points = complex.points.colwise() - middle;
   const Eigen::RowVectorXd squares = points.colwise().squaredNorm();
-  return most_are([&](const Eigen::Vector3d& ray) {
+  return most_rays_blocked([&](const Eigen::Vector3d& ray) {
     const Eigen::RowVectorXd along = ray.transpose() * points;
     const auto is_ahead = along.array() > 0;
     const auto is_near = squares.array() - along.array().square() <= near * near;
@@ -50,9 +51,9 @@ bool most_come_near_points(const Complex& complex, const Eigen::Vector3d& middle
   });
 }
 
-/// Whether a ray meets a triangle (Moeller, Trumbore 1997).
-bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& ray, const Eigen::Vector3d& a,
-           const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+/// True if a ray hits a triangle (Moeller, Trumbore 1997).
+bool hits(const Eigen::Vector3d& from, const Eigen::Vector3d& ray, const Eigen::Vector3d& a,
+          const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, ac = c - a, normal = ray.cross(ac);
   const double det = ab.dot(normal);
   if (det == 0) return false;
@@ -64,12 +65,12 @@ bool meets(const Eigen::Vector3d& from, const Eigen::Vector3d& ray, const Eigen:
   return v >= 0 && u + v <= 1 && ac.dot(q) / det > 0;
 }
 
-bool most_meet_triangles(const Complex& complex, const Eigen::Vector3d& middle) {
-  return most_are([&](const Eigen::Vector3d& ray) {
+bool most_rays_hit_triangles(const Complex& complex, const Eigen::Vector3d& middle) {
+  return most_rays_blocked([&](const Eigen::Vector3d& ray) {
     for (Eigen::Index t = 0; t < complex.triangles.cols(); ++t) {
       const auto corner = complex.triangles.col(t);
-      if (meets(middle, ray, complex.points.col(corner[0]), complex.points.col(corner[1]),
-                complex.points.col(corner[2]))) {
+      if (hits(middle, ray, complex.points.col(corner[0]), complex.points.col(corner[1]),
+               complex.points.col(corner[2]))) {
         return true;
       }
     }
@@ -84,8 +85,8 @@ std::vector<bool> find_meridians(const Complex& complex, const std::vector<Cycle
   for (const Cycle& cycle : basis) {
     const Eigen::Vector3d middle = complex.points(Eigen::all, cycle).rowwise().mean();
     is_meridian.push_back(
-        most_come_near_points(complex, middle, complex.max_edge_length / std::sqrt(3)) &&
-        most_meet_triangles(complex, middle));
+        most_rays_pass_points(complex, middle, complex.max_edge_length / std::sqrt(3)) &&
+        most_rays_hit_triangles(complex, middle));
   }
   return is_meridian;
 }

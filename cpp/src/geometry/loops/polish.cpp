@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops of a thinned cloud, shortened on the whole one: from a few roots on each loop instead of
-// from all vertices, and within their own class.
+// Shortens loops of a downsampled cloud on the full cloud, within their homology class and from a
+// few roots on each loop instead of all vertices.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,15 +12,14 @@
 namespace graspless::geometry {
 namespace {
 
-constexpr int kRoots = 8;         // a loop, at most
-constexpr double kGain = 1e-4;    // of a root that makes the next one worth it
-constexpr double kDetour = 4;     // of a coarse edge's way on the whole cloud, in edge lengths
-constexpr double kSlack = 1.001;  // of the bound on a way that may be the shortest
+constexpr int kMaxRoots = 8;       // per loop
+constexpr double kMinGain = 1e-4;  // relative gain of a root that counts as progress
+constexpr double kMaxDetour = 4;   // path on the full cloud relative to an edge of the coarse loop
+constexpr double kSlack = 1.001;   // of the bound on the length, against rounding
 
 using Class = std::vector<Annotation::Word>;
 
-/// The points of `whole` nearest to each corner of the loops: the corners themselves where the
-/// thinned cloud is part of the whole one.
+/// For each corner, the nearest point of the full cloud. Consecutive duplicates are dropped.
 Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& corners) {
   Cycle vertices;
   for (Eigen::Index i = 0; i < corners.cols(); ++i) {
@@ -33,45 +32,45 @@ Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& c
   return vertices;
 }
 
-class Polish {
+class LoopPolisher {
  public:
-  explicit Polish(const Complex& complex)
+  explicit LoopPolisher(const Complex& complex)
       : complex_(complex),
         graph_(complex),
         annotation_(complex, graph_),
         cycles_(complex, graph_, annotation_),
         paths_(graph_) {}
 
-  /// Empty where the loop has no way on the whole cloud.
-  Cycle of(const Eigen::Matrix3Xd& loop) {
+  /// Returns an empty cycle if the loop cannot be traced on the full cloud.
+  Cycle polish(const Eigen::Matrix3Xd& loop) {
     Cycle cycle = traced(nearest_vertices(complex_.points, loop));
     if (cycle.empty()) return cycle;
     const Class cls = class_of(cycle);
-    // What was traced may go back and forth: only its class counts, and a bound on its length.
+    // The traced walk may go back and forth. Only its class and a bound on its length are used.
     double length = std::numeric_limits<double>::infinity();
-    // A cycle found from a root begins opposite of it. The next root is there or a quarter on.
-    for (int i = 0, in_vain = 0; i < kRoots && in_vain < 2; ++i) {
+    // A cycle found from a root begins opposite to it. The next root is there or a quarter further.
+    for (int i = 0, failures = 0; i < kMaxRoots && failures < 2; ++i) {
       const double before = length;
       shorten(cycle[i % 2 == 0 ? 0 : cycle.size() / 4], cls, cycle, length);
-      in_vain = length < before * (1 - kGain) ? 0 : in_vain + 1;
+      failures = length < before * (1 - kMinGain) ? 0 : failures + 1;
     }
     return std::isfinite(length) ? cycle : Cycle();
   }
 
  private:
-  /// The coarse loop, corner to corner along edges of the whole cloud.
+  /// Traces the coarse loop along edges of the full cloud, corner by corner.
   Cycle traced(const Cycle& corners) {
     Cycle cycle;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const int from = corners[i], to = corners[(i + 1) % corners.size()];
       const double straight = (complex_.points.col(from) - complex_.points.col(to)).norm();
-      paths_.start(from, kDetour * straight);
+      paths_.start(from, kMaxDetour * straight);
       int v = from;
       while ((v = paths_.next()) >= 0 && v != to) paths_.expand(v);
       if (v < 0) return {};
-      std::vector<int> way = paths_.path(to);  // back to `from`
-      std::reverse(way.begin(), way.end());
-      cycle.insert(cycle.end(), way.begin(), way.end() - 1);
+      std::vector<int> path = paths_.path(to);  // back to `from`
+      std::reverse(path.begin(), path.end());
+      cycle.insert(cycle.end(), path.begin(), path.end() - 1);
     }
     return cycle;
   }
@@ -86,12 +85,12 @@ class Polish {
     return sum;
   }
 
-  /// The shortest cycle of the class that runs through the root, where it is shorter.
+  /// Replaces the cycle by the shortest one of its class through the root, if that is shorter.
   void shorten(int root, const Class& cls, Cycle& cycle, double& length) {
     const double bound = std::min(length, cycle_length(complex_.points, cycle) * kSlack);
-    for (const RootedCycles::Closing& closing : cycles_.from(root, bound)) {
-      if (!std::equal(cls.begin(), cls.end(), cycles_.class_of(closing))) continue;
-      cycle = cycles_.cycle(closing);
+    for (const RootedCycles::ClosingEdge& edge : cycles_.from(root, bound)) {
+      if (!std::equal(cls.begin(), cls.end(), cycles_.class_of(edge))) continue;
+      cycle = cycles_.cycle(edge);
       length = cycle_length(complex_.points, cycle);
       return;
     }
@@ -107,9 +106,9 @@ class Polish {
 }  // namespace
 
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops) {
-  Polish polish(whole);
+  LoopPolisher polisher(whole);
   std::vector<Cycle> cycles;
-  for (const Eigen::Matrix3Xd& loop : loops) cycles.push_back(polish.of(loop));
+  for (const Eigen::Matrix3Xd& loop : loops) cycles.push_back(polisher.polish(loop));
   return cycles;
 }
 

@@ -9,35 +9,35 @@
 namespace graspless::geometry {
 namespace {
 
-/// Nothing that a hand clasps is as long [m].
-constexpr double kLikeMillimetres = 20;
+/// Larger than any object that a hand clasps [m].
+constexpr double kMaxPlausibleExtent = 20;
 
 std::string count(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
 std::string describe(const Plateau& plateau) {
-  return "from " + short_number(plateau.lower) + " to " + short_number(plateau.upper) + " m (ratio " +
-         short_number(plateau.ratio()) + ")";
+  return "from " + short_number(plateau.lower) + " to " + short_number(plateau.upper) +
+         " m (ratio " + short_number(plateau.ratio()) + ")";
 }
 
-/// The widest plateau that there is, as an advice for max_edge_length.
+/// Advice for max_edge_length: the widest plateau.
 std::string advice(const Filtration& filtration) {
   const std::vector<Plateau> all = filtration.plateaus();
-  if (all.empty()) return "; no loop lasts at any other either";
+  if (all.empty()) return "; no other value gives a lasting loop";
   const auto loops = static_cast<std::size_t>(all[0].loops);
-  return "; " + count(loops, "loop") + (loops == 1 ? " lives " : " live ") + describe(all[0]);
+  return "; " + count(loops, "loop") + (loops == 1 ? " exists " : " exist ") + describe(all[0]);
 }
 
-/// K_d without loops, d given.
+/// Explanation of why K_d has no loop at a given d.
 std::string why_no_loop(const Filtration& filtration, double d) {
   std::string reason = "max_edge_length " + short_number(d) + " m ";
   const std::vector<Plateau> all = filtration.plateaus();
   if (filtration.complex(d).edges.cols() == 0) {
-    reason += "is too small: no two points are nearer, they are about " +
-              short_number(spacing(filtration.points())) + " m apart";
+    reason += "is too small: no two points are closer; the spacing is about " +
+              short_number(spacing(filtration.points())) + " m";
   } else if (!all.empty() && d <= all[0].lower) {
-    reason += "is too small: the points do not join to a loop";
+    reason += "is too small: the points do not form a loop";
   } else if (!all.empty() && d > all[0].upper) {
     reason += "is too large: every hole is filled";
   } else {
@@ -46,7 +46,7 @@ std::string why_no_loop(const Filtration& filtration, double d) {
   return reason + advice(filtration);
 }
 
-/// Most of the loops are gone before the widest plateau begins.
+/// Warns if most loops die before the widest plateau begins.
 void warn_of_gaps(const Filtration& filtration, Loops& result) {
   const std::vector<Plateau> all = filtration.plateaus();
   if (all.empty()) return;
@@ -74,27 +74,28 @@ std::vector<std::string> cloud_warnings(const Filtration& filtration) {
   std::vector<std::string> warnings;
   const Eigen::Matrix3Xd& points = filtration.points();
   const double extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
-  if (extent > kLikeMillimetres) {
+  if (extent > kMaxPlausibleExtent) {
     warnings.push_back("the points span " + short_number(extent) +
-                       " m: that looks like millimetres, but lengths are in metres");
+                       " m, which looks like millimetres; lengths are in metres");
   }
   const Eigen::Index equal = points.cols() - filtration.num_vertices();
   if (equal > 0) {
     warnings.push_back(count(static_cast<std::size_t>(equal), "point") +
-                       (equal == 1 ? " equals another" : " equal others") + ": they count once");
+                       (equal == 1 ? " equals another" : " equal others") +
+                       "; equal points count once");
   }
   return warnings;
 }
 
 std::string no_plateau_reason(const Filtration& filtration, const LoopOptions& options) {
   const std::vector<Plateau> all = filtration.plateaus();
-  if (all.empty()) return "no loop lasts, whatever the max_edge_length: no reliable hole";
+  if (all.empty()) return "no reliable hole: no max_edge_length gives a lasting loop";
   const std::string widest =
       "no reliable hole: the widest plateau of the Betti curve is " + describe(all[0]);
   if (all[0].ratio() < options.min_ratio) {
-    return widest + ", and min_ratio asks for " + short_number(options.min_ratio);
+    return widest + ", below min_ratio " + short_number(options.min_ratio);
   }
-  return widest + ", and lowest_ratio asks for " + short_number(options.lowest_ratio);
+  return widest + ", below lowest_ratio " + short_number(options.lowest_ratio);
 }
 
 void report(const Filtration& filtration, Loops& result) {
@@ -108,11 +109,12 @@ void report(const Filtration& filtration, Loops& result) {
     return;
   }
   result.status = LoopStatus::found;
-  result.reason = count(result.loops.size(), "loop") + " at max_edge_length " + short_number(d) + " m";
+  result.reason =
+      count(result.loops.size(), "loop") + " at max_edge_length " + short_number(d) + " m";
   if (chosen) result.reason += ", on the plateau " + describe(result.plateau);
   if (!result.meridians.empty()) {
     result.reason +=
-        "; left out: " + count(result.meridians.size(), "loop") + " around a thick handle";
+        "; discarded: " + count(result.meridians.size(), "loop") + " around a thick handle";
   }
 }
 

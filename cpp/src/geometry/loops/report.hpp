@@ -11,16 +11,16 @@
 /// Texts for users of shortest_loops: status, reason and warnings.
 namespace graspless::geometry {
 
-/// Three significant digits.
+/// Formats a number with three significant digits.
 std::string short_number(double value);
 
-/// Of a cloud: millimetres for metres, equal points.
+/// Warnings about a cloud: coordinates that look like millimetres, equal points.
 std::vector<std::string> cloud_warnings(const Filtration& filtration);
 
-/// No plateau is as wide as the options ask for.
+/// Explanation of why no plateau meets the options.
 std::string no_plateau_reason(const Filtration& filtration, const LoopOptions& options);
 
-/// Fills in status, reason and warnings from the loops found.
+/// Sets status, reason and warnings from the loops found.
 void report(const Filtration& filtration, Loops& result);
 
 }  // namespace graspless::geometry

@@ -10,60 +10,65 @@
 
 namespace graspless::geometry {
 
-/// The cycles of an edge and the shortest paths from a root to its ends, with their classes: among
-/// those of enough roots are the shortest of every class (Horton 1987; Dey, Sun, Wang 2010).
+/// Cycles formed by an edge and the shortest paths from a root to its ends, with their classes in
+/// H_1. With enough roots they include a shortest cycle of every class (Horton 1987; Dey, Sun, Wang
+/// 2010).
 class RootedCycles {
  public:
-  /// An edge that closes a cycle which does not bound.
-  struct Closing {
-    double length;  // of the edge and both ways to the root [m]
-    int a, b;
+  /// An edge that closes a nontrivial cycle.
+  struct ClosingEdge {
+    double length;  // of the edge and both paths to the root [m]
+    int a, b;       // ends of the edge
   };
 
   RootedCycles(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation);
 
-  /// Those of at most `longest` [m] from a root, shortest first; good until the next call.
-  const std::vector<Closing>& from(int root, double longest);
-  /// Of the last root. Good until the next call.
-  const Annotation::Word* class_of(const Closing& closing);
-  /// Of the last root, without the stretch that both ways share.
-  Cycle cycle(const Closing& closing) const;
-  /// Of the last root, from it [m]; infinite beyond half of `longest`.
+  /// Closing edges of the nontrivial cycles of at most `longest` [m] through a root, shortest
+  /// first. Valid until the next call.
+  const std::vector<ClosingEdge>& from(int root, double longest);
+  /// Class of the cycle of a closing edge of the last root. Valid until the next call.
+  const Annotation::Word* class_of(const ClosingEdge& edge);
+  /// The cycle of a closing edge of the last root, without the part that both paths share.
+  Cycle cycle(const ClosingEdge& edge) const;
+  /// Distance of a vertex to the last root [m]; infinite beyond half of `longest`.
   double distance(int vertex) const { return paths_.reached_distance(vertex); }
-  /// No way runs through this vertex from now on.
+  /// Excludes a vertex from all further paths.
   void remove(int vertex) { graph_.remove(vertex); }
 
  private:
   using Word = Annotation::Word;
 
-  void mark_way(int vertex) {
+  void set_path_class(int vertex) {
     const int parent = paths_.parent(vertex), via = paths_.via(vertex);
     if (words_ == 1 && parent >= 0 && is_zero_[static_cast<std::size_t>(via)]) {
-      *way(vertex) = *way(parent);
+      *path_class(vertex) = *path_class(parent);
     } else {
-      add_to_way(vertex);
+      add_to_path_class(vertex);
     }
   }
-  void add_to_way(int vertex);
-  /// Whether both ways to the root and the edge between their ends are a boundary together.
-  bool bounds(int a, int b, int edge) const {
-    if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)]) return *way(a) == *way(b);
-    return is_boundary(a, b, edge);
+  void add_to_path_class(int vertex);
+  /// True if an edge and the paths from its ends to the root form a boundary.
+  bool is_trivial(int a, int b, int edge) const {
+    if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)])
+      return *path_class(a) == *path_class(b);
+    return is_trivial_sum(a, b, edge);
   }
-  bool is_boundary(int a, int b, int edge) const;
-  Word* way(int vertex) { return ways_.data() + static_cast<std::size_t>(vertex) * words_; }
-  const Word* way(int vertex) const {
-    return ways_.data() + static_cast<std::size_t>(vertex) * words_;
+  bool is_trivial_sum(int a, int b, int edge) const;
+  Word* path_class(int vertex) {
+    return path_classes_.data() + static_cast<std::size_t>(vertex) * words_;
+  }
+  const Word* path_class(int vertex) const {
+    return path_classes_.data() + static_cast<std::size_t>(vertex) * words_;
   }
 
   const Annotation& annotation_;
   EdgeGraph graph_;
   ShortestPaths paths_;
   std::size_t words_;
-  std::vector<char> is_zero_;  // an edge's class
-  std::vector<Word> ways_;     // classes of the ways from the root to settled vertices
+  std::vector<char> is_zero_;       // per edge: true if its label is zero
+  std::vector<Word> path_classes_;  // classes of the paths from the root to settled vertices
   std::vector<Word> sum_;
-  std::vector<Closing> closings_;
+  std::vector<ClosingEdge> closing_edges_;
 };
 
 }  // namespace graspless::geometry

@@ -12,8 +12,8 @@
 namespace graspless::geometry {
 namespace {
 
-/// Vertices that meet every edge of a class, those with the most such edges first: every cycle that
-/// is not a boundary runs through one.
+/// A greedy vertex cover of the edges with nonzero labels. Every nontrivial cycle runs through one
+/// of its vertices.
 std::vector<int> roots(const EdgeGraph& graph, const Annotation& annotation) {
   std::vector<char> is_open(static_cast<std::size_t>(graph.num_edges()));
   std::vector<int> degree(static_cast<std::size_t>(graph.num_vertices()), 0);
@@ -23,14 +23,14 @@ std::vector<int> roots(const EdgeGraph& graph, const Annotation& annotation) {
     ++degree[static_cast<std::size_t>(graph.ends(e).a)];
     ++degree[static_cast<std::size_t>(graph.ends(e).b)];
   }
-  std::priority_queue<std::pair<int, int>> queue;  // degree, minus the vertex
+  std::priority_queue<std::pair<int, int>> queue;  // (degree, -vertex)
   for (int v = 0; v < graph.num_vertices(); ++v)
     queue.push({degree[static_cast<std::size_t>(v)], -v});
   std::vector<int> cover;
   while (!queue.empty() && queue.top().first > 0) {
     const auto [count, vertex] = std::pair(queue.top().first, -queue.top().second);
     queue.pop();
-    if (count != degree[static_cast<std::size_t>(vertex)]) continue;  // an old entry
+    if (count != degree[static_cast<std::size_t>(vertex)]) continue;  // outdated entry
     cover.push_back(vertex);
     for (const EdgeGraph::Arc& arc : graph.arcs(vertex)) {
       char& open = is_open[static_cast<std::size_t>(arc.edge)];
@@ -43,12 +43,13 @@ std::vector<int> roots(const EdgeGraph& graph, const Annotation& annotation) {
   return cover;
 }
 
-/// Roots taken one after another, and what each says about those near it.
+/// Processes roots in turn. Each root limits the search radius of the roots near it.
 ///
-/// Say a cycle of class c and length l at root r would have a place: l is less than bound(c). From
-/// a root w at distance s, it is a closed walk of length l + 2 s, made up of w's own closings, none
-/// of them longer; one of these has a bound no less than bound(c). So r needs to look no farther
-/// than the greatest bound among those of w's closings that exceed it by less than 2 s.
+/// Let a cycle of class c and length l through root r improve the basis: l < bound(c). Seen from a
+/// root w at distance s, it is a closed walk of length l + 2 s. It is a sum of cycles of w's
+/// closing edges, none of them longer, and one of these has a bound of at least bound(c). So r must
+/// search only up to the largest bound among those closing edges of w whose length is less than
+/// their bound plus 2 s.
 class Search {
  public:
   Search(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation)
@@ -66,47 +67,49 @@ class Search {
     const double limit = std::min(this->limit(root), basis_.bound());
     if (limit > 0) {
       const double longest = limit + 2 * margin_;
-      const auto& closings = cycles_.from(root, longest);
-      for (const RootedCycles::Closing& closing : closings) offer(closing);
-      tell(closings, longest, rest);
+      const auto& edges = cycles_.from(root, longest);
+      for (const RootedCycles::ClosingEdge& edge : edges) offer(edge);
+      limit_others(edges, longest, rest);
     }
-    cycles_.remove(root);  // what runs through it has been seen
+    cycles_.remove(root);  // all cycles through it have been offered
   }
   std::vector<Cycle> cycles() const { return basis_.cycles(); }
 
  private:
   double& limit(int root) { return limits_[static_cast<std::size_t>(root)]; }
 
-  void offer(const RootedCycles::Closing& closing) {
-    const Annotation::Word* cls = cycles_.class_of(closing);
-    if (!basis_.has_place(cls, closing.length)) return;
-    Cycle cycle = cycles_.cycle(closing);
+  void offer(const RootedCycles::ClosingEdge& edge) {
+    const Annotation::Word* cls = cycles_.class_of(edge);
+    if (!basis_.would_improve(cls, edge.length)) return;
+    Cycle cycle = cycles_.cycle(edge);
     const double length = cycle_length(complex_.points, cycle);
     basis_.offer(cls, length, std::move(cycle));
   }
 
-  void tell(const std::vector<RootedCycles::Closing>& closings, double longest, const Roots& rest) {
+  void limit_others(const std::vector<RootedCycles::ClosingEdge>& edges, double longest,
+                    const Roots& rest) {
     bounds_.clear();
-    for (const RootedCycles::Closing& closing : closings)
-      bounds_.push_back(basis_.bound(cycles_.class_of(closing)));
+    for (const RootedCycles::ClosingEdge& edge : edges)
+      bounds_.push_back(basis_.bound(cycles_.class_of(edge)));
     for (auto other = rest.first; other != rest.last; ++other) {
       const double detour = 2 * cycles_.distance(*other) * kSlack;
       const double before = std::min(limit(*other), basis_.bound());
-      if (before + detour > longest) continue;  // it may see what this root has not
-      double most = 0;
-      for (std::size_t i = 0; i < closings.size(); ++i) {
-        if (bounds_[i] + detour >= closings[i].length) most = std::max(most, bounds_[i]);
+      if (before + detour > longest) continue;  // it may find cycles that this root did not
+      double longest_bound = 0;
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (bounds_[i] + detour >= edges[i].length)
+          longest_bound = std::max(longest_bound, bounds_[i]);
       }
-      limit(*other) = std::min(before, most);
+      limit(*other) = std::min(before, longest_bound);
     }
   }
 
-  static constexpr double kSlack = 1 + 1e-9;  // sums of lengths are rounded
+  static constexpr double kSlack = 1 + 1e-9;  // for rounded sums of lengths
   const Complex& complex_;
   RootedCycles cycles_;
   CycleBasis basis_;
   double margin_;
-  std::vector<double> limits_;  // cycles at this root that may have a place are shorter
+  std::vector<double> limits_;  // per root: cycles through it that improve the basis are shorter
   std::vector<double> bounds_;
 };
 

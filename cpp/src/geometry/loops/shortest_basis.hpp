@@ -8,24 +8,26 @@
 
 namespace graspless::geometry {
 
-/// A simple closed walk along edges of a complex: its vertices in order, the first not repeated.
+/// Vertices of a simple closed walk along edges of a complex, without repeating the first.
 using Cycle = std::vector<int>;
 
+/// Length of a cycle [m].
 double cycle_length(const Eigen::Matrix3Xd& points, const Cycle& cycle);
 
-/// A basis of H_1(K; Z_2) of least total length, shortest first. Any number of classes.
+/// Computes a basis of H_1(K; Z_2) of least total length, shortest cycle first.
 std::vector<Cycle> shortest_basis(const Complex& complex);
 
-/// Shorter cycles of `whole` in the classes of the given ones, which are polylines near its points
-/// (loops of a thinned cloud): few roots a loop instead of all. Empty where a loop has no way
-/// there.
+/// Shortens loops of a downsampled cloud on the complex `whole` of the full cloud. Each result has
+/// the class of its loop. It uses a few roots per loop instead of all, so it is fast but not always
+/// shortest. Empty if a loop cannot be traced on `whole`.
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops);
 
-/// Thickness of what a cycle runs along, at its thinnest place [m].
+/// Thickness of the handle that a cycle runs along, at its thinnest cross-section [m]; 0 if
+/// unknown.
 double thickness(const Complex& complex, const Cycle& cycle);
 
-/// Which cycles of a basis run around a thick handle and not along it (the inside of a handle that
-/// the cloud shows only as a surface is hollow, and doubles H_1).
+/// Returns true for each cycle of a basis that runs around a thick handle instead of along it. A
+/// cloud shows only the surface of a handle. The hollow inside adds a second class to H_1.
 std::vector<bool> find_meridians(const Complex& complex, const std::vector<Cycle>& basis);
 
 }  // namespace graspless::geometry

@@ -6,7 +6,7 @@ namespace graspless::geometry {
 
 namespace {
 
-constexpr double kBuckets = 16;  // in a mean edge: few vertices each
+constexpr double kBuckets = 16;  // per mean edge length, so that each holds few vertices
 
 double bucket_width(const EdgeGraph& graph) {
   double sum = 0;

@@ -10,18 +10,19 @@
 
 namespace graspless::geometry {
 
-/// Dijkstra's shortest paths from one vertex after another, out to a radius. The arrays are used
-/// again, so that a search costs what it reaches. The graph must outlive it, and may lose arcs.
+/// Dijkstra's algorithm from many roots in turn, each within a radius. Arrays are reused, so the
+/// cost of a search depends only on the vertices it reaches. The graph must outlive this object.
+/// Its arcs may be removed between searches.
 class ShortestPaths {
  public:
   explicit ShortestPaths(const EdgeGraph& graph);
 
-  /// What is farther from the root than `radius` [m] is not looked at.
+  /// Starts a search that ignores vertices farther than `radius` [m] from the root.
   void start(int root, double radius);
-  /// The next vertex in order of distance, settled; -1 when there is none left.
+  /// Settles and returns the next vertex in order of distance, or -1 if there is none left.
   int next();
-  /// Looks at the arcs of a vertex that next() gave, before next() is called again. Those that lead
-  /// to a settled vertex (the parent too) are handed to `meet`.
+  /// Relaxes the arcs of the vertex last returned by next(). Arcs to settled vertices, the parent
+  /// included, are passed to `meet`.
   template <class Meet>
   void expand(int vertex, const Meet& meet);
   void expand(int vertex) {
@@ -29,26 +30,26 @@ class ShortestPaths {
   }
 
   double distance(int vertex) const { return state_[index(vertex)].distance; }
-  /// The same of any vertex: infinite where it is not settled.
+  /// Same for any vertex; infinite if it is not settled.
   double reached_distance(int vertex) const {
     return state_[index(vertex)].stamp == 2 * epoch_ + 1 ? distance(vertex)
                                                          : std::numeric_limits<double>::infinity();
   }
-  int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 at the root
+  int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 for the root
   int via(int vertex) const { return via_[index(vertex)]; }              ///< edge to the parent
-  /// From a settled vertex to the root.
+  /// Vertices from a settled vertex to the root.
   std::vector<int> path(int vertex) const;
 
  private:
   struct State {
     double distance;
-    unsigned stamp;  // 2 epoch: seen, 2 epoch + 1: settled
+    unsigned stamp;  // 2 epoch: reached, 2 epoch + 1: settled
     int parent;
   };
   static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
 
   const EdgeGraph& graph_;
-  unsigned epoch_ = 0;  // of the present root
+  unsigned epoch_ = 0;  // number of searches started
   double radius_ = 0;
   std::vector<State> state_;
   std::vector<int> via_;

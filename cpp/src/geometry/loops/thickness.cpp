@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How thick what a loop runs along is: cuts across it, and how far the points there spread.
+// Thickness of the handle that a loop runs along: the width of cross-sections of the cloud.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,25 +14,24 @@
 namespace graspless::geometry {
 namespace {
 
-constexpr int kCuts = 48, kDirections = 12;
-constexpr std::size_t kLeastPoints = 4;  // of a cut that says something
+constexpr int kSections = 48, kDirections = 12;
+constexpr std::size_t kMinPoints = 4;  // of a cross-section that counts
 constexpr double kPi = 3.14159265358979323846;
 
-/// A cut across the loop: the points near the plane, in its coordinates.
-class Cut {
+/// A cross-section of the loop: the points near a plane across it, in coordinates of the plane.
+class CrossSection {
  public:
-  Cut(const Complex& complex, const ClaspTarget& place, double half_width) : place_(place) {
-    x_ = place.tangent.unitOrthogonal();
-    y_ = place.tangent.cross(x_);
+  CrossSection(const Complex& complex, const ClaspTarget& center, double half_width) {
+    const Eigen::Vector3d x = center.tangent.unitOrthogonal(), y = center.tangent.cross(x);
     for (Eigen::Index i = 0; i < complex.points.cols(); ++i) {
-      const Eigen::Vector3d p = complex.points.col(i) - place.point;
-      if (std::abs(p.dot(place.tangent)) <= half_width) points_.push_back({x_.dot(p), y_.dot(p)});
+      const Eigen::Vector3d p = complex.points.col(i) - center.point;
+      if (std::abs(p.dot(center.tangent)) <= half_width) points_.push_back({x.dot(p), y.dot(p)});
     }
   }
 
-  /// The points that hang together with the loop's place by steps of `gap`: what it runs along, and
-  /// not what else the plane cuts.
-  std::vector<Eigen::Vector2d> piece(double gap) {
+  /// Removes and returns the points connected to the loop by steps of at most `gap`: the handle,
+  /// without other parts that the plane cuts.
+  std::vector<Eigen::Vector2d> take_connected(double gap) {
     std::vector<Eigen::Vector2d> piece, open{Eigen::Vector2d::Zero()};
     while (!open.empty()) {
       const Eigen::Vector2d from = open.back();
@@ -47,12 +46,10 @@ class Cut {
   }
 
  private:
-  const ClaspTarget& place_;
-  Eigen::Vector3d x_, y_;
   std::vector<Eigen::Vector2d> points_;
 };
 
-/// The greatest width of planar points.
+/// Largest width of planar points over a few directions [m].
 double width(const std::vector<Eigen::Vector2d>& points) {
   double widest = 0;
   for (int i = 0; i < kDirections; ++i) {
@@ -74,12 +71,13 @@ double thickness(const Complex& complex, const Cycle& cycle) {
   const Eigen::Matrix3Xd loop = complex.points(Eigen::all, cycle);
   const double d = complex.max_edge_length;
   std::vector<double> widths;
-  for (const ClaspTarget& place : clasp_targets(loop, kCuts)) {
-    const std::vector<Eigen::Vector2d> piece = Cut(complex, place, d / 3).piece(d);
-    if (piece.size() >= kLeastPoints) widths.push_back(width(piece));
+  for (const ClaspTarget& center : clasp_targets(loop, kSections)) {
+    const std::vector<Eigen::Vector2d> piece =
+        CrossSection(complex, center, d / 3).take_connected(d);
+    if (piece.size() >= kMinPoints) widths.push_back(width(piece));
   }
   if (widths.empty()) return 0;
-  // The thinnest tenth: one cut alone may hit few points.
+  // A low quantile instead of the minimum: a single cross-section may hit few points.
   const auto tenth = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 10);
   std::nth_element(widths.begin(), tenth, widths.end());
   return *tenth;

@@ -33,10 +33,9 @@ std::vector<Triangle> triangulate(const Polygon& polygon) {
   return triangles;
 }
 
-/// Whether a point that is deep inside for sure lies in no piece of the core. A mitre at a reflex
-/// corner takes at most `kMitre` times the width away from it, but at notches sharper than a right
-/// angle.
-bool misses_the_middle(const Polygon& polygon, double width, const std::vector<Polygon>& core) {
+/// True if a grid point that is certainly in the core lies in no piece of it. A mitre at a reflex
+/// corner reaches at most kMitre times the width, except at notches sharper than a right angle.
+bool misses_interior(const Polygon& polygon, double width, const std::vector<Polygon>& core) {
   constexpr double kMitre = 1.4142135623730951 * (1 + 1e-9);
   const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
   const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
@@ -53,7 +52,7 @@ bool misses_the_middle(const Polygon& polygon, double width, const std::vector<P
   return false;
 }
 
-/// The contracted pieces, if each is a simple polygon whose vertices lie `width` inside.
+/// Pieces of the contracted polygon, if each is simple and its vertices lie `width` inside.
 std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double width) {
   const double slack = 1e-6 * (1 + width);
   std::vector<Polygon> core;
@@ -66,10 +65,10 @@ std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double
       core.emplace_back(piece);
       area += core.back().area();
     }
-  } catch (const std::exception&) {  // CGAL's checks, or a piece that is not simple
+  } catch (const std::exception&) {  // failed check of CGAL, or a piece that is not simple
     return std::nullopt;
   }
-  if (area >= polygon.area() || misses_the_middle(polygon, width, core)) return std::nullopt;
+  if (area >= polygon.area() || misses_interior(polygon, width, core)) return std::nullopt;
   return core;
 }
 

@@ -12,13 +12,13 @@
 namespace graspless::geometry {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Traits = CGAL::Partition_traits_2<Kernel>;
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Traits = CGAL::Partition_traits_2<Epick>;
 
 template <typename CgalPolygon>
 CgalPolygon to_cgal(const Eigen::Matrix2Xd& vertices) {
   CgalPolygon polygon;
-  for (const auto& p : vertices.colwise()) polygon.push_back(Kernel::Point_2(p.x(), p.y()));
+  for (const auto& p : vertices.colwise()) polygon.push_back(Epick::Point_2(p.x(), p.y()));
   return polygon;
 }
 
@@ -35,7 +35,7 @@ Eigen::Matrix2Xd from_cgal(const CgalPolygon& polygon) {
 }  // namespace
 
 bool is_simple(const Eigen::Matrix2Xd& vertices) {
-  return to_cgal<CGAL::Polygon_2<Kernel>>(vertices).is_simple();
+  return to_cgal<CGAL::Polygon_2<Epick>>(vertices).is_simple();
 }
 
 std::vector<Eigen::Matrix2Xd> convex_partition(const Eigen::Matrix2Xd& vertices) {

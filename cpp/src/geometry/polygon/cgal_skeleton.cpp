@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Links CGAL's straight skeleton (GPL-3): a binary with this file in it is GPL-3-or-later.
+// Uses CGAL's straight skeleton, licensed under GPL-3-or-later, and so is every binary that
+// contains this file.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/create_offset_polygons_2.h>
@@ -10,9 +11,8 @@
 
 namespace graspless::geometry {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 std::vector<Eigen::Matrix2Xd> contract(const Eigen::Matrix2Xd& vertices, double width) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   CGAL::Polygon_2<Kernel> polygon;
   for (const auto& p : vertices.colwise()) polygon.push_back({p.x(), p.y()});
   std::vector<Eigen::Matrix2Xd> out;

@@ -21,7 +21,7 @@
 namespace graspless::geometry {
 namespace {
 
-constexpr double kMostPoints = 1e7;  // of a grid: what is in millimetres would fill the memory
+constexpr double kMaxGridPoints = 1e7;  // an outline in millimetres would fill the memory
 
 std::string number(double value) {
   std::ostringstream out;
@@ -37,7 +37,7 @@ using Delaunay =
 using AlphaShape = CGAL::Alpha_shape_2<Delaunay>;
 using Loop = std::vector<Eigen::Vector2d>;
 
-/// The directed boundary edges of the shape, interior on the left.
+/// Directed boundary edges of the shape, with the interior on the left.
 std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> boundary(
     const AlphaShape& shape) {
   std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> next;
@@ -64,7 +64,7 @@ std::vector<Loop> loops(const AlphaShape& shape) {
       next.erase(at);
       at = next.find(to);
     }
-    // Where the walk began is a matter of addresses; what becomes of the loop must not be.
+    // The first vertex depends on memory addresses. Starting at the lowest makes it repeatable.
     const auto first = std::min_element(loop.begin(), loop.end(), [](const auto& a, const auto& b) {
       return std::make_pair(a.x(), a.y()) < std::make_pair(b.x(), b.y());
     });
@@ -82,7 +82,7 @@ double twice_area(const Loop& loop) {
   return sum;
 }
 
-/// Drops vertices nearer than `tolerance` to the chord of the vertices kept around them.
+/// Drops vertices closer than `tolerance` to the chord between the vertices kept around them.
 Eigen::Matrix2Xd simplified(const Loop& loop, double tolerance) {
   Loop kept;
   const std::size_t n = loop.size();
@@ -105,7 +105,7 @@ Eigen::Matrix2Xd simplified(const Loop& loop, double tolerance) {
   return out;
 }
 
-/// The polygon of the largest loop, if it and its simplification are simple.
+/// Polygon of the largest loop after simplification, if it is simple.
 std::optional<Polygon> outer_polygon(const AlphaShape& shape, double tolerance) {
   const Loop* outer = nullptr;
   const std::vector<Loop> all = loops(shape);
@@ -116,11 +116,12 @@ std::optional<Polygon> outer_polygon(const AlphaShape& shape, double tolerance) 
   try {
     return Polygon(simplified(*outer, tolerance));
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // the boundary touches itself in a vertex: a larger alpha mends that
+    return std::nullopt;  // The boundary touches itself at a vertex. The caller retries with a
+                          // larger alpha.
   }
 }
 
-/// The median distance of a point to its nearest neighbour.
+/// Median distance of a point to its nearest neighbour [m].
 double median_spacing(const AlphaShape& shape) {
   std::map<AlphaShape::Vertex_handle, double> nearest;
   for (auto e = shape.finite_edges_begin(); e != shape.finite_edges_end(); ++e) {
@@ -139,8 +140,9 @@ double median_spacing(const AlphaShape& shape) {
   return *middle;
 }
 
-/// One piece only by bridging a gap of many spacings: stray points, or several objects.
-void refuse_pieces(const AlphaShape& shape, double gap, const std::string& what) {
+/// Throws if one piece is possible only by bridging a gap of many spacings, as with stray points or
+/// several objects.
+void require_one_piece(const AlphaShape& shape, double gap, const std::string& what) {
   constexpr double kSpacings = 12;
   const double spacing = median_spacing(shape);
   if (gap <= kSpacings * spacing) return;
@@ -159,11 +161,11 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
   const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
   const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
   const double points = (upper - lower).prod() / (spacing * spacing);
-  if (points > kMostPoints) {
-    throw std::invalid_argument("spacing " + number(spacing) + " m would make " + number(points) +
-                                " points of " + number((upper - lower).x()) + " x " +
-                                number((upper - lower).y()) + " m; at most " + number(kMostPoints) +
-                                " are made");
+  if (points > kMaxGridPoints) {
+    throw std::invalid_argument("spacing " + number(spacing) + " m gives " + number(points) +
+                                " points on " + number((upper - lower).x()) + " x " +
+                                number((upper - lower).y()) + " m; at most " +
+                                number(kMaxGridPoints) + " are allowed");
   }
   std::vector<Eigen::Vector2d> inside;
   for (double x = lower.x() + spacing / 2; x < upper.x(); x += spacing) {
@@ -186,8 +188,8 @@ Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
                                 " points on a line or fewer than three");
   }
   double alpha = *shape.find_optimal_alpha(1);
-  const double spacing = std::sqrt(alpha);  // the radius of the largest empty disc
-  refuse_pieces(shape, spacing, what);
+  const double spacing = std::sqrt(alpha);  // radius of the largest empty disc [m]
+  require_one_piece(shape, spacing, what);
   for (int attempt = 0; attempt < 60; ++attempt, alpha *= 1.5) {
     shape.set_alpha(alpha);
     if (auto polygon = outer_polygon(shape, spacing / 4)) return *polygon;

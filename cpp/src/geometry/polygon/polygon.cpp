@@ -16,7 +16,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-std::string show(const Eigen::Vector2d& p) {
+std::string to_text(const Eigen::Vector2d& p) {
   std::ostringstream out;
   out << "(" << p.x() << ", " << p.y() << ")";
   return out.str();
@@ -44,11 +44,11 @@ void check_vertices(const Eigen::Matrix2Xd& v, const std::string& what) {
   for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++) {
     if (!v.col(i).allFinite()) {
       throw std::invalid_argument(what + " vertex " + std::to_string(i) +
-                                  " is not finite: " + show(v.col(i)));
+                                  " is not finite: " + to_text(v.col(i)));
     }
     if (v.col(i) == v.col(j)) {
       throw std::invalid_argument(what + " repeats vertex " + std::to_string(j) + " at " +
-                                  show(v.col(i)));
+                                  to_text(v.col(i)));
     }
   }
 }
@@ -70,7 +70,7 @@ Polygon::Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what) : ve
 double Polygon::area() const { return signed_area(vertices_); }
 
 Eigen::Vector2d Polygon::centroid() const {
-  // Relative to a vertex: far from the origin the plain formula loses digits.
+  // Relative to a vertex, because the plain formula loses digits far from the origin.
   const Eigen::Vector2d o = vertices_.col(0);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double twice_area = 0;
@@ -93,7 +93,7 @@ bool Polygon::is_convex() const {
 
 bool Polygon::contains(const Eigen::Vector2d& p) const {
   if ((p.array() < lower_.array()).any() || (p.array() > upper_.array()).any()) return false;
-  bool inside = false;  // crossings of the ray from p towards +x
+  bool inside = false;  // parity of the crossings of a ray from p towards +x
   for (int i = 0, j = size() - 1; i < size(); j = i++) {
     const double yi = vertices_(1, i), yj = vertices_(1, j);
     if ((yi > p.y()) == (yj > p.y())) continue;

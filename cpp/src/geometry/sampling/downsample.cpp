@@ -44,14 +44,15 @@ std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
 
 std::vector<int> downsample_to(const Eigen::Matrix3Xd& points, int count) {
   constexpr int kAttempts = 12;
-  constexpr double kNear = 0.08;  // of the count
+  constexpr double kTolerance = 0.08;  // relative to `count`
   const Eigen::Vector3d sides = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
-  if (!(sides.norm() > 0)) return {0};  // all are equal
+  if (!(sides.norm() > 0)) return {0};  // all points are equal
   double cell = sides.norm() / std::sqrt(count);
   for (int i = 0; i < kAttempts; ++i) {
     const double factor = PointGrid(points, cell).num_cells() / static_cast<double>(count);
-    if (std::abs(factor - 1) <= kNear) break;
-    cell *= std::sqrt(factor);  // as on a surface
+    if (std::abs(factor - 1) <= kTolerance) break;
+    cell *=
+        std::sqrt(factor);  // the number of cells on a surface falls with the square of their size
   }
   return downsample(points, cell);
 }

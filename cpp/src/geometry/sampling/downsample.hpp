@@ -8,7 +8,8 @@
 
 namespace graspless::geometry {
 
-/// Columns of about `count` points (within a few percent where the cloud allows it), one a cell.
+/// Downsamples a cloud (3 x n) to about `count` points, within a few percent if possible. Returns
+/// the indices kept, ascending.
 std::vector<int> downsample_to(const Eigen::Matrix3Xd& points, int count);
 
 }  // namespace graspless::geometry

@@ -6,7 +6,8 @@
 
 namespace graspless::geometry {
 
-/// The same points along a Hilbert curve (CGAL): neighbours in space are near in memory.
+/// Sorts points (3 x n) along a Hilbert curve (CGAL), so that neighbours in space are close in
+/// memory.
 Eigen::Matrix3Xd in_hilbert_order(const Eigen::Matrix3Xd& points);
 
 }  // namespace graspless::geometry

@@ -6,7 +6,7 @@
 
 namespace graspless::geometry {
 
-/// Whether points lie inside a shape. A mesh has no inside.
+/// Point-in-shape test. A mesh has no inside.
 class Interior {
  public:
   explicit Interior(const PlacedShape& placed);
@@ -24,10 +24,10 @@ class Interior {
   void set_round(double radius, double half_length);
 
   Eigen::Isometry3d X_GB_;
-  double reach_ = 0;  // everything inside is nearer than this to the origin of G
+  double reach_ = 0;  // radius about the origin of G that contains the shape [m]
   double radius_ = 0, half_length_ = 0;
-  Planes normals_;  // outward
-  Eigen::VectorXd offsets_;
+  Planes normals_;           // outward
+  Eigen::VectorXd offsets_;  // inside: normals * p < offsets
 };
 
 }  // namespace graspless::geometry

@@ -7,7 +7,7 @@
 namespace graspless::geometry {
 namespace {
 
-// A coordinate is 21 bits of a key, with room for neighbours at both ends.
+// A key has 21 bits per coordinate. This leaves room for neighbours at both ends.
 constexpr double kMaxCellsPerAxis = 1e6;
 
 // Differences between the keys of neighbours.
@@ -58,7 +58,7 @@ void PointGrid::points_around(int c, std::vector<int>& points) const {
   }
 }
 
-// One cell is left free at the lower end, so that neighbours have a key too.
+// Coordinates start at 1, so that neighbours at the lower end have a key too.
 PointGrid::Key PointGrid::key_of(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d at = (point - lower_) / cell_ + Eigen::Vector3d::Ones();
   return static_cast<Key>(at.x()) * kAlongX + static_cast<Key>(at.y()) * kAlongY +

@@ -13,13 +13,13 @@
 namespace graspless::geometry {
 namespace {
 
-/// Who crowds whom, and how much.
+/// Neighbours of every point, with the weight by which they crowd it.
 struct Neighbours {
   struct Entry {
     int point;
     float weight;
   };
-  std::vector<std::size_t> begin, end;  // of a point, in the entries
+  std::vector<std::size_t> begin, end;  // range of each point in `entries`
   std::vector<Entry> entries;
 };
 
@@ -51,11 +51,11 @@ Neighbours find_neighbours(const Eigen::Matrix3Xd& points, double reach) {
   return all;
 }
 
-/// The queue of points, most crowded first. Crowding only falls: an entry that is out of date goes
-/// back with what is true now.
-class Crowd {
+/// A queue of points, most crowded first. Crowding only decreases, so an outdated entry is put back
+/// with its current value.
+class CrowdingQueue {
  public:
-  explicit Crowd(const Neighbours& neighbours)
+  explicit CrowdingQueue(const Neighbours& neighbours)
       : neighbours_(neighbours), crowding_(neighbours.begin.size(), 0) {
     std::vector<std::pair<float, int>> entries;
     for (std::size_t i = 0; i < crowding_.size(); ++i) {
@@ -67,7 +67,7 @@ class Crowd {
     queue_ = std::priority_queue<std::pair<float, int>>({}, std::move(entries));
   }
 
-  std::size_t take_away_most_crowded() {
+  std::size_t pop_most_crowded() {
     auto [value, point] = queue_.top();
     for (queue_.pop(); value > crowding_[static_cast<std::size_t>(point)]; queue_.pop()) {
       queue_.emplace(crowding_[static_cast<std::size_t>(point)], point);
@@ -90,14 +90,14 @@ class Crowd {
 }  // namespace
 
 std::vector<int> eliminate_samples(const Eigen::Matrix3Xd& points, int count, double area) {
-  // No `count` discs of this radius fit on the area.
+  // Largest radius at which `count` discs fit on the area (hexagonal packing).
   const double radius = std::sqrt(area / (2 * std::sqrt(3.0) * count));
   const Neighbours neighbours = find_neighbours(points, 2 * radius);
-  Crowd crowd(neighbours);
+  CrowdingQueue queue(neighbours);
   const std::size_t n = static_cast<std::size_t>(points.cols());
   std::vector<bool> is_out(n, false);
   for (std::size_t left = n; left > static_cast<std::size_t>(count); --left) {
-    is_out[crowd.take_away_most_crowded()] = true;
+    is_out[queue.pop_most_crowded()] = true;
   }
   std::vector<int> kept;
   for (std::size_t i = 0; i < n; ++i) {

@@ -8,9 +8,9 @@
 
 namespace graspless::geometry {
 
-/// `count` of the points, spread as evenly as may be: the point that stands closest among the
-/// others is taken away until count are left (Yuksel 2015). `area` [m^2] is what the points cover.
-/// Columns kept, ascending.
+/// Selects `count` points that are spread evenly: removes the most crowded point until `count` are
+/// left (Yuksel 2015). `points`: 3 x n [m], spread over a surface of `area` [m^2]. Returns the
+/// indices kept, ascending.
 std::vector<int> eliminate_samples(const Eigen::Matrix3Xd& points, int count, double area);
 
 }  // namespace graspless::geometry

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Evenly spread points on the surface of a body of several shapes.
+// Evenly spread points on the outer surface of a union of shapes.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -8,33 +8,33 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/geometry/sampling.hpp"
 
+#include "geometry/sampling/hilbert_order.hpp"
 #include "geometry/sampling/interior.hpp"
 #include "geometry/sampling/sample_elimination.hpp"
-#include "geometry/sampling/hilbert_order.hpp"
-#include "geometry/sampling/surface_draw.hpp"
+#include "geometry/sampling/surface_sampler.hpp"
 
 namespace graspless::geometry {
 namespace {
 
-// Candidates a point that is wanted: as Yuksel proposes.
+// Candidates per requested point, as Yuksel proposes.
 constexpr int kCandidates = 5;
-// Of 2000 draws at least one must be on the outside.
+// Largest number of draws per candidate. The others lie inside a shape.
 constexpr int kMaxDraws = 2000;
-// Where two shapes only touch, what lies between them is not outside: a point this far out decides.
+// Points are tested this far outside their shape [m], so that touching faces do not count as outer.
 constexpr double kOutside = 1e-7;
 
 struct Candidates {
   Eigen::Matrix3Xd points;
-  double area = 0;  // of the surface that they lie on
+  double area = 0;  // of the outer surface, estimated [m^2]
 };
 
 class Surface {
  public:
   explicit Surface(const std::vector<PlacedShape>& shapes) {
     for (const PlacedShape& placed : shapes) {
-      draws_.emplace_back(placed);
+      samplers_.emplace_back(placed);
       interiors_.emplace_back(placed);
-      area_ += draws_.back().area();
+      area_ += samplers_.back().area();
       cumulative_area_.push_back(area_);
     }
   }
@@ -45,10 +45,10 @@ class Surface {
     std::int64_t num_draws = 0;
     for (int found = 0; found < count; ++num_draws) {
       if (num_draws == limit) {
-        throw std::invalid_argument("shapes have next to no surface that is outside the others");
+        throw std::invalid_argument("shapes have almost no surface outside one another");
       }
       const std::size_t shape = draw_shape(rng);
-      const SurfaceDraw::Point point = draws_[shape].draw(rng);
+      const SurfaceSampler::Point point = samplers_[shape].draw(rng);
       if (!is_outside(point, shape)) continue;
       candidates.points.col(found++) = point.p_B;
     }
@@ -60,11 +60,11 @@ class Surface {
  private:
   std::size_t draw_shape(std::mt19937_64& rng) const {
     const auto at = std::upper_bound(cumulative_area_.begin(), cumulative_area_.end() - 1,
-                                     area_ * draw_unit(rng));
+                                     area_ * draw_uniform(rng));
     return static_cast<std::size_t>(at - cumulative_area_.begin());
   }
 
-  bool is_outside(const SurfaceDraw::Point& point, std::size_t own) const {
+  bool is_outside(const SurfaceSampler::Point& point, std::size_t own) const {
     const Eigen::Vector3d p_B = point.p_B + kOutside * point.outward_B;
     for (std::size_t i = 0; i < interiors_.size(); ++i) {
       if (i != own && interiors_[i].contains(p_B)) return false;
@@ -72,7 +72,7 @@ class Surface {
     return true;
   }
 
-  std::vector<SurfaceDraw> draws_;
+  std::vector<SurfaceSampler> samplers_;
   std::vector<Interior> interiors_;
   std::vector<double> cumulative_area_;
   double area_ = 0;

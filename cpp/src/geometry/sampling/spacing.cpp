@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the points of a cloud are apart.
+// Median distance of nearest neighbours in a cloud.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "graspless/geometry/sampling.hpp"
 
-#include "geometry/sampling/point_grid.hpp"
 #include "geometry/require_points.hpp"
+#include "geometry/sampling/point_grid.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -22,7 +22,7 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// Many equal points would fill one cell, whatever its size.
+/// Removes duplicates, because many equal points would fill one cell whatever its size.
 Eigen::Matrix3Xd distinct(const Eigen::Matrix3Xd& points) {
   std::vector<std::array<double, 3>> sorted;
   for (const auto& p : points.colwise()) sorted.push_back({p.x(), p.y(), p.z()});
@@ -32,12 +32,12 @@ Eigen::Matrix3Xd distinct(const Eigen::Matrix3Xd& points) {
                                             static_cast<Eigen::Index>(sorted.size()));
 }
 
-/// A point is not its own neighbour, nor is one so near that the distance rounds to zero.
+/// Ignores the point itself and points so close that the squared distance rounds to zero.
 void keep_nearer(double squared, double& nearest) {
   if (squared > 0 && squared < nearest) nearest = squared;
 }
 
-/// The median squared distance of a few points to their nearest, by looking at all.
+/// Estimates the median squared distance from a few points, by comparing each with all others.
 double guess(const Eigen::Matrix3Xd& points) {
   constexpr Eigen::Index kFew = 32;
   std::vector<double> nearest;
@@ -51,7 +51,7 @@ double guess(const Eigen::Matrix3Xd& points) {
   return median(nearest);
 }
 
-/// Squared distances to the nearest point, infinite where there is none in the cells around.
+/// Computes squared distances to the nearest point; infinite if there is none in adjacent cells.
 void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
                   std::vector<double>& nearest) {
   std::vector<int> around;
@@ -77,7 +77,8 @@ double spacing(const Eigen::Matrix3Xd& cloud) {
   const double first_guess = guess(points);
   if (!(first_guess < kInfinity)) return 0;
   std::vector<double> nearest(static_cast<std::size_t>(points.cols()));
-  // Neighbours within a cell's side are certain. The median is, once half the points have one.
+  // A neighbour within a cell's side is certainly the nearest. So the median is exact once half of
+  // the points have such a neighbour.
   for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
     const PointGrid grid(points, cell);
     find_nearest(points, grid, nearest);

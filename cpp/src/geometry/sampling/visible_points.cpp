@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a cloud is seen from one place (hidden point removal; Katz, Tal, Basri 2007).
+// Hidden point removal (Katz, Tal, Basri 2007).
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -21,8 +21,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// Radius of the sphere by the farthest point's distance. Larger, and more is seen through the gaps
-// between points; smaller, and more of what is seen at a slant is lost.
+// Radius of the sphere relative to the distance of the farthest point. With a larger one, points
+// behind gaps of the cloud count as visible. With a smaller one, slanted surfaces are lost.
 constexpr double kRadiusRatio = 100;
 
 }  // namespace
@@ -36,8 +36,8 @@ std::vector<int> visible_points(const Eigen::Matrix3Xd& points, const Eigen::Vec
   if (!(distance.minCoeff() > 0)) {
     throw std::invalid_argument("viewpoint must not be one of the points");
   }
-  // Each point is flipped along its ray to beyond the sphere; seen are the corners of the hull of
-  // these and the viewpoint.
+  // Each point is flipped along its ray to beyond the sphere. The visible points are the vertices
+  // of the convex hull of the flipped points and the viewpoint.
   const double radius = kRadiusRatio * distance.maxCoeff();
   std::vector<Kernel::Point_3> flipped;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {

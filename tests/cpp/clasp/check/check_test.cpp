@@ -12,8 +12,8 @@
 #include "graspless/geometry/sampling.hpp"
 
 #include "clasp/check/checker.hpp"
-#include "complaint.hpp"
 #include "clasp/ring_problem.hpp"
+#include "complaint.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -55,7 +55,7 @@ class ControllerOf : public testing::TestWithParam<std::string> {
   RobotWithHand robot_ = robot_with_hand(GetParam());
   VectorXd home_ = at_home(robot_, robot_.hand.open);
   Ring ring_ = ring_ahead(0.15);
-  Tasks tasks_{robot_.robot, robot_.hand, ring_.p_W, ring_.targets};
+  TaskSpace tasks_{robot_.robot, robot_.hand, ring_.p_W, ring_.targets};
   Options options_;
   Controller controller_{tasks_, robot_.robot, robot_.hand, options_};
   std::mt19937_64 rng_{1};
@@ -127,7 +127,7 @@ TEST_P(ControllerOf, AnAttractedHandDoesNot) {
 /// GAIN: with the ring in the hand, but the goal far from it, the arm goes first.
 TEST_P(ControllerOf, ClosesOnlyNearTheGoal) {
   const Ring ring = ring_ahead(0);
-  Tasks tasks(robot_.robot, robot_.hand, ring.p_W, ring.targets);
+  TaskSpace tasks(robot_.robot, robot_.hand, ring.p_W, ring.targets);
   Controller controller(tasks, robot_.robot, robot_.hand, options_);
   VectorXd q_far, q_near;
   TaskPoint x;
@@ -154,7 +154,7 @@ TEST_P(ControllerOf, StopsWhereThereIsNothingToDo) {
 }
 
 TEST_P(ControllerOf, RepeatsItselfToTheBit) {
-  Tasks tasks(robot_.robot, robot_.hand, ring_.p_W, ring_.targets);
+  TaskSpace tasks(robot_.robot, robot_.hand, ring_.p_W, ring_.targets);
   Controller again(tasks, robot_.robot, robot_.hand, options_);
   VectorXd q = start(0.3), q_new, q_again;
   for (int i = 0; i < 40; ++i) {
@@ -198,7 +198,7 @@ TEST(Controller, GoesOnWithoutAJointAtItsLimit) {
       q[j] = trial % 2 == 0 ? r.robot.upper()[j] : r.robot.lower()[j];
       const Vector3d p(0.5, 0.02 * trial, 0.3);
       const Ring ring = ring_through(p, Vector3d::UnitX(), Vector3d::UnitZ(), 0.2);
-      Tasks tasks(r.robot, r.hand, ring.p_W, ring.targets);
+      TaskSpace tasks(r.robot, r.hand, ring.p_W, ring.targets);
       TaskPoint x;
       x << p, 1;
       Controller(tasks, r.robot, r.hand, {}).step(q, x, 0.1, q_whole);

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// The handle of a bag: a ring in the plane y = 0 around (0, 0, 1), over a heavy body at 0.
-const Pulled kBag{{0, 0, 1}, {0, 0, 0}};
+const PullCenters kBag{{0, 0, 1}, {0, 0, 0}};
 const geometry::ClaspTarget kTop{{0, 0, 1.2}, Vector3d::UnitX()};
 const geometry::ClaspTarget kBottom{{0, 0, 0.8}, Vector3d::UnitX()};
 const geometry::ClaspTarget kSide{{0.2, 0, 1}, Vector3d::UnitZ()};
@@ -34,7 +34,7 @@ TEST(PullScore, TheNearerToThePullTheBetter) {
 }
 
 TEST(PullScore, AnObjectThatTrailsIsBetterThanOneThatTurns) {
-  const Pulled swings{kBag.loop_middle, {0, 0, 5}};
+  const PullCenters swings{kBag.loop, {0, 0, 5}};
   EXPECT_GT(*pull_score(kTop, kBag, Vector3d::UnitZ()),
             *pull_score(kTop, swings, Vector3d::UnitZ()));
 }
@@ -47,7 +47,7 @@ TEST(PullScore, DoesNotDependOnTheFrameOrTheWayRoundTheLoop) {
   const auto score = pull_score(kTop, kBag, pull);
   ASSERT_TRUE(score);
   const auto moved = pull_score({X * kTop.point, -(X.linear() * kTop.tangent)},
-                                {X * kBag.loop_middle, X * kBag.object_middle}, X.linear() * pull);
+                                {X * kBag.loop, X * kBag.object}, X.linear() * pull);
   ASSERT_TRUE(moved);
   EXPECT_NEAR(*moved, *score, 1e-12);
 }

@@ -179,10 +179,11 @@ TEST(ShortestLoops, SayWhyThereAreNone) {
     EXPECT_FALSE(found.betti.loops.empty());
     return found.reason;
   };
-  EXPECT_NE(reason(1e-4).find("is too small: no two points are nearer"), std::string::npos);
+  EXPECT_NE(reason(1e-4).find("is too small: no two points are closer"), std::string::npos);
   const double first_loop = Filtration(ring()).betti().max_edge_length[0];
-  EXPECT_NE(reason(first_loop).find("is too small: the points do not join"), std::string::npos);
-  EXPECT_NE(reason(0.5).find("is too large: every hole is filled; 1 loop lives from"),
+  EXPECT_NE(reason(first_loop).find("is too small: the points do not form a loop"),
+            std::string::npos);
+  EXPECT_NE(reason(0.5).find("is too large: every hole is filled; 1 loop exists from"),
             std::string::npos);
 
   const Loops ball = shortest_loops(sphere_cloud(0.1, 600));
@@ -203,7 +204,7 @@ TEST(ShortestLoops, WarnOfGapsBetweenPoints) {
 TEST(ShortestLoops, WarnOfMillimetresAndEqualPoints) {
   EXPECT_TRUE(has_warning(shortest_loops(1000 * ring()), "looks like millimetres"));
   const Loops twice = shortest_loops(side_by_side({ring(), ring()}));
-  EXPECT_TRUE(has_warning(twice, "equal others: they count once"));
+  EXPECT_TRUE(has_warning(twice, "equal others; equal points count once"));
   ASSERT_EQ(twice.loops.size(), 1u);
   EXPECT_NEAR(twice.loops[0].length, shortest_loops(ring()).loops[0].length, 1e-12);
 }

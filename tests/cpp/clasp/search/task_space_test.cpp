@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clasp/search/tasks.hpp"
+#include "clasp/search/task_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,12 +37,12 @@ class TasksOf : public testing::TestWithParam<std::string> {
     return q;
   }
 
-  /// Tasks with a ring `ahead` of the hand at q.
-  Tasks tasks(const VectorXd& q, double ahead) {
+  /// TaskSpace with a ring `ahead` of the hand at q.
+  TaskSpace tasks(const VectorXd& q, double ahead) {
     HandKinematics kinematics(robot_.robot, robot_.hand);
     kinematics.update(q);
     ring_ = ring_in_hand(kinematics, ahead);
-    return Tasks(robot_.robot, robot_.hand, ring_.p_W, ring_.targets);
+    return TaskSpace(robot_.robot, robot_.hand, ring_.p_W, ring_.targets);
   }
 
   RobotWithHand robot_ = robot_with_hand(GetParam());
@@ -56,7 +56,7 @@ TEST_P(TasksOf, AreWhatTheEquationsSay) {
   int linked = 0;
   for (int trial = 0; trial < 20; ++trial) {
     const VectorXd q = random_q();
-    Tasks tasks = this->tasks(q, 0.005 * trial);
+    TaskSpace tasks = this->tasks(q, 0.005 * trial);
     const TaskPoint x = tasks.project(q);
     HandKinematics kinematics(robot_.robot, robot_.hand);
     kinematics.update(q);
@@ -88,7 +88,7 @@ TEST_P(TasksOf, AreWhatTheEquationsSay) {
 }
 
 /// Everything that has a derivative, one after the other.
-VectorXd values(Tasks& tasks, const VectorXd& q) {
+VectorXd values(TaskSpace& tasks, const VectorXd& q) {
   tasks.project(q);
   VectorXd all(5 + tasks.linking_of_curves().size());
   all << tasks.position(), tasks.alignment(), tasks.linking_of_curves();
@@ -96,7 +96,7 @@ VectorXd values(Tasks& tasks, const VectorXd& q) {
 }
 
 /// What the derivatives take for fixed.
-VectorXd switches(Tasks& tasks, const VectorXd& q) {
+VectorXd switches(TaskSpace& tasks, const VectorXd& q) {
   tasks.project(q);
   const Eigen::Matrix3Xd& p = tasks.kinematics().nodes();
   VectorXd all(8 + tasks.linking_of_curves().size());
@@ -118,7 +118,7 @@ TEST_P(TasksOf, HaveTheDerivativesOfDifferences) {
   int compared = 0, linked = 0;
   for (int trial = 0; trial < 40; ++trial) {
     const VectorXd q = random_q();
-    Tasks tasks = this->tasks(q, 0.02 + 0.002 * trial);
+    TaskSpace tasks = this->tasks(q, 0.02 + 0.002 * trial);
     tasks.project(q);
     linked += tasks.is_linked() ? 1 : 0;
     MatrixXd position, alignment, linking;
@@ -144,7 +144,7 @@ TEST_P(TasksOf, AttractByTheIntegralOfOpenCurves) {
   int compared = 0;
   for (int trial = 0; trial < 20; ++trial) {
     const VectorXd q = random_q();
-    Tasks tasks = this->tasks(q, 0.05 + 0.01 * trial);
+    TaskSpace tasks = this->tasks(q, 0.05 + 0.01 * trial);
     const int curves = tasks.kinematics().num_curves();
     VectorXd u = VectorXd::Constant(curves, 7), more = u, less = u;
     MatrixXd J = MatrixXd::Constant(curves, q.size(), 7), other = J;
@@ -170,7 +170,7 @@ TEST_P(TasksOf, AttractByTheIntegralOfOpenCurves) {
 /// Where the hand is carried does not matter to how closed it is.
 TEST_P(TasksOf, ArmDoesNotChangeTheLinking) {
   const VectorXd q = at_home(robot_, robot_.hand.open);
-  Tasks tasks = this->tasks(q, 0);
+  TaskSpace tasks = this->tasks(q, 0);
   tasks.project(q);
   MatrixXd J;
   tasks.linking_jacobian(J);
@@ -181,7 +181,7 @@ TEST_P(TasksOf, ArmDoesNotChangeTheLinking) {
 
 TEST_P(TasksOf, AreFiniteOnTheTarget) {
   const VectorXd q = at_home(robot_, robot_.hand.open);
-  Tasks tasks = this->tasks(q, 0);
+  TaskSpace tasks = this->tasks(q, 0);
   tasks.project(q);
   ASSERT_LT(tasks.target_distance(), 1e-9);
   MatrixXd J;
@@ -191,10 +191,10 @@ TEST_P(TasksOf, AreFiniteOnTheTarget) {
   EXPECT_EQ(1, tasks.alignment()[1]);
 }
 
-TEST(Tasks, RefusesNoTargets) {
+TEST(TaskSpace, RefusesNoTargets) {
   const RobotWithHand r = robot_with_hand("kr5_sdh");
   const Ring ring = ring_through(Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitZ(), 0.2);
-  expect_refused([&] { Tasks(r.robot, r.hand, ring.p_W, {}); }, "targets must not be empty");
+  expect_refused([&] { TaskSpace(r.robot, r.hand, ring.p_W, {}); }, "targets must not be empty");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/sampling/surface_draw.hpp"
+#include "geometry/sampling/surface_sampler.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace graspless::geometry {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;  // of a circle [rad]
+constexpr double kFullTurn = 6.283185307179586;  // [rad]
 
 Eigen::Vector3d corner(const Mesh& mesh, Eigen::Index triangle, int k) {
   return mesh.vertices.col(mesh.triangles(k, triangle));
@@ -23,18 +23,18 @@ Eigen::Vector3d twice_area(const Mesh& mesh, Eigen::Index triangle) {
 
 }  // namespace
 
-SurfaceDraw::SurfaceDraw(const PlacedShape& placed) : X_BG_(placed.X_BG) {
+SurfaceSampler::SurfaceSampler(const PlacedShape& placed) : X_BG_(placed.X_BG) {
   std::visit([this](const auto& shape) { set(shape); }, placed.shape);
 }
 
-SurfaceDraw::Point SurfaceDraw::draw(std::mt19937_64& rng) const {
+SurfaceSampler::Point SurfaceSampler::draw(std::mt19937_64& rng) const {
   Point point = radius_ > 0 ? draw_round(rng) : draw_triangle(rng);
   point.p_B = X_BG_ * point.p_B;
   point.outward_B = X_BG_.linear() * point.outward_B;
   return point;
 }
 
-void SurfaceDraw::set(const Box& box) {
+void SurfaceSampler::set(const Box& box) {
   Convex corners{Eigen::Matrix3Xd(3, 8)};
   for (int i = 0; i < 8; ++i) {
     corners.vertices.col(i) << (i & 1 ? 0.5 : -0.5), (i & 2 ? 0.5 : -0.5), (i & 4 ? 0.5 : -0.5);
@@ -43,12 +43,12 @@ void SurfaceDraw::set(const Box& box) {
   set(corners);
 }
 
-void SurfaceDraw::set(const Convex& convex) {
+void SurfaceSampler::set(const Convex& convex) {
   set(convex_hull(convex.vertices));
   has_outside_ = true;
 }
 
-void SurfaceDraw::set(const Mesh& mesh) {
+void SurfaceSampler::set(const Mesh& mesh) {
   mesh_ = mesh;
   has_outside_ = false;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
@@ -57,30 +57,30 @@ void SurfaceDraw::set(const Mesh& mesh) {
   }
 }
 
-void SurfaceDraw::set_round(double radius, double length) {
+void SurfaceSampler::set_round(double radius, double length) {
   radius_ = radius;
   length_ = length;
-  area_ = kTurn * radius * (length + 2 * radius);
+  area_ = kFullTurn * radius * (length + 2 * radius);
 }
 
-// Of a sphere as much lies between two heights as of the cylinder around it (Archimedes): one draw
-// along the axis serves cylinder and caps.
-SurfaceDraw::Point SurfaceDraw::draw_round(std::mt19937_64& rng) const {
+// Between two heights, a sphere has the same area as the cylinder around it (Archimedes). So one
+// uniform draw along the axis covers the cylinder and both caps.
+SurfaceSampler::Point SurfaceSampler::draw_round(std::mt19937_64& rng) const {
   const double height = length_ / 2 + radius_;
-  const double z = height * (2 * draw_unit(rng) - 1);
+  const double z = height * (2 * draw_uniform(rng) - 1);
   const double z_axis = std::clamp(z, -length_ / 2, length_ / 2);
   const double along = (z - z_axis) / radius_;
   const double across = std::sqrt(std::max(0.0, 1 - along * along));
-  const double angle = kTurn * draw_unit(rng);
+  const double angle = kFullTurn * draw_uniform(rng);
   const Eigen::Vector3d outward(across * std::cos(angle), across * std::sin(angle), along);
   return {Eigen::Vector3d(0, 0, z_axis) + radius_ * outward, outward};
 }
 
-SurfaceDraw::Point SurfaceDraw::draw_triangle(std::mt19937_64& rng) const {
+SurfaceSampler::Point SurfaceSampler::draw_triangle(std::mt19937_64& rng) const {
   const auto at = std::upper_bound(cumulative_area_.begin(), cumulative_area_.end() - 1,
-                                   area_ * draw_unit(rng));
+                                   area_ * draw_uniform(rng));
   const Eigen::Index i = at - cumulative_area_.begin();
-  double u = draw_unit(rng), v = draw_unit(rng);
+  double u = draw_uniform(rng), v = draw_uniform(rng);
   if (u + v > 1) {
     u = 1 - u;
     v = 1 - v;

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clasp/free_space/links_against_object.hpp"
+#include "clasp/free_space/object_collision.hpp"
 
 #include <algorithm>
 
 namespace graspless::clasp {
 namespace {
 
-// Spheres settle nothing nearer to just touching than this: there FCL has the say [m].
-constexpr double kMargin = 2e-6;
+// Spheres do not decide cases closer to contact than this [m]. FCL does.
+constexpr double kContactMargin = 2e-6;
 
 std::vector<std::vector<geometry::PlacedShape>> shapes_of_links(const robot::Robot& robot) {
   std::vector<std::vector<geometry::PlacedShape>> shapes(robot.frame_names().size());
@@ -20,7 +20,7 @@ std::vector<std::vector<geometry::PlacedShape>> shapes_of_links(const robot::Rob
 
 }  // namespace
 
-LinksAgainstObject::LinksAgainstObject(const Problem& problem)
+ObjectCollision::ObjectCollision(const Problem& problem)
     : X_OW_(problem.X_WO.inverse()),
       spheres_(link_spheres(problem.robot)),
       clearance_(problem.object.clearance()) {
@@ -38,29 +38,29 @@ LinksAgainstObject::LinksAgainstObject(const Problem& problem)
     world_.add_pair(body_.back(), object);
     links_.push_back(link);
   }
-  std::reverse(links_.begin(), links_.end());  // the hand first: it is what touches
+  std::reverse(links_.begin(), links_.end());  // the hand first, because it is most likely to touch
 }
 
-bool LinksAgainstObject::touches_by_fcl(int link, const Eigen::Isometry3d& X_WL) {
+bool ObjectCollision::touches_by_fcl(int link, const Eigen::Isometry3d& X_WL) {
   ++fcl_checks_;
   const auto index = static_cast<std::size_t>(link);
   world_.set_pose(body_[index], X_WL);
   return world_.touches(pair_[index]);
 }
 
-LinksAgainstObject::Look LinksAgainstObject::look(int link, const Eigen::Isometry3d& X_WL,
-                                                  double enough) {
+ObjectCollision::Result ObjectCollision::check(int link, const Eigen::Isometry3d& X_WL,
+                                               double enough) {
   const SphereTree& tree = spheres_[static_cast<std::size_t>(link)];
   const Eigen::Isometry3d X_OL = X_OW_ * X_WL;
   const int count = static_cast<int>(tree.size());
-  double least = std::max(enough, 2 * kMargin);
+  double least = std::max(enough, 2 * kContactMargin);
   for (int i = 0; i < count;) {
     const LinkSphere& node = tree[static_cast<std::size_t>(i)];
     const bool is_leaf = node.next == i + 1;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
-    const auto distance = is_leaf ? clearance_.bounds(p_O, node.outer + kMargin)
+    const auto distance = is_leaf ? clearance_.bounds(p_O, node.outer + kContactMargin)
                                   : clearance_.rough_bounds(p_O, node.outer + least);
-    if (distance.upper < node.inner - kMargin) return {true, 0};
+    if (distance.upper < node.inner - kContactMargin) return {true, 0};
     const double clear = distance.lower - node.outer;
     if (clear >= least) {
       i = node.next;
@@ -71,7 +71,7 @@ LinksAgainstObject::Look LinksAgainstObject::look(int link, const Eigen::Isometr
       ++i;
     }
   }
-  if (least <= kMargin && touches_by_fcl(link, X_WL)) return {true, 0};
+  if (least <= kContactMargin && touches_by_fcl(link, X_WL)) return {true, 0};
   return {false, std::max(0.0, least)};
 }
 

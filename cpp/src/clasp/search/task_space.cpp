@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the hand is as the search sees it: eqs. (2) to (4) with their derivatives.
-#include "clasp/search/tasks.hpp"
+// Task-space projections: eqs. (2) to (4) of Stork 2013 with their Jacobians.
+#include "clasp/search/task_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Nearer than this the direction to the target says nothing [m].
+/// Distance to the target below which its direction is undefined [m].
 constexpr double kOnTarget = 1e-9;
 
 }  // namespace
 
-Tasks::Tasks(const robot::Robot& robot, const Hand& hand, const Eigen::Matrix3Xd& p_WLoop,
-             std::vector<geometry::ClaspTarget> targets_W)
+TaskSpace::TaskSpace(const robot::Robot& robot, const Hand& hand, const Eigen::Matrix3Xd& p_WLoop,
+                     std::vector<geometry::ClaspTarget> targets_W)
     : kinematics_(robot, hand), loop_W_(p_WLoop), targets_W_(std::move(targets_W)) {
   if (targets_W_.empty()) throw std::invalid_argument("targets must not be empty");
   curves_.resize(static_cast<std::size_t>(kinematics_.num_curves()));
@@ -32,7 +32,7 @@ Tasks::Tasks(const robot::Robot& robot, const Hand& hand, const Eigen::Matrix3Xd
   project(robot.clamp(Eigen::VectorXd::Zero(robot.dof())));
 }
 
-const TaskPoint& Tasks::project(const Eigen::VectorXd& q) {
+const TaskPoint& TaskSpace::project(const Eigen::VectorXd& q) {
   if (q_.size() == q.size() && q_ == q) return x_;
   kinematics_.update(q);
   q_ = q;
@@ -47,7 +47,7 @@ const TaskPoint& Tasks::project(const Eigen::VectorXd& q) {
   return x_;
 }
 
-void Tasks::find_center() {
+void TaskSpace::find_center() {
   const Eigen::Matrix3Xd& p_WN = kinematics_.nodes();
   lowest_.setZero();
   highest_.setZero();
@@ -60,7 +60,7 @@ void Tasks::find_center() {
   for (int k = 0; k < 3; ++k) x_[k] = (p_WN(k, lowest_[k]) + p_WN(k, highest_[k])) / 2;
 }
 
-void Tasks::find_target() {
+void TaskSpace::find_target() {
   const Vector3d center = position();
   double least = (targets_W_[0].point - center).squaredNorm();
   nearest_ = 0;
@@ -76,8 +76,8 @@ void Tasks::find_target() {
   towards_ = (targets_W_[static_cast<std::size_t>(nearest_)].point - center) / distance_;
 }
 
-/// (2), with Lk as an integer.
-void Tasks::link(Curve& curve, const std::vector<int>& corners) {
+/// Eq. (2), with Lk as an integer.
+void TaskSpace::link(Curve& curve, const std::vector<int>& corners) {
   const Eigen::Matrix3Xd& p_WN = kinematics_.nodes();
   for (std::size_t k = 0; k < corners.size(); ++k) {
     curve.points.col(static_cast<Eigen::Index>(k)) = p_WN.col(corners[k]);
@@ -88,18 +88,18 @@ void Tasks::link(Curve& curve, const std::vector<int>& corners) {
   }
 }
 
-Vector2d Tasks::alignment() const {
+Vector2d TaskSpace::alignment() const {
   const Vector3d& tangent = targets_W_[static_cast<std::size_t>(nearest_)].tangent;
   const double forward = distance_ < kOnTarget ? 1 : kinematics_.forward_W().dot(towards_);
   return {std::abs(kinematics_.sideways_W().dot(tangent)), forward};  // (3)
 }
 
-bool Tasks::is_linked() const {
+bool TaskSpace::is_linked() const {
   return std::any_of(curves_.begin(), curves_.end(),
                      [](const Curve& curve) { return curve.linking_number != 0; });
 }
 
-void Tasks::position_jacobian(Matrix& J) const {
+void TaskSpace::position_jacobian(Matrix& J) const {
   J.setZero(3, q_.size());
   for (int k = 0; k < 3; ++k) {
     kinematics_.add_row(lowest_[k], 0.5 * Vector3d::Unit(k), J.row(k));
@@ -107,7 +107,7 @@ void Tasks::position_jacobian(Matrix& J) const {
   }
 }
 
-void Tasks::alignment_jacobian(Matrix& J) const {
+void TaskSpace::alignment_jacobian(Matrix& J) const {
   J.setZero(2, q_.size());
   const Vector3d& tangent = targets_W_[static_cast<std::size_t>(nearest_)].tangent;
   const Vector3d sideways = kinematics_.sideways_W(), forward = kinematics_.forward_W();
@@ -115,7 +115,7 @@ void Tasks::alignment_jacobian(Matrix& J) const {
   kinematics_.add_rotation_row(sign * sideways.cross(tangent), J.row(0));
   if (distance_ < kOnTarget) return;
   kinematics_.add_rotation_row(forward.cross(towards_), J.row(1));
-  // The direction turns when the centre moves across it.
+  // The direction to the target changes when the centre moves across it.
   const Vector3d by_center = (forward.dot(towards_) * towards_ - forward) / distance_;
   for (int k = 0; k < 3; ++k) {
     const Vector3d half = 0.5 * by_center[k] * Vector3d::Unit(k);
@@ -124,7 +124,7 @@ void Tasks::alignment_jacobian(Matrix& J) const {
   }
 }
 
-void Tasks::linking_jacobian(Matrix& J) const {
+void TaskSpace::linking_jacobian(Matrix& J) const {
   J.setZero(kinematics_.num_curves(), q_.size());
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
     const Curve& curve = curves_[static_cast<std::size_t>(i)];
@@ -138,8 +138,8 @@ void Tasks::linking_jacobian(Matrix& J) const {
   }
 }
 
-/// The integral changes with the curve's ends only: the loop's field has no curl.
-void Tasks::attract(Eigen::VectorXd& u, Matrix& J) const {
+/// The field of the loop has no curl, so the integral changes with the curve's ends only.
+void TaskSpace::attract(Eigen::VectorXd& u, Matrix& J) const {
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
     const Curve& curve = curves_[static_cast<std::size_t>(i)];
     if (curve.linking_number != 0) continue;

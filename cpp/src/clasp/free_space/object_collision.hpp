@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The robot's links against the object that stands still.
+// Collision of the robot's links with the object, which does not move.
 #pragma once
 
 #include <cstdint>
@@ -17,23 +17,22 @@
 
 namespace graspless::clasp {
 
-/// One link at a time, by spheres where these settle it and by FCL where not. Not shared between
-/// threads.
-class LinksAgainstObject {
+/// Checks one link at a time: by bounding spheres if these decide, else by FCL. Not thread-safe.
+class ObjectCollision {
  public:
-  explicit LinksAgainstObject(const Problem& problem);
+  explicit ObjectCollision(const Problem& problem);
 
-  /// Links that move against the object and have shapes.
+  /// Links with shapes.
   const std::vector<int>& links() const { return links_; }
 
-  /// Whether a link touches, and if not a lower bound on its distance from the object [m] that is
-  /// not made better than `enough`.
-  struct Look {
+  /// Result of a check: a touch, or a lower bound on the distance to the object [m].
+  struct Result {
     bool touches;
     double clearance;
   };
-  Look look(int link, const Eigen::Isometry3d& X_WL, double enough);
-  /// By FCL alone.
+  /// Checks a link at pose X_WL. The bound is not refined beyond `enough` [m].
+  Result check(int link, const Eigen::Isometry3d& X_WL, double enough);
+  /// Same by FCL alone.
   bool touches_by_fcl(int link, const Eigen::Isometry3d& X_WL);
 
   std::int64_t num_fcl_checks() const { return fcl_checks_; }
@@ -44,8 +43,8 @@ class LinksAgainstObject {
   collision::Clearance clearance_;
   collision::World world_;
   std::vector<int> links_;
-  std::vector<int> body_;  // of a link, in world_; -1: none
-  std::vector<int> pair_;  // of a link with the object
+  std::vector<int> body_;  // per link: body in world_, or -1
+  std::vector<int> pair_;  // per link: pair with the object in world_, or -1
   std::int64_t fcl_checks_ = 0;
 };
 

@@ -9,15 +9,16 @@
 
 namespace graspless::geometry {
 
-/// Draws points on the surface of a shape, uniform by area.
-class SurfaceDraw {
+/// Draws random points on the surface of a shape, uniform by area.
+class SurfaceSampler {
  public:
   struct Point {
     Eigen::Vector3d p_B;
-    Eigen::Vector3d outward_B;  ///< unit normal; zero on a mesh, whose sides nobody knows
+    Eigen::Vector3d
+        outward_B;  ///< outward unit normal; zero on a mesh, whose orientation is unknown
   };
 
-  explicit SurfaceDraw(const PlacedShape& placed);
+  explicit SurfaceSampler(const PlacedShape& placed);
 
   double area() const { return area_; }  ///< [m^2]
   Point draw(std::mt19937_64& rng) const;
@@ -36,11 +37,13 @@ class SurfaceDraw {
   double area_ = 0;
   double radius_ = 0, length_ = 0;
   Mesh mesh_;
-  bool has_outside_ = true;
+  bool has_outside_ = true;              // false for a mesh
   std::vector<double> cumulative_area_;  // of the mesh's triangles
 };
 
 /// Uniform in [0, 1), the same on every platform.
-inline double draw_unit(std::mt19937_64& rng) { return static_cast<double>(rng() >> 11) * 0x1p-53; }
+inline double draw_uniform(std::mt19937_64& rng) {
+  return static_cast<double>(rng() >> 11) * 0x1p-53;
+}
 
 }  // namespace graspless::geometry

@@ -13,45 +13,49 @@
 
 namespace graspless::clasp {
 
-/// x of the search: the centre of the curves' axis-aligned box, and the mean virtual linking.
+/// Point of the task space X: p_AABB, the centre of the curves' bounding box, and Pi_vlink, eq.
+/// (4).
 using TaskPoint = Eigen::Vector4d;
 
-/// The tasks of Section IV-E for one loop that stands still in the world, with their derivatives.
-/// Not shared between threads.
-class Tasks {
+/// Task-space projections of Stork 2013, Section IV-E, with their Jacobians, for one loop at rest.
+/// Not thread-safe.
+class TaskSpace {
  public:
   using Matrix = Eigen::MatrixXd;
 
-  /// Loop and targets in W.
-  Tasks(const robot::Robot& robot, const Hand& hand, const Eigen::Matrix3Xd& p_WLoop,
-        std::vector<geometry::ClaspTarget> targets_W);
+  /// `p_WLoop`: corners of the loop, 3 x n in W [m].
+  TaskSpace(const robot::Robot& robot, const Hand& hand, const Eigen::Matrix3Xd& p_WLoop,
+            std::vector<geometry::ClaspTarget> targets_W);
 
-  /// TS-PROJECTION. Everything below is at the configuration last given here. Asked again about the
-  /// same one it has nothing to do. Allocates nothing.
+  /// TS-PROJECTION. All functions below refer to the configuration last projected. Returns at once
+  /// if q is that configuration. Allocates no memory.
   const TaskPoint& project(const Eigen::VectorXd& q);
 
   const HandKinematics& kinematics() const { return kinematics_; }
   const std::vector<geometry::ClaspTarget>& targets() const { return targets_W_; }
 
   Eigen::Vector3d position() const { return x_.head<3>(); }  ///< Pi_pos: p_AABB [m]
-  /// Pi_align, eq. (3), of the nearest target; (., 1) when the centre lies on the target.
+  /// Pi_align, eq. (3), for the nearest target; (., 1) if the centre lies on the target.
   Eigen::Vector2d alignment() const;
   double linking() const { return x_[3]; }  ///< Pi_vlink, eq. (4): mean of min(1, |VLk|)
-  /// min(1, |VLk|), one a curve.
+  /// min(1, |VLk|) of every curve, eq. (2).
   const Eigen::VectorXd& linking_of_curves() const { return linking_; }
-  bool is_linked() const;  ///< whether any curve is
+  bool is_linked() const;  ///< true if any curve is linked
   int nearest_target() const { return nearest_; }
-  double target_distance() const { return distance_; }  ///< of the centre to that [m]
+  double target_distance() const {
+    return distance_;
+  }  ///< from the centre to the nearest target [m]
 
-  /// Derivatives by q. Where another corner comes to bound the box, or another target to be the
-  /// nearest, they are those of the ones that count now.
+  /// Jacobians. Where the corners that bound the box or the nearest target change, they are those
+  /// of the current ones.
   void position_jacobian(Matrix& J) const;   ///< 3 x dof
-  void alignment_jacobian(Matrix& J) const;  ///< 2 x dof; the second row 0 on the target
-  /// curves x dof; the linking number is constant but where curves cross, so that rows of curves
-  /// that are not linked are zero.
+  void alignment_jacobian(Matrix& J) const;  ///< 2 x dof; the second row is 0 on the target
+  /// curves x dof. The linking number is piecewise constant, so rows of curves that are not linked
+  /// are zero.
   void linking_jacobian(Matrix& J) const;
-  /// For curves that are not linked, the open curve's Gauss integral in place of the virtual
-  /// linking: replaces their entries of u by 1 - |integral|, their rows of J by its derivative.
+  /// For curves that are not linked, uses the Gauss integral of the open curve instead of the
+  /// virtual linking: replaces their entries of u by 1 - |integral| and their rows of J by its
+  /// gradient.
   void attract(Eigen::VectorXd& u, Matrix& J) const;
 
  private:
@@ -69,7 +73,7 @@ class Tasks {
   geometry::PreparedLoop loop_W_;
   std::vector<geometry::ClaspTarget> targets_W_;
 
-  Eigen::VectorXd q_;  // of everything below
+  Eigen::VectorXd q_;  // configuration of everything below
   TaskPoint x_;
   Eigen::Vector3i lowest_, highest_;  // nodes that bound the box
   int nearest_ = 0;
