@@ -23,41 +23,43 @@ std::vector<Rest> to_rests(const Normals& normals) {
 }
 
 void bind_problem(py::module_& m) {
-  py::class_<Problem>(m, "Problem", "What is given: take what the hand holds to another pose.")
-      .def(
-          py::init([](const robot::Robot& robot, const std::string& frame, const Obstacle& object,
-                      const Array& X_WO_goal, const Array& q_start,
-                      const std::vector<Obstacle>& obstacles, const Normals& rests_on,
-                      const std::string& arm) {
-            return Problem{robot,
-                           arm,
-                           frame,
-                           object,
-                           to_pose(X_WO_goal, "X_WO_goal"),
-                           obstacles,
-                           to_rests(rests_on),
-                           to_configuration(robot, q_start, "q_start")};
-          }),
-          py::arg("robot"), py::arg("frame"), py::arg("object"), py::arg("X_WO_goal"),
-          py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
-          py::arg("rests_on") = Normals{}, py::arg("arm") = "arm",
-          "frame: link that the object keeps its place to. object: its shapes, and its pose when "
-          "the carry begins.\nX_WO_goal: (4, 4). q_start: (dof,) where the robot stands. rests_on: "
-          "obstacles that the object lies on at\nfirst and may be drawn over, each with its "
-          "normal (3,) in the world. arm: group of the joints that move.")
+  py::class_<Problem>(
+      m, "Problem",
+      "Task of the planner: carry a held object along a straight path to another pose.")
+      .def(py::init([](const robot::Robot& robot, const std::string& frame, const Obstacle& object,
+                       const Array& X_WO_goal, const Array& q_start,
+                       const std::vector<Obstacle>& obstacles, const Normals& rests_on,
+                       const std::string& arm) {
+             return Problem{robot,
+                            arm,
+                            frame,
+                            object,
+                            to_pose(X_WO_goal, "X_WO_goal"),
+                            obstacles,
+                            to_rests(rests_on),
+                            to_configuration(robot, q_start, "q_start")};
+           }),
+           py::arg("robot"), py::arg("frame"), py::arg("object"), py::arg("X_WO_goal"),
+           py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
+           py::arg("rests_on") = Normals{}, py::arg("arm") = "arm",
+           "frame: link that holds the object. object: its shapes, and its pose at the "
+           "start.\nX_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration "
+           "at the start [rad or m]. rests_on: obstacles that\nthe object rests on at the start "
+           "and may be dragged over, each with its unit normal (3,) in the world. arm: group of "
+           "the joints that move.")
       .def_property_readonly(
-          "robot", [](const Problem& self) { return self.robot; }, "The robot.")
+          "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
       .def_readonly("arm", &Problem::arm, "Group of the joints that move.")
-      .def_readonly("frame", &Problem::frame, "Link that the object keeps its place to.")
-      .def_readonly("object", &Problem::object,
-                    "What is held, with its pose when the carry begins.")
+      .def_readonly("frame", &Problem::frame, "Link that holds the object.")
+      .def_readonly("object", &Problem::object, "Held object, with its pose at the start.")
       .def_property_readonly(
           "X_WO_goal", [](const Problem& self) { return from_pose(self.X_WO_goal); },
           "(4, 4) pose of the object in the world at the end.")
       .def_property_readonly(
           "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
-          "(dof,) [rad or m].")
-      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
+          "(dof,) configuration at the start [rad or m].")
+      .def_readonly("obstacles", &Problem::obstacles,
+                    "Bodies that neither the arm nor the object may touch.")
       .def_property_readonly(
           "rests_on",
           [](const Problem& self) {
@@ -65,7 +67,8 @@ void bind_problem(py::module_& m) {
             for (const Rest& rest : self.rests_on) normals[rest.obstacle] = rest.normal_W;
             return normals;
           },
-          "What the object lies on at first, with its normal (3,) in the world; a copy.")
+          "Obstacles that the object rests on at the start, each with its unit normal (3,) in the "
+          "world; a copy.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"robot", "arm", "frame", "object", "obstacles"});
       });
@@ -133,9 +136,9 @@ void bind_carry(py::module_ m) {
   bind_plan(m);
   bind_front_door<Problem, Options, Plan>(
       m,
-      "Plans a motion of the arm that takes the object along the straight way to its goal. Not "
-      "finding a plan is a status.",
-      "Replays a plan against its problem, with none of the search's code.");
+      "Plans a motion of the arm that carries the object along a straight path to its "
+      "goal.\n\nFinding no plan is a status, not an error.",
+      "Checks a plan against its problem by an independent replay.");
 }
 
 }  // namespace graspless::bindings

@@ -17,21 +17,22 @@ int body_index(const World& world, const Key& body) {
   }
   const int index = std::get<int>(body);
   if (index < 0 || index >= world.num_bodies()) {
-    throw std::invalid_argument("body is " + std::to_string(index) + "; the world has " +
-                                std::to_string(world.num_bodies()) + " bodies");
+    throw std::invalid_argument("body must be the index of one of the world's " +
+                                std::to_string(world.num_bodies()) + " bodies, not " +
+                                std::to_string(index));
   }
   return index;
 }
 
 void bind_obstacle(py::module_& m) {
   using collision::Obstacle;
-  py::class_<Obstacle>(m, "Obstacle", "Something that stands in the way.")
+  py::class_<Obstacle>(m, "Obstacle", "Fixed body that a motion must avoid.")
       .def(py::init([](const std::string& name, const Shapes& shapes, const Array& X_WB) {
              return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
            }),
            py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
            "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
-      .def_readonly("name", &Obstacle::name, "What errors call it.")
+      .def_readonly("name", &Obstacle::name, "Name in errors.")
       .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
       .def_property_readonly(
           "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
@@ -47,22 +48,23 @@ void bind_collision(py::module_ m) {
   bind_obstacle(m);
   py::class_<World>(
       m, "World",
-      "Bodies at poses, and which pairs of them must not touch. Knows no robot.\n\n"
-      "Bodies are named by their index or their name. Not for several threads at once: copy it.")
-      .def(py::init<>(), "A world without bodies.")
+      "Bodies at poses, and the pairs of them that must not touch. Independent of robots.\n\n"
+      "A body is given by its name or its index. Not thread-safe: give each thread a copy.")
+      .def(py::init<>(), "Creates a world without bodies.")
       .def(
           "__copy__", [](const World& self) { return World(self); },
-          "A copy that shares the shapes.")
+          "Returns a copy that shares the shapes.")
       .def("add_body", py::overload_cast<const std::string&, const Shapes&>(&World::add_body),
            py::arg("name"), py::arg("shapes"),
-           "Adds a body of one or more PlacedShape, at the identity; returns its index.\n\n"
-           "Raises ValueError on a bad shape or a name already taken.")
-      .def_property_readonly("num_bodies", &World::num_bodies, "How many bodies there are.")
-      .def("body", &World::body, py::arg("name"), "Index of a body; ValueError lists the bodies.")
+           "Adds a body of one or more PlacedShapes at the identity pose. Returns its index.\n\n"
+           "Raises ValueError on a bad shape or a name that is already taken.")
+      .def_property_readonly("num_bodies", &World::num_bodies, "Number of bodies.")
+      .def("body", &World::body, py::arg("name"),
+           "Returns the index of a body.\n\nRaises ValueError that lists the bodies.")
       .def(
           "name",
           [](const World& self, const Key& body) { return self.name(body_index(self, body)); },
-          py::arg("body"), "Name of a body.")
+          py::arg("body"), "Returns the name of a body.")
       .def(
           "set_pose",
           [](World& self, const Key& body, const Array& X_WB) {
@@ -74,7 +76,7 @@ void bind_collision(py::module_ m) {
           [](const World& self, const Key& body) {
             return from_pose(self.pose(body_index(self, body)));
           },
-          py::arg("body"), "(4, 4) pose of a body in the world.")
+          py::arg("body"), "Returns the pose of a body in the world, (4, 4).")
       .def(
           "add_pair",
           [](World& self, const Key& a, const Key& b) {
@@ -86,7 +88,7 @@ void bind_collision(py::module_ m) {
           [](World& self, const Key& a, const Key& b) {
             self.remove_pair(body_index(self, a), body_index(self, b));
           },
-          py::arg("a"), py::arg("b"), "No longer tests bodies a and b against each other.")
+          py::arg("a"), py::arg("b"), "Stops testing bodies a and b against each other.")
       .def(
           "allow_contact",
           [](World& self, const Key& a, const Key& b, const Array& normal_W, double depth) {
@@ -94,17 +96,19 @@ void bind_collision(py::module_ m) {
                                to_vector3(normal_W, "normal_W"), depth);
           },
           py::arg("a"), py::arg("b"), py::arg("normal_W"), py::arg("depth"),
-          "Lets a press up to depth [m] into b along -normal_W, (3,); depth 0 ends the "
-          "allowance.\n\n"
-          "Raises ValueError on a negative depth, a pair not tested or a zero normal.")
+          "Allows body a to press up to depth [m] into body b along -normal_W, (3,). A depth of 0 "
+          "ends the allowance.\n\n"
+          "Raises ValueError on a negative depth, a pair that is not tested, or a zero normal.")
       .def_property_readonly("pairs", &World::pairs, "Pairs of body indices that are tested.")
-      .def("collides", &World::collides, "Whether any tested pair touches.")
-      .def("first_collision", &World::first_collision, "The first touching pair found, or None.")
-      .def("all_collisions", &World::all_collisions, "Every touching pair.")
+      .def("collides", &World::collides, "Returns True if any tested pair touches.")
+      .def("first_collision", &World::first_collision,
+           "Returns the first touching pair found, or None.")
+      .def("all_collisions", &World::all_collisions, "Returns every touching pair.")
       .def(
           "distance_bounds", [](World& self) { return self.distance_bounds(); },
-          "For each tested pair, in the order of pairs, a lower bound on its distance [m].")
-      .def_property_readonly("num_checks", &World::num_checks, "Configurations tested so far.")
+          "Returns a lower bound on the distance of each tested pair, in the order of pairs [m].")
+      .def_property_readonly("num_checks", &World::num_checks,
+                             "Number of configurations tested so far.")
       .def("__repr__", [](const World& self) {
         return "<World of " + std::to_string(self.num_bodies()) + " bodies, " +
                std::to_string(self.pairs().size()) + " pairs tested>";

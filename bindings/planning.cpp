@@ -9,7 +9,8 @@
 namespace graspless::bindings {
 
 void bind_planning(py::module_ m) {
-  py::class_<StoppableBudget>(m, "Budget", "All randomness and time of a query.")
+  py::class_<StoppableBudget>(m, "Budget",
+                              "Limits of a query in time and iterations, and its random seed.")
       .def(py::init([](double seconds, std::optional<std::int64_t> iterations, std::uint64_t seed) {
              StoppableBudget budget{seconds, iterations, seed};
              planning::Budget checked;
@@ -20,14 +21,14 @@ void bind_planning(py::module_ m) {
            }),
            py::kw_only(), py::arg("seconds") = 10.0, py::arg("iterations") = py::none(),
            py::arg("seed") = 1,
-           "seconds: wall clock [s], may be inf. iterations: rounds of the main loop, None for no "
-           "limit.\n\n"
-           "The same seed and iterations give the same plan, bit by bit, unless the clock ends the "
-           "search first.")
-      .def_readonly("seconds", &StoppableBudget::seconds, "Wall clock [s].")
+           "seconds: wall-clock limit [s], may be inf. iterations: limit on rounds of the main "
+           "loop, None for no limit. seed: of all random numbers.\n\n"
+           "The same seed and iterations give the same plan, bit by bit, unless time runs out "
+           "first.\n\nRaises ValueError unless seconds is positive and iterations is not negative.")
+      .def_readonly("seconds", &StoppableBudget::seconds, "Wall-clock limit [s].")
       .def_readonly("iterations", &StoppableBudget::iterations,
-                    "Rounds of the main loop; None for no limit.")
-      .def_readonly("seed", &StoppableBudget::seed, "Of all random numbers.")
+                    "Limit on rounds of the main loop; None for no limit.")
+      .def_readonly("seed", &StoppableBudget::seed, "Seed of all random numbers.")
       .def(
           "part",
           [](const StoppableBudget& self, double seconds, std::uint64_t seed) {
@@ -40,16 +41,16 @@ void bind_planning(py::module_ m) {
             return part;
           },
           py::kw_only(), py::arg("seconds"), py::arg("seed"),
-          "What a part of a longer query may spend: as this one, with seconds and seed of its "
-          "own.\n\nstop() of either ends both.")
+          "Returns a budget for one part of a longer query, with its own seconds and "
+          "seed.\n\nstop() of either stops both.")
       .def(
           "stop", [](StoppableBudget& self) { *self.stopped = true; },
-          "Ends the query that runs on this budget, from any thread; it returns within some 10 "
-          "ms.\n\n"
-          "A stopped budget stays so: later queries on it end at once.")
+          "Stops the query that uses this budget, from any thread. The query returns within about "
+          "10 ms.\n\n"
+          "A stopped budget stays stopped: later queries that use it end at once.")
       .def_property_readonly(
           "is_stopped", [](const StoppableBudget& self) { return self.stopped->load(); },
-          "Whether stop() was called.")
+          "True if stop() was called.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"seconds", "iterations", "seed"});
       });

@@ -14,7 +14,7 @@
 
 namespace graspless::bindings {
 
-/// planning::Budget with a flag that another Python thread may raise.
+/// planning::Budget with a stop flag that any Python thread may set.
 struct StoppableBudget {
   double seconds = 10;
   std::optional<std::int64_t> iterations;
@@ -22,8 +22,8 @@ struct StoppableBudget {
   std::shared_ptr<std::atomic<bool>> stopped = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// Runs `query(planning::Budget)` without the GIL. It is interrupted by Budget.stop() and by a
-/// signal whose Python handler raises (Ctrl-C); what that raised is thrown once the query has
+/// Runs `query(planning::Budget)` without the GIL. Budget.stop() and signals whose Python handler
+/// raises (Ctrl-C) interrupt it. The exception of such a handler is thrown once the query has
 /// returned.
 template <class Query>
 auto run_interruptibly(const StoppableBudget& given, const Query& query) {
@@ -47,8 +47,9 @@ auto run_interruptibly(const StoppableBudget& given, const Query& query) {
   return result;
 }
 
-/// What every planner has: validate() of a problem and of options, plan() and check(), found in the
-/// namespace of Problem. The docs are what a planner says of its own plan() and check().
+/// Binds the functions that every planner has, found in the namespace of Problem: validate() of a
+/// problem and of options, plan() and check(). The planner gives the first sentences of the
+/// docstrings of plan() and check().
 template <class Problem, class Options, class Plan>
 void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
                      const std::string& check_doc) {
@@ -58,10 +59,10 @@ void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
   m.def(
       "validate", [](const Problem& problem) { validate(problem); }, py::arg("problem"),
       py::call_guard<py::gil_scoped_release>(),
-      "Raises ValueError that names the field at fault, its value and the choices.");
+      "Raises ValueError that names the first bad field, its value and what is allowed.");
   m.def(
       "validate", [](const Options& options) { validate(options); }, py::arg("options"),
-      "Raises ValueError that names the option at fault, its value and what it may be.");
+      "Raises ValueError that names the first bad option, its value and what is allowed.");
   m.def(
       "plan",
       [](const Problem& problem, const Options& options, const StoppableBudget& budget) {
@@ -70,9 +71,9 @@ void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
         });
       },
       py::arg("problem"), default_options, default_budget,
-      (plan_doc +
-       "\n\nOther Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() "
-       "returns the best so far.\nRaises ValueError on a bad problem or bad options.")
+      (plan_doc + "\n\nReleases the GIL: other Python threads can run. Ctrl-C raises "
+                  "KeyboardInterrupt; budget.stop() ends the query, which then returns the best "
+                  "result so far.\n\nRaises ValueError on a bad problem or bad options.")
           .c_str());
   m.def(
       "check",
@@ -85,8 +86,7 @@ void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
       },
       py::arg("problem"), py::arg("plan"), default_options,
       (check_doc +
-       "\n\nEach entry says which segment and row fails and how; an empty list means the plan "
-       "holds.")
+       "\n\nReturns one fault per entry, with segment and row; an empty list if the plan is valid.")
           .c_str());
 }
 

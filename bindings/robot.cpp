@@ -24,9 +24,9 @@ std::vector<int> joint_indices(const Robot& robot, const Group& group) {
   }
   for (const int joint : std::get<std::vector<int>>(group)) {
     if (joint < 0 || joint >= robot.dof()) {
-      throw std::invalid_argument("group names joint " + std::to_string(joint) + "; '" +
-                                  robot.name() + "' has joints 0 to " +
-                                  std::to_string(robot.dof() - 1));
+      throw std::invalid_argument("group must hold joint indices of '" + robot.name() + "', 0 to " +
+                                  std::to_string(robot.dof() - 1) + ", not " +
+                                  std::to_string(joint));
     }
   }
   return std::get<std::vector<int>>(group);
@@ -44,10 +44,10 @@ void bind_loading(py::class_<Robot>& cls) {
          py::arg("xml"), py::arg("srdf") = "", py::arg("packages") = Packages{},
          py::arg("directory") = "", pose_arg("X_WB"),
          "Reads URDF text. srdf: SRDF text with groups, states and disabled collisions. packages: "
-         "where\n"
-         "package://NAME/ points. directory: what relative mesh paths start from. X_WB: (4, 4) "
-         "pose of the root.\n\n"
-         "Raises ValueError that names the element at fault.")
+         "directory of each\n"
+         "package://NAME/. directory: that relative mesh paths start from. X_WB: (4, 4) pose of "
+         "the root in the world.\n\n"
+         "Raises ValueError that names the faulty element.")
       .def_static(
           "from_urdf_file",
           [](const std::string& path, const std::string& srdf, const Packages& packages,
@@ -57,15 +57,15 @@ void bind_loading(py::class_<Robot>& cls) {
             return Robot::from_urdf_file(path, options);
           },
           py::arg("path"), py::arg("srdf") = "", py::arg("packages") = Packages{}, pose_arg("X_WB"),
-          "Reads a .urdf file; a .srdf of the same name beside it is read too unless srdf (text) "
-          "is given.");
+          "Reads a .urdf file. Unless srdf (text) is given, also reads a .srdf file of the same "
+          "name in the same directory.\n\nRaises ValueError that names the faulty element.");
 }
 
 void bind_tables(py::class_<Robot>& cls) {
-  cls.def_property_readonly("name", &Robot::name, "The URDF's name.")
+  cls.def_property_readonly("name", &Robot::name, "Name in the URDF.")
       .def_property_readonly("dof", &Robot::dof, "Number of independent joints.")
       .def_property_readonly("joint_names", &Robot::joint_names,
-                             "The independent joints, in the order of q.")
+                             "Independent joints, in the order of q.")
       .def_property_readonly(
           "lower", [](const Robot& self) -> Eigen::VectorXd { return self.lower(); },
           "(dof,) lower limits [rad or m]; a continuous joint has -pi.")
@@ -74,34 +74,36 @@ void bind_tables(py::class_<Robot>& cls) {
           "(dof,) upper limits [rad or m]; a continuous joint has pi.")
       .def_property_readonly(
           "max_velocity", [](const Robot& self) -> Eigen::VectorXd { return self.max_velocity(); },
-          "(dof,) [rad/s or m/s]; inf where the URDF has none.")
+          "(dof,) largest velocities [rad/s or m/s]; inf if the URDF has none.")
       .def_property_readonly(
           "max_effort", [](const Robot& self) -> Eigen::VectorXd { return self.max_effort(); },
-          "(dof,) [Nm or N].")
+          "(dof,) largest efforts [Nm or N].")
       .def_property_readonly(
           "X_WB", [](const Robot& self) { return from_pose(self.X_WB()); },
           "(4, 4) pose of the root link in the world.")
       .def_property_readonly("frame_names", &Robot::frame_names,
-                             "Every link, in the order of forward().")
-      .def_property_readonly("group_names", &Robot::group_names, "Groups of the SRDF.")
-      .def_property_readonly("state_names", &Robot::state_names, "Group states of the SRDF.")
-      .def("frame", &Robot::frame, py::arg("name"), "Index of a link; ValueError lists the links.")
+                             "All links, in the order of forward().")
+      .def_property_readonly("group_names", &Robot::group_names, "Names of the SRDF's groups.")
+      .def_property_readonly("state_names", &Robot::state_names,
+                             "Names of the SRDF's group states.")
+      .def("frame", &Robot::frame, py::arg("name"),
+           "Returns the index of a link.\n\nRaises ValueError that lists the links.")
       .def(
           "parent",
           [](const Robot& self, const Key& frame) { return self.parent(frame_index(self, frame)); },
-          py::arg("frame"), "Index of the parent link; -1 for the root.")
+          py::arg("frame"), "Returns the index of the parent link; -1 for the root.")
       .def("joint", &Robot::joint, py::arg("name"),
-           "Index of an independent joint; ValueError lists the joints.")
+           "Returns the index of an independent joint.\n\nRaises ValueError that lists the joints.")
       .def("group", &Robot::group, py::arg("name"),
-           "Joint indices of a group; ValueError lists the groups.")
+           "Returns the joint indices of a group.\n\nRaises ValueError that lists the groups.")
       .def(
           "state",
           [](const Robot& self, const std::string& name) -> Eigen::VectorXd {
             return self.state(name);
           },
           py::arg("name"),
-          "(dof,) configuration of a group state; joints it does not name are 0, clamped to their "
-          "limits.");
+          "Returns the configuration of a group state, (dof,). Joints that it does not name are 0, "
+          "clamped to their limits.\n\nRaises ValueError that lists the states.");
 }
 
 void bind_kinematics(py::class_<Robot>& cls) {
@@ -113,34 +115,37 @@ void bind_kinematics(py::class_<Robot>& cls) {
            return from_poses(X_WL);
          },
          py::arg("q"),
-         "(num_frames, 4, 4) poses of all links in the world at q, (dof,) [rad or m].")
+         "Returns the poses of all links in the world, (num_frames, 4, 4), at q, (dof,) [rad or "
+         "m].")
       .def(
           "pose",
           [](const Robot& self, const Key& frame, const Array& q) {
             return from_pose(self.pose(frame_index(self, frame), to_configuration(self, q, "q")));
           },
           py::arg("frame"), py::arg("q"),
-          "(4, 4) pose of a link, by name or index, in the world at q, (dof,).")
+          "Returns the pose of a link, given by name or index, in the world, (4, 4), at q, (dof,) "
+          "[rad or m].")
       .def(
           "jacobian",
           [](const Robot& self, const Key& frame, const Array& q) -> Rows {
             return self.jacobian(frame_index(self, frame), to_configuration(self, q, "q"));
           },
           py::arg("frame"), py::arg("q"),
-          "(6, dof) Jacobian of a link's origin in the world at q, (dof,); linear rows first.")
+          "Returns the Jacobian of a link's origin in the world, (6, dof), at q, (dof,); linear "
+          "rows first.")
       .def(
           "clamp",
           [](const Robot& self, const Array& q) {
             return self.clamp(to_configuration(self, q, "q"));
           },
-          py::arg("q"), "q, (dof,), brought within the limits.")
+          py::arg("q"), "Returns q, (dof,), clamped to the joint limits.")
       .def(
           "is_within",
           [](const Robot& self, const Array& q, double tolerance) {
             return self.is_within(to_configuration(self, q, "q"), tolerance);
           },
           py::arg("q"), py::arg("tolerance") = 1e-9,
-          "Whether q, (dof,), is within the limits, with a slack of tolerance [rad or m].");
+          "Returns True if q, (dof,), is within the joint limits, up to tolerance [rad or m].");
 }
 
 void bind_shapes(py::class_<Robot>& cls) {
@@ -153,7 +158,7 @@ void bind_shapes(py::class_<Robot>& cls) {
            }
            return shapes;
          },
-         "Collision shapes: pairs of a link's index and a shape placed in its frame.")
+         "Collision shapes: pairs of a link's index and a shape placed in the link's frame.")
       .def_property_readonly(
           "ignored_pairs", &Robot::ignored_pairs,
           "Pairs of link indices, smaller first, that are never tested for collision.")
@@ -163,15 +168,15 @@ void bind_shapes(py::class_<Robot>& cls) {
             return self.reach(frame_index(self, link, "link"));
           },
           py::arg("link"),
-          "(dof,) upper bound on how far any point of a link moves per unit of each joint [m/rad "
-          "or 1].")
+          "Returns an upper bound on how far any point of a link moves per unit of each joint, "
+          "(dof,) [m/rad or 1].")
       .def("__repr__", [](const Robot& self) {
         return "<Robot '" + self.name() + "' with " + std::to_string(self.dof()) + " joints and " +
                std::to_string(self.frame_names().size()) + " links>";
       });
 }
 
-// An Ik with the robot that its arguments are checked against.
+// An Ik together with the robot, against which its arguments are checked.
 struct RobotIk {
   Robot robot;
   Ik ik;
@@ -181,7 +186,8 @@ void bind_ik(py::module_& m) {
   const Ik::Options defaults;
   py::class_<RobotIk>(
       m, "Ik",
-      "Inverse kinematics of one frame by the joints of one serial group; other joints stay.\n\n"
+      "Inverse kinematics of one frame with the joints of one serial group; all other joints stay "
+      "as given.\n\n"
       "Closed form for arms like the Barrett WAM, damped least squares for any other chain.")
       .def(py::init([](const Robot& robot, const Key& frame, const Group& group, double tolerance,
                        int max_iterations, int restarts, int free_samples) {
@@ -195,12 +201,14 @@ void bind_ik(py::module_& m) {
            py::arg("restarts") = defaults.restarts, py::arg("free_samples") = defaults.free_samples,
            "frame: a link's name or index. group: a group's name, or joint indices from the base "
            "outwards.\n"
-           "tolerance: largest pose error of an answer [m, rad]. max_iterations: of least squares, "
-           "per attempt.\n"
-           "restarts: random seeds of least squares. free_samples: values of the free joint tried.")
+           "tolerance: largest pose error of a solution [m, rad]. max_iterations: of least "
+           "squares, per attempt.\n"
+           "restarts: random restarts of least squares. free_samples: values of the free joint "
+           "tried in closed form.\n\nRaises ValueError if a joint of the group does not move the "
+           "frame.")
       .def_property_readonly(
           "is_closed_form", [](const RobotIk& self) { return self.ik.is_closed_form(); },
-          "Whether the chain has a closed form.")
+          "True if the chain has a closed form.")
       .def_property_readonly(
           "group", [](const RobotIk& self) { return self.ik.group(); },
           "Joint indices, from the base outwards.")
@@ -214,22 +222,22 @@ void bind_ik(py::module_& m) {
             return from_configurations(self.ik.solve_all(X, q_near, rng), self.robot.dof());
           },
           py::arg("X_WF"), py::arg("q"), py::arg("seed") = 1,
-          "(K, dof) all solutions found that put the frame at X_WF, (4, 4), nearest to q, (dof,), "
-          "first.")
+          "Returns all solutions found that put the frame at X_WF, (4, 4), in the world: (K, dof), "
+          "nearest to q, (dof,), first.")
       .def(
           "solve_near",
           [](const RobotIk& self, const Array& X_WF, const Array& q) {
             return self.ik.solve_near(to_pose(X_WF, "X_WF"), to_configuration(self.robot, q, "q"));
           },
           py::arg("X_WF"), py::arg("q"),
-          "(dof,) the one solution that continues from q, or None when it does not converge within "
-          "the limits.")
+          "Returns the solution that continues from q, (dof,), or None if it does not converge "
+          "within the limits.")
       .def(
           "solve_free",
           [](const RobotIk& self, const Array& X_WF, double free_joint, const Array& q) {
             if (!self.ik.is_closed_form()) {
               throw std::invalid_argument(
-                  "solve_free: this chain has no closed form (see is_closed_form)");
+                  "solve_free: this chain has no closed form; check is_closed_form first");
             }
             Configurations solutions;
             self.ik.solve_free(to_pose(X_WF, "X_WF"), free_joint,
@@ -237,8 +245,8 @@ void bind_ik(py::module_& m) {
             return from_configurations(solutions, self.robot.dof());
           },
           py::arg("X_WF"), py::arg("free_joint"), py::arg("q"),
-          "(K, dof) all solutions within the limits for one value of the free joint, the group's "
-          "third [rad].\n\n"
+          "Returns all solutions within the limits for one value of the free joint, the group's "
+          "third [rad]: (K, dof).\n\n"
           "Raises ValueError for a chain without closed form.")
       .def("__repr__", [](const RobotIk& self) {
         return "<Ik of " + std::to_string(self.ik.group().size()) + " joints of '" +
@@ -250,10 +258,10 @@ void bind_ik(py::module_& m) {
 }  // namespace
 
 void bind_robot(py::module_ m) {
-  py::class_<Robot> cls(
-      m, "Robot",
-      "A rigid-body tree read from a URDF. Immutable; may be used from several threads.\n\n"
-      "A configuration q holds its independent joints [rad or m]; mimic joints follow theirs.");
+  py::class_<Robot> cls(m, "Robot",
+                        "A rigid-body tree read from a URDF. Immutable and thread-safe.\n\n"
+                        "A configuration q holds the independent joints [rad or m]; mimic joints "
+                        "follow the joints that they mimic.");
   bind_loading(cls);
   bind_tables(cls);
   bind_kinematics(cls);

@@ -16,8 +16,9 @@ int body_index(const Scene& scene, const Key& body) {
   }
   const int index = std::get<int>(body);
   if (index < 0 || index >= scene.world().num_bodies()) {
-    throw std::invalid_argument("body is " + std::to_string(index) + "; the scene has " +
-                                std::to_string(scene.world().num_bodies()) + " bodies");
+    throw std::invalid_argument("body must be the index of one of the scene's " +
+                                std::to_string(scene.world().num_bodies()) + " bodies, not " +
+                                std::to_string(index));
   }
   return index;
 }
@@ -30,19 +31,19 @@ void bind_bodies(py::class_<Scene>& cls) {
            return self.add_obstacle(name, shapes, to_pose(X_WB, "X_WB"), touches_base);
          },
          py::arg("name"), py::arg("shapes"), pose_arg("X_WB"), py::arg("touches_base") = true,
-         "Adds a body fixed in the world that no link may touch; returns its index in the "
-         "world.\n\n"
-         "touches_base: the root link, and links rigid with it, may touch it.")
+         "Adds a fixed body that no link may touch. Returns its index in the world.\n\nX_WB: (4, "
+         "4) pose in the world. "
+         "touches_base: True if the root link, and links rigid with it, may touch it.")
       .def("add_object", py::overload_cast<const std::string&, const Shapes&>(&Scene::add_object),
            py::arg("name"), py::arg("shapes"),
-           "Adds a body that moves and that no link may touch; returns its index in the world.")
+           "Adds a movable body that no link may touch. Returns its index in the world.")
       .def(
           "move_object",
           [](Scene& self, const Key& body, const Array& X_WO) {
             self.move_object(body_index(self, body), to_pose(X_WO, "X_WO"));
           },
           py::arg("body"), py::arg("X_WO"),
-          "Moves an object to X_WO, (4, 4), in the world; detaches it.")
+          "Moves an object to the pose X_WO, (4, 4), in the world, and detaches it.")
       .def(
           "attach",
           [](Scene& self, const Key& body, const Key& link, const Array& X_LO,
@@ -55,17 +56,18 @@ void bind_bodies(py::class_<Scene>& cls) {
                         to_pose(X_LO, "X_LO"), links);
           },
           py::arg("body"), py::arg("link"), py::arg("X_LO"), py::arg("touching"),
-          "The object follows a link from now on, at X_LO, (4, 4), in its frame; links in touching "
-          "may touch it.")
+          "Lets an object move with a link, at the pose X_LO, (4, 4), in the link's frame. Links "
+          "in touching may touch it meanwhile.")
       .def(
           "detach", [](Scene& self, const Key& body) { self.detach(body_index(self, body)); },
-          py::arg("body"), "The object stays where it is from now on.")
+          py::arg("body"), "Detaches an object from its link; it stays where it is.")
       .def(
           "link_body",
           [](const Scene& self, const Key& link) {
             return self.link_body(frame_index(self.robot(), link, "link"));
           },
-          py::arg("link"), "Index in the world of a link's body; -1 for a link without shapes.");
+          py::arg("link"),
+          "Returns the index in the world of a link's body; -1 for a link without shapes.");
 }
 
 void bind_queries(py::class_<Scene>& cls) {
@@ -74,7 +76,8 @@ void bind_queries(py::class_<Scene>& cls) {
          [](Scene& self, const Array& q) {
            return self.is_free(to_configuration(self.robot(), q, "q"));
          },
-         py::arg("q"), "Whether the robot at q, (dof,), is within its limits and nothing touches.")
+         py::arg("q"),
+         "Returns True if q, (dof,) [rad or m], is within the joint limits and nothing touches.")
       .def(
           "is_free",
           [](Scene& self, const Array& q1, const Array& q2, double resolution) {
@@ -82,8 +85,8 @@ void bind_queries(py::class_<Scene>& cls) {
                                 to_configuration(self.robot(), q2, "q2"), resolution);
           },
           py::arg("q1"), py::arg("q2"), py::arg("resolution") = 0.01,
-          "Whether the straight motion from q1 to q2, (dof,), is free, at joint steps of "
-          "resolution [rad or m].")
+          "Returns True if the straight motion from q1 to q2, (dof,) [rad or m], is free, checked "
+          "at joint steps of resolution [rad or m].")
       .def(
           "collision",
           [](Scene& self, const Array& q) -> std::optional<std::pair<std::string, std::string>> {
@@ -92,10 +95,11 @@ void bind_queries(py::class_<Scene>& cls) {
             return names;
           },
           py::arg("q"),
-          "The first touching pair at q, (dof,), by name, or None. Limits are not looked at.")
+          "Returns the names of the first pair that touches at q, (dof,), or None. Joint limits "
+          "are not checked.")
       .def_property_readonly(
           "poses", [](const Scene& self) { return from_poses(self.poses()); },
-          "(num_frames, 4, 4) link poses at the configuration last asked for.");
+          "(num_frames, 4, 4) link poses in the world at the configuration checked last.");
 }
 
 }  // namespace
@@ -103,17 +107,18 @@ void bind_queries(py::class_<Scene>& cls) {
 void bind_scene(py::module_ m) {
   py::class_<Scene> cls(
       m, "Scene",
-      "A robot among bodies. Not for several threads at once: copy it.\n\n"
-      "Bodies are named by their index in the world or their name; links with shapes are bodies.");
-  cls.def(py::init<const robot::Robot&>(), py::arg("robot"), "A scene with this robot alone.")
+      "A robot among obstacles and objects. Not thread-safe: give each thread a copy.\n\n"
+      "A body is given by its name or its index in the world. Links with shapes are bodies.");
+  cls.def(py::init<const robot::Robot&>(), py::arg("robot"),
+          "Creates a scene with this robot alone.")
       .def(
           "__copy__", [](const Scene& self) { return Scene(self); },
-          "A copy that shares the shapes.")
+          "Returns a copy that shares the shapes.")
       .def_property_readonly(
-          "robot", [](const Scene& self) { return self.robot(); }, "The robot.")
+          "robot", [](const Scene& self) { return self.robot(); }, "Robot of the scene.")
       .def_property_readonly("world", py::overload_cast<>(&Scene::world),
                              py::return_value_policy::reference_internal,
-                             "The world behind the scene.")
+                             "World that holds the scene's bodies.")
       .def("__repr__", [](const Scene& self) {
         return "<Scene of '" + self.robot().name() + "', " +
                std::to_string(self.world().num_bodies()) + " bodies>";

@@ -39,9 +39,11 @@ void bind_object(py::module_& m) {
             return Object::from_polygon(name, to_polygon(outline, "outline"), thickness, spacing);
           },
           py::arg("name"), py::arg("outline"), py::arg("thickness"), py::arg("spacing") = 0.006,
-          "From an outline, a Polygon or (N, 2) [m], and a thickness [m].\n\n"
-          "Contact points are a grid of `spacing` [m]; the centre of mass is the area's, half way "
-          "up.")
+          "Creates an object from its outline, a Polygon or (N, 2) in O [m], and its thickness "
+          "[m].\n\n"
+          "Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the "
+          "outline, at half the thickness.\n\nRaises ValueError on a bad outline, or on a "
+          "thickness over half the object's width.")
       .def_static(
           "from_cloud",
           [](const std::string& name, const Array& p_OP, double thickness) {
@@ -50,21 +52,21 @@ void bind_object(py::module_& m) {
             return Object::from_cloud(name, points, thickness);
           },
           py::arg("name"), py::arg("p_OP"), py::arg("thickness") = 0.0,
-          "From points on the top surface, (N, 3) in O [m]; thickness [m] is their median height "
-          "unless given.\n\n"
-          "Raises ValueError when the points are fewer than three, not finite, on a line, or not "
-          "thin.")
-      .def_property_readonly("name", &Object::name, "What errors and pictures call it.")
+          "Creates an object from points on its top surface, (N, 3) in O [m]: P_o of Hang et al. "
+          "2019, Section IV-A. The thickness [m] is their median height unless given.\n\n"
+          "Raises ValueError if there are fewer than three points, if they are not finite or lie "
+          "on a line, or if the object is not thin.")
+      .def_property_readonly("name", &Object::name, "Name in errors and pictures.")
       .def_property_readonly(
           "points", [](const Object& self) -> Rows2 { return self.points().transpose(); },
           "(N, 2) contact points, x-y in O [m].")
       .def_property_readonly(
           "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
-      .def_property_readonly("thickness", &Object::thickness, "[m].")
+      .def_property_readonly("thickness", &Object::thickness, "Thickness [m].")
       .def_property_readonly(
           "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
-      .def_property_readonly("mass", &Object::mass, "[kg].")
+      .def_property_readonly("mass", &Object::mass, "Mass [kg].")
       .def_property_readonly("shapes", &Object::shapes,
                              "PlacedShapes in O: prisms over the outline's convex parts.")
       .def(
@@ -72,11 +74,13 @@ void bind_object(py::module_& m) {
           [](const Object& self, const Array& com_O) {
             return self.with_com(to_vector3(com_O, "com_O"));
           },
-          py::arg("com_O"), "The same object with another centre of mass, (3,) in O [m].")
+          py::arg("com_O"),
+          "Returns a copy with another centre of mass, (3,) in O [m].\n\nRaises ValueError outside "
+          "the object's bounding box.")
       .def("with_mass", &Object::with_mass, py::arg("mass"),
-           "The same object with another mass [kg].")
+           "Returns a copy with another mass [kg].")
       .def("scaled", &Object::scaled, py::arg("scale"),
-           "The same object scaled in the plane; thickness and mass stay.")
+           "Returns a copy scaled in its plane. Thickness and mass stay the same.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"name", "outline", "thickness", "mass"});
       });
@@ -87,34 +91,38 @@ void bind_object(py::module_& m) {
         return center_of_mass(to_points3(points, "points"), to_vector(masses, "masses"));
       },
       py::arg("points"), py::arg("masses"),
-      "(3,) mean of points, (N, 3) [m], weighted by their masses, (N,).");
+      "Returns the centre of mass, (3,) [m], of point masses at points, (N, 3) [m], with masses "
+      "(N,).\n\nRaises ValueError unless the masses are not negative and have a positive sum.");
 }
 
 void bind_support(py::module_& m) {
   py::class_<Support>(
       m, "Support",
       "A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.")
-      .def(py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width,
-                       double friction) {
-             return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width,
-                            friction);
-           }),
-           py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04,
-           py::arg("band_width") = 0.06, py::arg("friction") = 0.3,
-           "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than "
-           "60 degrees.\n"
-           "slab: how thick the top is [m]. band_width: how far from the edges the goal region "
-           "reaches [m]. friction: of the object on it.")
+      .def(
+          py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width,
+                      double friction) {
+            return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width,
+                           friction);
+          }),
+          py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04, py::arg("band_width") = 0.06,
+          py::arg("friction") = 0.3,
+          "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by at most 60 "
+          "degrees.\n"
+          "slab: thickness of the table top [m]. band_width: width of the band along the edges "
+          "where slides may end [m]. friction: coefficient of friction between object and support.")
       .def_property_readonly(
-          "polygon", [](const Support& self) { return self.polygon(); }, "In S [m].")
+          "polygon", [](const Support& self) { return self.polygon(); },
+          "Polygon of the surface in S [m]: Q of the paper.")
       .def_property_readonly(
           "goal_band", [](const Support& self) { return self.goal_band(); },
-          "Band of the polygon where slides may end, in S.")
+          "Band of the polygon where slides may end, in S: P_g of the paper.")
       .def_property_readonly(
           "X_WS", [](const Support& self) { return from_pose(self.X_WS()); },
           "(4, 4) pose in the world.")
-      .def_property_readonly("slab", &Support::slab, "How thick the top is [m].")
-      .def_property_readonly("friction", &Support::friction, "Of the object on it.")
+      .def_property_readonly("slab", &Support::slab, "Thickness of the table top [m].")
+      .def_property_readonly("friction", &Support::friction,
+                             "Coefficient of friction between object and support.")
       .def_property_readonly("normal_W", &Support::normal_W,
                              "(3,) unit normal in the world, out of the surface.")
       .def_property_readonly("shapes", &Support::shapes, "PlacedShapes in S, below z = 0.")
@@ -124,17 +132,19 @@ void bind_support(py::module_& m) {
 }
 
 void bind_hand(py::module_& m) {
-  py::native_enum<FingerModel>(m, "FingerModel", "enum.Enum",
-                               "How the sliding finger gives way under the press.")
+  py::native_enum<FingerModel>(
+      m, "FingerModel", "enum.Enum",
+      "Model of how the sliding finger yields when it presses on the object.")
       .value("none", FingerModel::none,
-             "Not at all: the contact stays at the commanded tip, as in the paper.")
+             "Rigid: the contact is at the commanded tip, as in the paper.")
       .value("flexure", FingerModel::flexure,
-             "It turns about one flexure: the contact runs ahead of the tip.")
+             "Bends about one flexure: the contact moves ahead of the commanded tip.")
       .finalize();
   py::class_<Hand> hand(m, "Hand",
-                        "What the planner must know of a hand. Links and groups are the robot's.");
+                        "Description of the hand: links, frames, groups and states of the robot, "
+                        "and its sliding pad.");
   bind_fields(
-      hand, "Any field by keyword; the others keep their defaults.",
+      hand, "Sets any field by keyword; the others keep their defaults.",
       Field{"arm", &Hand::arm, "Group of joints that carry the hand, base to wrist."},
       Field{"fingertip", &Hand::fingertip,
             "Frame F: X along the line contact, Z out of the tip, Y to the other finger."},
@@ -144,20 +154,22 @@ void bind_hand(py::module_& m) {
       Field{"grasp_frame", &Hand::grasp_frame,
             "Frame H: origin between the open tips, Z out of the hand, Y from finger to finger."},
       Field{"open", &Hand::open, "State of the hand's joints while it slides and reaches."},
-      Field{"closed", &Hand::closed, "State towards which it closes; it stops at contact."},
+      Field{"closed", &Hand::closed,
+            "State that the hand closes towards, until it touches the object."},
       Field{"finger_model", &Hand::finger_model,
-            "How the sliding finger gives way under the press."},
-      Field{"flexure_length", &Hand::flexure_length, "From the flexure to the tip [m]."},
-      Field{"tip_radius", &Hand::tip_radius, "Of the pad that rolls on the object [m]."},
-      Field{"flexure_stiffness", &Hand::flexure_stiffness, "How hard the finger presses [Nm/rad]."},
-      Field{"pad_width", &Hand::pad_width, "Of the line contact [m]."},
-      Field{"pad_friction", &Hand::pad_friction, "Of the pad on the object."});
+            "Model of how the sliding finger yields when it presses on the object."},
+      Field{"flexure_length", &Hand::flexure_length, "Distance from the flexure to the tip [m]."},
+      Field{"tip_radius", &Hand::tip_radius, "Radius of the pad that rolls on the object [m]."},
+      Field{"flexure_stiffness", &Hand::flexure_stiffness, "Stiffness of the flexure [Nm/rad]."},
+      Field{"pad_width", &Hand::pad_width, "Length of the line contact [m]."},
+      Field{"pad_friction", &Hand::pad_friction,
+            "Coefficient of friction between pad and object."});
 }
 
 void bind_problem(py::module_& m) {
   py::class_<Problem>(
       m, "Problem",
-      "What is given: slide the object to the edge of the support and grasp it there.")
+      "Task of the planner: slide the object to an edge of the support and grasp it there.")
       .def(py::init([](const robot::Robot& robot, const Hand& hand, const Object& object,
                        const Support& support, const Array& X_WO_start, const Array& q_home,
                        const std::vector<Obstacle>& obstacles) {
@@ -171,30 +183,33 @@ void bind_problem(py::module_& m) {
            }),
            py::arg("robot"), py::arg("hand"), py::arg("object"), py::arg("support"),
            py::arg("X_WO_start"), py::arg("q_home"), py::arg("obstacles") = std::vector<Obstacle>{},
-           "X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) where the "
-           "robot stands.")
+           "X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) "
+           "configuration at the start [rad or m]. obstacles: bodies that neither arm nor object "
+           "may touch.")
       .def_property_readonly(
-          "robot", [](const Problem& self) { return self.robot; }, "The robot.")
+          "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
       .def_property_readonly(
-          "hand", [](const Problem& self) { return self.hand; }, "A copy of the hand.")
+          "hand", [](const Problem& self) { return self.hand; }, "Hand of the robot; a copy.")
       .def_property_readonly(
-          "object", [](const Problem& self) { return self.object; }, "The thin object.")
+          "object", [](const Problem& self) { return self.object; }, "Thin object to slide.")
       .def_property_readonly(
-          "support", [](const Problem& self) { return self.support; }, "What it lies on.")
+          "support", [](const Problem& self) { return self.support; },
+          "Surface that the object lies on.")
       .def_property_readonly(
           "X_WO_start", [](const Problem& self) { return from_pose(self.X_WO_start); },
           "(4, 4) pose of the object in the world.")
       .def_property_readonly(
           "q_home", [](const Problem& self) -> Eigen::VectorXd { return self.q_home; },
-          "(dof,) [rad or m].")
-      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
+          "(dof,) configuration at the start [rad or m].")
+      .def_readonly("obstacles", &Problem::obstacles,
+                    "Bodies that neither the arm nor the sliding object may touch.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"robot", "object", "support", "obstacles"});
       });
 }
 
 void bind_options(py::module_& m) {
-  py::native_enum<Search>(m, "Search", "enum.Enum", "Which search finds the slide.")
+  py::native_enum<Search>(m, "Search", "enum.Enum", "Search algorithm that finds the slide.")
       .value("paper", Search::paper, "Algorithm 1 as written.")
       .value("fast", Search::fast,
              "The same, with goals drawn to fit a start and connected directly first.")
@@ -249,14 +264,18 @@ void bind_statistics(py::module_& m) {
 }
 
 void bind_turning(py::module_& m) {
-  py::class_<Turning> turning_class(m, "Turning", "How fast the slide of a plan turns.");
-  bind_fields(turning_class, "Any field by keyword; the others are zero.",
-              Field{"most", &Turning::most, "Greatest turn per length of way [rad/m]."},
-              Field{"allowed", &Turning::allowed, "What the pad can turn at least [rad/m]."},
-              Field{"lag", &Turning::lag, "By how much the object may stay behind [rad]."});
+  py::class_<Turning> turning_class(
+      m, "Turning", "Turn rates of a plan's slide, per distance that the object moves.");
+  bind_fields(
+      turning_class, "Sets any field by keyword; the others are zero.",
+      Field{"max_turn_rate", &Turning::max_turn_rate, "Largest turn rate of the slide [rad/m]."},
+      Field{"allowed_turn_rate", &Turning::allowed_turn_rate,
+            "Turn rate that the pad can impose everywhere [rad/m]."},
+      Field{"lag", &Turning::lag,
+            "Angle by which the object may lag behind the finger in total [rad]."});
   m.def("turning", &turning, py::arg("problem"), py::arg("plan"),
-        "How fast a plan's slide turns, and how fast the pad can turn the object with it: "
-        "ellipsoidal limit surfaces of pad and support.");
+        "Returns how fast a plan's slide turns, and how fast the pad's friction can turn the "
+        "object.\n\nModel: ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996).");
 }
 
 void bind_plan(py::module_& m) {
@@ -311,8 +330,9 @@ void bind_slide(py::module_ m) {
   bind_turning(m);
   bind_front_door<Problem, Options, Plan>(
       m,
-      "Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a status.",
-      "Replays a plan against its problem, with none of the search's code.");
+      "Plans the motion: approach, press, slide, lift, reach, grasp and close (Hang et al. 2019, "
+      "Section IV-C).\n\nFinding no plan is a status, not an error.",
+      "Checks a plan against its problem by an independent replay.");
 }
 
 }  // namespace graspless::bindings

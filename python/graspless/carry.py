@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Take what the hand holds along a straight way: lift it, or drag it."""
+"""Carry a held object along a straight path: lift it, or drag it over a surface."""
 
 from ._core.carry import (
     Options,
@@ -27,3 +27,7 @@ __all__ = [
     "plan",
     "validate",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies at poses, and which of them touch."""
+"""Bodies at poses, and the pairs of them that touch."""
 
 from ._core.collision import (
     Obstacle,
@@ -11,3 +11,7 @@ __all__ = [
     "Obstacle",
     "World",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every planner shares: the budget of a query."""
+"""Budget of a query: its limits in time and iterations, and its random seed."""
 
 from ._core.planning import (
     Budget,
@@ -9,3 +9,7 @@ from ._core.planning import (
 __all__ = [
     "Budget",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -13,17 +13,22 @@ from ._core.robot import (
 
 
 def builtin(name: str) -> Path:
-    """The URDF or xacro file of a robot that comes with graspless.
+    """Returns the URDF or xacro file of a robot that comes with graspless.
 
     Parameters
     ----------
     name : str
         wam_t42, wam_t42_tips, kr5_t42, kr5_sdh, kr5_dlr, kr5_icub or kr5_armar.
 
+    Returns
+    -------
+    pathlib.Path
+        The file, for the `robot.urdf` of a task.
+
     Raises
     ------
     ValueError
-        There is no such robot; lists those there are.
+        Lists the robots that exist, if `name` is none of them.
     """
     from . import _data
 
@@ -39,3 +44,7 @@ __all__ = [
     "Robot",
     "builtin",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

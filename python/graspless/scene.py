@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot among bodies."""
+"""A robot among obstacles and objects, and its collision checks."""
 
 from ._core.scene import (
     Scene,
@@ -9,3 +9,7 @@ from ._core.scene import (
 __all__ = [
     "Scene",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

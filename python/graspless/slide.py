@@ -43,3 +43,7 @@ __all__ = [
     "turning",
     "validate",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

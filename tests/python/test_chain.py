@@ -160,7 +160,7 @@ def test_first_stage_that_is_not_found_ends_the_chain(write):
     plan = graspless.plan(write(changed("budget:", "options: {attempts: 2}\nbudget:", text)))
     assert not plan
     assert plan.status == "not_found"
-    assert plan.reason.startswith("lift: the hand comes ")
+    assert plan.reason.startswith("lift: the arm follows only ")
     assert plan.statistics["attempts"] == 2
     assert [bool(stage) for stage in plan.stages] == [True, False]
     assert graspless.check(plan)[0].startswith("nothing to check")

@@ -26,7 +26,7 @@ bool is_same(const Isometry3d& a, const Isometry3d& b) {
          angle_between(a.linear(), b.linear()) <= kSame;
 }
 
-/// One plan under examination.
+/// Replays one plan and collects its faults.
 class Examination {
  public:
   Examination(const Problem& problem, const Plan& plan, const Options& options)
@@ -37,7 +37,7 @@ class Examination {
         replay_(problem.robot) {
     object_ = replay_.add(problem.object.name,
                           collision::Solid(problem.object.shapes, problem.object.name), false);
-    leave_out_the_hand();
+    exclude_hand();
     add_obstacles();
   }
 
@@ -61,9 +61,9 @@ class Examination {
     fault("carry row " + std::to_string(row), what);
   }
 
-  /// What the arm does not move against the object: links behind the arm's last joint. Found by
-  /// moving each joint of the arm alone.
-  void leave_out_the_hand() {
+  /// Stops testing the object against links that never move relative to it: those beyond the arm's
+  /// last joint. They are found by moving each joint of the arm alone.
+  void exclude_hand() {
     const robot::Robot& robot = problem_.robot;
     for (int link = 0; link < static_cast<int>(robot.frame_names().size()); ++link) {
       bool stays = true;
@@ -98,11 +98,11 @@ class Examination {
     if (plan_.joint_names != problem_.robot.joint_names())
       fault("plan", "joint names are not the robot's");
     if (plan_.segments.size() != 1 || plan_.segments[0].name != "carry") {
-      fault("plan", "has not the one segment 'carry'");
+      fault("plan", "must have exactly one segment, 'carry'");
       return false;
     }
     if (carried().positions.empty() || carried().positions.size() != carried().object_poses.size())
-      fault("carry", "needs rows, and one object pose for each");
+      fault("carry", "must have rows, and one object pose for each row");
     for (std::size_t row = 0; faults_.empty() && row < carried().positions.size(); ++row) {
       const VectorXd& q = carried().positions[row];
       const bool sound = q.size() == problem_.robot.dof() && q.allFinite() &&
@@ -114,7 +114,7 @@ class Examination {
 
   void check_rows() {
     if ((carried().positions[0] - problem_.q_start).lpNorm<Eigen::Infinity>() > kSame)
-      fault(0, "is not where the robot stands");
+      fault(0, "is not q_start");
     scene::check_rows(problem_.robot, problem_.q_start, kSame, carried().positions,
                       [&](std::size_t row, const std::string& what) { fault(row, what); });
   }
@@ -125,7 +125,8 @@ class Examination {
     for (std::size_t row = 0; row < carried().positions.size(); ++row) {
       const VectorXd off = (carried().positions[row] - problem_.q_start)
                                .cwiseProduct(VectorXd::Ones(moving.size()) - moving);
-      if (off.lpNorm<Eigen::Infinity>() > kSame) fault(row, "a joint moves that is not the arm's");
+      if (off.lpNorm<Eigen::Infinity>() > kSame)
+        fault(row, "a joint outside the arm's group moves");
     }
   }
 
@@ -138,36 +139,37 @@ class Examination {
   void check_object_poses() {
     for (std::size_t row = 0; row < carried().positions.size(); ++row) {
       if (!is_same(carried().object_poses[row], object_at(carried().positions[row])))
-        fault(row, "the object does not keep its place in the hand");
+        fault(row, "the object moves relative to the hand");
     }
   }
 
   void replay() {
-    std::size_t faulty_row = carried().positions.size();  // one report a row is enough
+    std::size_t faulty_row = carried().positions.size();  // one fault per row is enough
     scene::replay_rows(carried().positions, [&](std::size_t row, const VectorXd& q) {
       if (row == faulty_row) return;
       const Isometry3d X_WO = object_at(q);
       replay_.world().set_pose(object_, X_WO);
       const auto touching = replay_.touching(q);
-      const std::string off = off_the_way(X_WO);
+      const std::string off = deviation(X_WO);
       if (touching.empty() && off.empty()) return;
       faulty_row = row;
       fault(row, touching.empty() ? off : "collision " + touching.front());
     });
   }
 
-  /// What is wrong with a pose of the object on its way; empty when nothing is.
-  std::string off_the_way(const Isometry3d& X_WO) const {
+  /// Describes how a pose of the object leaves the straight path; empty if it does not.
+  std::string deviation(const Isometry3d& X_WO) const {
     const Isometry3d &start = problem_.object.X_WB, &goal = problem_.X_WO_goal;
     const Vector3d a = start.translation(), b = goal.translation(), p = X_WO.translation();
     const Quaterniond from(start.linear()), to(goal.linear()), now(X_WO.linear());
     const bool is_turn = (b - a).norm() <= 1e-6;
-    double s = is_turn ? part_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm();
+    double s =
+        is_turn ? fraction_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm();
     s = std::clamp(s, 0.0, 1.0);
     std::ostringstream text;
     const double off = (p - a - s * (b - a)).norm();
     if (off > options_.tolerance + kSame) {
-      text << "the object is " << off << " m off its straight way";
+      text << "the object is " << off << " m off its straight path";
       return text.str();
     }
     const Quaterniond wanted = from.slerp(s, to);
@@ -177,17 +179,17 @@ class Examination {
                                    is_turn ? Vector3d::UnitX() : Vector3d((b - a).normalized()));
     const double left = now.angularDistance(Quaterniond(turned) * wanted);
     if (left > options_.angle_tolerance + kSame)
-      text << "the object is turned by " << left << " rad off its way";
+      text << "the object is turned by " << left << " rad off its straight path";
     return text.str();
   }
 
-  static double part_turned(const Quaterniond& from, const Quaterniond& to,
-                            const Quaterniond& now) {
+  static double fraction_turned(const Quaterniond& from, const Quaterniond& to,
+                                const Quaterniond& now) {
     const double whole = from.angularDistance(to);
     return now.angularDistance(from) / whole;
   }
 
-  /// The angle of the turn about an axis that is nearest to a rotation, in (-pi, pi].
+  /// Angle of the rotation about `axis` that is nearest to `turn`, in (-pi, pi] [rad].
   static double twist_about(const Vector3d& axis, const Quaterniond& turn) {
     const double angle = 2 * std::atan2(turn.vec().dot(axis), turn.w());
     return std::atan2(std::sin(angle), std::cos(angle));

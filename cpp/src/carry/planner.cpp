@@ -19,22 +19,22 @@ Segment assemble(const Search& search, const std::vector<Eigen::VectorXd>& path)
   return segment;
 }
 
-/// How far it came, and what stopped it most often.
-std::string why_not(const Search& search, const Statistics& statistics, bool out_of_time) {
+/// One sentence: how far the search came, and what stopped it most often.
+std::string failure(const Search& search, const Statistics& statistics, bool out_of_time) {
   std::ostringstream text;
   text.precision(3);
-  const Way& way = search.way();
-  text << "the hand comes " << search.reached() * 100 << " % of the way of ";
-  if (way.distance() > 1e-6) {
-    text << way.distance() << " m";
+  const StraightPath& path = search.object_path();
+  text << "the arm follows only " << search.reached() * 100 << " % of the straight path of ";
+  if (path.distance() > 1e-6) {
+    text << path.distance() << " m";
   } else {
-    text << way.angle() << " rad";
+    text << path.angle() << " rad";
   }
   const auto most =
       std::max_element(statistics.refusals.begin(), statistics.refusals.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most != statistics.refusals.end()) text << "; most often refused: " << most->first;
-  if (out_of_time) text << "; the time or the iterations were over before all was tried";
+  if (most != statistics.refusals.end()) text << "; most frequent obstruction: " << most->first;
+  if (out_of_time) text << "; the budget ran out before everything was tried";
   return text.str();
 }
 
@@ -56,7 +56,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   } else {
     const bool out = clock.is_out() || clock.iterations() >= budget.iterations;
     plan.status = clock.was_interrupted() ? Status::interrupted : Status::not_found;
-    plan.reason = why_not(search, search.statistics(), out);
+    plan.reason = failure(search, search.statistics(), out);
   }
   plan.reached = search.reached();
   plan.statistics = search.statistics();

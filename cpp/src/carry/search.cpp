@@ -10,12 +10,13 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kRowStep = 0.05;    // largest joint step between rows of a plan [rad]
-constexpr double kJump = 0.25;       // [rad]; a larger one has left the branch
-constexpr double kTurnStep = 0.03;   // of the object, between poses looked at [rad]
+constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
+constexpr double kJump =
+    0.25;  // [rad]; a larger joint step has left the branch of inverse kinematics
+constexpr double kTurnStep = 0.03;   // turn of the object between checked poses [rad]
 constexpr double kFreeStep = 0.04;   // of the free joint [rad]
 constexpr double kTwistStep = 0.02;  // [rad]
-constexpr int kFree = 2;             // which joint of the arm is free in the closed form
+constexpr int kFree = 2;             // index of the arm's joint that the closed form leaves free
 
 }  // namespace
 
@@ -23,7 +24,7 @@ std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vec
   VectorXd q = robot.clamp(VectorXd::Zero(robot.dof()));
   robot::Poses here, there;
   robot.forward(q, here);
-  double moved = 0.1;  // any values will do that no joint shares
+  double moved = 0.1;  // any values that differ between joints
   for (const int joint : arm) q[joint] += moved += 0.013;
   robot.forward(q, there);
   std::vector<int> links;
@@ -40,13 +41,13 @@ Search::Search(const Problem& problem, const Options& options, planning::Clock& 
     : problem_(problem),
       options_(options),
       clock_(clock),
-      way_(problem.object.X_WB, problem.X_WO_goal),
+      object_path_(problem.object.X_WB, problem.X_WO_goal),
       ik_(problem.robot, problem.robot.frame(problem.frame), problem.robot.group(problem.arm)),
       frame_(problem.robot.frame(problem.frame)),
       X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * problem.object.X_WB),
       scene_(problem.robot),
-      layers_(std::max({1, static_cast<int>(std::ceil(way_.distance() / options.step)),
-                        static_cast<int>(std::ceil(way_.angle() / kTurnStep))})) {
+      steps_(std::max({1, static_cast<int>(std::ceil(object_path_.distance() / options.step)),
+                       static_cast<int>(std::ceil(object_path_.angle() / kTurnStep))})) {
   const int object = scene_.add_object(problem.object.name, problem.object.shapes);
   for (const Obstacle& obstacle : problem.obstacles) {
     const int body = scene_.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
@@ -69,46 +70,46 @@ Eigen::Isometry3d Search::object_at(const VectorXd& q) const {
 
 std::vector<VectorXd> Search::run() {
   nodes_ = {{{0, 0, 0}, problem_.q_start, -1}};
-  known_ = {nodes_[0].place};
-  std::vector<std::pair<int, Place>> open;  // from which node to which place; the last one first
-  const auto go_on_from = [&](int node) {
-    std::vector<Place> next = neighbours(nodes_[static_cast<std::size_t>(node)].place);
-    for (auto place = next.rbegin(); place != next.rend(); ++place) open.emplace_back(node, *place);
+  visited_ = {nodes_[0].cell};
+  std::vector<std::pair<int, Cell>> open;  // a stack: which node to extend, and to which cell
+  const auto open_neighbours = [&](int node) {
+    std::vector<Cell> next = neighbours(nodes_[static_cast<std::size_t>(node)].cell);
+    for (auto cell = next.rbegin(); cell != next.rend(); ++cell) open.emplace_back(node, *cell);
   };
-  go_on_from(0);
+  open_neighbours(0);
   while (!open.empty()) {
-    const auto [parent, place] = open.back();
+    const auto [parent, cell] = open.back();
     open.pop_back();
-    if (known_.count(place) != 0) continue;
+    if (visited_.count(cell) != 0) continue;
     if (!clock_.spend()) break;
-    const std::optional<VectorXd> q = step(nodes_[static_cast<std::size_t>(parent)], place);
+    const std::optional<VectorXd> q = step(nodes_[static_cast<std::size_t>(parent)], cell);
     if (!q) continue;
-    known_.insert(place);
-    nodes_.push_back({place, *q, parent});
-    farthest_ = std::max(farthest_, place[0]);
+    visited_.insert(cell);
+    nodes_.push_back({cell, *q, parent});
+    farthest_ = std::max(farthest_, cell[0]);
     const int node = static_cast<int>(nodes_.size()) - 1;
-    if (place[0] == layers_) return way_to(node);
-    go_on_from(node);
+    if (cell[0] == steps_) return path_to(node);
+    open_neighbours(node);
   }
   return {};
 }
 
-/// Straight ahead, then ahead and aside, then aside on the spot.
-std::vector<Search::Place> Search::neighbours(const Place& place) const {
-  std::vector<std::array<int, 2>> aside;
-  if (has_free_joint()) aside.insert(aside.end(), {{1, 0}, {-1, 0}});
-  if (options_.max_twist > 0) aside.insert(aside.end(), {{0, 1}, {0, -1}});
-  std::vector<Place> found{{place[0] + 1, place[1], place[2]}};
+/// Neighbouring cells, best first: straight ahead, ahead and sideways, sideways only.
+std::vector<Search::Cell> Search::neighbours(const Cell& cell) const {
+  std::vector<std::array<int, 2>> sideways;
+  if (has_free_joint()) sideways.insert(sideways.end(), {{1, 0}, {-1, 0}});
+  if (options_.max_twist > 0) sideways.insert(sideways.end(), {{0, 1}, {0, -1}});
+  std::vector<Cell> found{{cell[0] + 1, cell[1], cell[2]}};
   for (const int ahead : {1, 0}) {
-    for (const auto& [free, twist] : aside) {
-      const Place next{place[0] + ahead, place[1] + free, place[2] + twist};
+    for (const auto& [free, twist] : sideways) {
+      const Cell next{cell[0] + ahead, cell[1] + free, cell[2] + twist};
       if (std::abs(next[2]) * kTwistStep <= options_.max_twist) found.push_back(next);
     }
   }
   return found;
 }
 
-std::optional<VectorXd> Search::step(const Node& from, const Place& to) {
+std::optional<VectorXd> Search::step(const Node& from, const Cell& to) {
   const std::optional<VectorXd> q = solve(to, from.q);
   if (!q) {
     refuse("out of the arm's reach or limits");
@@ -118,14 +119,14 @@ std::optional<VectorXd> Search::step(const Node& from, const Place& to) {
     refuse("jump of the joints");
     return std::nullopt;
   }
-  if (!is_motion_good(from.q, *q)) return std::nullopt;
+  if (!is_motion_valid(from.q, *q)) return std::nullopt;
   return q;
 }
 
-std::optional<VectorXd> Search::solve(const Place& to, const VectorXd& near) {
+std::optional<VectorXd> Search::solve(const Cell& to, const VectorXd& near) {
   ++statistics_.ik_calls;
-  const double s = static_cast<double>(to[0]) / layers_;
-  const Eigen::Isometry3d X_WF = way_.pose(s, to[2] * kTwistStep) * X_FO_.inverse();
+  const double s = static_cast<double>(to[0]) / steps_;
+  const Eigen::Isometry3d X_WF = object_path_.pose(s, to[2] * kTwistStep) * X_FO_.inverse();
   if (!has_free_joint()) return ik_.solve_near(X_WF, near);
   const int joint = ik_.group()[kFree];
   const double value = problem_.q_start[joint] + to[1] * kFreeStep;
@@ -141,15 +142,15 @@ std::optional<VectorXd> Search::solve(const Place& to, const VectorXd& near) {
   return *nearest;
 }
 
-/// Looks at the very configurations at which a replay of the rows will look.
-bool Search::is_motion_good(const VectorXd& from, const VectorXd& to) {
+/// Checks exactly the configurations at which check() will replay the rows.
+bool Search::is_motion_valid(const VectorXd& from, const VectorXd& to) {
   const double span = (to - from).lpNorm<Eigen::Infinity>();
   const int rows = std::max(1, static_cast<int>(std::ceil(span / kRowStep)));
   const int pieces =
       rows * std::max(1, static_cast<int>(std::ceil(span / rows / options_.resolution)));
   for (int i = 1; i <= pieces; ++i) {
-    if (way_.holds(object_at(from + (to - from) * i / pieces), options_)) continue;
-    refuse("off the straight way");
+    if (object_path_.contains(object_at(from + (to - from) * i / pieces), options_)) continue;
+    refuse("off the straight path");
     return false;
   }
   if (scene_.is_free(from, to, span / pieces * (1 + 1e-12) + 1e-15)) return true;
@@ -158,7 +159,7 @@ bool Search::is_motion_good(const VectorXd& from, const VectorXd& to) {
   return false;
 }
 
-std::vector<VectorXd> Search::way_to(int node) const {
+std::vector<VectorXd> Search::path_to(int node) const {
   std::vector<VectorXd> path;
   for (int at = node; at >= 0; at = nodes_[static_cast<std::size_t>(at)].parent)
     path.push_back(nodes_[static_cast<std::size_t>(at)].q);

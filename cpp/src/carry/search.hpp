@@ -12,58 +12,61 @@
 #include "graspless/robot/ik.hpp"
 #include "graspless/scene/scene.hpp"
 
-#include "carry/way.hpp"
+#include "carry/straight_path.hpp"
 
 namespace graspless::carry {
 
-/// Depth first over a grid of how far along the way, which value of the arm's free joint and which
-/// twist: from a configuration at one place to its neighbours, the next one straight ahead first.
+/// Depth-first search over a grid of three coordinates: distance along the path, value of the arm's
+/// free joint, and twist. Each step leads from the configuration in one cell to a neighbouring
+/// cell, straight ahead first.
 class Search {
  public:
   Search(const Problem& problem, const Options& options, planning::Clock& clock);
 
-  /// What touches where the robot stands; empty names when nothing does.
+  /// Names of the first pair that touches at q_start; empty if nothing touches.
   std::pair<std::string, std::string> touching_at_start();
-  /// Configurations along the way, the first q_start; empty when there are none.
+  /// Returns configurations along the path, starting with q_start; empty if none were found.
   std::vector<Eigen::VectorXd> run();
 
-  const Way& way() const { return way_; }
-  double reached() const { return static_cast<double>(farthest_) / layers_; }  ///< 0 to 1
+  const StraightPath& object_path() const { return object_path_; }
+  double reached() const {
+    return static_cast<double>(farthest_) / steps_;
+  }  ///< fraction of the path, in [0, 1]
   Eigen::Isometry3d object_at(const Eigen::VectorXd& q) const;
   Statistics statistics();
 
  private:
-  using Place = std::array<int, 3>;  // layer, steps of the free joint, steps of the twist
+  using Cell = std::array<int, 3>;  // steps along the path, of the free joint, of the twist
   struct Node {
-    Place place;
+    Cell cell;
     Eigen::VectorXd q;
     int parent;
   };
 
   bool has_free_joint() const { return ik_.is_closed_form(); }
-  std::vector<Place> neighbours(const Place& place) const;
-  std::optional<Eigen::VectorXd> step(const Node& from, const Place& to);
-  std::optional<Eigen::VectorXd> solve(const Place& to, const Eigen::VectorXd& near);
-  bool is_motion_good(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
-  std::vector<Eigen::VectorXd> way_to(int node) const;
+  std::vector<Cell> neighbours(const Cell& cell) const;
+  std::optional<Eigen::VectorXd> step(const Node& from, const Cell& to);
+  std::optional<Eigen::VectorXd> solve(const Cell& to, const Eigen::VectorXd& near);
+  bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
+  std::vector<Eigen::VectorXd> path_to(int node) const;
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
 
   const Problem& problem_;
   const Options& options_;
   planning::Clock& clock_;
-  Way way_;
+  StraightPath object_path_;
   robot::Ik ik_;
   int frame_;
   Eigen::Isometry3d X_FO_;
   scene::Scene scene_;
-  int layers_;
+  int steps_;  // grid cells along the path
   int farthest_ = 0;
   std::vector<Node> nodes_;
-  std::set<Place> known_;
+  std::set<Cell> visited_;
   Statistics statistics_;
 };
 
-/// Links that keep their place to `frame` while the joints of `arm` move.
+/// Indices of the links that do not move relative to `frame` while the joints of `arm` move.
 std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vector<int>& arm);
 
 }  // namespace graspless::carry

@@ -39,15 +39,17 @@ void check_rests(const Problem& problem) {
     }
     const double length = rest.normal_W.norm();
     if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)
-      throw std::invalid_argument(field + ": normal_W must be of unit length");
+      throw std::invalid_argument(field + ": normal_W must have unit length, not " +
+                                  std::to_string(length));
   }
 }
 
-void check_way(const Problem& problem) {
+void check_goal(const Problem& problem) {
   geometry::require_pose(problem.X_WO_goal, "X_WO_goal");
   const Eigen::Isometry3d X = problem.object.X_WB.inverse() * problem.X_WO_goal;
   if (X.translation().norm() > 1e-6 || Eigen::AngleAxisd(X.linear()).angle() > 1e-6) return;
-  throw std::invalid_argument("X_WO_goal is where the object already is: there is no way to go");
+  throw std::invalid_argument(
+      "X_WO_goal must differ from the object's pose object.X_WB: there is no path to follow");
 }
 
 }  // namespace
@@ -58,7 +60,7 @@ void validate(const Problem& problem) {
   robot::require_configuration(problem.robot, problem.q_start, "q_start");
   check_bodies(problem);
   check_rests(problem);
-  check_way(problem);
+  check_goal(problem);
 }
 
 void validate(const Options& options) {

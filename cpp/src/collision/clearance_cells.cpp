@@ -11,7 +11,7 @@ namespace graspless::collision {
 namespace {
 
 constexpr int kFirstBits = 8;
-constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that all is forgotten
+constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that the grid is cleared
 constexpr std::size_t kMaxRoots = 1 << 20;
 constexpr double kSmall = 0.1;  // of a cell's side
 
@@ -36,7 +36,7 @@ void ClearanceCells::clear() {
   last_root_ = -1;
 }
 
-/// Where a key is in the table, or the free slot where it would go.
+/// Returns the slot of a key, or the free slot where it belongs.
 std::size_t ClearanceCells::find(std::uint64_t key) const {
   auto i = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15u) >> shift_);
   while (slots_[i].root >= 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
@@ -67,7 +67,8 @@ void ClearanceCells::grow() {
   }
 }
 
-/// From a point that is at most `offset` from the middle of the cell whose list it is.
+/// Returns the distance from a point at most `offset` from the centre of the cell that the list
+/// belongs to.
 double ClearanceCells::measure(const Eigen::Vector3d& point, double offset,
                                const List& nearest) const {
   double square = std::numeric_limits<double>::infinity(), distance = square;
@@ -84,8 +85,9 @@ double ClearanceCells::measure(const Eigen::Vector3d& point, double offset,
   return distance;
 }
 
-/// A new block for the parts of a cell. A point within it is at most half a diagonal h from its
-/// middle: what is nearest to the point is at most 2 h farther from the middle than the nearest.
+/// Makes a block for the parts of a cell. A point in the cell is at most half a diagonal h from its
+/// centre, so the triangle nearest to the point is at most 2 h farther from the centre than the
+/// triangle nearest to the centre.
 int ClearanceCells::cut(const Cell& cell, const Eigen::Vector3d& middle, double side,
                         const List& nearest) {
   const double offset = kMostOffset * side;
@@ -98,7 +100,7 @@ int ClearanceCells::cut(const Cell& cell, const Eigen::Vector3d& middle, double 
     const SurfaceTriangle& triangle = (*triangles_)[static_cast<std::size_t>(near.triangle)];
     double least = (middle - triangle.middle).norm() - triangle.radius;
     if (least > farthest) continue;
-    // In large cells the sphere around the triangle says as much as the triangle.
+    // In large cells the triangle's bounding sphere is as good as the triangle.
     if (triangle.radius > kSmall * side) least = std::sqrt(squared_distance(triangle, middle));
     if (least > farthest) continue;
     least *= 1 - kRounding;

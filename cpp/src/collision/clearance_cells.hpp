@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A grid without end, each of whose cells is cut into 64 where that is asked for, and knows the
-// distance of its middle from a surface.
+// An unlimited grid. Each cell stores the distance of its centre from a surface, and is subdivided
+// into 64 cells on demand.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@
 
 namespace graspless::collision {
 
-/// Not shared between threads.
+/// Distance bounds from a grid of cells. Not thread-safe.
 ///
-/// A cell that is cut keeps the triangles that are nearest to any of its points, and its parts look
-/// at no others: the smaller a cell, the cheaper its distance.
+/// A cell that is subdivided keeps the triangles that may be nearest to any of its points. Its
+/// parts consider no others, so the smaller a cell, the cheaper its distance.
 class ClearanceCells {
  public:
   using Triangles = std::vector<SurfaceTriangle>;
@@ -29,22 +29,22 @@ class ClearanceCells {
   ClearanceCells(std::shared_ptr<const Triangles> triangles, double cell);
 
   double cell() const { return cell_; }
-  /// Whether the point is so near to the origin that cells are numbered there.
+  /// True if the point is near enough to the origin for cells to have numbers there.
   bool covers(const Eigen::Vector3d& point) const {
     return (point.array().abs() < kMostRoots * root_).all();
   }
-  /// Bounds from the cell of side `cell` around the point, which must be covered.
+  /// Returns bounds from the cell of side `cell` around the point, which must be covered.
   Clearance::Bounds bounds(const Eigen::Vector3d& point) {
     return descend(point, kCellLevel, [](const auto&, double) { return false; });
   }
-  /// Bounds from the largest cell that settles on which side of the threshold the distance lies,
-  /// and if it is more, about how much; the distance itself where none does.
+  /// Returns bounds from the largest cell that decides on which side of the threshold the distance
+  /// lies and, if it is larger, roughly by how much. Returns the exact distance if no cell decides.
   Clearance::Bounds bounds(const Eigen::Vector3d& point, double threshold) {
     return descend(point, kFinestLevel + 1, [threshold](const auto& bounds, double offset) {
       return bounds.lower - kEnough * offset > threshold || bounds.upper < threshold;
     });
   }
-  /// The same, from a cell of side `cell` where no larger one settles it.
+  /// Same, but from a cell of side `cell` if no larger cell decides.
   Clearance::Bounds rough_bounds(const Eigen::Vector3d& point, double threshold) {
     return descend(point, kCellLevel, [threshold](const auto& bounds, double) {
       return bounds.lower > threshold || bounds.upper < threshold;
@@ -52,35 +52,36 @@ class ClearanceCells {
   }
 
  private:
-  static constexpr int kParts = 4;      // of a cell's side
+  static constexpr int kParts = 4;      // per side of a cell
   static constexpr int kCellLevel = 3;  // cell = root / 4^3
   static constexpr int kFinestLevel = 4;
-  static constexpr double kEnough = 0.3;  // of a cell's uncertainty, beyond a threshold it settles
+  static constexpr double kEnough =
+      0.3;  // margin beyond the threshold, in units of a cell's uncertainty
   static constexpr double kMostRoots = 1 << 20;
-  static constexpr double kRounding = 1e-7;  // of a distance in single precision
-  // Of a cube of side 1: half its diagonal, and how far its middle is at most from that of the cube
-  // of which it is a part.
+  static constexpr double kRounding = 1e-7;  // relative error of a distance in single precision
+  // For a cube of side 1: half its diagonal, and the largest distance of its centre from the centre
+  // of the cube that contains it.
   static constexpr double kHalfDiagonal = 0.8660254037844387;
   static constexpr double kMostOffset = (kParts - 1) * kHalfDiagonal;
 
   using Number = Eigen::Matrix<std::int64_t, 3, 1>;
 
   struct Cell {
-    float distance = -1;  // of the middle; negative: not yet known
-    int parts = -1;       // in blocks_
+    float distance = -1;  // of the centre; negative: not computed yet
+    int parts = -1;       // index in blocks_; negative: not subdivided
   };
   struct Near {
-    float distance;  // of the triangle from the middle of the cell that was cut, at least
+    float distance;  // lower bound on the triangle's distance from the centre of the cell
     int triangle;
   };
   using List = std::vector<Near>;
   struct Block {
     std::array<Cell, kParts * kParts * kParts> cells;
-    List nearest;  // the triangles to look at, the nearest first
+    List nearest;  // triangles to consider, the nearest first
   };
   struct Slot {
     std::uint64_t key;
-    int root;  // in roots_; -1 in a free slot
+    int root;  // index in roots_; -1 in a free slot
   };
 
   template <typename Settled>
@@ -93,13 +94,13 @@ class ClearanceCells {
   void grow();
 
   std::shared_ptr<const Triangles> triangles_;
-  List all_;  // the triangles of a root
+  List all_;  // triangles of a root cell
   double cell_, root_, per_root_;
   std::vector<Slot> slots_;  // a power of two, at most half full
   int shift_ = 0;
   std::vector<Cell> roots_;
   std::vector<std::unique_ptr<Block>> blocks_;
-  std::size_t listed_ = 0;  // triangles, in all blocks
+  std::size_t listed_ = 0;  // number of triangles in all blocks
   std::uint64_t last_key_ = 0;
   int last_root_ = -1;
 };
@@ -107,7 +108,7 @@ class ClearanceCells {
 template <typename Settled>
 Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last_level,
                                           Settled settled) {
-  // Truncation is the floor of a positive number, and a single instruction.
+  // Truncation equals the floor for positive numbers, and takes a single instruction.
   const Eigen::Vector3d scaled = (point * per_root_).array() + kMostRoots;
   const Number number = scaled.cast<std::int64_t>();
   Eigen::Vector3d within = scaled - number.cast<double>();  // of the cell, in [0, 1)

@@ -20,7 +20,7 @@ using Triangles = std::vector<Triangle>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using Boxes = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-// Points of the surface from which a search may begin.
+// Number of points of the surface at which a search may begin.
 constexpr Eigen::Index kHints = 64;
 
 Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
@@ -35,7 +35,7 @@ struct ClearanceTree::Impl {
   const Boxes& tree() {
     std::call_once(built, [this] {
       boxes.insert(triangles.cbegin(), triangles.cend());
-      boxes.do_not_accelerate_distance_queries();  // hints are as good, and cost nothing to build
+      boxes.do_not_accelerate_distance_queries();  // hints are as fast, and cost nothing to build
       boxes.build();
     });
     return boxes;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// CGAL's tree of boxes behind one door: the distance from a point to triangles.
+// Wraps CGAL's AABB tree: the distance from a point to triangles.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace graspless::collision {
 
-/// Immutable; the tree is built by whoever first asks. May be asked from several threads.
+/// An AABB tree, built at the first query. Thread-safe.
 class ClearanceTree {
  public:
   explicit ClearanceTree(const std::vector<SurfaceTriangle>& triangles);
@@ -25,7 +25,7 @@ class ClearanceTree {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
-  Eigen::Matrix3Xd hints_;  // points of the surface: a search begins with the nearest
+  Eigen::Matrix3Xd hints_;  // points of the surface; a search begins at the nearest
 };
 
 }  // namespace graspless::collision

@@ -19,7 +19,7 @@ SurfaceTriangle surface_triangle(const Vector3d& a, const Vector3d& b, const Vec
 
 SurfaceTriangle with_width(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d corners[] = {a, b, c};
-  int first = 0;  // of the longest side
+  int first = 0;  // first corner of the longest side
   double length = 0;
   for (int i = 0; i < 3; ++i) {
     const double side = (corners[(i + 1) % 3] - corners[i]).norm();
@@ -29,10 +29,11 @@ SurfaceTriangle with_width(const Vector3d& a, const Vector3d& b, const Vector3d&
     }
   }
   if (length < kMinWidth) {
-    return surface_triangle(a, a + kMinWidth * Vector3d::UnitX(), a + kMinWidth * Vector3d::UnitY());
+    return surface_triangle(a, a + kMinWidth * Vector3d::UnitX(),
+                            a + kMinWidth * Vector3d::UnitY());
   }
   if ((b - a).cross(c - a).norm() >= kMinWidth * length) return surface_triangle(a, b, c);
-  // On one line: the ends of the longest side, and a corner beside its middle.
+  // Degenerate: the ends of the longest side, and a corner beside its midpoint.
   const Vector3d &from = corners[first], &to = corners[(first + 1) % 3];
   return surface_triangle(from, to, (from + to) / 2 + kMinWidth * (to - from).unitOrthogonal());
 }
@@ -50,7 +51,8 @@ std::vector<SurfaceTriangle> surface_triangles(const geometry::Mesh& mesh) {
   return triangles;
 }
 
-/// By the region of the plane that p is over (Ericson, Real-Time Collision Detection, 5.1.5).
+/// Classifies the region of the plane that p projects into (Ericson, Real-Time Collision Detection,
+/// 5.1.5).
 double squared_distance(const SurfaceTriangle& triangle, const Vector3d& p) {
   const Vector3d &ab = triangle.ab, &ac = triangle.ac;
   const Vector3d ap = p - triangle.a;

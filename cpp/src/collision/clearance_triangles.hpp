@@ -10,18 +10,18 @@
 
 namespace graspless::collision {
 
-/// A triangle, ready to be asked for distances.
+/// A triangle, prepared for distance queries.
 struct SurfaceTriangle {
   Eigen::Vector3d a, ab, ac;
-  Eigen::Vector3d middle;  ///< of a sphere around it
-  double radius;           ///< of that sphere [m]
+  Eigen::Vector3d middle;  ///< centre of a bounding sphere
+  double radius;           ///< radius of that sphere [m]
 };
 
-/// The triangles of a mesh. One thinner than 1e-9 m is given that width, for a distance needs its
-/// normal.
+/// Returns the triangles of a mesh. A triangle thinner than 1e-9 m is widened to that, because
+/// distances need its normal.
 std::vector<SurfaceTriangle> surface_triangles(const geometry::Mesh& mesh);
 
-/// From p to the triangle.
+/// Squared distance from p to the triangle [m^2].
 double squared_distance(const SurfaceTriangle& triangle, const Eigen::Vector3d& p);
 
 }  // namespace graspless::collision

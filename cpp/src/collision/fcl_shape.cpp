@@ -19,7 +19,7 @@ namespace {
 
 using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
 
-/// The middle of the points' box, where the core's frame goes.
+/// Returns the centre of the points' box: the origin of the core's frame.
 Eigen::Vector3d box_middle(const Eigen::Matrix3Xd& points) {
   return (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
 }
@@ -59,7 +59,7 @@ CollisionShape make_convex(const geometry::Mesh& hull) {
           Eigen::Isometry3d(Eigen::Translation3d(middle))};
 }
 
-/// The hull of a mesh's vertices; nothing when they lie in a plane.
+/// Returns the convex hull of a mesh's vertices, or nothing if they lie in a plane.
 bool spans_volume(const geometry::Mesh& mesh) {
   try {
     geometry::validate(geometry::Convex{mesh.vertices}, "mesh");
@@ -114,10 +114,10 @@ struct FclTest::Scratch {
 };
 
 FclTest::FclTest() : scratch_(std::make_unique<Scratch>()) {
-  // libccd, because measured on flush and grazing poses: no contact seen before shapes touch,
-  // contacts missed by less than 5e-7 m. FCL's own solver errs by 1e-6 to one side and 6e-6 to the
-  // other, in twice the time. Without contacts it never enters the code that aborts on flush
-  // shapes.
+  // libccd was measured on flush and grazing poses: it reports no contact before shapes touch, and
+  // misses contacts by less than 5e-7 m. FCL's own solver errs by 1e-6 m to one side and 6e-6 m to
+  // the other, and takes twice the time. Without contact points, libccd never enters the code that
+  // aborts on flush shapes.
   scratch_->request.gjk_solver_type = fcl::GST_LIBCCD;
   scratch_->request.num_max_contacts = 1;
   scratch_->request.enable_contact = false;

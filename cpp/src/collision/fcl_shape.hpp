@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// FCL behind one door: shapes turned into its geometry, and its boolean test.
+// Wraps FCL: conversion of shapes to its geometry, and its boolean test.
 #pragma once
 
 #include <memory>
@@ -20,20 +20,20 @@ class CollisionGeometry;
 
 namespace graspless::collision {
 
-/// A shape as the queries need it. Immutable and shared between copies of a World.
+/// A shape prepared for queries. Immutable, and shared between copies of a World.
 struct CollisionShape {
   std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;  ///< in the core's frame
   Core core;
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< the core's frame in the body
 };
 
-/// Throws std::invalid_argument naming `what` on a shape that geometry::validate refuses or a pose
-/// that is not finite.
+/// Throws std::invalid_argument that names `what` if geometry::validate rejects the shape or the
+/// pose is not finite.
 CollisionShape make_collision_shape(const geometry::PlacedShape& placed, const std::string& what);
 
 enum class Touch { no, yes, failed };
 
-/// FCL's boolean test, with scratch memory. `failed` when FCL gave up with an exception.
+/// FCL's boolean test, with scratch memory. Returns `failed` if FCL throws an exception.
 class FclTest {
  public:
   FclTest();

@@ -10,7 +10,7 @@
 namespace graspless::collision {
 namespace {
 
-/// The largest distance of a point of the shape from the body's origin, or a little more.
+/// Returns an upper bound on the distance of the shape's points from the body's origin [m].
 double shape_radius(const CollisionShape& shape) {
   double farthest = 0;
   for (int corner = 0; corner < 8; ++corner) {

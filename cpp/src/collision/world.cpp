@@ -26,7 +26,7 @@ int World::add_body(const std::string& name, const std::vector<geometry::PlacedS
 
 int World::add_body(const std::string& name, const Solid& solid) {
   for (const Body& body : impl_->bodies) {
-    if (body.name == name) throw std::invalid_argument("body '" + name + "' is already there");
+    if (body.name == name) throw std::invalid_argument("body '" + name + "' already exists");
   }
   impl_->first_placement.push_back(static_cast<int>(impl_->placements.size()));
   impl_->placements.resize(impl_->placements.size() + solid.data().shapes.size());
@@ -104,7 +104,7 @@ void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double 
     fault << "normal_W must be finite and not zero, not (" << normal_W.transpose() << ")";
     throw std::invalid_argument(fault.str());
   }
-  // Moving the first of a pair is moving the second the other way.
+  // Moving the first body of a pair equals moving the second in the opposite direction.
   const double sign = a < b ? -1 : 1;
   Eigen::Vector3d& shift_W = impl_->pairs[pair].shift_W;
   if (shift_W.isZero(0) != (depth == 0)) ++impl_->revision;

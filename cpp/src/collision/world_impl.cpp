@@ -9,8 +9,7 @@
 namespace graspless::collision {
 namespace {
 
-// Boxes this near are given to FCL, so that rounding in our bounds never hides a contact FCL would
-// see [m].
+// Boxes this near are passed to FCL [m], so that rounding in our bounds never hides a contact.
 constexpr double kMargin = 1e-9;
 
 bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W) {

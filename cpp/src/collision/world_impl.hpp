@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a World holds, and its tests of one pair; world.cpp is the face that checks what callers
-// give.
+// Data of a World, and its tests of one pair. world.cpp validates arguments.
 #pragma once
 
 #include <memory>
@@ -31,7 +30,7 @@ struct WorldBox {
   Eigen::Vector3d middle, half;
 };
 
-/// Bodies a < b; b is tested moved by `shift_W`.
+/// Bodies a < b, tested with b moved by `shift_W`.
 struct Pair {
   int a, b;
   Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
@@ -40,9 +39,9 @@ struct Pair {
 struct World::Impl {
   std::vector<Body> bodies;
   std::vector<Eigen::Isometry3d> poses;
-  std::vector<WorldBox> boxes;        // one a body
-  std::vector<int> first_placement;   // of each body
-  std::vector<Placement> placements;  // one a shape
+  std::vector<WorldBox> boxes;        // one per body
+  std::vector<int> first_placement;   // first placement of each body
+  std::vector<Placement> placements;  // one per shape
   std::vector<Pair> pairs;
   std::vector<double> bounds;
   FclTest test;
@@ -53,8 +52,8 @@ struct World::Impl {
   void require_body(int body, const char* what) const;
   int find(int a, int b) const;
   void place(int body);
-  /// Calls visit(shape a, placement a, shape b, placement b) until it says true; returns whether it
-  /// did.
+  /// Calls visit(shape a, placement a, shape b, placement b) until it returns true; returns true if
+  /// it did.
   template <typename Visit>
   bool any_shapes(const Pair& pair, Visit visit) const;
   bool fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,

@@ -9,7 +9,7 @@
 
 namespace graspless::planning {
 
-/// Trees in one array of nodes; a root is its own parent. Owns its states.
+/// Trees in one array of nodes. A root is its own parent. Owns its states.
 class Forest {
  public:
   explicit Forest(ompl::base::SpaceInformationPtr si) : si_(std::move(si)) {}
@@ -30,9 +30,9 @@ class Forest {
     return size() - 1;
   }
 
-  /// NearestTree() of the algorithm: the nearest node of the whole forest, -1 when it is empty. A
-  /// plain scan: forests of a query hold a few thousand nodes, and a scan answers ties the same way
-  /// in every run.
+  /// NearestTree() of Algorithm 1: the nearest node of the whole forest, or -1 if it is empty. A
+  /// linear scan: the forests of a query hold a few thousand nodes, and a scan breaks ties the same
+  /// way in every run.
   int nearest(const ompl::base::State* state) const {
     int best = -1;
     double least = 0;
@@ -52,7 +52,7 @@ class Forest {
   int parent(int node) const { return nodes_[node].parent; }
   int root(int node) const { return nodes_[node].root; }
 
-  /// The nodes between two nodes of one tree, both included.
+  /// Returns the nodes between two nodes of one tree, both included.
   std::vector<int> path(int from, int to) const {
     std::vector<int> up = to_root(from), down = to_root(to);
     while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {

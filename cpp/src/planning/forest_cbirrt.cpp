@@ -16,7 +16,7 @@ namespace ob = ompl::base;
 
 namespace {
 
-/// A state that is freed with its scope.
+/// A state that is freed at the end of its scope.
 class OwnedState {
  public:
   explicit OwnedState(const ob::SpaceInformationPtr& si) : si_(si), state_(si->allocState()) {}
@@ -34,14 +34,14 @@ double uniform(std::mt19937_64& rng) { return std::uniform_real_distribution<dou
 
 }  // namespace
 
-// Planner::checkValidity() asks for a start state; here a start region does as well.
+// Replaces Planner::checkValidity(), which requires a start state; here a start region suffices.
 void ForestCBiRRT::check_problem() const {
   if (!pdef_) throw ompl::Exception(getName(), "no problem definition set");
   if (!dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get())) {
     throw ompl::Exception(getName(), "the goal must be a GoalSampleableRegion");
   }
   if (!start_region_ && pdef_->getStartStateCount() == 0) {
-    throw ompl::Exception(getName(), "give a start region or at least one start state");
+    throw ompl::Exception(getName(), "needs a start region or at least one start state");
   }
 }
 
@@ -56,10 +56,11 @@ ob::PlannerStatus ForestCBiRRT::solve(const ob::PlannerTerminationCondition& ptc
   if (connect_first_ && connect_partners(ptc)) return ob::PlannerStatus::EXACT_SOLUTION;
   const OwnedState q_rand(si_);
   Meeting meeting;
-  Forest *a = next_, *b = a == start_forest_.get() ? goal_forest_.get() : start_forest_.get();
-  for (; !ptc; std::swap(a, b)) {            // 2, 18
-    if (can_add_root()) {                    // 3, Eq. (5)
-      const int root = add_from_region(*a);  // 4
+  Forest* a = next_;                                                                // 1
+  Forest* b = a == start_forest_.get() ? goal_forest_.get() : start_forest_.get();  // 1
+  for (; !ptc; std::swap(a, b)) {                                                   // 2, 18
+    if (can_add_root()) {                                                           // 3, Eq. (5)
+      const int root = add_from_region(*a);                                         // 4
       if (root >= 0 && connect_first_ && connects_partner(*a, root, meeting) && solves(meeting)) {
         return ob::PlannerStatus::EXACT_SOLUTION;
       }
@@ -102,7 +103,7 @@ bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) co
   return si_->isValid(state);
 }
 
-// What stands in front of Algorithm 1: most queries end here, before a tree has grown.
+// Precedes Algorithm 1 with set_connect_first(). Most queries end here, before a tree has grown.
 bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
   constexpr int kRounds = 200;
   Meeting meeting;
@@ -114,8 +115,8 @@ bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) 
   return false;
 }
 
-// A new start draws its partner; a new goal's partner is drawn anew for some start there is,
-// because the goal that fits a start is not the one that was drawn.
+// Samples a goal that fits the new root, if it is a start, or a random start otherwise: a goal that
+// was sampled on its own hardly ever fits a start. Then tries to connect the two.
 bool ForestCBiRRT::connects_partner(const Forest& forest, int root, Meeting& meeting) {
   const auto* region = dynamic_cast<const SampleableRegion*>(pdef_->getGoal().get());
   if (!region || start_forest_->size() == 0) return false;
@@ -131,8 +132,8 @@ bool ForestCBiRRT::connects_partner(const Forest& forest, int root, Meeting& mee
   return si_->equalStates(start_forest_->state(meeting.start_node), state);
 }
 
-// ConstrainedExtend() of CBiRRT: steps towards the target, each brought onto the constraint, until
-// the target is reached or a step fails. Returns the last node.
+// ConstrainedExtend() of CBiRRT: takes steps towards the target, each projected onto the
+// constraint, until the target is reached or a step fails. Returns the last node.
 int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
   const State* start = &forest == start_forest_.get() ? forest.state(forest.root(from)) : nullptr;
   const OwnedState next(si_);
@@ -143,7 +144,7 @@ int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
     si_->getStateSpace()->interpolate(current, target, std::min(1.0, range_ / left), next);
     if (project_ && !project_(next)) break;
     const double now_left = si_->distance(next, target);
-    constexpr double kProgress = 1e-3;  // a projection may pull back all that a step gained
+    constexpr double kProgress = 1e-3;  // a projection may undo all progress of a step
     if (now_left > left - kProgress * range_ || si_->distance(current, next) > 2 * range_) break;
     if (!is_motion_valid(start, current, next)) break;
     last = forest.add(next, last);
@@ -163,7 +164,7 @@ bool ForestCBiRRT::solves(const Meeting& meeting) {
   if (!connect_first_) return is_pair_valid(start, goal) && accept(start, goal, {meeting});  // 13
   auto connected = components_->join({meeting.start_node, meeting.goal_node, start, goal});
   if (connected.empty())
-    connected.emplace_back(start, goal);  // connected before, now by another path
+    connected.emplace_back(start, goal);  // already connected, now by another path
   for (const auto& [s, g] : connected) {
     if (!is_pair_valid(s, g)) continue;
     std::vector<Meeting> route{meeting};
@@ -187,8 +188,8 @@ bool ForestCBiRRT::is_pair_valid(int start_root, int goal_root) {
   return valid;
 }
 
-// Extracts the path over the meetings; what lies outside the start's own tree is checked again, now
-// that the start is known.
+// 14: extracts the path through the meetings. Its motions outside the start's own tree are checked
+// again, now that the start is known.
 bool ForestCBiRRT::accept(int start_root, int goal_root, const std::vector<Meeting>& route) {
   const State* start = start_forest_->state(start_root);
   auto path = std::make_shared<ompl::geometric::PathGeometric>(si_);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What OMPL asks of a planner, beside solve().
+// ForestCBiRRT: OMPL's planner interface except solve().
 #include <stdexcept>
 
 #include <ompl/base/SpaceInformation.h>

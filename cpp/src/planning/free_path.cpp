@@ -14,7 +14,8 @@ namespace ob = ompl::base;
 
 namespace {
 
-constexpr double kRange = 0.6;  // longest extension; the motion check looks between its ends
+constexpr double kRange =
+    0.6;  // longest extension [rad]; the motion check covers the points between its ends
 constexpr int kShortcuts = 40;
 
 std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,

@@ -28,11 +28,11 @@ void check(const BandProjection::Bands& bands, const BandProjection::Limits& lim
   }
 }
 
-/// Moves q by the shortest step that takes the violated rows (J, error) to their aims, to first
+/// Moves q by the shortest step that brings the violated rows (J, error) to their targets, to first
 /// order.
 void step(const BandProjection::Jacobian& J, const BandProjection::Values& error,
           Eigen::VectorXd& q) {
-  constexpr double kDamping = 1e-12;  // keeps a singular J J^T factorisable
+  constexpr double kDamping = 1e-12;  // keeps J J^T factorisable if it is singular
   Square A = J * J.transpose();
   A.diagonal().array() += kDamping;
   const BandProjection::Values lambda = A.ldlt().solve(error);
@@ -65,7 +65,7 @@ bool BandProjection::is_satisfied(const Eigen::VectorXd& q) const {
 
 bool BandProjection::project(Eigen::VectorXd& q) const {
   constexpr double kNear =
-      1e-9;  // "inside" while projecting: without the slack, which is for the path between
+      1e-9;  // tolerance while projecting; the slack is kept for the motions between
   const auto num_rows = bands_.lower.size();
   Values value(num_rows), error(num_rows);
   Jacobian J(num_rows, q.size()), J_violated(num_rows, q.size());

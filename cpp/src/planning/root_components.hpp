@@ -7,19 +7,20 @@
 
 namespace graspless::planning {
 
-/// Where a start tree and a goal tree meet: two nodes at one state, and their roots.
+/// A connection of a start tree and a goal tree: two nodes at the same state, and their roots.
 struct Bridge {
   int start_node, goal_node;
   int start_root, goal_root;
 };
 
-/// Which roots hang together: two trees joined by a bridge, and all that are joined with either.
+/// Connected components of roots: trees joined by any chain of bridges.
 class RootComponents {
  public:
   /// Adds a bridge; returns the (start root, goal root) pairs that were not connected before.
   std::vector<std::pair<int, int>> join(const Bridge& bridge);
 
-  /// The bridges to cross from a start root to a goal root of its component, fewest first.
+  /// Returns the bridges on a shortest route from a start root to a goal root of the same
+  /// component.
   std::vector<Bridge> route(int start_root, int goal_root) const;
 
  private:

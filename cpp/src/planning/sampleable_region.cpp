@@ -24,7 +24,7 @@ unsigned int SampleableRegion::maxSampleCount() const {
 }
 
 double SampleableRegion::distanceGoal(const ompl::base::State*) const {
-  return std::numeric_limits<double>::infinity();  // a region of draws has no distance
+  return std::numeric_limits<double>::infinity();  // the region can only be sampled
 }
 
 }  // namespace graspless::planning

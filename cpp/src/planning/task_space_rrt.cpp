@@ -27,16 +27,16 @@ ob::PlannerStatus TaskSpaceRRT::solve(const Termination& ptc) {
   check_setup();
   if (!isSetup()) setup();
   if (!read_starts()) return ob::PlannerStatus::INVALID_START;
-  if (!tree_) plant(ptc);  // 1, 2
+  if (!tree_) start_tree(ptc);  // 1, 2
   if (starts_at_goal()) return ob::PlannerStatus::EXACT_SOLUTION;
   for (std::int64_t k = 0; k < max_iterations_ && !ptc; ++k) {  // 3
     if (next_target_ == 0) {
-      if (is_given_up()) plant(ptc);
+      if (is_exhausted()) start_tree(ptc);
       ++num_cycles_;
       ++tree_->cycles;
       if (unit_draw(rng_) < random_probability_) {  // 4
-        random_task_(rng_, x_rand_);              // 5
-        ts_extend(x_rand_);                       // 6
+        random_task_(rng_, x_rand_);                // 5
+        ts_extend(x_rand_);                         // 6
         continue;
       }
     }
@@ -50,8 +50,8 @@ ob::PlannerStatus TaskSpaceRRT::solve(const Termination& ptc) {
   return ob::PlannerStatus::TIMEOUT;
 }
 
-// A new tree, and its random extensions before anything is connected.
-void TaskSpaceRRT::plant(const Termination& ptc) {
+// Starts a new tree with its random extensions.
+void TaskSpaceRRT::start_tree(const Termination& ptc) {
   if (tree_) ++num_restarts_;
   next_target_ = 0;
   reached_node_ = -1;
@@ -71,7 +71,7 @@ void TaskSpaceRRT::plant(const Termination& ptc) {
   }
 }
 
-bool TaskSpaceRRT::is_given_up() const {
+bool TaskSpaceRRT::is_exhausted() const {
   return restart_cycles_ > 0 && tree_->cycles >= restart_cycles_;
 }
 
@@ -81,15 +81,15 @@ bool TaskSpaceRRT::ts_extend(const Eigen::VectorXd& x) {
   return step(near, x, true) >= 0;     // 2 - 6
 }
 
-// Algorithm 3, TS-CONNECT-GOAL, with the ends it leaves open: a stall, no progress, too many steps.
+// Algorithm 3, TS-CONNECT-GOAL. Also ends on a stall, without progress, and after too many steps.
 bool TaskSpaceRRT::ts_connect_goal(std::size_t target, const Termination& ptc) {
   const Eigen::VectorXd& x = targets_[target];
-  int near = tree_->nearest_unled(x, target);  // 1
+  int near = tree_->nearest_unextended(x, target);  // 1
   if (near < 0) return false;
   double least = tree_->distance(near, x);
-  int since = 0;
-  for (int i = 0; i < max_connect_steps_ && since < kStall && !ptc; ++i) {  // 2
-    tree_->mark_led(near, target);
+  int steps_without_progress = 0;
+  for (int i = 0; i < max_connect_steps_ && steps_without_progress < kStall && !ptc; ++i) {  // 2
+    tree_->mark_extended(near, target);
     const int node = step(near, x, false);  // 3 - 6
     if (node < 0) return false;             // 12
     if (is_reached(node, target)) {         // 7
@@ -97,16 +97,16 @@ bool TaskSpaceRRT::ts_connect_goal(std::size_t target, const Termination& ptc) {
       return true;
     }
     const double left = tree_->distance(node, x);
-    since = left < least ? 0 : since + 1;
+    steps_without_progress = left < least ? 0 : steps_without_progress + 1;
     least = std::min(least, left);
     near = node;  // 10
   }
-  if (since >= kStall) tree_->mark_led(near, target);
+  if (steps_without_progress >= kStall) tree_->mark_extended(near, target);
   return false;
 }
 
-// One step of control, and the new node where it is free: lines 2 to 6 of Algorithm 2, 3 to 6 of
-// Algorithm 3; -1 where control stalls or the motion is not free.
+// Takes one control step and returns the new node (lines 2 to 6 of Algorithm 2, 3 to 6 of Algorithm
+// 3), or -1 if the controller stalls or the motion is not free.
 int TaskSpaceRRT::step(int near, const Eigen::VectorXd& x, bool is_exploring) {
   ++num_steps_;
   const State* q_near = tree_->state(near);
@@ -140,11 +140,12 @@ bool TaskSpaceRRT::starts_at_goal() {
 void TaskSpaceRRT::accept(int node, std::size_t target) {
   reached_target_ = static_cast<int>(target);
   reached_node_ = node;
-  tree_->mark_led(node);
-  std::vector<int> way{node};
-  while (tree_->parent(way.back()) != way.back()) way.push_back(tree_->parent(way.back()));
+  tree_->mark_extended(node);
+  std::vector<int> branch{node};
+  while (tree_->parent(branch.back()) != branch.back())
+    branch.push_back(tree_->parent(branch.back()));
   auto path = std::make_shared<ompl::geometric::PathGeometric>(si_);
-  for (auto i = way.rbegin(); i != way.rend(); ++i) path->append(tree_->state(*i));
+  for (auto i = branch.rbegin(); i != branch.rend(); ++i) path->append(tree_->state(*i));
   pdef_->addSolutionPath(path, false, 0.0, getName());
 }
 

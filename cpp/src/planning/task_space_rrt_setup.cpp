@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What OMPL asks of a planner, beside solve(), and what TaskSpaceRRT asks of its user.
+// TaskSpaceRRT: OMPL's planner interface except solve(), and checks of the user's set-up.
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -82,15 +82,15 @@ void TaskSpaceRRT::set_max_connect_steps(int steps) {
   max_connect_steps_ = steps;
 }
 
-// Not in setup(), which SimpleSetup may call before its user is done.
+// Not in setup(), which SimpleSetup may call before the user has set everything.
 void TaskSpaceRRT::check_setup() const {
   require(pdef_ != nullptr, "no problem definition set");
   require(project_ != nullptr, "set_projection() was not called");
   require(control_ != nullptr, "set_controller() was not called");
   require(random_task_ != nullptr, "set_random_task() was not called");
-  require(!targets_.empty(), "set_targets() was not called, or there is no target");
+  require(!targets_.empty(), "set_targets() was not called, or was given no target");
   require(tolerance_ || pdef_->getGoal(),
-          "no set_tolerance(), and no goal in the problem definition");
+          "needs set_tolerance() or a goal in the problem definition");
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const std::string name = "targets[" + std::to_string(i) + "]";
     require(targets_[i].allFinite(), name + " is not finite");
@@ -100,8 +100,7 @@ void TaskSpaceRRT::check_setup() const {
   }
 }
 
-// Takes the start states that were not yet taken, and checks that all that lives in task space is
-// of one size.
+// Reads new start states, and checks that all task-space vectors have the same size.
 bool TaskSpaceRRT::read_starts() {
   while (const State* start = pis_.nextStart()) starts_.push_back(si_->cloneState(start));
   if (starts_.empty()) return false;
@@ -118,7 +117,7 @@ bool TaskSpaceRRT::read_starts() {
     require(weights_.allFinite() && weights_.minCoeff() >= 0,
             "weights must be finite and not negative");
   }
-  std::mt19937_64 rng(0);  // so that looking at a draw does not change the search
+  std::mt19937_64 rng(0);  // a generator of its own, so that this check does not change the search
   random_task_(rng, x_rand_);
   require_size("random_task", x_rand_.size());
   return true;

@@ -13,19 +13,19 @@
 
 namespace graspless::planning {
 
-/// T of the algorithm: states and their places in task space, in one array; a root is its own
+/// T of the algorithm: states and their points in task space, in one array. A root is its own
 /// parent. Owns its states.
 class TaskSpaceRRT::Tree {
  public:
   Tree(ompl::base::SpaceInformationPtr si, const Eigen::VectorXd& weights, std::size_t num_targets)
-      : si_(std::move(si)), weights_(weights), was_led_(num_targets) {}
+      : si_(std::move(si)), weights_(weights), was_extended_(num_targets) {}
   ~Tree() {
     for (State* state : states_) si_->freeState(state);
   }
   Tree(const Tree&) = delete;
   Tree& operator=(const Tree&) = delete;
 
-  int cycles = 0;  ///< of Algorithm 1 that this tree has seen
+  int cycles = 0;  ///< of Algorithm 1, since this tree was started
 
   int add_root(const State* q, const Eigen::VectorXd& x) { return add(q, x, size()); }
   int add(const State* q, const Eigen::VectorXd& x, int parent) {
@@ -33,24 +33,24 @@ class TaskSpaceRRT::Tree {
     x_.col(size()) = x;
     states_.push_back(si_->cloneState(q));
     parents_.push_back(parent);
-    for (auto& led : was_led_) led.push_back(false);
+    for (auto& nodes : was_extended_) nodes.push_back(false);
     return size() - 1;
   }
 
-  /// TS-NEAREST-NEIGHBOR by a plain scan, which answers ties the same way in every run.
+  /// TS-NEAREST-NEIGHBOR by a linear scan, which breaks ties the same way in every run.
   int nearest(const Eigen::VectorXd& x) const {
     return nearest_of(x, [](int) { return true; });
   }
-  /// The nearest that was not yet led towards this target; -1 when all were.
-  int nearest_unled(const Eigen::VectorXd& x, std::size_t target) const {
-    const std::vector<bool>& led = was_led_[target];
-    return nearest_of(x, [&](int node) { return !led[static_cast<std::size_t>(node)]; });
+  /// Nearest node that was not yet extended towards this target; -1 if all were.
+  int nearest_unextended(const Eigen::VectorXd& x, std::size_t target) const {
+    const std::vector<bool>& extended = was_extended_[target];
+    return nearest_of(x, [&](int node) { return !extended[static_cast<std::size_t>(node)]; });
   }
-  void mark_led(int node, std::size_t target) {
-    was_led_[target][static_cast<std::size_t>(node)] = true;
+  void mark_extended(int node, std::size_t target) {
+    was_extended_[target][static_cast<std::size_t>(node)] = true;
   }
-  void mark_led(int node) {
-    for (std::size_t t = 0; t < was_led_.size(); ++t) mark_led(node, t);
+  void mark_extended(int node) {
+    for (std::size_t t = 0; t < was_extended_.size(); ++t) mark_extended(node, t);
   }
   double distance(int node, const Eigen::VectorXd& x) const {
     return (x_.col(node) - x).cwiseProduct(weights_).norm();
@@ -78,10 +78,10 @@ class TaskSpaceRRT::Tree {
 
   ompl::base::SpaceInformationPtr si_;
   Eigen::VectorXd weights_;
-  Eigen::MatrixXd x_;  // a node a column; more columns than nodes
+  Eigen::MatrixXd x_;  // one column per node, with columns to spare
   std::vector<State*> states_;
   std::vector<int> parents_;
-  std::vector<std::vector<bool>> was_led_;  // by target, then by node
+  std::vector<std::vector<bool>> was_extended_;  // by target, then by node
 };
 
 }  // namespace graspless::planning

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// With e_i the rotation by q_i about axis i, all in P at q = 0, the pose g = X_P7 X_P7(0)^-1 is e1
-// ... e7.
-//   e5 e6 e7 leave the wrist w where it is, e1 e2 e3 the shoulder s, so
+// Let e_i be the rotation by q_i about axis i, in P at q = 0. Then g = X_P7 X_P7(0)^-1 = e1 ... e7.
+//   e5 e6 e7 do not move the wrist w, e1 e2 e3 do not move the shoulder s, so
 //     |e4 w - s| = |g w - s|                                      gives q4;
 //     e1 e2 (e3 e4 w - s) = g w - s                               gives q1, q2;
 //     e5 e6 a7 = (e1 e2 e3 e4)^-1 g a7,  a7 the seventh axis,     gives q5, q6;
 //     e7 b = (e1 ... e6)^-1 g b,  b any vector across a7,         gives q7.
-// Cosines and sines come with the angles from the geometry: the arctangents are most of the time
-// spent.
+// Cosines and sines are taken from the geometry, not from the angles: arctangents already take most
+// of the time.
 #include "robot/closed_form.hpp"
 
 #include <algorithm>
@@ -23,8 +22,8 @@ using Eigen::Vector3d;
 
 constexpr double kMeet = 1e-9;      // axes this close meet [m]
 constexpr double kParallel = 1e-6;  // sine of the angle between axes that count as parallel
-constexpr double kClamp = 1e-13;    // how far beyond reach is taken for rounding (unit vectors)
-constexpr double kNoAngle = 1e-28;  // square of the lengths below which a direction is no direction
+constexpr double kClamp = 1e-13;    // excess over the reach that counts as rounding (unit vectors)
+constexpr double kNoAngle = 1e-28;  // squared length below which a vector has no direction
 
 Vector3d across(const Vector3d& axis, const Vector3d& v) { return v - axis * axis.dot(v); }
 
@@ -55,13 +54,13 @@ bool parallel(const Screw& a, const Screw& b) { return a.axis.cross(b.axis).norm
 /// A rotation about a known axis.
 struct ClosedForm::Turn {
   double angle, c, s;
-  double slack = 0;  // a change of the angle that moves what is turned by no more than rounding
+  double slack = 0;  // change of the angle whose effect is within rounding
 
   static Turn by(double angle) { return {angle, std::cos(angle), std::sin(angle), 0}; }
 
-  /// Subproblem 1: the rotation about `axis` that takes u to v; `free` where they lie on the axis.
+  /// Subproblem 1: the rotation about `axis` that takes u to v; by `free` if they lie on the axis.
   static Turn from_to(const Vector3d& axis, const Vector3d& u, const Vector3d& v, double free) {
-    // Projected first: next to the axis the difference of dot products would keep no digits.
+    // Projected first: near the axis, a difference of dot products would lose all digits.
     const Vector3d u_across = across(axis, u), v_across = across(axis, v);
     const double c = u_across.dot(v_across), s = axis.dot(u_across.cross(v_across));
     const double square = c * c + s * s;
@@ -93,10 +92,10 @@ ClosedForm::Elbow ClosedForm::Elbow::of(const Screw& screw, const Vector3d& shou
   return elbow;
 }
 
-/// Subproblem 2: rotations with first(second(u)) = v, for unit vectors u and v. Between the two
-/// lies z, which has v's component along a1 and u's along a2. Near an axis the cosine hides how far
-/// off it z is, so z is built around the axis that it is nearer to, from the length of what lies
-/// across that axis.
+/// Subproblem 2: rotations with first(second(u)) = v, for unit vectors u and v. The intermediate
+/// vector z = second(u) has v's component along a1 and u's component along a2. Near an axis, the
+/// cosine does not tell how far z is from it. So z is built around the axis that it is nearer to,
+/// from the length of its component perpendicular to that axis.
 struct ClosedForm::TwoTurns {
   TwoTurns(const Vector3d& a1, const Vector3d& a2, const Vector3d& u, const Vector3d& v) {
     const double along1 = a1.dot(v), along2 = a2.dot(u);
@@ -107,13 +106,15 @@ struct ClosedForm::TwoTurns {
     }
   }
 
-  /// `square` is that of z's part across a, the axis z is built around; b is the other.
+  /// a: the axis that z is built around; b: the other. `square`: squared length of z's component
+  /// perpendicular to a.
   void build(const Vector3d& a, const Vector3d& b, double along_a, double along_b, double square) {
     const double cosine = a.dot(b);
     const Vector3d cross = a.cross(b);
     const double sine = cross.norm();
-    const double x = (along_b - cosine * along_a) / sine;  // of z in the plane of a and b, across a
-    const double y2 = square - x * x;                      // square of what sticks out of it
+    const double x =
+        (along_b - cosine * along_a) / sine;  // of z in the plane of a and b, perpendicular to a
+    const double y2 = square - x * x;         // squared component out of that plane
     in_plane = along_a * a + x / sine * (b - cosine * a);
     out_of_plane = std::sqrt(std::max(0.0, y2)) / sine * cross;
     const double slack = kClamp * (std::sqrt(square) + kClamp);
@@ -133,16 +134,17 @@ struct ClosedForm::Search {
   const Wraps& wraps;
   int count;
   Eigen::MatrixXd& solutions;
-  Vector3d p_SW;   // unit, from the shoulder to where the wrist must be
+  Vector3d p_SW;   // unit, from the shoulder to the required wrist position
   double reach;    // its distance [m]
-  Vector3d a7, b;  // where axis 7 and the vector across it must point
+  Vector3d a7, b;  // required directions of axis 7 and of the vector across it
   Turn turn3;
   double q[7];
 
   double free(int i) const { return seed[wraps.group()[i]]; }
 
-  /// Next to an axis an angle is only known to a few digits: at its limit it may come out beyond,
-  /// and is put back for the joints after it to make up for.
+  /// Sets the i-th angle; false if it is outside its limits. Near an axis an angle is known to a
+  /// few digits only, so an angle barely outside is moved onto the limit and the following joints
+  /// compensate.
   bool set(int i, Turn& turn) {
     q[i] = turn.angle;
     if (wraps.fits(i, q[i])) return true;
@@ -207,7 +209,7 @@ std::optional<ClosedForm> ClosedForm::detect(const std::array<Screw, 7>& screws,
   arm.shoulder_ = meeting_point(s[0], s[1], s[2]);
   arm.wrist_ = meeting_point(s[4], s[5], s[6]);
   if (!meet(arm.shoulder_, s[0], s[1], s[2]) || !meet(arm.wrist_, s[4], s[5], s[6])) return {};
-  // Else axis 4 does not change the distance between the two.
+  // Otherwise axis 4 does not change the distance between shoulder and wrist.
   if (distance(arm.shoulder_, s[3]) < kParallel || distance(arm.wrist_, s[3]) < kParallel)
     return {};
   for (std::size_t i = 0; i < 7; ++i) arm.axis_[i] = s[i].axis;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kDamping = 0.05;  // of the squared error
 constexpr double kLeastDamping = 1e-14;
 constexpr double kMaxStep = 0.5;  // of one joint [rad or m]
-constexpr double kPull = 0.3;     // share of the way to the middle of the limits, per step
+constexpr double kPull = 0.3;     // fraction of the distance to the middle of the limits, per step
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void DampedLeastSquares::step(const Vector6d& error, bool pull, Eigen::VectorXd&
     J_.col(i) = J_all_.col(joint);
     wish_[i] = gain * (0.5 * (robot_.lower()[joint] + robot_.upper()[joint]) - q[joint]);
   }
-  // At worst every joint ends up held; each round holds one more.
+  // Each round holds at least one more joint, so this ends.
   for (Eigen::Index round = 0; round <= n; ++round) {
     solve_free_joints(error, wish_);
     if (!hold_at_limits(q)) break;
@@ -72,7 +72,8 @@ void DampedLeastSquares::solve_free_joints(const Vector6d& error, const Eigen::V
   dq_ += wish;
 }
 
-/// Takes the joints that stand at a limit and push on out of the problem; true when there were any.
+/// Removes the joints from the problem that are at a limit and would leave it; true if there were
+/// any.
 bool DampedLeastSquares::hold_at_limits(const Eigen::VectorXd& q) {
   bool any = false;
   for (Eigen::Index i = 0; i < dq_.size(); ++i) {

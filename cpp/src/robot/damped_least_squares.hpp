@@ -15,17 +15,17 @@ namespace graspless::robot {
 Eigen::Matrix<double, 6, 1> pose_error(const Eigen::Isometry3d& X_WA,
                                        const Eigen::Isometry3d& X_WB);
 
-/// Newton's method on the pose error, damped by the error itself (Sugihara, IEEE T-RO 2011), so
-/// that it ends quadratically and does not leap next to a singularity. A joint at its limit that
-/// would have to go on is held there and the others take over.
+/// Newton's method on the pose error, damped by the error itself (Sugihara, IEEE T-RO 2011): it
+/// converges quadratically and takes no large steps near a singularity. A joint that would leave
+/// its limits is held there, and the other joints take over.
 class DampedLeastSquares {
  public:
   DampedLeastSquares(const Robot& robot, int frame, const std::vector<int>& group)
       : robot_(robot), frame_(frame), group_(group) {}
 
-  /// Moves the group's part of q until the frame is at X_WF within `tolerance` [m, rad]. With
-  /// `pull`, what motion a redundant arm has left goes towards the middle of its limits. False when
-  /// it did not converge; q is then of no use.
+  /// Moves the group's joints in q until the frame is at X_WF within `tolerance` [m, rad]. With
+  /// `pull`, the null space of a redundant arm moves towards the middle of its limits. Returns
+  /// false if it does not converge; q is then undefined.
   bool solve(const Eigen::Isometry3d& X_WF, double tolerance, int max_iterations, bool pull,
              Eigen::VectorXd& q);
 
@@ -40,7 +40,7 @@ class DampedLeastSquares {
   const Robot& robot_;
   const int frame_;
   const std::vector<int>& group_;
-  Poses X_WL_;  // these are members only to be allocated once
+  Poses X_WL_;  // scratch memory, allocated once
   Jacobian J_all_, J_;
   Eigen::VectorXd dq_, wish_;
 };

@@ -17,13 +17,13 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::VectorXd;
 
-constexpr double kSame = 1e-4;  // answers this close in every joint are one [rad or m]
+constexpr double kSame = 1e-4;  // solutions this close in every joint count as equal [rad or m]
 
-/// The links along the path to a frame: before the group, the group's own, after it.
+/// The links on the path to a frame: before the group, moved by the group, and after it.
 struct Split {
   int base = 0;               // the link that carries the first joint of the group
   std::vector<int> group;     // links that the group moves
-  std::vector<int> after;     // links between the last of these and the frame, this included
+  std::vector<int> after;     // links after the last of these, up to and including the frame
   bool moves_before = false;  // joints before the group move the base
   bool moves_within = false;  // joints outside the group lie between its joints
 };
@@ -65,7 +65,7 @@ void check_group(const Robot& robot, int frame, const std::vector<int>& group) {
     }
     const std::string& name = model.joint_names[joint];
     if (std::count(group.begin(), group.end(), joint) > 1) {
-      throw std::invalid_argument("group: joint '" + name + "' is there twice");
+      throw std::invalid_argument("group: joint '" + name + "' occurs twice");
     }
     const auto& movers = model.movers[frame];
     const auto moves = [&](int link) { return model.links[link].joint == joint; };
@@ -83,7 +83,7 @@ void check_options(const Ik::Options& options) {
   if (options.free_samples < 0) throw std::invalid_argument("free_samples must not be negative");
 }
 
-/// A whole turn of a joint changes nothing, unless it slides or another joint follows it.
+/// A whole turn of a joint changes nothing, unless it is prismatic or another joint mimics it.
 std::vector<bool> turning(const Robot::Model& model, const std::vector<int>& group) {
   std::vector<bool> turns;
   for (const int joint : group) {
@@ -118,7 +118,7 @@ double uniform(double lower, double upper, std::mt19937_64& rng) {
   return lower + (upper - lower) * std::uniform_real_distribution<double>(0, 1)(rng);
 }
 
-/// The columns that differ from one another, nearest to `q` first.
+/// Returns the distinct columns, nearest to `q` first.
 std::vector<VectorXd> sorted(const Eigen::MatrixXd& columns, int count, const VectorXd& q) {
   std::vector<VectorXd> solutions;
   for (int i = 0; i < count; ++i) {
@@ -148,7 +148,7 @@ struct Ik::Impl {
         wraps(robot.lower(), robot.upper(), group, wrapped()),
         X_PW(robot.pose(path.base, VectorXd::Zero(robot.dof())).inverse()) {}
 
-  /// The free joint of the closed form stays at the value it was given.
+  /// The free joint of the closed form keeps its given value.
   std::vector<bool> wrapped() const {
     std::vector<bool> wrapped = turns;
     if (closed_form) wrapped[2] = false;
@@ -161,7 +161,7 @@ struct Ik::Impl {
                                 std::to_string(q.size()));
   }
 
-  /// Where the last link of the group must be, seen from the link that carries the group.
+  /// Required pose of the group's last link, in the frame of the link that carries the group.
   Isometry3d target(const Isometry3d& X_WF, const VectorXd& q) const {
     Isometry3d X_7F = Isometry3d::Identity();
     for (const int i : path.after) place(robot.model().links[i], q, Isometry3d(X_7F), X_7F);
@@ -182,8 +182,8 @@ struct Ik::Impl {
     return count;
   }
 
-  /// q's group with turning joints taken to within half a turn of 0, so that equal answers look
-  /// equal.
+  /// Returns the group's joints of q, with revolute joints wrapped to [-pi, pi], so that equal
+  /// solutions compare equal.
   void reduce(VectorXd& values) const {
     for (std::size_t i = 0; i < group.size(); ++i) {
       auto& value = values[static_cast<Eigen::Index>(i)];
@@ -216,10 +216,10 @@ struct Ik::Impl {
   std::vector<int> group;
   Options options;
   Split path;
-  std::vector<bool> turns;  // which joints of the group may make whole turns
+  std::vector<bool> turns;  // true for joints of the group that may make whole turns
   std::optional<ClosedForm> closed_form;
   Wraps wraps;
-  Isometry3d X_PW;  // from the link that carries the group, where nothing before it moves
+  Isometry3d X_PW;  // pose of the link that carries the group, if no joint before it moves
 };
 
 Ik::Ik(const Robot& robot, int frame, std::vector<int> group, const Options& options) {
@@ -234,7 +234,8 @@ const std::vector<int>& Ik::group() const { return impl_->group; }
 int Ik::solve_free(const Isometry3d& X_WF, double free_joint, const VectorXd& q,
                    Eigen::MatrixXd& solutions) const {
   if (!is_closed_form()) {
-    throw std::logic_error("solve_free() needs an arm with closed form; ask is_closed_form()");
+    throw std::logic_error(
+        "solve_free() needs an arm with a closed form; check is_closed_form() first");
   }
   impl_->check(q);
   return impl_->closed_form->solve(impl_->target(X_WF, q), free_joint, q, impl_->wraps, 0,

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using geometry::PlacedShape;
 
-constexpr double kCapsuleTolerance = 1e-6;  // between sphere and cylinder, radius and place [m]
+constexpr double kCapsuleTolerance =
+    1e-6;  // between radius and position of sphere and cylinder [m]
 constexpr int kPrismSides = 24;
 
 bool starts_with(const std::string& text, const std::string& prefix) {
@@ -34,7 +35,7 @@ std::string mesh_path(const std::string& uri, const Robot::Options& options) {
   return options.directory + "/" + uri;
 }
 
-/// Circumscribed, so that what is free of the prism is free of the cylinder.
+/// A circumscribed prism: whatever is free of the prism is free of the cylinder.
 geometry::Convex prism(const urdf::Cylinder& cylinder) {
   const double radius = cylinder.radius / std::cos(M_PI / kPrismSides);
   Eigen::Matrix3Xd vertices(3, 2 * kPrismSides);
@@ -72,7 +73,7 @@ geometry::Shape to_shape(const urdf::Geometry& shape, const Robot::Options& opti
                              Vector3d(mesh.scale.x, mesh.scale.y, mesh.scale.z));
 }
 
-/// The capsules among the collision elements of a link, and which of its spheres they use up.
+/// Finds the capsules among the collision elements of a link, and the spheres that belong to them.
 class CapsuleFinder {
  public:
   explicit CapsuleFinder(const urdf::Link& link)
@@ -96,7 +97,7 @@ class CapsuleFinder {
  private:
   using Spheres = std::vector<std::size_t>;
 
-  /// Used ones too: two capsules may share an end.
+  /// A sphere may serve two capsules that share an end.
   Spheres find_spheres(const Vector3d& p_LS, double radius) const {
     Spheres found;
     for (std::size_t i = 0; i < used_.size(); ++i) {

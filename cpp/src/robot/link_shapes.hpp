@@ -14,9 +14,9 @@ namespace graspless::robot {
 
 Eigen::Isometry3d to_isometry(const urdf::Pose& pose);
 
-/// The collision shapes of a link, placed in its frame. A cylinder with a sphere of its radius at
-/// either end becomes one capsule: URDF has none, and this is how other tools read ours. A cylinder
-/// alone becomes a prism of 24 sides around it. Throws std::invalid_argument that names the link.
+/// Returns the collision shapes of a link, placed in its frame. A cylinder with a sphere of its
+/// radius at either end becomes a capsule, which URDF itself cannot express. Any other cylinder
+/// becomes a circumscribed prism of 24 sides. Throws std::invalid_argument that names the link.
 std::vector<geometry::PlacedShape> link_shapes(const urdf::Link& link,
                                                const Robot::Options& options);
 

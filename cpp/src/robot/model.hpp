@@ -16,11 +16,11 @@
 
 namespace graspless::robot {
 
-/// A link L with the joint that carries it on its parent P.
+/// A link L and the joint that connects it to its parent P.
 struct Link {
   int parent = -1;         // index of P; -1 for the root
   std::string joint_name;  // empty for the root
-  int joint = -1;  // index in q of the joint that moves it, its own or the one it mimics; -1: fixed
+  int joint = -1;  // index in q of the joint that moves it, its own or the mimicked one; -1: fixed
   bool is_mimic = false;  // the joint has no value of its own
   bool prismatic = false;
   double multiplier = 1;  // joint value = multiplier * q[joint] + offset
@@ -28,7 +28,7 @@ struct Link {
   Eigen::Vector3d axis_L = Eigen::Vector3d::UnitZ();
   Eigen::Isometry3d X_PJ =
       Eigen::Isometry3d::Identity();  // of the joint; of L itself where it is fixed
-  KDL::Segment segment;  // X_JL as a function of q[joint]: multiplier and offset are folded into it
+  KDL::Segment segment;  // X_JL as a function of q[joint], multiplier and offset included
 };
 
 struct Robot::Model {
@@ -41,7 +41,7 @@ struct Robot::Model {
 
   std::vector<std::vector<int>>
       paths;  // the links from the root (left out) to each link (included)
-  std::vector<std::vector<int>> movers;  // those links of the path that a joint moves
+  std::vector<std::vector<int>> movers;  // the links of each path that a joint moves
 
   std::vector<LinkShape> shapes;
   std::set<std::pair<int, int>> ignored_pairs;
@@ -54,13 +54,13 @@ struct Robot::Model {
 void place(const Link& link, const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WP,
            Eigen::Isometry3d& X_WL);
 
-/// Reads names, links, joints, limits and shapes; throws as Robot::from_urdf() does.
+/// Reads names, links, joints, limits and shapes. Throws like Robot::from_urdf().
 Robot::Model read_urdf(const std::string& xml, const Robot::Options& options);
 
 /// Reads groups, group states and disabled collisions into a model that read_urdf() made.
 void read_srdf(const std::string& xml, Robot::Model& model);
 
-/// Robot::ignored_pairs() as far as the tree alone tells.
+/// Returns the part of Robot::ignored_pairs() that follows from the tree alone.
 std::set<std::pair<int, int>> neighbours(const Robot::Model& model);
 
 /// Robot::reach() of every link.

@@ -12,7 +12,7 @@ namespace graspless::robot {
 int index_of(const std::string& name, const std::vector<std::string>& names,
              const std::string& what);
 
-/// "unknown link 'x'; choose from a, b, c"
+/// Throws std::invalid_argument: "unknown link 'x'; choose from a, b, c".
 [[noreturn]] void throw_unknown(const std::string& name, const std::vector<std::string>& names,
                                 const std::string& what);
 

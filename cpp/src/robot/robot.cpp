@@ -16,8 +16,8 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// X_AC = X_AB * X_BC for a frame of KDL, whose matrix lies row by row. The columns are those of 4
-/// x 4 matrices, so that they fill whole vector registers.
+/// Computes X_AC = X_AB * X_BC for a KDL frame, whose matrix is stored by rows. Works on columns of
+/// 4 x 4 matrices, which fill whole vector registers.
 void multiply(const Isometry3d& X_AB, const KDL::Frame& X_BC, Isometry3d& X_AC) {
   const auto& A = X_AB.matrix();
   const double* R = X_BC.M.data;
@@ -171,7 +171,7 @@ void Robot::jacobian(int frame, const Poses& X_WL,
   for (const int i : model_->movers[frame]) {
     const Link& link = model_->links[i];
     const Vector3d axis_W = X_WL[i].linear() * (link.multiplier * link.axis_L);
-    auto column = J.col(link.joint);  // added up: several joints may follow one
+    auto column = J.col(link.joint);  // summed: several joints may mimic one
     if (link.prismatic) {
       column.head<3>() += axis_W;
     } else {

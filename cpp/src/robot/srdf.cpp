@@ -44,7 +44,7 @@ class SrdfReader {
     return value;
   }
 
-  /// Runs a look-up and adds the line to what it throws.
+  /// Runs a look-up and adds the line number to what it throws.
   template <typename Function>
   static auto located(const TiXmlElement& element, Function function) {
     try {
@@ -69,7 +69,7 @@ class SrdfReader {
     return model_.links[static_cast<std::size_t>(i) + 1];
   }
 
-  /// A fixed joint and a mimic have no value of their own.
+  /// Fixed and mimic joints are skipped: they have no value of their own.
   static void add(const Link& link, std::set<int>& joints) {
     if (link.joint >= 0 && !link.is_mimic) joints.insert(link.joint);
   }
@@ -79,7 +79,7 @@ class SrdfReader {
     int i = tip;
     for (; i > 0 && i != base; i = model_.links[i].parent) add(model_.links[i], joints);
     if (i == base) return;
-    fail(chain, "chain: link '" + model_.frame_names[tip] + "' does not hang on '" +
+    fail(chain, "chain: link '" + model_.frame_names[tip] + "' is not below link '" +
                     model_.frame_names[base] + "'");
   }
 
@@ -107,7 +107,7 @@ class SrdfReader {
     try {
       value = urdf::strToDouble(text.c_str());  // the same under any locale
     } catch (const std::runtime_error&) {
-      fail(element, "joint '" + name + "': '" + text + "' is no number");
+      fail(element, "joint '" + name + "': '" + text + "' is not a number");
     }
     const double lower = model_.lower[joint], upper = model_.upper[joint];
     if (!(value >= lower - kStateSlack && value <= upper + kStateSlack)) {
@@ -117,7 +117,7 @@ class SrdfReader {
     return std::clamp(value, lower, upper);
   }
 
-  /// States of one name are one state: an arm's "home" and a hand's "home" make the robot's.
+  /// States of the same name are merged: an arm's "home" and a hand's "home" make the robot's.
   void read_state(const TiXmlElement& state) {
     const std::string group = attribute(state, "group");
     located(state, [&] { return at(model_.groups, group, "group"); });
@@ -138,7 +138,7 @@ class SrdfReader {
   const TiXmlElement& root_;
   Robot::Model& model_;
   std::map<std::string, const TiXmlElement*> elements_;
-  std::set<std::string> open_;  // groups being read, to notice one that contains itself
+  std::set<std::string> open_;  // groups being read, to detect one that contains itself
 };
 
 }  // namespace

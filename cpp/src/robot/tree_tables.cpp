@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What follows from the tree alone: which links are never tested against one another, and how far
-// they move.
+// Tables computed from the tree alone: pairs of links that are never tested against each other, and
+// bounds on how far links move.
 #include <algorithm>
 #include <cmath>
 
@@ -17,13 +17,14 @@ using Eigen::VectorXd;
 
 std::pair<int, int> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The first link of the rigid body, links welded by fixed joints, that `link` is part of.
+/// Returns the first link of the rigid body that `link` belongs to: links connected by fixed
+/// joints.
 int rigid_body(const Robot::Model& model, int link) {
   while (link > 0 && model.links[link].joint < 0) link = model.links[link].parent;
   return link;
 }
 
-/// The largest distance from A's origin to a point of the shape.
+/// Returns the largest distance from A's origin to a point of the shape [m].
 struct Farthest {
   Isometry3d X_AG;
 
@@ -54,18 +55,19 @@ double farthest(const geometry::PlacedShape& placed, const Isometry3d& X_AL) {
   return std::visit(Farthest{X_AL * placed.X_BG}, placed.shape);
 }
 
-/// The largest |value| of a joint within its limits.
+/// Returns the largest absolute value of a joint within its limits.
 double max_travel(const Robot::Model& model, const Link& link) {
   const double at_lower = link.multiplier * model.lower[link.joint] + link.offset;
   const double at_upper = link.multiplier * model.upper[link.joint] + link.offset;
   return std::max(std::abs(at_lower), std::abs(at_upper));
 }
 
-/// Along the path to `link`: steps[i] bounds the distance from the origin of the i-th mover to that
-/// of the next; the last one that to the farthest point of the link's shapes.
+/// Bounds along the path to `link` [m]: steps[i] bounds the distance from the origin of the i-th
+/// moving link to that of the next; the last one bounds the distance to the farthest point of the
+/// shapes.
 std::vector<double> step_lengths(const Robot::Model& model, int link) {
   std::vector<double> steps;
-  Isometry3d X_ML = Isometry3d::Identity();  // from the last mover
+  Isometry3d X_ML = Isometry3d::Identity();  // pose of L in the last moving link
   for (const int i : model.paths[link]) {
     const Link& step = model.links[i];
     X_ML = X_ML * step.X_PJ;

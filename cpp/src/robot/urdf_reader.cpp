@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// URDF to the tables of Robot::Model. Joints are always looked up by name: urdfdom keeps them in a
-// map, where joint10 comes before joint2.
+// Converts a URDF to the tables of Robot::Model. Joints are always looked up by name: urdfdom keeps
+// them in a map, where joint10 comes before joint2.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,8 +23,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// urdfdom says what is wrong only on the console, and at times goes on without the element at
-/// fault. While one of these lives, its complaints are collected instead.
+/// Collects urdfdom's messages while an instance lives. urdfdom reports errors on the console only,
+/// and sometimes continues without the faulty element.
 class Complaints : public console_bridge::OutputHandler {
  public:
   Complaints() : lock_(mutex()) { console_bridge::useOutputHandler(this); }
@@ -40,7 +40,7 @@ class Complaints : public console_bridge::OutputHandler {
 
  private:
   static std::mutex& mutex() {
-    static std::mutex instance;  // the handler is one for the whole process
+    static std::mutex instance;  // the handler is global to the process
     return instance;
   }
   std::lock_guard<std::mutex> lock_;
@@ -51,7 +51,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml) {
   Complaints complaints;
   const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(xml);
   if (!complaints.text().empty()) throw std::invalid_argument("URDF: " + complaints.text());
-  if (!urdf) throw std::invalid_argument("URDF: urdfdom refuses it and does not say why");
+  if (!urdf) throw std::invalid_argument("URDF: urdfdom rejects it without a message");
   return urdf;
 }
 
@@ -77,7 +77,7 @@ std::pair<double, double> bounds(const urdf::Joint& joint) {
   return {lower, upper};
 }
 
-/// A limit of 0, which many files hold for "not known", is none.
+/// A limit of 0 means none: many files write it for "unknown".
 double positive_or_infinity(double value) {
   return value > 0 ? value : std::numeric_limits<double>::infinity();
 }
@@ -96,7 +96,8 @@ void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Mo
   }
 }
 
-/// What moves a joint: value = multiplier * value of `joint` + offset. Follows mimics of mimics.
+/// The joint that drives another: value = multiplier * value of `joint` + offset. Resolves mimics
+/// of mimics.
 struct Source {
   std::string joint;
   double multiplier = 1;
@@ -132,12 +133,12 @@ Vector3d unit_axis(const urdf::Joint& joint) {
   const Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
   const double norm = axis.norm();
   if (!std::isfinite(norm) || norm < 1e-9) {
-    throw std::invalid_argument("joint '" + joint.name + "': its axis has no direction");
+    throw std::invalid_argument("joint '" + joint.name + "': its axis must not be zero");
   }
   return axis / norm;
 }
 
-/// Index of the coordinate axis that `axis` is parallel to; -1 when there is none.
+/// Returns the index of the coordinate axis that `axis` is parallel to, or -1.
 int principal_axis(const Vector3d& axis) {
   for (int i = 0; i < 3; ++i) {
     if (axis.cwiseAbs() == Vector3d::Unit(i)) return i;
@@ -150,9 +151,9 @@ KDL::Frame to_kdl(const Eigen::Matrix3d& R) {
                                   R(2, 1), R(2, 2)));
 }
 
-/// Sets X_PJ and the segment. KDL's joint about a free axis keeps its last pose in a mutable
-/// member, which is a race between threads; those about x, y and z do not. Any other axis is turned
-/// onto z.
+/// Sets X_PJ and the segment. KDL's joint about a general axis caches its last pose in a mutable
+/// member, which is a data race between threads; its joints about x, y and z do not. So any other
+/// axis is rotated onto z.
 void set_motion(Link& link) {
   using KDL::Joint;
   static constexpr Joint::JointType kRotation[] = {Joint::RotX, Joint::RotY, Joint::RotZ};
@@ -169,7 +170,7 @@ void set_motion(Link& link) {
     link.X_PJ.linear() *= R_LZ;
     X_tip = to_kdl(R_LZ.transpose());
   }
-  // A segment takes its tip for where it is at 0 and so would undo the joint's offset.
+  // KDL defines the tip at joint value 0, which would cancel the joint's offset.
   link.segment = KDL::Segment(link.joint_name, joint, joint.pose(0) * X_tip);
 }
 

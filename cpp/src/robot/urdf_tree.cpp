@@ -35,14 +35,14 @@ std::string link_of(const TiXmlElement& joint, const char* role,
   if (!element) fail(joint, where + " has no <" + role + ">");
   const std::string link = attribute(*element, "link");
   if (links.count(link) == 0)
-    fail(*element, where + ": its " + role + " '" + link + "' is no link");
+    fail(*element, where + ": its " + role + " '" + link + "' is not a link of the robot");
   return link;
 }
 
 void check_limit(const TiXmlElement& joint, const std::string& type) {
   if (type != "revolute" && type != "prismatic") return;
   const TiXmlElement* limit = joint.FirstChildElement("limit");
-  // urdfdom would take 0 for a missing bound; a joint with neither cannot move, which nobody means.
+  // urdfdom would read a missing bound as 0; a joint without both could not move.
   if (!limit || (!limit->Attribute("lower") && !limit->Attribute("upper"))) {
     fail(joint, type + " joint '" + attribute(joint, "name") +
                     "' has no limits; give <limit lower=... upper=...> or make it continuous");
@@ -63,7 +63,7 @@ std::set<std::string> declared_links(const TiXmlElement& robot) {
   std::set<std::string> links;
   for (auto* e = robot.FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
     const std::string name = attribute(*e, "name");
-    if (!links.insert(name).second) fail(*e, "link '" + name + "' is there twice");
+    if (!links.insert(name).second) fail(*e, "link '" + name + "' occurs twice");
   }
   if (links.empty()) fail(robot, "the robot has no links");
   return links;
@@ -76,11 +76,11 @@ std::vector<Edge> read_edges(const TiXmlElement& robot, const std::set<std::stri
   for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
     const Edge edge{attribute(*e, "name"), link_of(*e, "parent", links),
                     link_of(*e, "child", links)};
-    if (!names.insert(edge.joint).second) fail(*e, "joint '" + edge.joint + "' is there twice");
+    if (!names.insert(edge.joint).second) fail(*e, "joint '" + edge.joint + "' occurs twice");
     const auto [other, is_first] = carrier.emplace(edge.child, edge.joint);
     if (!is_first) {
-      fail(*e, "link '" + edge.child + "' has two parents, by joints '" + other->second +
-                   "' and '" + edge.joint + "'");
+      fail(*e, "link '" + edge.child + "' has two parent joints, '" + other->second + "' and '" +
+                   edge.joint + "'");
     }
     check_type(*e);
     edges.push_back(edge);
@@ -93,13 +93,13 @@ std::string find_root(const TiXmlElement& robot, std::set<std::string> links,
   for (const Edge& edge : edges) links.erase(edge.child);
   if (links.empty()) fail(robot, "no link is the root: the joints form a cycle");
   if (links.size() > 1) {
-    fail(robot, "two links are roots, '" + *links.begin() + "' and '" + *std::next(links.begin()) +
-                    "'; join them by a joint");
+    fail(robot, "there is more than one root link: '" + *links.begin() + "' and '" +
+                    *std::next(links.begin()) + "'; connect them with a joint");
   }
   return *links.begin();
 }
 
-/// Appends the joints below `link`. An explicit stack: a chain may be long.
+/// Appends the joints below `link`. Uses an explicit stack because a chain may be long.
 std::vector<std::string> depth_first(const std::string& root, const std::vector<Edge>& edges) {
   std::multimap<std::string, const Edge*> below;  // keeps the order of the file among equals
   for (const Edge& edge : edges) below.emplace(edge.parent, &edge);
@@ -135,7 +135,7 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   UrdfTree tree;
   tree.root = find_root(*robot, links, edges);
   tree.joints = depth_first(tree.root, edges);
-  // Every link has one parent and there is one root: what was not reached goes round in a cycle.
+  // Every link has one parent and there is one root, so joints that were not reached form a cycle.
   if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
   return tree;
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTurn = 2 * M_PI;
 
-// An answer this far outside is taken for one on the limit [rad or m].
+// A solution this far outside counts as on the limit [rad or m].
 constexpr double kSlack = 2e-13;
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Seen from the last link C that two links hang from in common, a joint between the root and C
-// moves neither. A joint beyond C on the way to a moves the points of a at most as far, seen from
-// C, as Robot::reach(a) says: that bound adds up the lever arms of the joints on the way, and a
-// lever arm is the same in C as in the world. A point at most `lever` from the origin of a link is
-// moved by each revolute joint that much farther than the origin is.
+// Let C be the last common ancestor of two links. Relative to C, a joint between the root and C
+// moves neither of them. A joint between C and link a moves the points of a relative to C by at
+// most Robot::reach(a): that bound adds up the lever arms of the joints on the path, and a lever
+// arm is the same in C as in the world. For a point at a distance `lever` from the origin of its
+// link, each revolute joint adds at most `lever`.
 #include "scene/motion.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace graspless::scene {
 namespace {
 
-/// Adds the bounds of the joints on the way to the carrier, from its n-th link on.
+/// Adds the bounds of the joints on the carrier's path, from its n-th link on.
 void add_reach(const robot::Robot& robot, const Carrier& carrier, std::size_t n,
                Eigen::VectorXd& bound) {
   if (carrier.link < 0) return;

@@ -8,25 +8,25 @@
 
 namespace graspless::scene {
 
-/// What moves a body.
+/// The link that moves a body.
 struct Carrier {
-  int link = -1;     ///< frame index of the link it is rigid with; -1: it stands still
-  double lever = 0;  ///< of an attached body: farthest point from the link's origin [m]; 0: a link
+  int link = -1;     ///< frame index of the link that the body is rigid with; -1: a fixed body
+  double lever = 0;  ///< largest distance of an attached body from the link's origin [m]; 0: a link
 };
 
-/// A bound on how far the bodies on carriers a and b move relative to one another, per unit of each
-/// joint [m/rad or 1], over all configurations. Joints below the first link that both hang from
-/// move them as one and do not count, unless `in_world`.
+/// Returns a bound on how far the bodies on carriers a and b move relative to each other, per unit
+/// of each joint [m/rad or 1], over all configurations. Joints up to the last common ancestor move
+/// both alike and do not count, unless `in_world`.
 Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, const Carrier& b,
                                bool in_world);
 
-/// What must be left of a distance for a stretch to count as free: more than rounding and FCL's
+/// Safety margin on distances of a stretch that counts as free, larger than rounding and FCL's
 /// errors [m].
 constexpr double kMargin = 1e-7;
 
-/// In how many even steps of at most `resolution` in any joint a straight motion is looked at.
-/// Throws std::invalid_argument on a resolution that is not positive or asks for more than any
-/// motion needs.
+/// Number of equal steps of at most `resolution` in any joint in which a straight motion is
+/// checked. Throws std::invalid_argument on a resolution that is not positive or so small that it
+/// takes more than 1e8 steps.
 int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution);
 
 }  // namespace graspless::scene

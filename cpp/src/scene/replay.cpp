@@ -7,7 +7,7 @@
 namespace graspless::scene {
 namespace {
 
-/// Links rigid with the root: they may stand on or against what the robot is mounted on.
+/// True for links rigid with the root, which may touch what the robot is mounted on.
 bool is_base(const robot::Robot& robot, int link) {
   const Eigen::VectorXd& reach = robot.reach(link);
   return reach.size() == 0 || reach.maxCoeff() == 0;

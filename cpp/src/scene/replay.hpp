@@ -13,23 +13,26 @@
 
 namespace graspless::scene {
 
-/// What a check() replays a plan in. Nothing here is shared with the searches: bodies and pairs of
-/// its own, and FCL without the boxes in front.
+/// World in which a check() replays a plan. It shares nothing with the searches: it has bodies and
+/// pairs of its own, and calls FCL without the bounding-box tests.
 class Replay {
  public:
   explicit Replay(const robot::Robot& robot);
 
-  /// Adds a body that no link may touch, but for those rigid with the root when it `carries_base`.
+  /// Adds a body that no link may touch. With `carries_base`, links rigid with the root may.
   int add(const std::string& name, const collision::Solid& solid, bool carries_base);
-  /// An obstacle, which may carry the base.
+  /// Adds an obstacle, which may carry the base.
   int add(const collision::Obstacle& obstacle);
 
   collision::World& world() { return world_; }
-  int num_links() const { return static_cast<int>(link_of_body_.size()); }  ///< the first bodies
+  int num_links() const {
+    return static_cast<int>(link_of_body_.size());
+  }  ///< the first bodies of the world
   /// Index in the world of a link's body; -1 for a link without shapes.
   int body_of(const std::string& link) const;
 
-  /// Names of touching pairs, "a - b", with the robot at q and the bodies where they are.
+  /// Returns the names of touching pairs, "a - b", with the robot at q and the other bodies at
+  /// their current poses.
   std::vector<std::string> touching(const Eigen::VectorXd& q);
   std::vector<std::string> touching(const robot::Poses& X_WL);
 
@@ -38,7 +41,7 @@ class Replay {
 
   robot::Robot robot_;
   collision::World world_;
-  std::vector<int> link_of_body_;  // of the first bodies
+  std::vector<int> link_of_body_;  // link index of each of the first bodies
 };
 
 }  // namespace graspless::scene

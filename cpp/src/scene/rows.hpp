@@ -12,13 +12,14 @@
 
 #include "graspless/robot/robot.hpp"
 
-/// What every check() asks of the rows of a motion, whatever the motion is for.
+/// Conditions that every check() puts on the rows of a motion.
 namespace graspless::scene {
 
-constexpr double kReplayStep = 0.01;          // between configurations looked at [rad or m]
+constexpr double kReplayStep = 0.01;          // between checked configurations [rad or m]
 constexpr double kLongestStep = 0.05 + 1e-9;  // between rows [rad or m]
 
-/// Calls visit(row, q) at steps of kReplayStep along rows; `row` is the one the step leads to.
+/// Calls visit(row, q) at steps of kReplayStep along the rows; `row` is the index of the row that
+/// the step leads to.
 template <typename Visit>
 void replay_rows(const std::vector<Eigen::VectorXd>& rows, Visit visit) {
   visit(std::size_t{0}, rows[0]);
@@ -31,8 +32,8 @@ void replay_rows(const std::vector<Eigen::VectorXd>& rows, Visit visit) {
   }
 }
 
-/// Calls fault(row, what) for each row that does not follow on the one before it (the first on
-/// `before`, within `same`), is too far from it, or leaves the joint limits.
+/// Calls fault(row, what) for each row that is too far from the row before it or leaves the joint
+/// limits, and for the first row if it differs from `before` by more than `same`.
 void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
                 const std::vector<Eigen::VectorXd>& rows,
                 const std::function<void(std::size_t row, const std::string& what)>& fault);

@@ -27,8 +27,8 @@ LinkSolids make_link_solids(const robot::Robot& robot) {
   return solids;
 }
 
-/// The solids of a robot's links, made once while any copy of the robot lives: planners build a
-/// scene per query.
+/// Returns the solids of a robot's links. They are cached while any copy of the robot lives,
+/// because planners build a scene for every query.
 std::shared_ptr<const LinkSolids> link_solids(const robot::Robot& robot) {
   using Owner = std::weak_ptr<const void>;
   static std::mutex mutex;
@@ -109,7 +109,7 @@ void Scene::attach(int body, int link, const Eigen::Isometry3d& X_LO,
                                 "' is a link of the robot and cannot be attached");
   }
   world_.set_pose(body,
-                  X_WL_[link] * X_LO);  // refuses a pose that is none, before anything changes
+                  X_WL_[link] * X_LO);  // throws on an invalid pose before anything changes
   detach(body);
   Attachment attachment{body, link, X_LO, {}};
   const auto pairs = world_.pairs();

@@ -3,11 +3,11 @@
 //
 // Conservative checking of a motion q(t) = q1 + t (q2 - q1) on the grid t = 0, 1/n, ..., 1.
 //
-// Let two bodies be at least d1 apart at t1 and d2 at t2, and let them move towards one another by
-// at most M on the way. At any t between, a part s of M lies behind and M - s ahead, so that they
-// are at least max(d1 - s, d2 - (M - s)) apart, which is at least (d1 + d2 - M) / 2. Where d1 + d2
-// > M they stay apart all the way; where not, the grid point in the middle is tested, for that pair
-// alone, and each half looked at in turn until no grid point is left.
+// Let two bodies be at least d1 apart at t1 and d2 at t2, and let them approach each other by at
+// most M in between. At any time between, they have approached by some s <= M and have M - s left,
+// so they are at least max(d1 - s, d2 - (M - s)) >= (d1 + d2 - M) / 2 apart. If d1 + d2 > M, they
+// stay apart. If not, the grid point in the middle is tested for that pair alone, and then each
+// half in turn until no grid point is left.
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +36,7 @@ void Scene::update_motion_bounds() {
   motion_bounds_.resize(robot_.dof(), world_.num_pairs());
   for (int i = 0; i < world_.num_pairs(); ++i) {
     const auto [a, b] = world_.pair(i);
-    // An allowance moves a body along an axis of the world, which turns as seen from a link.
+    // An allowance moves a body along an axis of the world, which turns relative to a link.
     const bool in_world = !world_.shift(i).isZero(0);
     motion_bounds_.col(i) = relative_reach(robot_, carriers[a], carriers[b], in_world);
   }
@@ -49,8 +49,7 @@ bool Scene::open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int
   place(q1);
   if (world_.collides()) return false;
   for (int i = 0; i < world_.num_pairs(); ++i) {
-    // Half of what the stretch needs; the other end will have the other half, or else make up for
-    // it.
+    // Half of what the stretch needs; the bound at the other end adds the rest.
     const double enough = (motion[i] * steps + kMargin) / 2;
     open_.push_back({i, motion[i], world_.distance_bound(i, enough), 0});
   }
@@ -70,7 +69,7 @@ void Scene::keep_open(const OpenPair& pair, int steps) {
   if (pair.bound_first + pair.bound_last <= pair.motion * steps + kMargin) open_.push_back(pair);
 }
 
-/// Whether the open pairs from `begin` on stay apart on the grid points between `first` and `last`.
+/// True if the open pairs from `begin` on stay apart on the grid points between `first` and `last`.
 bool Scene::is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first,
                             int last, std::size_t begin) {
   const std::size_t end = open_.size();

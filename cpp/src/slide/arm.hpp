@@ -10,27 +10,38 @@
 
 namespace graspless::slide {
 
-/// The joints that the search moves: those of the hand's arm, all others as at home with the hand
-/// open.
+/// The joints that the search moves: those of the hand's arm. All others stay at q_home, with the
+/// hand open.
 class GRASPLESS_API Arm {
  public:
-  explicit Arm(const Problem& problem);
+  explicit Arm(const Problem& problem) : joints_(problem.robot.group(problem.hand.arm)) {
+    lower_ = part(problem.robot.lower());
+    upper_ = part(problem.robot.upper());
+    const Eigen::VectorXd home = part(problem.q_home);
+    q_open_ = problem.robot.state(problem.hand.open);
+    q_closed_ = problem.robot.state(problem.hand.closed);
+    write(home, q_open_);
+    write(home, q_closed_);
+  }
 
   int dof() const { return static_cast<int>(joints_.size()); }
   const std::vector<int>& joints() const { return joints_; }
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
-  const Eigen::VectorXd& open() const { return q_open_; }      ///< home, with the hand open
-  const Eigen::VectorXd& closed() const { return q_closed_; }  ///< home, with the hand closed
+  const Eigen::VectorXd& open() const { return q_open_; }      ///< q_home with the hand open
+  const Eigen::VectorXd& closed() const { return q_closed_; }  ///< q_home with the hand closed
 
+  /// Writes the arm's joints into a configuration q of all joints.
   void write(const Eigen::Ref<const Eigen::VectorXd>& arm, Eigen::VectorXd& q) const {
     for (int i = 0; i < dof(); ++i) q[joints_[static_cast<std::size_t>(i)]] = arm[i];
   }
+  /// Returns the configuration of all joints with the arm at `arm` and the hand open.
   Eigen::VectorXd full(const Eigen::Ref<const Eigen::VectorXd>& arm) const {
     Eigen::VectorXd q = q_open_;
     write(arm, q);
     return q;
   }
+  /// Returns the arm's joints of a configuration q.
   Eigen::VectorXd part(const Eigen::VectorXd& q) const {
     Eigen::VectorXd arm(dof());
     for (int i = 0; i < dof(); ++i) arm[i] = q[joints_[static_cast<std::size_t>(i)]];

@@ -17,7 +17,7 @@ using planning::Path;
 
 namespace {
 
-Path whole(const Query& query, const Path& arm_path) {
+Path with_hand_open(const Query& query, const Path& arm_path) {
   Path path;
   for (const Eigen::VectorXd& arm : arm_path) path.push_back(query.arm.full(arm));
   return path;
@@ -28,7 +28,7 @@ void append(Plan& plan, const std::string& name, const Path& path, const Eigen::
   plan.segments.push_back({name, rows, std::vector<Eigen::Isometry3d>(rows.size(), X_WO)});
 }
 
-/// The opening of the hand at home, if it is not open there.
+/// Prepends q_home, so that the hand opens there first if it is not open.
 Path with_home(const Query& query, Path approach) {
   if (query.problem.q_home != approach.front())
     approach.insert(approach.begin(), query.problem.q_home);
@@ -45,7 +45,8 @@ void append_slide(Query& query, const Path& slide, Plan& plan) {
   plan.segments.push_back(std::move(segment));
 }
 
-/// The three most frequent refusals; those of pairs first, where it came to pairs.
+/// Lists the three most frequent rejections; with `pairs_first`, those of start-goal pairs come
+/// first.
 std::string most_frequent(const std::map<std::string, std::int64_t>& refusals, bool pairs_first) {
   std::vector<std::tuple<bool, std::int64_t, std::string>> sorted;
   for (const auto& [why, times] : refusals) {
@@ -59,33 +60,36 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals, b
   return out.str();
 }
 
-/// A pad can hold an object against the support's friction only so far.
+/// Warns if the pad's friction is too small to drag the object; returns true if it does.
 bool warn_of_drag(const Problem& problem, Plan& plan) {
-  constexpr double kTell = 10;  // a greater load has no meaning as a number
+  constexpr double kLargest = 10;  // beyond it the exact number says nothing more
   const double load = drag_load(problem, plan);
   if (load <= 1) return false;
   std::ostringstream out;
-  out << std::setprecision(3) << "the pad cannot drag the object: on the way it would have to hold "
-      << (load < kTell ? "" : "more than ") << std::min(load, kTell) << " times what it can ("
-      << std::setprecision(6) << "object.mass " << problem.object.mass() << " kg, support.friction "
-      << problem.support.friction() << ", hand.pad_friction " << problem.hand.pad_friction << "); "
+  out << std::setprecision(3) << "the fingertip's pad cannot drag the object: the slide needs "
+      << (load < kLargest ? "" : "more than ") << std::min(load, kLargest)
+      << " times the friction that the pad has (" << std::setprecision(6) << "object.mass "
+      << problem.object.mass() << " kg, support.friction " << problem.support.friction()
+      << ", hand.pad_friction " << problem.hand.pad_friction << "); "
       << (problem.support.friction() < problem.hand.pad_friction
               ? "another seed may press nearer to the centre of mass"
-              : "the support holds it better than the pad, wherever that presses");
+              : "no seed helps while support.friction is not below hand.pad_friction");
   plan.warnings.push_back(out.str());
   return true;
 }
 
-/// Eq. (2) has the object turn with the finger; physics allows that to a pad only so far.
+/// Eq. (2) lets the object turn with the finger; the pad's friction limits how fast. Warns if the
+/// object may lag behind.
 void warn_of_torsion(const Problem& problem, Plan& plan) {
-  constexpr double kDegree = 0.017453292519943295, kMost = 2;  // lag that is worth a word [deg]
+  constexpr double kDegree = 0.017453292519943295;  // [rad]
+  constexpr double kSmallLag = 2;                   // not worth a warning [deg]
   const Turning slide = turning(problem, plan);
   const double lag = slide.lag / kDegree;
-  if (lag < kMost) return;
+  if (lag < kSmallLag) return;
   std::ostringstream out;
-  out << std::setprecision(2) << "the slide turns by up to " << slide.most / kDegree / 100
-      << " deg/cm, and the pad turns the object with it only up to "
-      << slide.allowed / kDegree / 100 << ": it may stay behind by " << lag
+  out << std::setprecision(2) << "the slide turns by up to " << slide.max_turn_rate / kDegree / 100
+      << " deg/cm, but the pad's friction turns the object by at most "
+      << slide.allowed_turn_rate / kDegree / 100 << " deg/cm: the object may lag behind by " << lag
       << " deg; a wider pad (hand.pad_width) or a smoother support (support.friction) helps";
   plan.warnings.push_back(out.str());
 }
@@ -98,11 +102,11 @@ bool is_home_free(Query& query, Plan& plan) {
   for (const Eigen::VectorXd& q : {home, open}) {
     const auto [a, b] = query.free.collision(q);
     if (a.empty()) continue;
-    plan.reason = "at home, '" + a + "' touches '" + b + "'";
+    plan.reason = "at q_home, '" + a + "' touches '" + b + "'";
     return false;
   }
   if (query.is_motion_free(home, open)) return true;
-  plan.reason = "at home, the hand touches something while it opens";
+  plan.reason = "at q_home, the hand touches something while it opens";
   return false;
 }
 
@@ -111,12 +115,12 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   const Handling& handling = motions.handling();
   const Eigen::Isometry3d X_WO_start = query.X_WS * spatial(query.object_start);
   const Eigen::Isometry3d X_WO_goal = query.X_WS * spatial(handling.object_goal);
-  append(plan, "approach", with_home(query, whole(query, approach.free)), X_WO_start);
-  append(plan, "press", whole(query, approach.press), X_WO_start);
+  append(plan, "approach", with_home(query, with_hand_open(query, approach.free)), X_WO_start);
+  append(plan, "press", with_hand_open(query, approach.press), X_WO_start);
   append_slide(query, slide, plan);
-  append(plan, "lift", whole(query, handling.lift), X_WO_goal);
-  append(plan, "reach", whole(query, handling.reach), X_WO_goal);
-  append(plan, "grasp", whole(query, handling.grasp), X_WO_goal);
+  append(plan, "lift", with_hand_open(query, handling.lift), X_WO_goal);
+  append(plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);
+  append(plan, "grasp", with_hand_open(query, handling.grasp), X_WO_goal);
   append(plan, "close", handling.close, X_WO_goal);
   plan.status = Status::solved;
   plan.X_WO_goal = X_WO_goal;
@@ -134,7 +138,7 @@ std::string reason(const Plan& plan) {
       spent.str() +
       (plan.statistics.refusals.empty()
            ? ""
-           : "; refused most often: " + most_frequent(plan.statistics.refusals, pairs));
+           : "; most frequent rejections: " + most_frequent(plan.statistics.refusals, pairs));
   if (plan.status != Status::solved && plan.statistics.iterations == 0) {
     return "the budget allowed no iteration";
   }
@@ -144,15 +148,15 @@ std::string reason(const Plan& plan) {
     case Status::start_in_collision:
       return plan.reason;
     case Status::no_start_root:
-      return "no configuration presses on the object" + refused;
+      return "no configuration was found that presses on the object" + refused;
     case Status::no_goal_root:
-      return "no configuration presses near an edge" + refused;
+      return "no configuration was found that presses near an edge of the support" + refused;
     case Status::no_valid_pair:
-      return "starts and goals were connected, but no pair of them held" + refused;
+      return "starts and goals were connected, but no pair of them was valid" + refused;
     case Status::not_connected:
-      return "no start and goal were connected" + refused;
+      return "no start could be connected with a goal" + refused;
     case Status::interrupted:
-      return "interrupted: not found" + refused;
+      return "interrupted before a plan was found," + refused;
   }
   return "";
 }

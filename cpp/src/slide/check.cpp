@@ -26,8 +26,7 @@ bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tole
          angle_between(a, b) <= tolerance;
 }
 
-/// Winding number by angles; distance to the boundary, positive inside.
-double inside_by(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p) {
+double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p) {
   double turned = 0, nearest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
     const Eigen::Vector2d a = polygon.col(i) - p, b = polygon.col((i + 1) % polygon.cols()) - p;
@@ -80,7 +79,7 @@ bool Examination::has_shape() {
     fault("plan", "segments are not approach, press, slide, lift, reach, grasp, close");
   for (const Segment& s : plan_.segments) {
     if (s.positions.empty() || s.positions.size() != s.object_poses.size()) {
-      fault(s.name, "needs rows, and one object pose for each");
+      fault(s.name, "must have rows, and one object pose for each row");
     }
     for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
       const bool sound = s.positions[i].size() == problem_.robot.dof() &&
@@ -97,7 +96,7 @@ bool Examination::has_shape() {
 void Examination::check_rows() {
   Eigen::VectorXd before = problem_.q_home;
   if ((plan_.segments[0].positions[0] - before).lpNorm<Eigen::Infinity>() > kSame) {
-    fault("approach row 0", "is not the home configuration");
+    fault("approach row 0", "is not the home configuration q_home");
   }
   for (const Segment& s : plan_.segments) {
     scene::check_rows(problem_.robot, before, kSame, s.positions,
@@ -106,7 +105,7 @@ void Examination::check_rows() {
   }
 }
 
-/// Where the object begins: the given pose, laid flat on the support.
+/// The object's pose at the start: X_WO_start, laid flat on the support.
 Eigen::Isometry3d Examination::object_start() const {
   const Eigen::Isometry3d X_SO = X_SW_ * problem_.X_WO_start;
   const double yaw = std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0));
@@ -133,7 +132,7 @@ void Examination::check_object_poses() {
   }
 }
 
-/// Between approach and close the search moves the arm alone: the hand stays open.
+/// The hand must stay open in every segment but approach and close.
 void Examination::check_hand_open() {
   const Eigen::VectorXd& open = problem_.robot.state(problem_.hand.open);
   const std::vector<int>& arm = problem_.robot.group(problem_.hand.arm);
@@ -156,7 +155,7 @@ void Examination::check_collisions(const Segment& segment) {
                                          : Contacts::none);
   const bool slides = segment.name == "slide";
   const Finger start = finger(segment.positions[0]);
-  std::size_t faulty_row = segment.positions.size();  // one report a row is enough
+  std::size_t faulty_row = segment.positions.size();  // one fault per row is enough
   scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const Eigen::Isometry3d X_WO = slides ? followed(start, finger(q)) : segment.object_poses[row];
     const auto touching = world.touching(q, X_WO);

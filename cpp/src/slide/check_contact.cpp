@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// check(), while the finger is on the object.
+// Part of check(): the segments in which the finger touches the object.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,8 @@ namespace graspless::slide {
 namespace {
 
 constexpr double kRound = 1e-9;
-// How far the contact may stray while the finger presses or lifts, and so over a margin that the
-// slide just keeps [m].
+// Allowed movement of the contact while the finger presses or lifts [m]. It may exceed a margin
+// that the slide only just keeps by as much.
 constexpr double kStray = 5e-4;
 
 }  // namespace
@@ -30,9 +30,9 @@ Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   f.heading = Eigen::Vector2d(R(1, 0), -R(0, 0)).normalized();  // across the line contact X_F
   f.effective = f.commanded;
   if (problem_.hand.finger_model == FingerModel::flexure) {
-    // The flexure, a length L behind the commanded tip, stays; the finger turns up about it until
-    // its tip is in the top face: L sin(pitch') = L sin(pitch) - depth. The pad then rolls by the
-    // turn.
+    // The flexure, a length L behind the commanded tip, stays in place. The finger turns up about
+    // it until its tip lies in the top face: L sin(pitch') = L sin(pitch) - depth. The pad rolls by
+    // the same angle.
     const double L = problem_.hand.flexure_length;
     const double bent = std::asin(std::clamp(std::sin(f.pitch) - f.depth / L, -1.0, 1.0));
     const double ahead = L * std::cos(bent) - L * std::cos(f.pitch);
@@ -42,7 +42,7 @@ Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   return f;
 }
 
-/// The object's pose when it follows the effective contact rigidly from the start.
+/// The object's pose if it follows the effective contact rigidly from the start, Eq. (2).
 Eigen::Isometry3d Examination::followed(const Finger& start, const Finger& now) const {
   const double turn =
       std::atan2(start.heading.x() * now.heading.y() - start.heading.y() * now.heading.x(),
@@ -54,7 +54,8 @@ Eigen::Isometry3d Examination::followed(const Finger& start, const Finger& now) 
          Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(-from) * X_SO;
 }
 
-/// While the finger presses or lifts, the object must stand still: the effective contact does.
+/// The object must not move while the finger presses or lifts, so the effective contact must not
+/// either.
 void Examination::check_pressing(const Segment& segment) {
   constexpr double kTurn = 1e-3;  // [rad]
   const bool press = segment.name == "press";
@@ -62,7 +63,7 @@ void Examination::check_pressing(const Segment& segment) {
   scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const Finger now = finger(q);
     if (now.depth > options_.max_depth + options_.height_tolerance) {
-      fault(segment, row, "pressed " + figure(now.depth) + " m deep");
+      fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
     }
     if (now.depth <= 0) return;
     const double moved = (now.effective - pressed.effective).norm();
@@ -73,7 +74,7 @@ void Examination::check_pressing(const Segment& segment) {
   });
 }
 
-/// The approach comes from, and the lift goes, clear of the object.
+/// The fingertip must be clear of the object where the press begins and where the lift ends.
 void Examination::check_clearance() {
   for (const auto& q : {segment("press").positions.front(), segment("lift").positions.back()}) {
     const double clear = -finger(q).depth;
@@ -83,12 +84,12 @@ void Examination::check_clearance() {
   }
 }
 
-/// options.rim_margin, or what a small object has room for.
+/// options.rim_margin, or less for a small object.
 double Examination::rim_margin() const {
   double farthest = 0;
   const Eigen::Matrix2Xd& outline = problem_.object.outline().vertices();
   for (const auto& p_OP : problem_.object.points().colwise()) {
-    farthest = std::max(farthest, inside_by(outline, p_OP));
+    farthest = std::max(farthest, signed_depth(outline, p_OP));
   }
   return std::min(options_.rim_margin, farthest / 2);
 }
@@ -99,7 +100,7 @@ void Examination::check_slide() {
   const Eigen::Isometry3d X_OS = (X_SW_ * slide.object_poses.front()).inverse();
   const Eigen::Vector3d contact_O =
       X_OS * Eigen::Vector3d(start.effective.x(), start.effective.y(), 0);
-  const double inside = inside_by(problem_.object.outline().vertices(), contact_O.head<2>());
+  const double inside = signed_depth(problem_.object.outline().vertices(), contact_O.head<2>());
   if (inside < -0.001)
     fault(slide, 0, "the contact is not on the object");
   else if (inside < rim_margin() - 0.001) {
@@ -126,29 +127,29 @@ void Examination::check_slide_row(const Segment& slide, std::size_t row, const E
   const Finger now = finger(q);
   const double play = options_.height_tolerance + kRound;
   if (!(now.depth >= options_.min_depth - play && now.depth <= options_.max_depth + play)) {
-    fault(slide, row, "depth " + figure(now.depth) + " m is out of its band");
+    fault(slide, row, "depth " + figure(now.depth) + " m is outside its band");
   }
   check_touching_row(slide, row, now);
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
-  if (inside_by(Q, now.commanded) < -kRound ||
-      inside_by(Q, now.effective) < options_.tip_margin - kRound) {
+  if (signed_depth(Q, now.commanded) < -kRound ||
+      signed_depth(Q, now.effective) < options_.tip_margin - kRound) {
     fault(slide, row, "the fingertip or its contact is not far enough inside the support");
   }
 }
 
-/// What holds whenever the finger touches the object.
+/// Conditions of every row in which the finger touches the object.
 void Examination::check_touching_row(const Segment& segment, std::size_t row, const Finger& now) {
   if (!(std::abs(now.pitch - options_.pitch) <= options_.pitch_tolerance + kRound)) {
-    fault(segment, row, "pitch " + figure(now.pitch) + " rad is out of its band");
+    fault(segment, row, "pitch " + figure(now.pitch) + " rad is outside its band");
   }
   if (!(std::abs(now.roll) <= options_.roll_tolerance + kRound)) {
-    fault(segment, row, "roll " + figure(now.roll) + " rad");
+    fault(segment, row, "roll " + figure(now.roll) + " rad exceeds its tolerance");
   }
   if (!now.other_finger_up) fault(segment, row, "the other finger points down");
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
-  if (inside_by(Q, now.commanded) < -kStray)
+  if (signed_depth(Q, now.commanded) < -kStray)
     fault(segment, row, "the fingertip leaves the support");
-  if (inside_by(Q, now.effective) < options_.tip_margin - kStray) {
+  if (signed_depth(Q, now.effective) < options_.tip_margin - kStray) {
     fault(segment, row, "the contact comes too near the edge");
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// check(), where the object ends and how it is grasped there.
+// Part of check(): where the object ends, and how it is grasped there.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ Examination::Protrusion Examination::protrusion() const {
   std::vector<Eigen::Vector2d> out;
   for (const auto& p_O : problem_.object.points().colwise()) {
     const Eigen::Vector2d p = (X_SO * Eigen::Vector3d(p_O.x(), p_O.y(), 0)).head<2>();
-    if (inside_by(Q.vertices(), p) < 0) out.push_back(p);
+    if (signed_depth(Q.vertices(), p) < 0) out.push_back(p);
   }
   Protrusion result;
   result.any = !out.empty();
@@ -32,7 +32,7 @@ Examination::Protrusion Examination::protrusion() const {
     const double t =
         std::clamp((result.center - edge.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
     const double distance = (result.center - edge.a - t * along).norm();
-    // Round a corner both edges are equally near: then the one whose line is farther.
+    // Beyond a corner both edges are equally near: take the one whose line is farther away.
     const double beyond = edge.inward.dot(edge.a - result.center);
     const bool tie = std::abs(distance - nearest) <= 1e-9;
     if (tie ? beyond <= result.edge.inward.dot(result.edge.a - result.center)
@@ -52,22 +52,23 @@ Examination::Protrusion Examination::protrusion() const {
 void Examination::check_pair() {
   const Protrusion out = protrusion();
   if (!out.any || !(out.overhang >= options_.min_overhang - 1e-9)) {
-    fault("goal", "the object sticks out by " + figure(out.overhang) + " m only");
+    fault("goal", "the object sticks out by only " + figure(out.overhang) + " m");
   }
   if (!(std::abs(out.overhang - plan_.overhang) <= kSame)) {
-    fault("goal", "the overhang is not what the plan says");
+    fault("goal", "the overhang is not what the plan says: it is " + figure(out.overhang) + " m");
   }
   Eigen::Vector3d com_W = plan_.X_WO_goal * problem_.object.com();
   const Eigen::Vector3d n = problem_.support.normal_W();
   // Along gravity, onto the surface.
   com_W.z() -= n.dot(com_W - problem_.support.X_WS().translation()) / n.z();
-  const double inside = inside_by(problem_.support.polygon().vertices(), (X_SW_ * com_W).head<2>());
+  const double inside =
+      signed_depth(problem_.support.polygon().vertices(), (X_SW_ * com_W).head<2>());
   if (!(inside >= options_.com_margin - 1e-9)) {
-    fault("goal", "the centre of mass is inside by " + figure(inside) + " m only");
+    fault("goal", "the centre of mass is only " + figure(inside) + " m inside the edge");
   }
 }
 
-/// Condition 3: the hand arrives at H_g, and comes there straight.
+/// Condition 3: the hand reaches H_g along a straight line.
 void Examination::check_grasp() {
   const Segment& grasp = segment("grasp");
   const int H = problem_.robot.frame(problem_.hand.grasp_frame);
@@ -79,34 +80,34 @@ void Examination::check_grasp() {
   const Eigen::Isometry3d X_SH = X_SW_ * plan_.X_WH_grasp;
   const Eigen::Vector3d in(out.edge.inward.x(), out.edge.inward.y(), 0);
   if (!(X_SH.linear().col(2) - in).isZero(kSame)) {
-    fault("grasp", "the hand does not come perpendicularly to the nearest edge");
+    fault("grasp", "the hand does not approach perpendicularly to the nearest edge");
   }
   if (!(std::abs(X_SH.linear()(2, 1)) >= 1 - kSame)) {
     fault("grasp", "the finger plane is not vertical");
   }
   const Eigen::Vector3d where(out.center.x(), out.center.y(), problem_.object.thickness() / 2);
   if (!(X_SH.translation() - where).isZero(kSame)) {
-    fault("grasp", "the hand is not at the middle of what sticks out");
+    fault("grasp", "the hand is not at the middle of the part that sticks out");
   }
   check_straight(grasp);
 }
 
-/// The hand closes from open towards closed with the arm at rest, and stops as it touches the
-/// object.
+/// The hand must close from open towards closed while the arm is at rest, and stop when it touches
+/// the object.
 void Examination::check_closing() {
   constexpr double kPrecision = 2e-4;  // of the joint that moves most, at the touch [rad or m]
   const Segment& close = segment("close");
   const Eigen::VectorXd open = close.positions.front();
-  Eigen::VectorXd way = problem_.robot.state(problem_.hand.closed) - open;
-  for (int joint : problem_.robot.group(problem_.hand.arm)) way[joint] = 0;
-  Eigen::Index most = 0;
-  const double travel = way.cwiseAbs().maxCoeff(&most);
+  Eigen::VectorXd stroke = problem_.robot.state(problem_.hand.closed) - open;
+  for (int joint : problem_.robot.group(problem_.hand.arm)) stroke[joint] = 0;
+  Eigen::Index fastest = 0;
+  const double travel = stroke.cwiseAbs().maxCoeff(&fastest);
   double before = 0;
   for (std::size_t i = 0; i < close.positions.size(); ++i) {
     const Eigen::VectorXd moved = close.positions[i] - open;
-    const double t = travel > 0 ? moved[most] / way[most] : 0;
-    if (!(moved - t * way).isZero(kSame) || t < before - kSame || t > 1 + kSame) {
-      fault(close, i, "does not close the hand, and the hand alone");
+    const double t = travel > 0 ? moved[fastest] / stroke[fastest] : 0;
+    if (!(moved - t * stroke).isZero(kSame) || t < before - kSame || t > 1 + kSame) {
+      fault(close, i, "must close the hand, and move the hand alone");
     }
     before = t;
   }
@@ -116,8 +117,8 @@ void Examination::check_closing() {
     fault("close", "no finger touches the object at the end");
   }
   const double just_before = travel > 0 ? std::max(0.0, before - kPrecision / travel) : 0;
-  if (!strict.touching(open + just_before * way, X_WO).empty()) {
-    fault("close", "the hand closes on after it touched the object");
+  if (!strict.touching(open + just_before * stroke, X_WO).empty()) {
+    fault("close", "the hand closes further after it has touched the object");
   }
 }
 
@@ -130,12 +131,12 @@ void Examination::check_straight(const Segment& grasp) {
     const Eigen::Isometry3d X_HH = plan_.X_WH_grasp.inverse() * robot.pose(H, q);
     if (X_HH.translation().head<2>().norm() > kSideways ||
         Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) {
-      fault(grasp, row, "the hand does not come straight");
+      fault(grasp, row, "the hand does not approach in a straight line");
     }
     back = std::max(back, -X_HH.translation().z());
   });
   if (back < options_.grasp_approach - 1e-4) {
-    fault("grasp", "the straight way is " + figure(back) + " m only");
+    fault("grasp", "the straight approach is only " + figure(back) + " m long");
   }
 }
 

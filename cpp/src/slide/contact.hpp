@@ -6,7 +6,7 @@
 
 #include "graspless/slide/problem.hpp"
 
-/// The contact between fingertip and object, seen in the support's frame S.
+/// The contact between fingertip and object, in the support's frame S.
 ///
 /// The finger's heading h is the horizontal direction of Z_F, its pitch the angle of Z_F below the
 /// surface. With X_F level and the other finger up,
@@ -31,16 +31,16 @@ Tip tip(const Eigen::Isometry3d& X_SF);
 Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height,
                            const Eigen::Vector2d& heading, double pitch);
 
-/// How far the contact runs ahead of the commanded tip, along the heading, when the tip is
-/// commanded `depth` below the top face. A finger that flexes about a point L behind its tip, with
-/// a pad of radius r:
-///   pitch' = asin(sin(pitch) - depth / L),   shift = L (cos(pitch') - cos(pitch)) + r (touch_pitch
-///   - pitch').
+/// Distance of the contact ahead of the commanded tip, along the heading, for a tip commanded
+/// `depth` below the top face [m]. For a finger that bends about a point L behind its tip, with a
+/// pad of radius r:
+///   pitch' = asin(sin(pitch) - depth / L),
+///   shift = L (cos(pitch') - cos(pitch)) + r (touch_pitch - pitch').
 /// Zero for FingerModel::none.
 double contact_shift(const Hand& hand, double depth, double pitch, double touch_pitch);
 
-/// The effective tip: where the contact really is, and which way it points. This is what Eq. (2)
-/// moves the object by, in SE(2): height and pitch of the finger do not lift or tilt the object.
+/// The effective tip: position and heading of the actual contact. Eq. (2) moves the object with it,
+/// in SE(2): height and pitch of the finger do not lift or tilt the object.
 Planar effective_tip(const Hand& hand, const Tip& tip, double top, double touch_pitch);
 
 /// Eq. (2): kappa_t = Gamma(phi_t) inv(Gamma(phi_s)) kappa_s, all in the plane of S.
@@ -49,6 +49,7 @@ inline Planar object_pose(const Planar& tip_now, const Planar& tip_start,
   return tip_now * tip_start.inverse() * object_start;
 }
 
+/// Projects a pose onto the plane of S.
 Planar planar(const Eigen::Isometry3d& X);
 Eigen::Isometry3d spatial(const Planar& X);
 

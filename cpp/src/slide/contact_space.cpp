@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "slide/rows.hpp"
-#include "slide/scenes.hpp"
 
 namespace graspless::slide {
 
@@ -13,10 +12,28 @@ using planning::BandProjection;
 
 namespace {
 
-// Parts of the tolerances are kept for the straight motions between projected configurations.
+// Part of each tolerance is reserved for the straight motions between projected configurations.
 constexpr double kPitchPlay = 2e-3;  // [rad]
 
+/// A pose out of reach, for an object whose pose is not known yet.
+Eigen::Isometry3d parked() {
+  constexpr double kFar = 1e3;  // [m]
+  return Eigen::Isometry3d(Eigen::Translation3d(0, 0, kFar));
+}
+
 }  // namespace
+
+scene::Scene make_scene(const Problem& problem) {
+  scene::Scene scene(problem.robot);
+  scene.add_obstacle(kSupportBody, problem.support.solid(), problem.support.X_WS());
+  const int object = scene.add_object(kObjectBody, problem.object.solid());
+  for (const Obstacle& obstacle : problem.obstacles) {
+    const int body = scene.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
+    scene.world().add_pair(object, body);
+  }
+  scene.move_object(object, problem.X_WO_start);
+  return scene;
+}
 
 ContactSpace::ContactSpace(const Problem& problem, const Options& options, const Arm& arm)
     : problem_(problem),
@@ -30,8 +47,8 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
       object_body_(scene_.world().body(kObjectBody)),
       q_(arm.open()),
       projection_(make_projection()) {
-  // The bands hold the sliding finger at the very depth that its allowances would,
-  // so the pairs need no test of their own here; check() tests them.
+  // The bands limit the depth of the sliding finger, so its contacts with object and support need
+  // no test here. check() tests them.
   for (const std::string& link : problem.hand.sliding_finger) {
     const int body = scene_.link_body(problem.robot.frame(link));
     if (body < 0) continue;
@@ -52,8 +69,8 @@ BandProjection ContactSpace::make_projection() {
       options_.roll_tolerance / 2;
   bands.slack << options_.height_tolerance,
       play * std::cos(options_.pitch + options_.pitch_tolerance), options_.roll_tolerance / 2;
-  constexpr double kBetweenSamples =
-      0.9;  // between two checked configurations a row may go a little further
+  // Between two checked configurations a value may exceed its band a little more.
+  constexpr double kBetweenSamples = 0.9;
   bands.slack *= kBetweenSamples;
   return BandProjection([this](const auto& arm, auto& value, auto* J) { rows(arm, value, J); },
                         bands, {arm_.lower(), arm_.upper()});
@@ -133,7 +150,7 @@ bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::Vec
                                    const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;
   const int pieces = replay_steps(step.lpNorm<Eigen::Infinity>(), resolution);
-  // Ends first, then inwards: what is wrong shows earliest at the far end.
+  // Backwards from the far end, where a violation shows earliest.
   for (int i = pieces; i >= 1; --i) {
     if (!is_valid(from + step * i / pieces, carried)) return false;
   }

@@ -15,14 +15,21 @@
 
 namespace graspless::slide {
 
+constexpr const char* kObjectBody = "object";
+constexpr const char* kSupportBody = "support";
+
+/// Makes a scene of the robot, the support, the obstacles, and the object as a movable body, in
+/// which nothing may touch.
+scene::Scene make_scene(const Problem& problem);
+
 /// The arm while its fingertip presses on the object: the relaxed constraint of Section IV-C.3.
 ///
-/// Three rows over the arm's joints: height of the tip over S, sine of its pitch, roll. Beside
-/// them, what has no gradient: the tip and its effective contact stay over the support, and nothing
-/// collides.
+/// Three constraint rows over the arm's joints: height of the tip over S, sine of its pitch, and
+/// roll. Two more conditions have no gradient: the tip and its effective contact stay over the
+/// support, and nothing collides.
 class GRASPLESS_API ContactSpace {
  public:
-  /// Where an object travels: the start tip it is carried by. Absent while the start is not known.
+  /// Effective tip and object pose at the start of the slide. Absent while the start is not known.
   struct Carried {
     Planar tip_start, object_start;
   };
@@ -31,36 +38,37 @@ class GRASPLESS_API ContactSpace {
   ContactSpace(const ContactSpace&) = delete;  // the projection calls back
   ContactSpace& operator=(const ContactSpace&) = delete;
 
-  /// Height of the tip over S [m], sine of its pitch, roll; and unless `J` is null, their
-  /// derivatives.
+  /// Writes the height of the tip over S [m], the sine of its pitch and its roll; unless `J` is
+  /// null, also their derivatives.
   void rows(const Eigen::VectorXd& arm, planning::BandProjection::Values& value,
             planning::BandProjection::Jacobian* J);
-  /// Brings the arm's joints onto the constraint.
+  /// Projects the arm's joints onto the constraint; false if that fails.
   bool project(Eigen::VectorXd& arm) {
     ++num_projections_;
     return projection_.project(arm);
   }
 
-  /// Whether the motion between two near configurations keeps the constraint, free of collision, at
+  /// True if the motion between two near configurations keeps the constraint without collision, at
   /// joint steps of `resolution` [rad]. With `carried`, the object moves along and must not collide
   /// either.
   bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                        const std::optional<Carried>& carried, double resolution);
   bool is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried);
-  /// The straight motion, projected at steps of options.range; nothing when it is lost on the way.
+  /// Returns the straight motion, projected at steps of options.range; nothing if a projection or a
+  /// check fails.
   std::optional<planning::Path> connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                         const std::optional<Carried>& carried);
 
-  /// The tip at a configuration.
+  /// The commanded tip at a configuration.
   Tip tip_at(const Eigen::VectorXd& arm);
   Planar effective_tip_at(const Eigen::VectorXd& arm);
-  /// Where the object is when the arm carries it.
+  /// The object's pose at a configuration of the slide, Eq. (2).
   Planar carry(const Carried& carried, const Eigen::VectorXd& arm) {
     return object_pose(effective_tip_at(arm), carried.tip_start, carried.object_start);
   }
 
-  /// The scene without the sliding finger's contacts, the object standing still at a pose in S: for
-  /// pressing and lifting, which stay within the depths that the bands allow.
+  /// Returns the scene with the object at a fixed pose in S and without tests of the sliding finger
+  /// against it. For pressing and lifting, which stay within the depths that the bands allow.
   scene::Scene& scene_with_object_at(const Planar& object_S);
   int num_checks() const { return scene_.world().num_checks(); }
   int num_projections() const { return num_projections_; }

@@ -11,21 +11,22 @@
 
 #include "scene/rows.hpp"
 
-/// check(): the promises of a plan, one function each. The formulas are written anew from the paper
-/// and from docs/architecture.md, so that a mistake in the search's cannot hide here.
+/// Implements check(): one function for each property of a valid plan. The formulas are written
+/// again from the paper and docs/architecture.md, so that a mistake in the search does not repeat
+/// itself here.
 namespace graspless::slide {
 
 constexpr double kSame = 1e-6;  // [m, rad]
 
 using Faults = std::vector<std::string>;
 
-/// Whether two poses agree in place [m] and attitude [rad].
+/// True if two poses agree in position [m] and attitude [rad] within `tolerance`.
 bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance);
 
-/// Distance of a point to a polygon's boundary, positive inside by its winding number.
-double inside_by(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p);
+/// Signed distance of a point to a polygon's boundary [m], positive inside (by the winding number).
+double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p);
 
-/// One plan under examination.
+/// Replays one plan and collects its faults.
 class Examination {
  public:
   Examination(const Problem& problem, const Plan& plan, const Options& options)
@@ -37,7 +38,7 @@ class Examination {
   Faults run();
 
  private:
-  /// The finger against the support, from the frame's pose alone.
+  /// The finger relative to the support, computed from the pose of its frame alone.
   struct Finger {
     double depth, pitch, roll;
     bool other_finger_up;
@@ -61,7 +62,7 @@ class Examination {
   double rim_margin() const;
   void check_slide();
   void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);
-  /// What sticks out of the support where the object ends.
+  /// The part of the object that sticks out of the support after the slide.
   struct Protrusion {
     bool any = false;
     double overhang = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The frames that a hand's description names, against the fingers' shapes: the likeliest mistake
-// with a hand of one's own, and one that a planner would otherwise believe.
+// Compares the frames that a hand's description names with the shapes of its fingers. A wrong frame
+// is the likeliest mistake with a new hand, and no other check would notice it.
 #include "slide/hand_frames.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr double kAlong = 0.7;  // cosine: within about 45 degrees
 
-/// The mean of the places of the links' shapes, in the world, with the hand open.
+/// Mean position of the links' collision shapes, in W, with the hand open [m].
 Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links) {
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
@@ -36,7 +36,7 @@ void require(bool holds, const std::string& field, const std::string& frame,
              const std::string& must) {
   if (holds) return;
   throw std::invalid_argument("hand." + field + " '" + frame + "': " + must +
-                              " (with the hand open, by the fingers' collision shapes)");
+                              " (judged by the collision shapes of the open hand)");
 }
 
 }  // namespace
@@ -49,7 +49,8 @@ void check_hand_frames(const Problem& problem) {
     if (std::find(sliding.begin(), sliding.end(), link) == sliding.end()) others.push_back(link);
   }
   if (others.empty()) {
-    throw std::invalid_argument("hand.fingers must name a finger beside the sliding one");
+    throw std::invalid_argument(
+        "hand.fingers must name at least one finger besides hand.sliding_finger");
   }
   const robot::Robot& robot = problem.robot;
   const Eigen::VectorXd& open = robot.state(hand.open);

@@ -6,8 +6,8 @@
 
 namespace graspless::slide {
 
-/// Throws std::invalid_argument that names the frame when F or H of the hand does not lie as
-/// docs/notation.md says.
+/// Throws std::invalid_argument that names the frame if F or H of the hand is not oriented as
+/// docs/notation.md requires.
 void check_hand_frames(const Problem& problem);
 
 }  // namespace graspless::slide

@@ -14,11 +14,11 @@ using planning::Path;
 namespace {
 
 constexpr double kPressStep = 0.0025;  // between waypoints along the retreat line [m]
-constexpr double kStill = 4e-4;        // how far the contact may stray between them [m]
+constexpr double kStill = 4e-4;        // allowed movement of the contact between them [m]
 constexpr double kGraspStep = 0.01;    // between waypoints of the hand's straight final motion [m]
 constexpr double kLineStep = 0.02;     // between waypoints of other straight motions [m]
 constexpr std::size_t kGraspCandidates = 6;
-constexpr std::size_t kSearchedCandidates = 2;  // of which a tree is grown to the nearest
+constexpr std::size_t kSearchedCandidates = 2;  // of those, the nearest to which a tree is grown
 
 int pieces(double length, double step) {
   return std::max(1, static_cast<int>(std::ceil(length / step)));
@@ -57,7 +57,7 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
 bool Motions::is_graspable(const Planar& object_S) {
   const Placement place = placement(query_.problem, query_.options, object_S);
   if (place.overhang < query_.options.min_overhang || !place.com_inside) {
-    query_.refuse("goal: overhang");  // at a corner, say, where another edge is nearer
+    query_.refuse("goal: overhang");  // for example at a corner, where another edge is nearer
     return false;
   }
   place_object(object_S);
@@ -86,15 +86,15 @@ std::optional<Approach> Motions::find_approach(const Eigen::VectorXd& start, int
   return Approach{*free, Path(lift->rbegin(), lift->rend())};
 }
 
-// Most free motions are straight. A tree is dear, and another pair may do without: it grows longer
-// the more pairs were refused.
+// Most free motions are straight. Growing a tree is expensive, and another pair may not need one,
+// so its budget grows with the number of rejected pairs.
 int Motions::search_iterations() const {
   constexpr int kFirst = 30, kDoublings = 5;
   return kFirst << std::min(num_refused_ / 2, kDoublings);
 }
 
-// Off the object along the retreat line, on which the effective contact stands still, then straight
-// up.
+// Leaves the object along the retreat line, on which the effective contact does not move, then goes
+// straight up.
 std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Planar& object_S) {
   const Tip tip = query_.contact.tip_at(pressed);
   const Planar contact = query_.contact.effective_tip_at(pressed);
@@ -117,7 +117,7 @@ std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Pla
   return path;
 }
 
-/// Whether the effective contact stays where it is, heading and all, also half way between
+/// True if position and heading of the effective contact stay the same, also halfway between
 /// waypoints.
 bool Motions::stands_still(const Path& press, const Planar& contact) {
   constexpr double kTurn = 8e-4;  // [rad]
@@ -135,7 +135,8 @@ bool Motions::stands_still(const Path& press, const Planar& contact) {
 std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& from,
                                    const std::vector<Eigen::Isometry3d>& poses,
                                    scene::Scene& scene) {
-  constexpr double kJump = 0.3;  // [rad]; a larger one has left the branch
+  constexpr double kJump =
+      0.3;  // [rad]; a larger joint step has left the branch of inverse kinematics
   Path path{from};
   Eigen::VectorXd q = query_.arm.full(from);
   for (const Eigen::Isometry3d& pose : poses) {
@@ -165,7 +166,7 @@ std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen:
   return planning::find_free_path(space, from, to, iterations, query_.rng);
 }
 
-// Condition 3: H_g can be reached by a motion from the goal.
+// Condition 3: a motion leads from the goal to H_g.
 bool Motions::find_handling(Handling& handling, const Eigen::VectorXd& goal) {
   const auto lift = lift_from(goal, handling.object_goal);
   if (!lift) {
@@ -245,7 +246,7 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
   return true;
 }
 
-// Whether the hand stays on its line, without turning, also half way between waypoints.
+// True if the hand stays on its line without turning, also halfway between waypoints.
 bool Motions::is_straight(const Path& path, const Handling& handling, int roll) {
   constexpr double kSideways = 0.0025, kTurn = 0.025;  // [m], [rad]
   const robot::Robot& robot = query_.problem.robot;
@@ -260,8 +261,8 @@ bool Motions::is_straight(const Path& path, const Handling& handling, int roll) 
   return true;
 }
 
-// Closes until the fingers touch the object; nothing when they touch something else first, or
-// nothing at all.
+// Closes the hand until the fingers touch the object. Returns nothing if they touch something else
+// first, or nothing at all.
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
   constexpr double kStep = 0.05, kPrecision = 1e-4;  // of a hand joint [rad or m]
   const Eigen::VectorXd open = query_.arm.full(arm);

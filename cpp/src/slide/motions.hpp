@@ -12,36 +12,36 @@
 
 namespace graspless::slide {
 
-/// Getting onto the object: rows are arm configurations.
+/// Motion from q_home onto the object; rows are configurations of the arm.
 struct Approach {
-  planning::Path free;  ///< home to above the contact
-  planning::Path
-      press;  ///< down to the touch, then on along the retreat line to the start configuration
+  planning::Path free;   ///< from q_home to above the contact
+  planning::Path press;  ///< down to the touch, then along the retreat line to the start
 };
 
-/// Getting off the object and grasping it.
+/// Motion off the object after the slide, and the grasp.
 struct Handling {
-  planning::Path lift;                 ///< off along the retreat line, then up
-  planning::Path reach;                ///< free motion to before the grasp
-  planning::Path grasp;                ///< straight in
-  std::vector<Eigen::VectorXd> close;  ///< whole configurations; the last one touches the object
+  planning::Path lift;   ///< along the retreat line until the finger is off the object, then up
+  planning::Path reach;  ///< free motion to the start of the straight approach
+  planning::Path grasp;  ///< straight approach to H_g
+  std::vector<Eigen::VectorXd>
+      close;  ///< configurations of all joints; the last one touches the object
   Placement placement;
   Planar object_goal;      ///< kappa_g in S
   Eigen::Isometry3d X_WH;  ///< H_g
 };
 
-/// The motions around the slide, and with them IsPairValid.
+/// Plans the motions before and after the slide and implements IsPairValid() of Section IV-C.1.
 class GRASPLESS_API Motions {
  public:
   explicit Motions(Query& query) : query_(query) {}
 
-  /// IsPairValid: the overhang, the centre of mass, and motions onto the start and from the goal to
-  /// the grasp.
+  /// IsPairValid(): checks the overhang, the centre of mass, and the motions onto the start and
+  /// from the goal to the grasp.
   bool is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal);
-  /// Whether some configuration free of collision grasps an object there.
+  /// True if a collision-free configuration exists that grasps the object at this pose.
   bool is_graspable(const Planar& object_S);
 
-  /// Of the pair that was last found valid.
+  /// Motions of the pair that was last found valid.
   const Approach& approach() const { return *valid_approach_; }
   const Handling& handling() const { return *handling_; }
 
@@ -79,12 +79,12 @@ class GRASPLESS_API Motions {
 
   struct KnownApproach {
     std::optional<Approach> found;
-    int iterations = -1;  // of the search that found none
+    int iterations = -1;  // of the last search that failed
   };
 
-  std::map<std::vector<double>, KnownApproach> approaches_;  // by start
-  int num_refused_ = 0;                                      // pairs, for want of a motion
-  Drawn drawn_;                                              // what is_graspable() found last
+  std::map<std::vector<double>, KnownApproach> approaches_;  // by start configuration
+  int num_refused_ = 0;                                      // pairs rejected for want of a motion
+  Drawn drawn_;                                              // last result of is_graspable()
   std::optional<Approach> valid_approach_;
   std::optional<Handling> handling_;
 };

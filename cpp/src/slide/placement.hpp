@@ -9,31 +9,34 @@
 
 #include "slide/contact.hpp"
 
-/// The geometry of IsPairValid: what an object pose near the edge is worth (Section IV-C).
+/// Geometry of IsPairValid() (Section IV-C.1): overhang, centre of mass and grasp of an object pose
+/// near an edge.
 namespace graspless::slide {
 
-/// How the object lies on the support.
+/// Position of the object relative to the support's edge.
 struct Placement {
-  bool sticks_out = false;         ///< whether any point does
-  double overhang = 0;             ///< u: the farthest of P_out from the line of `edge` [m]
+  bool sticks_out = false;         ///< true if P_out is not empty
+  double overhang = 0;             ///< u: largest distance of P_out from the line of `edge` [m]
   Eigen::Vector2d out_center;      ///< geometric centre of P_out, in S
   geometry::Polygon::Edge edge{};  ///< the edge nearest to out_center
-  bool com_inside = false;         ///< the centre of mass is com_margin inside Q
+  bool com_inside = false;         ///< the centre of mass is at least com_margin inside Q
 };
 
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S);
 
-/// Whether the centre of mass, seen along gravity, lies `margin` inside the polygon.
+/// True if the centre of mass, projected along gravity, lies at least `margin` [m] inside the
+/// polygon.
 bool is_com_inside(const Problem& problem, const Planar& object_S, double margin);
 
-/// H_g: perpendicular to the edge in the plane of Q, the finger plane vertical, between the faces
-/// of the object at the centre of P_out, `back` outwards of it. Two rolls: 0 and 1.
+/// H_g: perpendicular to the edge in the plane of Q, with the finger plane vertical, half the
+/// object's thickness above the support at the centre of P_out, moved outwards by `back` [m].
+/// `roll` 0 or 1 chooses which finger is on top.
 Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll,
                              double back = 0);
 
-/// An object pose that is valid by construction: over a random edge, at a random yaw, sticking out
-/// by between u* and what the margin of the centre of mass leaves. Nothing when this draw leaves no
-/// room between the two.
+/// Draws an object pose that is valid by construction: over a random edge, at a random yaw, with an
+/// overhang between u* and the largest that keeps the centre of mass inside. Returns nothing if
+/// this draw leaves no such overhang.
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
                                           std::mt19937_64& rng);
 

@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kShortcutRounds = 30;
 
-/// Whether a path is much longer than the straight way: one that came from a tree.
+/// True if a path is much longer than the straight line between its ends: it came from a tree.
 bool is_detour(const planning::Path& path) {
   return planning::length(path) > 1.2 * (path.back() - path.front()).norm();
 }
 
-/// Shortens the slide while it keeps the constraint.
+/// Shortens the slide along motions that keep the contact constraint.
 planning::Path shortened(Query& query, planning::Path path) {
   const ContactSpace::Carried carried = query.carried_from(path.front());
   const planning::Connect connect =
@@ -42,7 +42,7 @@ Status status_of(const ob::PlannerStatus& status, Query& query,
   return planner.num_pairs() > 0 ? Status::no_valid_pair : Status::not_connected;
 }
 
-void count(const planning::ForestCBiRRT& planner, Query& query, Statistics& statistics) {
+void fill_statistics(const planning::ForestCBiRRT& planner, Query& query, Statistics& statistics) {
   statistics = query.statistics;
   statistics.seconds = query.clock.seconds();
   statistics.iterations = query.clock.iterations();
@@ -62,12 +62,13 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   plan.joint_names = problem.robot.joint_names();
   if (!is_home_free(query, plan)) return plan;
 
-  Motions motions(query);
+  Motions motions(query);  // IsPairValid(), Section IV-C.1
   const ob::SpaceInformationPtr si = make_space(query);
-  const SlideSearch search = make_search(query, si, std::make_shared<StartRegion>(si, query),
-                                         std::make_shared<GoalRegion>(si, query, motions));
-  const ob::PlannerStatus status =
-      search.planner->solve(ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
+  const auto starts = std::make_shared<StartRegion>(si, query);         // C_s, Eq. (3)
+  const auto goals = std::make_shared<GoalRegion>(si, query, motions);  // C_g, Eq. (4)
+  const SlideSearch search = make_search(query, si, starts, goals);     // Section IV-C.3
+  const ob::PlannerStatus status = search.planner->solve(               // Algorithm 1
+      ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     planning::Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
     if (options.shortcut && is_detour(slide)) slide = shortened(query, std::move(slide));
@@ -75,7 +76,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   } else {
     plan.status = status_of(status, query, *search.planner);
   }
-  count(*search.planner, query, plan.statistics);
+  fill_statistics(*search.planner, query, plan.statistics);
   plan.reason = reason(plan);
   return plan;
 }

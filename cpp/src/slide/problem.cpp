@@ -11,7 +11,7 @@
 namespace graspless::slide {
 namespace {
 
-constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5 to 95 % [m]
+constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
 void check_positive(const std::string& what, double value) {
   if (!(value > 0) || !std::isfinite(value)) {
@@ -50,13 +50,13 @@ void check_thin(const std::string& what, const std::vector<double>& z, double th
   if (spread > kMaxHeightSpread) {
     throw std::invalid_argument(what +
                                 " is not the top of a thin object: its heights spread over " +
-                                std::to_string(spread) + " m (5 to 95 %), at most " +
-                                std::to_string(kMaxHeightSpread) + " allowed");
+                                std::to_string(spread) + " m (5th to 95th percentile); at most " +
+                                std::to_string(kMaxHeightSpread) + " m is allowed");
   }
   check_positive(what + " thickness", thickness);
   if (thickness > width / 2) {
     throw std::invalid_argument(what + " is not thin: thickness " + std::to_string(thickness) +
-                                " m, over half its width of " + std::to_string(width) + " m");
+                                " m exceeds half its width of " + std::to_string(width) + " m");
   }
 }
 
@@ -75,7 +75,7 @@ Eigen::VectorXd depths_within(const geometry::Polygon& outline, const Eigen::Mat
   return depths;
 }
 
-/// The slab between two heights over a polygon, as convex prisms.
+/// Convex prisms that fill the slab between two heights over a polygon.
 std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom,
                                           double top) {
   std::vector<geometry::PlacedShape> shapes;
@@ -157,7 +157,7 @@ Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::Vect
   }
   if (!masses.allFinite() || !points.allFinite() || (masses.array() < 0).any() ||
       !(masses.sum() > 0)) {
-    throw std::invalid_argument("masses must be finite, not negative, and positive in sum");
+    throw std::invalid_argument("masses must be finite and not negative, with a positive sum");
   }
   return points * masses / masses.sum();
 }
@@ -177,8 +177,8 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
   const double tilt = std::acos(std::min(1.0, std::max(-1.0, R(2, 2))));
   constexpr double kMaxTilt = 1.0471975511965976;
   if (tilt > kMaxTilt) {
-    throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad, at most " +
-                                std::to_string(kMaxTilt) + " allowed");
+    throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad; at most " +
+                                std::to_string(kMaxTilt) + " rad (60 degrees) is allowed");
   }
 }
 

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/query.hpp"
 
-#include <cmath>
-
-#include "slide/scenes.hpp"
-
 namespace graspless::slide {
 
 Query::Query(const Problem& problem, const Options& options, const planning::Budget& budget)

@@ -12,7 +12,7 @@
 
 namespace graspless::slide {
 
-/// What one plan() works with.
+/// Working state of one plan(): the problem, its budget, and the solvers and scenes made from it.
 struct GRASPLESS_API Query {
   Query(const Problem& problem, const Options& options, const planning::Budget& budget);
 
@@ -25,8 +25,8 @@ struct GRASPLESS_API Query {
   Arm arm;
   robot::Ik tip_ik, grasp_ik;
   ContactSpace contact;  ///< pressing and sliding
-  scene::Scene free;     ///< everything else: nothing may touch, the object stands still
-  int object_body;       ///< of `free`
+  scene::Scene free;     ///< all other motions: nothing may touch, the object does not move
+  int object_body;       ///< index of the object in `free`
   Planar object_start;   ///< kappa_s in S
   double top;            ///< z_s: height of the object's top face over S
   Eigen::Isometry3d X_WS;
@@ -36,30 +36,31 @@ struct GRASPLESS_API Query {
   }
   void refuse(const char* why) { ++statistics.refusals[why]; }
 
-  /// Whether a straight motion of all joints is free in `free`, at the steps of a replay.
+  /// True if the straight motion of all joints is free of collision, at the steps at which check()
+  /// replays it.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
     return free.is_free(from, to, replay_step(from, to, options.resolution));
   }
 
-  /// Pose of the commanded tip in the world whose effective contact, pressed `depth` after touching
-  /// at the same pitch, is `contact` (position and heading in S).
+  /// Returns the pose in W of a commanded tip that presses `depth` [m] deep at `pitch` [rad] and
+  /// whose effective contact is `contact` (position and heading in S).
   Eigen::Isometry3d pressed_tip(const Planar& contact, double depth, double pitch) const;
 
-  /// Configurations of the arm that put a frame at a pose, for one draw of what the pose leaves
-  /// free: the closed form at the given value of the free joint, or one descent from `near`.
+  /// Returns configurations that put a frame at the pose X_WF, for one draw of the redundancy: the
+  /// closed form at the given value of the free joint, or one numerical descent from `near`.
   std::vector<Eigen::VectorXd> draw_ik(const robot::Ik& ik, const Eigen::Isometry3d& X_WF,
                                        const Eigen::VectorXd& near, double free_joint);
 
-  /// What a closed form's answers are compared with, or where a descent begins: home, or for a
-  /// descent also a random configuration.
+  /// Draws the configuration that inverse kinematics stays near: q_home, or for a numerical descent
+  /// also a random configuration.
   Eigen::VectorXd draw_seed();
-  /// A value of the closed form's free joint, the arm's third; 0 for an arm without one.
+  /// Draws a value of the closed form's free joint, the arm's third; 0 for an arm without one.
   double draw_free_joint();
   double free_joint_of(const Eigen::VectorXd& arm) const {
     return arm.size() > kFree ? arm[kFree] : 0;
   }
 
-  /// The carried object of a start configuration.
+  /// Returns how the object is carried by a slide that begins at `start`.
   ContactSpace::Carried carried_from(const Eigen::VectorXd& start) {
     return {contact.effective_tip_at(start), object_start};
   }

@@ -26,7 +26,8 @@ Planar contact_at(const Eigen::Vector2d& point, double yaw) {
   return contact;
 }
 
-/// A configuration that presses at `contact`; the nearest to `near` of those that one draw gives.
+/// Returns a configuration that presses at `contact`: of one draw's solutions, the nearest to
+/// `near`.
 std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, double depth,
                                         const Eigen::VectorXd& near, double free_joint) {
   const Eigen::Isometry3d X_WF = query.pressed_tip(contact, depth, query.options.pitch);
@@ -43,7 +44,7 @@ std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, dou
   return best;
 }
 
-/// P_o less what is within options.rim_margin of the outline.
+/// P_o without the points within options.rim_margin of the outline.
 Eigen::Matrix2Xd inside_points(const Object& object, double rim_margin) {
   if (rim_margin == 0) return object.points();
   const double margin = std::min(rim_margin, object.depths().maxCoeff() / 2);
@@ -65,7 +66,7 @@ StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
       query_(query),
       p_OP_(inside_points(query.problem.object, query.options.rim_margin)) {}
 
-// Eq. (3): a contact anywhere on the object's top, any yaw, the given pitch, a depth in the band.
+// Eq. (3): a contact anywhere on the object's top face, any yaw, pitch beta_0, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
   const auto i =
       static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(p_OP_.cols()));
@@ -92,7 +93,7 @@ bool StartRegion::try_sample(ob::State* state) const {
 GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions& motions)
     : planning::SampleableRegion(si), query_(query), motions_(motions) {}
 
-// Eq. (4): a contact anywhere near the edges, any yaw, the given pitch, a depth in the band.
+// Eq. (4): a contact anywhere near the edges, any yaw, pitch beta_0, a depth in the band.
 bool GoalRegion::try_sample(ob::State* state) const {
   const auto point =
       query_.problem.support.goal_band().sample(query_.rng, query_.options.tip_margin);
@@ -138,7 +139,8 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
   return false;
 }
 
-/// Where the object could go: graspable by construction, the carrying contact still on the support.
+/// Draws a goal pose of the object: graspable by construction, with the fingertip's contact still
+/// on the support.
 std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& carried) const {
   const auto object_S = draw_graspable_pose(query_.problem, query_.options, query_.rng);
   if (!object_S) {

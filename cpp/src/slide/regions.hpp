@@ -9,7 +9,8 @@
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
 
-/// What the planner draws from: C_s of Eq. (3), C_g of Eq. (4), and goals that fit a start.
+/// Regions from which the planner samples: C_s of Eq. (3), C_g of Eq. (4), and goals that fit a
+/// start.
 namespace graspless::slide {
 
 class GRASPLESS_API StartRegion : public planning::SampleableRegion {

@@ -6,10 +6,11 @@
 
 #include "scene/replay.hpp"
 
-/// What check() replays a plan in: contact allowances stand where the search relies on its bands.
+/// World in which check() replays a plan. Contact allowances replace the depth bands on which the
+/// search relies.
 namespace graspless::slide {
 
-/// Which contacts a segment may have.
+/// Contacts that a segment may have.
 enum class Contacts {
   none,
   press,  ///< the sliding finger presses into object and support, to a stated depth
@@ -33,8 +34,8 @@ class Replay {
   int support_ = 0, object_ = 0;
 };
 
-/// How far the sliding finger reaches below the origin of its tip frame while its pitch is in the
-/// tolerated range [m].
+/// Largest depth of the sliding finger below the origin of its tip frame, over the tolerated pitch
+/// range [m].
 double finger_below_tip(const Problem& problem, const Options& options);
 
 }  // namespace graspless::slide

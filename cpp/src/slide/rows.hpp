@@ -11,15 +11,15 @@ namespace graspless::slide {
 
 constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
-/// In how many even steps a straight motion is looked at: rows of kRowStep, each cut at
-/// `resolution`. These are the very configurations at which the plan will be replayed, so that no
-/// corner slips between two grids.
+/// Number of equal steps in which a straight motion is checked: rows of kRowStep, each divided at
+/// `resolution`. check() replays the plan at the same configurations, so that no collision hides
+/// between two grids.
 inline int replay_steps(double span, double resolution) {
   const double rows = std::max(1.0, std::ceil(span / kRowStep));
   return static_cast<int>(rows * std::max(1.0, std::ceil(span / rows / resolution)));
 }
 
-/// The joint step of those, for one motion.
+/// Length of such a step in the joint that moves most [rad or m].
 inline double replay_step(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                           double resolution) {
   const double span = (to - from).lpNorm<Eigen::Infinity>();

@@ -11,8 +11,9 @@ using planning::vector;
 
 namespace {
 
-constexpr double kCoarse =
-    0.05;  // joint step while trees grow [rad]; a path found is checked at options.resolution
+// Joint step of checks while trees grow [rad]; a path that is found is checked again at
+// options.resolution.
+constexpr double kCoarse = 0.05;
 
 }  // namespace
 

@@ -12,19 +12,19 @@
 
 namespace graspless::slide {
 
-/// Everything OMPL needs for one query: ForestCBiRRT (Algorithm 1) over the arm's joints.
+/// OMPL objects of one query: ForestCBiRRT (Algorithm 1) over the arm's joints.
 struct SlideSearch {
   ompl::base::SpaceInformationPtr si;
   std::shared_ptr<ompl::base::ProblemDefinition> problem;
   std::shared_ptr<planning::ForestCBiRRT> planner;
 };
 
-/// The arm's joints as a state space; a state is valid when it presses on the support free of
+/// Makes the state space of the arm's joints. A state is valid if it presses on the support without
 /// collision.
 GRASPLESS_API ompl::base::SpaceInformationPtr make_space(Query& query);
 
-/// The planner between two regions of that space, with the relaxed contact constraint of Section
-/// IV-C.3. What it refers to must outlive it.
+/// Makes the planner between two regions of that space, with the relaxed contact constraint of
+/// Section IV-C.3. The query must outlive it.
 GRASPLESS_API SlideSearch
 make_search(Query& query, const ompl::base::SpaceInformationPtr& si,
             std::shared_ptr<const ompl::base::GoalSampleableRegion> starts,

@@ -13,21 +13,22 @@ namespace graspless::slide {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
-constexpr double kWay = 1e-5;      // shorter ones have no direction [m]
+constexpr double kMinStep = 1e-5;  // a shorter step has no direction [m]
 
-/// A row of the slide: what presses, and about where the object turns.
-struct Moment {
-  Tip tip;               ///< as commanded
-  double depth;          ///< below the top face [m]
+/// One row of the slide: how the finger presses, and the point about which the object turns.
+struct PressedRow {
+  Tip tip;               ///< commanded fingertip
+  double depth;          ///< of the tip below the top face [m]
   Eigen::Vector2d p_SM;  ///< centre of mass [m]
-  Eigen::Vector2d p_SC;  ///< centre of pressure of a finger that drags nothing [m]
+  Eigen::Vector2d p_SC;  ///< centre of pressure, for a finger without drag [m]
   double yaw;            ///< of the object [rad]
-  double radius;         ///< mean, of the object's points about the centre of pressure [m]
+  double radius;         ///< mean distance of the object's points to the centre of pressure [m]
 };
 
 double weight(const Problem& problem) { return problem.object.mass() * kGravity; }
 
-Moment moment(const Problem& problem, const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO) {
+PressedRow pressed_row(const Problem& problem, const Eigen::VectorXd& q,
+                       const Eigen::Isometry3d& X_WO) {
   const robot::Robot& robot = problem.robot;
   const Eigen::Isometry3d X_SW = problem.support.X_WS().inverse();
   const Tip pressing = tip(X_SW * robot.pose(robot.frame(problem.hand.fingertip), q));
@@ -43,25 +44,25 @@ Moment moment(const Problem& problem, const Eigen::VectorXd& q, const Eigen::Iso
           radius};
 }
 
-/// The plan's slide, row by row; nothing where its press is not known.
-std::vector<Moment> moments(const Problem& problem, const Plan& plan) {
+/// The rows of the plan's slide; empty if its press is unknown.
+std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan) {
   const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
                                   [](const Segment& segment) { return segment.name == "slide"; });
-  std::vector<Moment> found;
+  std::vector<PressedRow> found;
   if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) return found;
   for (std::size_t row = 0; row < slide->positions.size(); ++row)
-    found.push_back(moment(problem, slide->positions[row], slide->object_poses[row]));
+    found.push_back(pressed_row(problem, slide->positions[row], slide->object_poses[row]));
   return found;
 }
 
-/// While the object goes this way.
-double press_on(const Problem& problem, const Moment& at, const Eigen::Vector2d& way) {
-  const double along = way.norm() < kWay ? 0 : at.tip.heading.dot(way.normalized());
+/// Normal force [N] while the object moves by `step` [m].
+double press_on(const Problem& problem, const PressedRow& at, const Eigen::Vector2d& step) {
+  const double along = step.norm() < kMinStep ? 0 : at.tip.heading.dot(step.normalized());
   return dragging_force(problem.hand, at.depth, at.tip.pitch, along, problem.support.friction(),
                         weight(problem));
 }
 
-/// mu_s (N + m g) / (mu_p N), also of an infinite press.
+/// mu_s (N + m g) / (mu_p N); also defined for an infinite press N.
 double drag_ratio(const Problem& problem, double press) {
   return problem.support.friction() / problem.hand.pad_friction * (1 + weight(problem) / press);
 }
@@ -97,36 +98,36 @@ double max_turn_per_length(const Problem& problem, double radius, double press) 
 }
 
 double drag_load(const Problem& problem, const Plan& plan) {
-  const std::vector<Moment> rows = moments(problem, plan);
-  double most = 0;
+  const std::vector<PressedRow> rows = pressed_rows(problem, plan);
+  double largest = 0;
   for (std::size_t row = 1; row < rows.size(); ++row) {
-    const Moment& now = rows[row];
-    const Eigen::Vector2d way = now.p_SC - rows[row - 1].p_SC;
-    if (way.norm() < kWay) continue;
-    const double press = press_on(problem, now, way);
+    const PressedRow& now = rows[row];
+    const Eigen::Vector2d step = now.p_SC - rows[row - 1].p_SC;
+    if (step.norm() < kMinStep) continue;
+    const double press = press_on(problem, now, step);
     const Planar X_ST =
         effective_tip(problem.hand, now.tip, problem.object.thickness(), rows.front().tip.pitch);
     const Eigen::Vector2d p_TC = (now.p_SM - X_ST.translation()) / (1 + press / weight(problem));
-    const double e = way.normalized().dot(Eigen::Vector2d(p_TC.y(), -p_TC.x()));
+    const double e = step.normalized().dot(Eigen::Vector2d(p_TC.y(), -p_TC.x()));
     const double w = problem.hand.pad_width / 4;
-    most = std::max(most, drag_ratio(problem, press) * std::hypot(1, e / w));
+    largest = std::max(largest, drag_ratio(problem, press) * std::hypot(1, e / w));
   }
-  return most;
+  return largest;
 }
 
 Turning turning(const Problem& problem, const Plan& plan) {
   Turning found;
-  found.allowed = std::numeric_limits<double>::infinity();
-  const std::vector<Moment> rows = moments(problem, plan);
+  found.allowed_turn_rate = std::numeric_limits<double>::infinity();
+  const std::vector<PressedRow> rows = pressed_rows(problem, plan);
   for (std::size_t row = 1; row < rows.size(); ++row) {
-    const Moment &before = rows[row - 1], &now = rows[row];
+    const PressedRow &before = rows[row - 1], &now = rows[row];
     const Eigen::Vector2d step = now.p_SC - before.p_SC;
-    const double way = step.norm();
+    const double distance = step.norm();
     const double turn = std::abs(std::remainder(now.yaw - before.yaw, 2 * std::acos(-1.0)));
     const double allowed = max_turn_per_length(problem, now.radius, press_on(problem, now, step));
-    if (way > 0) found.most = std::max(found.most, turn / way);
-    found.allowed = std::min(found.allowed, allowed);
-    if (std::isfinite(allowed)) found.lag += std::max(0.0, turn - allowed * way);
+    if (distance > 0) found.max_turn_rate = std::max(found.max_turn_rate, turn / distance);
+    found.allowed_turn_rate = std::min(found.allowed_turn_rate, allowed);
+    if (std::isfinite(allowed)) found.lag += std::max(0.0, turn - allowed * distance);
   }
   return found;
 }

@@ -17,7 +17,7 @@ void require(bool holds, const std::string& field, double value, const std::stri
   if (!holds) throw std::invalid_argument(field + " " + must + ", not " + std::to_string(value));
 }
 
-/// A frame that the arm carries.
+/// Requires that the arm moves the frame.
 void check_carried(const Hand& hand, const robot::Robot& robot, const std::string& field,
                    const std::string& link) {
   const int last = robot.group(hand.arm).back();

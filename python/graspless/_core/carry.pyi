@@ -13,13 +13,13 @@ import typing
 __all__: list[str] = ['Options', 'Plan', 'Problem', 'Segment', 'Statistics', 'Status', 'check', 'plan', 'validate']
 class Problem:
     """
-    What is given: take what the hand holds to another pose.
+    Task of the planner: carry a held object along a straight path to another pose.
     """
     def __init__(self, robot: graspless._core.robot.Robot, frame: str, object: graspless._core.collision.Obstacle, X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], rests_on: collections.abc.Mapping[str, typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = {}, arm: str = 'arm') -> None:
         """
-        frame: link that the object keeps its place to. object: its shapes, and its pose when the carry begins.
-        X_WO_goal: (4, 4). q_start: (dof,) where the robot stands. rests_on: obstacles that the object lies on at
-        first and may be drawn over, each with its normal (3,) in the world. arm: group of the joints that move.
+        frame: link that holds the object. object: its shapes, and its pose at the start.
+        X_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration at the start [rad or m]. rests_on: obstacles that
+        the object rests on at the start and may be dragged over, each with its unit normal (3,) in the world. arm: group of the joints that move.
         """
     def __repr__(self) -> str:
         ...
@@ -36,32 +36,32 @@ class Problem:
     @property
     def frame(self) -> str:
         """
-        Link that the object keeps its place to.
+        Link that holds the object.
         """
     @property
     def object(self) -> graspless._core.collision.Obstacle:
         """
-        What is held, with its pose when the carry begins.
+        Held object, with its pose at the start.
         """
     @property
     def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
-        What else stands around.
+        Bodies that neither the arm nor the object may touch.
         """
     @property
     def q_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (dof,) [rad or m].
+        (dof,) configuration at the start [rad or m].
         """
     @property
     def rests_on(self) -> dict[str, typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]]:
         """
-        What the object lies on at first, with its normal (3,) in the world; a copy.
+        Obstacles that the object rests on at the start, each with its unit normal (3,) in the world; a copy.
         """
     @property
     def robot(self) -> graspless._core.robot.Robot:
         """
-        The robot.
+        Robot that moves.
         """
 class Options:
     """
@@ -276,24 +276,27 @@ class Plan:
         ...
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
-    Replays a plan against its problem, with none of the search's code.
+    Checks a plan against its problem by an independent replay.
     
-    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    Returns one fault per entry, with segment and row; an empty list if the plan is valid.
     """
 def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """
-    Plans a motion of the arm that takes the object along the straight way to its goal. Not finding a plan is a status.
+    Plans a motion of the arm that carries the object along a straight path to its goal.
     
-    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Finding no plan is a status, not an error.
+    
+    Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
+    
     Raises ValueError on a bad problem or bad options.
     """
 @typing.overload
 def validate(problem: Problem) -> None:
     """
-    Raises ValueError that names the field at fault, its value and the choices.
+    Raises ValueError that names the first bad field, its value and what is allowed.
     """
 @typing.overload
 def validate(options: Options) -> None:
     """
-    Raises ValueError that names the option at fault, its value and what it may be.
+    Raises ValueError that names the first bad option, its value and what is allowed.
     """

@@ -843,7 +843,7 @@ def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     Replays a plan without the code of the search, and returns its faults: joint limits,
     collisions, linking by the double integral, closing until contact, and the stability test.
     
-    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    Returns one fault per entry, with segment and row; an empty list if the plan is valid.
     """
 def hand_from_yaml(text: str, what: str = 'hand') -> Hand:
     """
@@ -874,7 +874,8 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     Plans a motion of arm and hand that ends in a clasp: reach, then close until contact
     (Stork, Pokorny, Kragic 2013, Section IV). Failure to find a plan is a status.
     
-    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
+    
     Raises ValueError on a bad problem or bad options.
     """
 def sample_object(name: str, scale: typing.SupportsFloat | typing.SupportsIndex = 1.0) -> list[graspless._core.geometry.PlacedShape]:
@@ -934,10 +935,10 @@ def validate(hand: Hand, robot: graspless._core.robot.Robot) -> None:
 @typing.overload
 def validate(problem: Problem) -> None:
     """
-    Raises ValueError that names the field at fault, its value and the choices.
+    Raises ValueError that names the first bad field, its value and what is allowed.
     """
 @typing.overload
 def validate(options: Options) -> None:
     """
-    Raises ValueError that names the option at fault, its value and what it may be.
+    Raises ValueError that names the first bad option, its value and what is allowed.
     """

@@ -10,7 +10,7 @@ import typing
 __all__: list[str] = ['Obstacle', 'World']
 class Obstacle:
     """
-    Something that stands in the way.
+    Fixed body that a motion must avoid.
     """
     def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
         """
@@ -26,7 +26,7 @@ class Obstacle:
     @property
     def name(self) -> str:
         """
-        What errors call it.
+        Name in errors.
         """
     @property
     def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
@@ -35,25 +35,25 @@ class Obstacle:
         """
 class World:
     """
-    Bodies at poses, and which pairs of them must not touch. Knows no robot.
+    Bodies at poses, and the pairs of them that must not touch. Independent of robots.
     
-    Bodies are named by their index or their name. Not for several threads at once: copy it.
+    A body is given by its name or its index. Not thread-safe: give each thread a copy.
     """
     def __copy__(self) -> World:
         """
-        A copy that shares the shapes.
+        Returns a copy that shares the shapes.
         """
     def __init__(self) -> None:
         """
-        A world without bodies.
+        Creates a world without bodies.
         """
     def __repr__(self) -> str:
         ...
     def add_body(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape]) -> int:
         """
-        Adds a body of one or more PlacedShape, at the identity; returns its index.
+        Adds a body of one or more PlacedShapes at the identity pose. Returns its index.
         
-        Raises ValueError on a bad shape or a name already taken.
+        Raises ValueError on a bad shape or a name that is already taken.
         """
     def add_pair(self, a: str | typing.SupportsInt | typing.SupportsIndex, b: str | typing.SupportsInt | typing.SupportsIndex) -> None:
         """
@@ -61,41 +61,43 @@ class World:
         """
     def all_collisions(self) -> list[tuple[int, int]]:
         """
-        Every touching pair.
+        Returns every touching pair.
         """
     def allow_contact(self, a: str | typing.SupportsInt | typing.SupportsIndex, b: str | typing.SupportsInt | typing.SupportsIndex, normal_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], depth: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        Lets a press up to depth [m] into b along -normal_W, (3,); depth 0 ends the allowance.
+        Allows body a to press up to depth [m] into body b along -normal_W, (3,). A depth of 0 ends the allowance.
         
-        Raises ValueError on a negative depth, a pair not tested or a zero normal.
+        Raises ValueError on a negative depth, a pair that is not tested, or a zero normal.
         """
     def body(self, name: str) -> int:
         """
-        Index of a body; ValueError lists the bodies.
+        Returns the index of a body.
+        
+        Raises ValueError that lists the bodies.
         """
     def collides(self) -> bool:
         """
-        Whether any tested pair touches.
+        Returns True if any tested pair touches.
         """
     def distance_bounds(self) -> list[float]:
         """
-        For each tested pair, in the order of pairs, a lower bound on its distance [m].
+        Returns a lower bound on the distance of each tested pair, in the order of pairs [m].
         """
     def first_collision(self) -> tuple[int, int] | None:
         """
-        The first touching pair found, or None.
+        Returns the first touching pair found, or None.
         """
     def name(self, body: str | typing.SupportsInt | typing.SupportsIndex) -> str:
         """
-        Name of a body.
+        Returns the name of a body.
         """
     def pose(self, body: str | typing.SupportsInt | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """
-        (4, 4) pose of a body in the world.
+        Returns the pose of a body in the world, (4, 4).
         """
     def remove_pair(self, a: str | typing.SupportsInt | typing.SupportsIndex, b: str | typing.SupportsInt | typing.SupportsIndex) -> None:
         """
-        No longer tests bodies a and b against each other.
+        Stops testing bodies a and b against each other.
         """
     def set_pose(self, body: str | typing.SupportsInt | typing.SupportsIndex, X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -104,12 +106,12 @@ class World:
     @property
     def num_bodies(self) -> int:
         """
-        How many bodies there are.
+        Number of bodies.
         """
     @property
     def num_checks(self) -> int:
         """
-        Configurations tested so far.
+        Number of configurations tested so far.
         """
     @property
     def pairs(self) -> list[tuple[int, int]]:

@@ -1046,7 +1046,7 @@ def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
     Derives every row of a plan anew from its problem, with none of the search's code.
     
-    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    Returns one fault per entry, with segment and row; an empty list if the plan is valid.
     """
 def check_realization(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, realization: Realization, options: RealizeOptions = ...) -> list[str]:
     """
@@ -1063,7 +1063,8 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     Plans where the fingers press, which holds its position and which its force, and when to change grip.
     Not finding a plan is a status.
     
-    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
+    
     Raises ValueError on a bad problem or bad options.
     """
 def realize(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: RealizeOptions = ..., budget: graspless._core.planning.Budget = ...) -> Realization:
@@ -1086,12 +1087,12 @@ def turn_path(X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64
 @typing.overload
 def validate(problem: Problem) -> None:
     """
-    Raises ValueError that names the field at fault, its value and the choices.
+    Raises ValueError that names the first bad field, its value and what is allowed.
     """
 @typing.overload
 def validate(options: Options) -> None:
     """
-    Raises ValueError that names the option at fault, its value and what it may be.
+    Raises ValueError that names the first bad option, its value and what is allowed.
     """
 @typing.overload
 def validate(problem: Problem, options: Options) -> None:

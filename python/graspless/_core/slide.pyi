@@ -19,30 +19,34 @@ class Object:
     @staticmethod
     def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Object:
         """
-        From points on the top surface, (N, 3) in O [m]; thickness [m] is their median height unless given.
+        Creates an object from points on its top surface, (N, 3) in O [m]: P_o of Hang et al. 2019, Section IV-A. The thickness [m] is their median height unless given.
         
-        Raises ValueError when the points are fewer than three, not finite, on a line, or not thin.
+        Raises ValueError if there are fewer than three points, if they are not finite or lie on a line, or if the object is not thin.
         """
     @staticmethod
     def from_polygon(name: str, outline: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex, spacing: typing.SupportsFloat | typing.SupportsIndex = 0.006) -> Object:
         """
-        From an outline, a Polygon or (N, 2) [m], and a thickness [m].
+        Creates an object from its outline, a Polygon or (N, 2) in O [m], and its thickness [m].
         
-        Contact points are a grid of `spacing` [m]; the centre of mass is the area's, half way up.
+        Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at half the thickness.
+        
+        Raises ValueError on a bad outline, or on a thickness over half the object's width.
         """
     def __repr__(self) -> str:
         ...
     def scaled(self, scale: typing.SupportsFloat | typing.SupportsIndex) -> Object:
         """
-        The same object scaled in the plane; thickness and mass stay.
+        Returns a copy scaled in its plane. Thickness and mass stay the same.
         """
     def with_com(self, com_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Object:
         """
-        The same object with another centre of mass, (3,) in O [m].
+        Returns a copy with another centre of mass, (3,) in O [m].
+        
+        Raises ValueError outside the object's bounding box.
         """
     def with_mass(self, mass: typing.SupportsFloat | typing.SupportsIndex) -> Object:
         """
-        The same object with another mass [kg].
+        Returns a copy with another mass [kg].
         """
     @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -52,12 +56,12 @@ class Object:
     @property
     def mass(self) -> float:
         """
-        [kg].
+        Mass [kg].
         """
     @property
     def name(self) -> str:
         """
-        What errors and pictures call it.
+        Name in errors and pictures.
         """
     @property
     def outline(self) -> graspless._core.geometry.Polygon:
@@ -77,7 +81,7 @@ class Object:
     @property
     def thickness(self) -> float:
         """
-        [m].
+        Thickness [m].
         """
 class Support:
     """
@@ -85,8 +89,8 @@ class Support:
     """
     def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06, friction: typing.SupportsFloat | typing.SupportsIndex = 0.3) -> None:
         """
-        polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by less than 60 degrees.
-        slab: how thick the top is [m]. band_width: how far from the edges the goal region reaches [m]. friction: of the object on it.
+        polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by at most 60 degrees.
+        slab: thickness of the table top [m]. band_width: width of the band along the edges where slides may end [m]. friction: coefficient of friction between object and support.
         """
     def __repr__(self) -> str:
         ...
@@ -98,12 +102,12 @@ class Support:
     @property
     def friction(self) -> float:
         """
-        Of the object on it.
+        Coefficient of friction between object and support.
         """
     @property
     def goal_band(self) -> graspless._core.geometry.Band:
         """
-        Band of the polygon where slides may end, in S.
+        Band of the polygon where slides may end, in S: P_g of the paper.
         """
     @property
     def normal_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -113,7 +117,7 @@ class Support:
     @property
     def polygon(self) -> graspless._core.geometry.Polygon:
         """
-        In S [m].
+        Polygon of the surface in S [m]: Q of the paper.
         """
     @property
     def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
@@ -123,21 +127,21 @@ class Support:
     @property
     def slab(self) -> float:
         """
-        How thick the top is [m].
+        Thickness of the table top [m].
         """
 class FingerModel(enum.Enum):
     """
-    How the sliding finger gives way under the press.
+    Model of how the sliding finger yields when it presses on the object.
     """
     flexure = ...
     none = ...
 class Hand:
     """
-    What the planner must know of a hand. Links and groups are the robot's.
+    Description of the hand: links, frames, groups and states of the robot, and its sliding pad.
     """
     def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005, flexure_stiffness: typing.SupportsFloat | typing.SupportsIndex = 4.6, pad_width: typing.SupportsFloat | typing.SupportsIndex = 0.032, pad_friction: typing.SupportsFloat | typing.SupportsIndex = 1.16) -> None:
         """
-        Any field by keyword; the others keep their defaults.
+        Sets any field by keyword; the others keep their defaults.
         """
     def __repr__(self) -> str:
         ...
@@ -152,7 +156,7 @@ class Hand:
     @property
     def closed(self) -> str:
         """
-        State towards which it closes; it stops at contact.
+        State that the hand closes towards, until it touches the object.
         """
     @closed.setter
     def closed(self, arg0: str) -> None:
@@ -160,7 +164,7 @@ class Hand:
     @property
     def finger_model(self) -> FingerModel:
         """
-        How the sliding finger gives way under the press.
+        Model of how the sliding finger yields when it presses on the object.
         """
     @finger_model.setter
     def finger_model(self, arg0: FingerModel) -> None:
@@ -184,7 +188,7 @@ class Hand:
     @property
     def flexure_length(self) -> float:
         """
-        From the flexure to the tip [m].
+        Distance from the flexure to the tip [m].
         """
     @flexure_length.setter
     def flexure_length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -192,7 +196,7 @@ class Hand:
     @property
     def flexure_stiffness(self) -> float:
         """
-        How hard the finger presses [Nm/rad].
+        Stiffness of the flexure [Nm/rad].
         """
     @flexure_stiffness.setter
     def flexure_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -216,7 +220,7 @@ class Hand:
     @property
     def pad_friction(self) -> float:
         """
-        Of the pad on the object.
+        Coefficient of friction between pad and object.
         """
     @pad_friction.setter
     def pad_friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -224,7 +228,7 @@ class Hand:
     @property
     def pad_width(self) -> float:
         """
-        Of the line contact [m].
+        Length of the line contact [m].
         """
     @pad_width.setter
     def pad_width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -240,18 +244,18 @@ class Hand:
     @property
     def tip_radius(self) -> float:
         """
-        Of the pad that rolls on the object [m].
+        Radius of the pad that rolls on the object [m].
         """
     @tip_radius.setter
     def tip_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Problem:
     """
-    What is given: slide the object to the edge of the support and grasp it there.
+    Task of the planner: slide the object to an edge of the support and grasp it there.
     """
     def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, support: Support, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = []) -> None:
         """
-        X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) where the robot stands.
+        X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) configuration at the start [rad or m]. obstacles: bodies that neither arm nor object may touch.
         """
     def __repr__(self) -> str:
         ...
@@ -263,36 +267,36 @@ class Problem:
     @property
     def hand(self) -> Hand:
         """
-        A copy of the hand.
+        Hand of the robot; a copy.
         """
     @property
     def object(self) -> Object:
         """
-        The thin object.
+        Thin object to slide.
         """
     @property
     def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
-        What else stands around.
+        Bodies that neither the arm nor the sliding object may touch.
         """
     @property
     def q_home(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (dof,) [rad or m].
+        (dof,) configuration at the start [rad or m].
         """
     @property
     def robot(self) -> graspless._core.robot.Robot:
         """
-        The robot.
+        Robot that moves.
         """
     @property
     def support(self) -> Support:
         """
-        What it lies on.
+        Surface that the object lies on.
         """
 class Search(enum.Enum):
     """
-    Which search finds the slide.
+    Search algorithm that finds the slide.
     """
     fast = ...
     paper = ...
@@ -664,66 +668,73 @@ class Plan:
         ...
 class Turning:
     """
-    How fast the slide of a plan turns.
+    Turn rates of a plan's slide, per distance that the object moves.
     """
-    def __init__(self, *, most: typing.SupportsFloat | typing.SupportsIndex = 0.0, allowed: typing.SupportsFloat | typing.SupportsIndex = 0.0, lag: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+    def __init__(self, *, max_turn_rate: typing.SupportsFloat | typing.SupportsIndex = 0.0, allowed_turn_rate: typing.SupportsFloat | typing.SupportsIndex = 0.0, lag: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
-        Any field by keyword; the others are zero.
+        Sets any field by keyword; the others are zero.
         """
     def __repr__(self) -> str:
         ...
     @property
-    def allowed(self) -> float:
+    def allowed_turn_rate(self) -> float:
         """
-        What the pad can turn at least [rad/m].
+        Turn rate that the pad can impose everywhere [rad/m].
         """
-    @allowed.setter
-    def allowed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    @allowed_turn_rate.setter
+    def allowed_turn_rate(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def lag(self) -> float:
         """
-        By how much the object may stay behind [rad].
+        Angle by which the object may lag behind the finger in total [rad].
         """
     @lag.setter
     def lag(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def most(self) -> float:
+    def max_turn_rate(self) -> float:
         """
-        Greatest turn per length of way [rad/m].
+        Largest turn rate of the slide [rad/m].
         """
-    @most.setter
-    def most(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    @max_turn_rate.setter
+    def max_turn_rate(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 def center_of_mass(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], masses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """
-    (3,) mean of points, (N, 3) [m], weighted by their masses, (N,).
+    Returns the centre of mass, (3,) [m], of point masses at points, (N, 3) [m], with masses (N,).
+    
+    Raises ValueError unless the masses are not negative and have a positive sum.
     """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
-    Replays a plan against its problem, with none of the search's code.
+    Checks a plan against its problem by an independent replay.
     
-    Each entry says which segment and row fails and how; an empty list means the plan holds.
+    Returns one fault per entry, with segment and row; an empty list if the plan is valid.
     """
 def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """
-    Plans approach, press, slide, lift, reach, grasp and close. Not finding a plan is a status.
+    Plans the motion: approach, press, slide, lift, reach, grasp and close (Hang et al. 2019, Section IV-C).
     
-    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt, budget.stop() returns the best so far.
+    Finding no plan is a status, not an error.
+    
+    Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
+    
     Raises ValueError on a bad problem or bad options.
     """
 def turning(problem: Problem, plan: Plan) -> Turning:
     """
-    How fast a plan's slide turns, and how fast the pad can turn the object with it: ellipsoidal limit surfaces of pad and support.
+    Returns how fast a plan's slide turns, and how fast the pad's friction can turn the object.
+    
+    Model: ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996).
     """
 @typing.overload
 def validate(problem: Problem) -> None:
     """
-    Raises ValueError that names the field at fault, its value and the choices.
+    Raises ValueError that names the first bad field, its value and what is allowed.
     """
 @typing.overload
 def validate(options: Options) -> None:
     """
-    Raises ValueError that names the option at fault, its value and what it may be.
+    Raises ValueError that names the first bad option, its value and what is allowed.
     """

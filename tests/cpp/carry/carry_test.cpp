@@ -38,7 +38,7 @@ VectorXd random_arm(const robot::Robot& robot, std::mt19937_64& rng) {
   return q;
 }
 
-TEST(Carry, GoesStraightEveryWay) {
+TEST(Carry, GoesStraightInEveryDirection) {
   for (const robot::Robot* robot : {&wam(), &kr5()}) {
     for (const Vector3d& by :
          {Vector3d(0, 0, 0.1), Vector3d(0.1, 0.02, 0), Vector3d(-0.05, 0.1, 0.05)})
@@ -56,7 +56,7 @@ TEST(Carry, TurnsToo) {
   }
 }
 
-TEST(Carry, TheWayBackIsAWayToo) {
+TEST(Carry, GoesBackAlongTheSamePath) {
   const Problem there = held_box(wam(), {0.05, 0.1, 0.1});
   const Plan found = plan(there);
   ASSERT_TRUE(found);
@@ -72,7 +72,7 @@ TEST(Carry, IsTheSameEveryTime) {
   EXPECT_EQ(plan(problem).segments[0].positions, plan(problem).segments[0].positions);
 }
 
-TEST(Carry, SaysWhatIsInTheWay) {
+TEST(Carry, NamesTheObstacle) {
   Problem problem = held_box(wam(), {0, 0, 0.2});
   problem.obstacles = {
       box("shelf", {0.5, 0.5, 0.01},
@@ -140,7 +140,7 @@ std::pair<int, int> count_found(const robot::Robot& robot, const Options& option
   return {found, straight};
 }
 
-TEST(Carry, TheFreeJointFindsWaysThatAreNotStraightAhead) {
+TEST(Carry, TheFreeJointLeadsAroundObstacles) {
   const auto [found, straight] = count_found(wam(), {});
   EXPECT_GT(straight, 5);
   EXPECT_GT(found, straight);
@@ -174,16 +174,16 @@ TEST(CarryCheck, FindsWhatIsWrong) {
   };
   Plan bad = good;
   bad.segments[0].object_poses[middle].translation().z() += 1e-4;
-  expect_fault(bad, "keep its place in the hand");
+  expect_fault(bad, "the object moves relative to the hand");
   bad = good;
   bad.segments[0].positions[middle][wam().group("arm")[3]] += 0.01;
-  expect_fault(bad, "off its straight way");
+  expect_fault(bad, "off its straight path");
   bad = good;
   bad.segments[0].positions[middle][wam().group("arm")[6]] += 0.01;
   expect_fault(bad, "turned by");
   bad = good;
   bad.segments[0].positions[middle][wam().joint("left_finger_joint")] += 0.01;
-  expect_fault(bad, "a joint moves that is not the arm's");
+  expect_fault(bad, "a joint outside the arm's group moves");
   bad = good;
   bad.segments[0].positions.pop_back();
   bad.segments[0].object_poses.pop_back();
@@ -191,7 +191,7 @@ TEST(CarryCheck, FindsWhatIsWrong) {
   bad = good;
   bad.segments[0].positions.erase(bad.segments[0].positions.begin());
   bad.segments[0].object_poses.erase(bad.segments[0].object_poses.begin());
-  expect_fault(bad, "not where the robot stands");
+  expect_fault(bad, "is not q_start");
   bad = good;
   bad.joint_names.pop_back();
   expect_fault(bad, "joint names");

@@ -150,7 +150,7 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   const Vector3d up = Vector3d::UnitZ();
   EXPECT_EQ(complaint([&] { world.body("d"); }), "no body 'd'; choose from: a, b, c");
   EXPECT_EQ(complaint([&] { world.add_body("a", {{geometry::Sphere{1}}}); }),
-            "body 'a' is already there");
+            "body 'a' already exists");
   EXPECT_EQ(complaint([&] { world.add_body("d", {}); }), "body 'd' must have a shape");
   EXPECT_EQ(complaint([&] {
               world.add_body("d", {{geometry::Sphere{1}}, {geometry::Sphere{0}}});

@@ -55,10 +55,11 @@ TEST(Srdf, RefusesUnknownNames) {
   EXPECT_CONTAINS(refused_srdf("<group name='g'><chain base_link='x' tip_link='tip'/></group>"),
                   "link 'x'");
   EXPECT_CONTAINS(refused_srdf("<group name='g'><chain base_link='tip' tip_link='root'/></group>"),
-                  "'root' does not hang on 'tip'");
+                  "'root' is not below link 'tip'");
   EXPECT_CONTAINS(refused_srdf("<group name='g'><group name='x'/></group>"), "unknown group 'x'");
   EXPECT_CONTAINS(
-      refused_srdf("<group name='g'><group name='h'/></group><group name='h'><group name='g'/></group>"),
+      refused_srdf(
+          "<group name='g'><group name='h'/></group><group name='h'><group name='g'/></group>"),
       "contains itself");
   EXPECT_CONTAINS(refused_srdf("<group_state name='s' group='x'/>"), "unknown group 'x'");
   EXPECT_CONTAINS(refused_srdf("<disable_collisions link1='tip' link2='x'/>"), "unknown link 'x'");
@@ -73,8 +74,8 @@ TEST(Srdf, RefusesValuesThatCannotBe) {
         "'/></group_state>");
   };
   EXPECT_CONTAINS(state("2.5"), "joint 'joint10': 2.5 is outside its limits -1.0");
-  EXPECT_CONTAINS(state("0,5"), "'0,5' is no number");
-  EXPECT_CONTAINS(state(""), "no number");
+  EXPECT_CONTAINS(state("0,5"), "'0,5' is not a number");
+  EXPECT_CONTAINS(state(""), "not a number");
 }
 
 TEST(Srdf, OursNamesArmAndHand) {

@@ -50,12 +50,12 @@ TEST(UrdfReader, RefusesWhatIsNoUrdf) {
 }
 
 TEST(UrdfReader, RefusesWhatIsNoTree) {
-  EXPECT_CONTAINS(refused(links({"a", "a"})), "link 'a' is there twice");
-  EXPECT_CONTAINS(refused(links({"a", "b"})), "two links are roots, 'a' and 'b'");
+  EXPECT_CONTAINS(refused(links({"a", "a"})), "link 'a' occurs twice");
+  EXPECT_CONTAINS(refused(links({"a", "b"})), "more than one root link: 'a' and 'b'");
   EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("j", "b", "c")),
-                  "joint 'j' is there twice");
-  EXPECT_CONTAINS(refused(links({"a"}) + joint("j", "a", "b")), "its child 'b' is no link");
-  EXPECT_CONTAINS(refused(links({"a"}) + joint("j", "b", "a")), "its parent 'b' is no link");
+                  "joint 'j' occurs twice");
+  EXPECT_CONTAINS(refused(links({"a"}) + joint("j", "a", "b")), "its child 'b' is not a link");
+  EXPECT_CONTAINS(refused(links({"a"}) + joint("j", "b", "a")), "its parent 'b' is not a link");
   EXPECT_CONTAINS(refused(links({"a", "b"}) + joint("j", "a", "b") + joint("k", "b", "a")),
                   "cycle");
   EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "b", "c") + joint("k", "c", "b")),
@@ -63,7 +63,7 @@ TEST(UrdfReader, RefusesWhatIsNoTree) {
   EXPECT_CONTAINS(refused(links({"a", "b"}) + joint("j", "b", "b")), "cycle");
   EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("k", "a", "c") +
                           joint("l", "c", "b")),
-                  "link 'b' has two parents, by joints 'j' and 'l'");
+                  "link 'b' has two parent joints, 'j' and 'l'");
   EXPECT_CONTAINS(refused(links({"a"}) + "<joint name='j' type='fixed'><child link='a'/></joint>"),
                   "joint 'j' has no <parent>");
 }

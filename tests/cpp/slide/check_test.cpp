@@ -113,7 +113,7 @@ TEST_F(Check, AnObstacleInTheObjectsWay) {
 TEST_F(Check, ATighterBand) {
   Options options;
   options.max_depth = options.min_depth;
-  expect_fault("out of its band", options);
+  expect_fault("outside its band", options);
 }
 
 TEST_F(Check, ASmallerTable) {
@@ -265,14 +265,14 @@ TEST_F(Check, ALiftThatStaysLow) {
 TEST_F(Check, AShorterStraightWay) {
   Options options;
   options.grasp_approach = 0.1;
-  expect_fault("straight way", options);
+  expect_fault("straight approach is only", options);
 }
 
 TEST_F(Check, AHandThatSwaysOnItsWay) {
   Segment& grasp = segment("grasp");
   const std::size_t middle = grasp.positions.size() / 2;
   grasp.positions[middle][6] += 0.04;
-  expect_fault("does not come straight");
+  expect_fault("does not approach in a straight line");
 }
 
 TEST_F(Check, OverhangsThatAreNotSo) {
@@ -309,7 +309,7 @@ TEST_F(Check, AHandThatClosesOn) {
   closed[7] = problem_.robot.state("closed")[7];
   close.positions.push_back(closed);
   close.object_poses.push_back(close.object_poses.back());
-  expect_fault("closes on");
+  expect_fault("closes further");
 }
 
 TEST_F(Check, MissingObjectPosesAreAFaultNotACrash) {

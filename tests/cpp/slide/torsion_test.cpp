@@ -121,9 +121,9 @@ Plan slide(const Problem& problem, double way, double turn) {
 TEST(Torsion, AStraightSlideNeverLagsAndATurnOnTheSpotLagsByItself) {
   const Problem rough = with(0.6, 0.01);
   const Turning straight = turning(rough, slide(rough, 0.1, 0));
-  EXPECT_NEAR(straight.most, 0, 1e-9);
+  EXPECT_NEAR(straight.max_turn_rate, 0, 1e-9);
   EXPECT_NEAR(straight.lag, 0, 1e-9);
-  EXPECT_GT(straight.allowed, 0);
+  EXPECT_GT(straight.allowed_turn_rate, 0);
   const Turning turned = turning(rough, slide(rough, 1e-4, 0.5));
   EXPECT_NEAR(turned.lag, 0.5, 0.02);
   const Problem smooth = with(0.05, 0.1);

@@ -14,33 +14,34 @@
 #include "graspless/planning/budget.hpp"
 #include "graspless/robot/robot.hpp"
 
-/// Carrying or dragging what the hand holds along a straight way. The object keeps its place to the
-/// hand: a lift, or a quasi-static drag in which nothing slips.
+/// Carries or drags a held object along a straight path. The object does not move relative to the
+/// hand: a lift, or a quasi-static drag without slip in the hand.
 namespace graspless::carry {
 
 using collision::Obstacle;
 
-/// What the object lies on when the carry begins, and may be drawn over.
+/// An obstacle that the object rests on at the start and may be dragged over.
 struct Rest {
   std::string obstacle;
-  Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  ///< out of it, towards the object
+  Eigen::Vector3d normal_W =
+      Eigen::Vector3d::UnitZ();  ///< unit normal of its surface, towards the object
 };
 
-/// What is given: take `object` to X_WO_goal.
+/// The task: carry `object` from object.X_WB to X_WO_goal.
 struct Problem {
   robot::Robot robot;
-  std::string arm = "arm";  ///< group of joints that move, base to wrist; all others stand still
-  std::string frame;        ///< link that the object keeps its place to; the arm carries it
-  /// What is held: shapes in O, and X_WB is X_WO when the carry begins. It is not tested against
-  /// the links that keep their place to `frame`: how they hold it is another planner's.
+  std::string arm = "arm";  ///< group of joints that move, base to wrist; all others stay
+  std::string frame;        ///< link that holds the object; the arm moves it
+  /// The held object: its shapes in O, and as X_WB its pose X_WO at the start. It may touch links
+  /// that do not move relative to `frame`: they hold it.
   Obstacle object;
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();
   std::vector<Obstacle> obstacles;
   std::vector<Rest> rests_on;
-  Eigen::VectorXd q_start;  ///< where the robot stands, all joints [rad or m]
+  Eigen::VectorXd q_start;  ///< configuration at the start, all joints [rad or m]
 };
 
-/// Throws std::invalid_argument that names the field, the value and the choices.
+/// Throws std::invalid_argument that names the field, its value and what is allowed.
 GRASPLESS_API void validate(const Problem& problem);
 
 /// How to search.
@@ -81,27 +82,27 @@ struct Statistics {
   std::map<std::string, std::int64_t> refusals;  ///< why steps failed
 };
 
-/// What was found, or why not.
+/// Result of plan(): a motion, or the reason why there is none.
 struct Plan {
   Status status = Status::not_found;
-  std::string reason;  ///< one sentence, for people
+  std::string reason;  ///< one sentence for the user
   std::vector<std::string> joint_names;
   std::vector<Segment> segments;
-  double reached = 0;  ///< how much of the way was possible, 0 to 1
+  double reached = 0;  ///< fraction of the path that the arm could follow, in [0, 1]
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }
 };
 
-/// Plans a motion of the arm that takes the object along the straight way to its goal: positions on
-/// a line, attitudes about one axis. The redundancy of a seven-joint arm and `max_twist` are what
-/// it searches through: a depth-first search over the way and those two, the straightest first.
-/// Throws std::invalid_argument on a bad problem, options or budget; not finding a plan is a
-/// status. There is no randomness in it.
+/// Plans a motion of the arm that carries the object along a straight path to its goal: its origin
+/// moves along a line, its attitude turns about one axis. A depth-first search chooses the value of
+/// a seven-joint arm's free joint and the twist (up to `max_twist`) along the path; it tries
+/// straight ahead first. Throws std::invalid_argument on a bad problem, options or budget. Finding
+/// no plan is a status, not an error. The search is deterministic.
 GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 
-/// Replays a plan against its problem at steps of 0.01 rad with none of the search's code. Each
-/// entry says which segment and row fails and how; an empty list means the plan holds.
+/// Checks a plan against its problem by an independent replay at joint steps of 0.01 rad. Returns
+/// one fault per entry, with segment and row; empty if the plan is valid.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

@@ -12,17 +12,16 @@
 
 namespace graspless::collision {
 
-/// The distance from points to a triangle surface: what settles the clear cases before FCL is
-/// asked.
+/// Distance from points to a triangle surface. Decides the clear cases before FCL is called.
 ///
-/// Exact distances by CGAL's tree of boxes, built when it is first needed; bounds from a grid whose
-/// cells are cut smaller and filled where they are asked (the distance changes by no more than one
-/// moves). The grid has no end. Copies share the surface and have grids of their own, empty at
-/// first: one copy a thread.
+/// Exact distances come from CGAL's AABB tree, which is built at the first call. Bounds come from
+/// an unlimited grid whose cells are subdivided and filled on demand: moving a point changes its
+/// distance by at most the length of the move. Not thread-safe: give each thread a copy. Copies
+/// share the surface and start with an empty grid.
 class GRASPLESS_API Clearance {
  public:
-  /// `cell`: side of the grid's cells [m]. Throws std::invalid_argument when the mesh has no
-  /// triangle or is not valid.
+  /// `cell`: side of the grid's cells [m]. Throws std::invalid_argument if the mesh is not valid or
+  /// has no triangle.
   explicit Clearance(const geometry::Mesh& mesh, double cell = 0.01);
   Clearance(const Clearance& other);
   Clearance& operator=(const Clearance& other);
@@ -30,18 +29,19 @@ class GRASPLESS_API Clearance {
   Clearance& operator=(Clearance&&) noexcept;
   ~Clearance();
 
-  /// Exact up to rounding [m].
+  /// Distance of a point to the surface, exact up to rounding [m].
   double distance(const Eigen::Vector3d& point) const;
-  /// Bounds on distance(point) at most a cell's diagonal apart [m], from the grid.
+  /// Bounds on distance(point) [m].
   struct Bounds {
     double lower, upper;
   };
+  /// Returns bounds at most a cell's diagonal apart.
   Bounds bounds(const Eigen::Vector3d& point);
-  /// Bounds just near enough to tell on which side of `threshold` [m] the distance lies, and how
-  /// much larger it is to a factor of eight; the distance itself where no cell can tell.
+  /// Returns bounds that tell on which side of `threshold` [m] the distance lies, and if it is
+  /// larger, by how much to a factor of eight. Returns the exact distance if no cell can tell.
   Bounds bounds(const Eigen::Vector3d& point, double threshold);
-  /// Bounds that tell on which side of `threshold` the distance lies or are a cell's diagonal
-  /// apart.
+  /// Returns bounds that tell on which side of `threshold` [m] the distance lies, or are a cell's
+  /// diagonal apart.
   Bounds rough_bounds(const Eigen::Vector3d& point, double threshold);
 
  private:

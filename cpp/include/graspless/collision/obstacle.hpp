@@ -13,15 +13,16 @@
 
 namespace graspless::collision {
 
-/// Something that stands in the way.
+/// A fixed body that a motion must avoid.
 struct Obstacle {
   std::string name;
   std::vector<geometry::PlacedShape> shapes;  ///< in its frame B
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// Throws std::invalid_argument that names the obstacle and the field: a name that is `taken`
-/// already (`takers` says by whom) or given twice, no shape or a bad one, a pose that is not rigid.
+/// Throws std::invalid_argument that names the obstacle and the field if a name is in `taken`
+/// (`takers` describes by whom) or occurs twice, if an obstacle has no shape or an invalid one, or
+/// if a pose is not rigid.
 GRASPLESS_API void require_obstacles(const std::vector<Obstacle>& obstacles,
                                      std::set<std::string> taken = {},
                                      const std::string& takers = "another obstacle");

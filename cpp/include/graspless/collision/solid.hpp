@@ -11,12 +11,12 @@
 
 namespace graspless::collision {
 
-/// The shapes of a body, prepared for collision tests (hulls, bounding volume trees): made once,
-/// shared by every world the body stands in. Immutable; copies are cheap.
+/// The shapes of a body, prepared for collision tests (hulls, bounding volume trees). Worlds that
+/// contain the body share it. Immutable; copies are cheap.
 class GRASPLESS_API Solid {
  public:
-  /// Throws std::invalid_argument, naming `what`, when there is no shape or geometry::validate
-  /// refuses one.
+  /// Throws std::invalid_argument that names `what` if there is no shape or geometry::validate
+  /// rejects one.
   explicit Solid(const std::vector<geometry::PlacedShape>& shapes,
                  const std::string& what = "solid");
 

@@ -12,26 +12,26 @@
 
 namespace graspless::planning {
 
-/// All randomness and time of a query. The same seed and iterations give the same plan, bit by bit,
-/// provided the clock does not end the search first.
+/// Limits of a query in time and iterations, and its random seed. The same seed and iterations give
+/// the same plan, bit by bit, unless time runs out first.
 struct Budget {
   double seconds = 10;                                                 ///< wall clock [s]
   std::int64_t iterations = std::numeric_limits<std::int64_t>::max();  ///< rounds of the main loop
   std::uint64_t seed = 1;
-  /// Ends the query when it returns true; asked at once and then at most every 10 ms, from the
-  /// thread that plans.
+  /// Ends the query once it returns true. Called at the start and then at most every 10 ms, from
+  /// the thread that plans.
   std::function<bool()> interrupted;
 };
 
-/// Spends a budget: the clock of one query.
+/// The clock of one query; counts what it has used of its budget.
 class GRASPLESS_API Clock {
  public:
-  /// Throws std::invalid_argument when seconds is not positive (infinity is allowed) or iterations
-  /// negative.
+  /// Throws std::invalid_argument unless seconds is positive (infinity is allowed) and iterations
+  /// is not negative.
   explicit Clock(const Budget& budget);
 
-  bool spend();   ///< takes one iteration; false when nothing is left
-  bool is_out();  ///< whether time is up or the query was interrupted; takes nothing
+  bool spend();   ///< counts one iteration; false if the budget is used up
+  bool is_out();  ///< true if time is up or the query was interrupted; counts nothing
   bool was_interrupted() const { return interrupted_; }
   double seconds() const;  ///< since construction
   std::int64_t iterations() const { return iterations_; }

@@ -22,30 +22,30 @@ class RootComponents;
 
 /// CBiRRT with sampleable start and goal regions: Algorithm 1 of Hang, Morgan and Dollar 2019.
 ///
-/// Grows a forest of trees rooted in drawn starts and another rooted in drawn goals, and connects
-/// them over a constraint until a connected pair of roots is valid by `Goal::isStartGoalPairValid`.
-/// It runs on any state space: without a projector it is RRT-Connect over forests; without a start
-/// region the problem's start states are the roots. The goal must be an
-/// `ompl::base::GoalSampleableRegion`.
+/// Grows one forest of trees from sampled starts and another from sampled goals, and connects them
+/// under a constraint until `Goal::isStartGoalPairValid` accepts a connected pair of roots. Runs on
+/// any state space. Without a projector it is RRT-Connect over forests. Without a start region the
+/// problem's start states are the roots. The goal must be an `ompl::base::GoalSampleableRegion`.
 ///
-/// With set_connect_first(true) it is Algorithm 1 with a shortcut in front: each new root is paired
-/// with a partner (SampleableRegion::try_sample_partner) and the two are connected straight away;
-/// and all starts and goals joined through any chain of connections count as connected (union-find
-/// over the roots).
+/// set_connect_first(true) adds a shortcut to Algorithm 1. It samples a partner for each new root
+/// (SampleableRegion::try_sample_partner) and tries to connect the two at once. It also counts all
+/// starts and goals as connected that are joined by any chain of connections (union-find over the
+/// roots).
 ///
-/// Repeatable for one seed where set_random_config is given (OMPL's samplers share a global seed).
+/// Repeatable for one seed if set_random_config is given (OMPL's samplers share a global seed).
 class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
  public:
   using State = ompl::base::State;
-  /// Brings a state onto the constraint; false when it cannot. A state on it must be left as it is.
+  /// Projects a state onto the constraint; false if that fails. Must not change a state that is on
+  /// it already.
   using Projector = std::function<bool(State*)>;
-  /// Whether the motion between two near states is valid. `start` is the start root of the tree it
-  /// belongs to, null where that is not known (in the goal forest; asked again with the root once
-  /// connected).
+  /// True if the motion between two near states is valid. `start` is the start root of its tree. It
+  /// is null in the goal forest, where the start is not known; the motion is checked again once it
+  /// is.
   using MotionCheck = std::function<bool(const State* start, const State* from, const State* to)>;
-  /// Whether a whole path of start-forest and goal-forest motions is valid from its start root: the
-  /// last word, for what the motion check leaves out while trees grow. Without it, the motion check
-  /// is asked again for those motions whose start was not known.
+  /// True if a whole path through both forests is valid from its start root. The final check, for
+  /// whatever the motion check leaves out while trees grow. Without it, the motion check runs again
+  /// on the motions whose start was not known.
   using PathCheck = std::function<bool(const std::vector<State*>& path)>;
   /// RandomConfig() of the algorithm.
   using RandomConfig = std::function<void(std::mt19937_64&, State*)>;
@@ -59,9 +59,9 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   void set_path_check(PathCheck check) { path_check_ = std::move(check); }
   void set_random_config(RandomConfig draw) { random_config_ = std::move(draw); }
   void set_seed(std::uint64_t seed) { rng_.seed(seed); }
-  void set_root_scale(double root_scale);  ///< N* of Eq. (5), positive; 100
+  void set_root_scale(double root_scale);  ///< N* of Eq. (5), positive; default 100
   double root_scale() const { return root_scale_; }
-  void set_range(double range);  ///< longest step of an extension; 0 lets setup() choose
+  void set_range(double range);  ///< longest step of an extension; 0: chosen by setup()
   double range() const { return range_; }
   void set_connect_first(bool on) { connect_first_ = on; }
 
@@ -70,17 +70,16 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   void setup() override;
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
-  /// The states of every root, for whoever wants to know what was drawn.
   std::size_t num_start_roots() const;
   std::size_t num_goal_roots() const;
   std::size_t num_nodes() const;
-  std::size_t num_pairs() const { return num_pairs_; }  ///< pairs validated
+  std::size_t num_pairs() const { return num_pairs_; }  ///< pairs checked by isStartGoalPairValid
   std::size_t num_connections() const {
     return num_connections_;
-  }  ///< trees joined, valid pair or not
+  }  ///< connections of two trees, also of invalid pairs
 
  private:
-  struct Meeting {  // a node of either forest, at the same state
+  struct Meeting {  // two nodes, one of each forest, at the same state
     int start_node, goal_node;
   };
 
@@ -112,7 +111,7 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
 
   std::unique_ptr<Forest> start_forest_, goal_forest_;
   std::unique_ptr<RootComponents> components_;
-  std::set<std::pair<int, int>> refused_;  // pairs of roots; most connections repeat one
+  std::set<std::pair<int, int>> refused_;  // pairs of roots; most connections repeat a known pair
   Forest* next_ = nullptr;                 // the forest to grow next: Pi_a
   std::size_t num_pairs_ = 0, num_connections_ = 0;
 };

@@ -13,23 +13,22 @@
 
 namespace graspless::planning {
 
-/// Configurations joined by straight motions.
+/// Waypoints, connected by straight motions.
 using Path = std::vector<Eigen::VectorXd>;
 
-/// A path from one configuration to another that keeps whatever must be kept, both ends included;
-/// nothing when there is none.
+/// Returns a valid path between two configurations, both included, or nothing.
 using Connect =
     std::function<std::optional<Path>(const Eigen::VectorXd& from, const Eigen::VectorXd& to)>;
 
-/// The sum of the Euclidean lengths of a path's motions.
+/// Returns the sum of the Euclidean lengths of a path's motions.
 GRASPLESS_API double length(const Path& path);
 
-/// Tries `rounds` times to replace the stretch between two random places of the path by
-/// `connect`'s, and keeps what is shorter. Every motion of the result is one of the path's own or
-/// one of `connect`'s, so a constraint that both keep is kept.
+/// Shortens a path: tries `rounds` times to replace the part between two random points by the path
+/// that `connect` returns, and keeps it if it is shorter. Every motion of the result is one of the
+/// path's own or one of `connect`'s, so a constraint that both keep is kept.
 GRASPLESS_API Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng);
 
-/// The same path with every motion cut so that no joint moves by more than `step`.
+/// Returns the path with every motion subdivided so that no joint moves by more than `step`.
 GRASPLESS_API Path subdivided(const Path& path, double step);
 
 }  // namespace graspless::planning

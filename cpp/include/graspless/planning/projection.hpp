@@ -10,12 +10,12 @@
 
 namespace graspless::planning {
 
-/// Brings configurations into a set of bands: lower <= value(q) <= upper, row by row, within joint
+/// Projects configurations into bands: lower <= value(q) <= upper in every row, within joint
 /// limits.
 ///
-/// Newton steps of least norm on the violated rows only (the gradient-based projection of CBiRRT;
-/// Berenson et al. 2009): a row inside its band leaves its direction free. One instance serves one
-/// thread.
+/// Takes least-norm Newton steps on the violated rows only (the gradient-based projection of
+/// CBiRRT, Berenson et al. 2009), so a row inside its band does not constrain the step. One
+/// instance serves one thread.
 class GRASPLESS_API BandProjection {
  public:
   static constexpr int kMaxRows = 6;
@@ -27,22 +27,22 @@ class GRASPLESS_API BandProjection {
 
   struct Bands {
     Values lower, upper;
-    Values slack;  ///< per row, how far outside its band still counts as inside
+    Values slack;  ///< per row: distance outside the band that still counts as inside
   };
   struct Limits {
     Eigen::VectorXd lower, upper;  ///< of the joints
   };
 
-  /// Throws std::invalid_argument when sizes differ or exceed the maxima, or a lower bound exceeds
-  /// its upper.
+  /// Throws std::invalid_argument if sizes differ or exceed the maxima, or a lower bound exceeds
+  /// its upper bound.
   BandProjection(Rows rows, Bands bands, Limits limits, int max_iterations = 10);
 
-  /// Whether every row lies in its band, plus slack.
+  /// True if every row lies in its band, widened by the slack.
   bool is_satisfied(const Eigen::VectorXd& q) const;
   bool is_satisfied(const Values& value) const;
 
-  /// Moves q into the bands. Returns false when that takes more than max_iterations or the limits
-  /// are in the way; q has then been modified all the same.
+  /// Moves q into the bands. Returns false if that takes more than max_iterations or the limits
+  /// prevent it; q is modified in either case.
   bool project(Eigen::VectorXd& q) const;
 
  private:

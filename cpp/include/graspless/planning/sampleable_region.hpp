@@ -8,21 +8,21 @@
 
 namespace graspless::planning {
 
-/// A region of start or goal states whose draws may fail, as those of inverse kinematics do.
+/// A region of start or goal states in which sampling may fail, as inverse kinematics does.
 class GRASPLESS_API SampleableRegion : public ompl::base::GoalSampleableRegion {
  public:
   using ompl::base::GoalSampleableRegion::GoalSampleableRegion;
   ~SampleableRegion() override;
 
-  /// Draws one state; false when this draw found none.
+  /// Samples one state; false if this sample failed.
   virtual bool try_sample(ompl::base::State* state) const = 0;
 
-  /// Draws a goal that makes a valid pair with `start` by construction; false when this draw found
-  /// none or the region knows no such way.
+  /// Samples a goal that forms a valid pair with `start` by construction. False if this sample
+  /// failed, or if the region cannot construct such goals (the default).
   virtual bool try_sample_partner(const ompl::base::State* start, ompl::base::State* goal) const;
 
-  /// OMPL's form: draws until one succeeds, a thousand times at most; the state is left as it was
-  /// otherwise.
+  /// OMPL's interface: samples until one succeeds, at most 1000 times. If none does, the state
+  /// keeps its value.
   void sampleGoal(ompl::base::State* state) const override;
   unsigned int maxSampleCount() const override;
   double distanceGoal(const ompl::base::State* state) const override;

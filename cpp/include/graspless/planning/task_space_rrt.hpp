@@ -19,29 +19,29 @@ namespace graspless::planning {
 /// 2013.
 ///
 /// Runs on any state space, given a projection to task space and a controller that takes one step
-/// towards a task-space target. Motions are judged by the space information's motion validator. The
-/// search ends when TS-CONNECT-GOAL reaches a target within the tolerance; without a tolerance,
-/// when the problem's goal is satisfied. A tree that has led nowhere for restart_cycles() cycles is
-/// thrown away and grown anew. Calling solve() again goes on where it ended, with the next target
-/// and the tree as it stands, and does not come back to the node that was found.
+/// towards a task-space target. The space information's motion validator checks motions. The search
+/// ends when TS-CONNECT-GOAL reaches a target within the tolerance; without a tolerance, when the
+/// problem's goal is satisfied. A tree that has not reached a target after restart_cycles() cycles
+/// is discarded, and a new one is grown. Calling solve() again continues with the next target and
+/// the current tree, and does not return the same node again.
 ///
-/// Control must be a function of its arguments: a node from which it was led towards a target once
-/// is not led there again, and neither are the nodes on that way.
+/// The controller must be deterministic in its arguments: a node that was extended towards a target
+/// once is not extended towards it again.
 ///
 /// Repeatable for one seed: OMPL's random numbers are not used.
 class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
  public:
   using State = ompl::base::State;
-  /// TS-PROJECTION: writes x of a state; its size must not change.
+  /// TS-PROJECTION: writes the task-space point x of a state; its size must not change.
   using Projection = std::function<void(const State* q, Eigen::VectorXd& x)>;
-  /// TS-CONTROL: writes the state one step from q towards x_target; false where control has nothing
-  /// to give (a stall), which ends a connection as a collision does. `is_exploring` in TS-EXTEND.
+  /// TS-CONTROL: writes the state one step from q towards x_target. False if the controller stalls,
+  /// which ends a connection like a collision. `is_exploring` is true in TS-EXTEND.
   using Controller =
       std::function<bool(const State* q, const Eigen::VectorXd& x, const Eigen::VectorXd& x_target,
                          bool is_exploring, State* q_new)>;
   /// RANDOM-TS-SAMPLE.
   using RandomTask = std::function<void(std::mt19937_64& rng, Eigen::VectorXd& x)>;
-  /// TS-TOLERANCE: whether x is near enough to a target.
+  /// TS-TOLERANCE: true if x is near enough to a target.
   using Tolerance = std::function<bool(const Eigen::VectorXd& x_target, const Eigen::VectorXd& x)>;
 
   explicit TaskSpaceRRT(const ompl::base::SpaceInformationPtr& si);
@@ -51,42 +51,42 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   void set_controller(Controller controller) { control_ = std::move(controller); }
   void set_random_task(RandomTask draw) { random_task_ = std::move(draw); }
   void set_tolerance(Tolerance tolerance) { tolerance_ = std::move(tolerance); }
-  /// The task-space goals, tried in this order in every cycle. Fells the tree there is.
+  /// Sets the task-space goals, tried in this order in every cycle. Discards the current tree.
   void set_targets(std::vector<Eigen::VectorXd> x);
-  /// Weights of the coordinates of x in the nearest-neighbour distance; ones unless given.
+  /// Sets the weights of the coordinates of x in the nearest-neighbour distance; all 1 by default.
   void set_weights(const Eigen::VectorXd& weights) { weights_ = weights; }
   void set_seed(std::uint64_t seed) { rng_.seed(seed); }
 
-  void set_random_probability(double probability);  ///< P, in [0, 1); 0.1
+  void set_random_probability(double probability);  ///< P, in [0, 1); default 0.1
   double random_probability() const { return random_probability_; }
-  void set_pre_expansions(int expansions);  ///< n: random extensions of a new tree; 50
-  /// n of the first tree, of the second, ...; the last number for all further ones.
+  void set_pre_expansions(int expansions);  ///< n: random extensions of a new tree; default 50
+  /// Sets n for the first tree, the second, ...; the last number holds for all further trees.
   void set_pre_expansion_schedule(std::vector<int> expansions);
   int pre_expansions() const { return pre_expansions_.front(); }
   void set_max_iterations(std::int64_t cycles);  ///< K of one solve(), over all its trees
-  void set_restart_cycles(int cycles);  ///< cycles of a tree before it is given up; 0: never; 20
+  void set_restart_cycles(int cycles);  ///< cycles before a tree is discarded; 0: never; default 20
   int restart_cycles() const { return restart_cycles_; }
-  void set_max_connect_steps(int steps);  ///< control steps of one TS-CONNECT-GOAL; 150
+  void set_max_connect_steps(int steps);  ///< control steps of one TS-CONNECT-GOAL; default 150
 
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
   void clear() override;
   void setup() override;
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
-  /// A node of the tree as it stands.
+  /// A node of the current tree.
   struct Node {
     const State* state;
     Eigen::VectorXd x;
-    int parent;  ///< index; its own for the root
+    int parent;  ///< index; a root has its own
   };
   std::size_t num_nodes() const;                               ///< of the last tree
   Node node(std::size_t index) const;                          ///< of the last tree
   std::int64_t num_nodes_grown() const { return num_grown_; }  ///< of all trees
-  std::int64_t num_cycles() const { return num_cycles_; }      ///< over all trees, K counted
-  std::int64_t num_restarts() const { return num_restarts_; }  ///< trees given up
+  std::int64_t num_cycles() const { return num_cycles_; }      ///< of all trees: k of Algorithm 1
+  std::int64_t num_restarts() const { return num_restarts_; }  ///< trees discarded
   std::int64_t num_steps() const { return num_steps_; }        ///< control steps
-  int reached_target() const { return reached_target_; }       ///< index; -1 before
-  int reached_node() const { return reached_node_; }           ///< of the last tree; -1 before
+  int reached_target() const { return reached_target_; }       ///< index; -1 until one is reached
+  int reached_node() const { return reached_node_; }  ///< of the last tree; -1 until one is reached
 
  private:
   class Tree;
@@ -94,8 +94,8 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
 
   void check_setup() const;
   bool read_starts();
-  void plant(const Termination& ptc);
-  bool is_given_up() const;
+  void start_tree(const Termination& ptc);
+  bool is_exhausted() const;
   bool starts_at_goal();
   bool ts_extend(const Eigen::VectorXd& x);
   bool ts_connect_goal(std::size_t target, const Termination& ptc);
@@ -119,10 +119,10 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
   std::unique_ptr<Tree> tree_;
   State* q_new_;
   Eigen::VectorXd x_new_, x_rand_;
-  std::size_t next_target_ = 0;  // of the cycle that the last solution interrupted
+  std::size_t next_target_ = 0;  // where to continue the cycle that the last solution interrupted
   std::int64_t num_grown_ = 0, num_cycles_ = 0, num_restarts_ = 0, num_steps_ = 0;
   int reached_target_ = -1, reached_node_ = -1;
-  bool has_tried_starts_ = false;  // as goals: a start that is one is offered once
+  bool has_tried_starts_ = false;  // true once the starts were checked against the targets
 };
 
 }  // namespace graspless::planning

@@ -12,7 +12,7 @@
 
 #include "graspless/planning/path.hpp"
 
-/// Between Eigen's vectors and OMPL's states of a box of configurations.
+/// Conversions between Eigen vectors and OMPL states of a box of configurations.
 namespace graspless::planning {
 
 inline Eigen::Map<const Eigen::VectorXd> vector(const ompl::base::State* state, Eigen::Index n) {

@@ -15,21 +15,21 @@
 
 namespace graspless::robot {
 
-/// Inverse kinematics of one frame by the joints of one serial group; all other joints stay as
+/// Inverse kinematics of one frame with the joints of one serial group; all other joints stay as
 /// given.
 ///
-/// Two solvers behind one interface: closed form for a seven-joint arm whose first three and whose
-/// last three axes each meet in a point (the Barrett WAM, although its elbow is offset), by Paden
-/// and Kahan's subproblems with the third joint as free parameter; damped least squares with
-/// limits, restarts and a null-space pull to the middle of the limits for any other chain. KDL's
-/// own solver is never called: in one process with Debian's OMPL it aborts (docs/architecture.md).
+/// Has two solvers. The closed form serves seven-joint arms whose first three axes meet in a point
+/// and whose last three do too, such as the Barrett WAM; the elbow may be offset. It uses Paden and
+/// Kahan's subproblems, with the third joint as free parameter. Every other chain uses damped least
+/// squares with joint limits, restarts, and a null-space pull to the middle of the limits. KDL's
+/// own solver is never called: it aborts in one process with Debian's OMPL (docs/architecture.md).
 class GRASPLESS_API Ik {
  public:
   struct Options {
     double tolerance = 1e-9;  ///< largest pose error of an answer [m, rad]
-    int max_iterations = 60;  ///< of damped least squares, per attempt
-    int restarts = 12;        ///< random seeds of damped least squares in solve_all()
-    int free_samples = 16;    ///< values of the free joint tried in solve_all() by the closed form
+    int max_iterations = 60;  ///< iterations of damped least squares per attempt
+    int restarts = 12;        ///< random restarts of damped least squares in solve_all()
+    int free_samples = 16;    ///< values of the free joint that solve_all() tries in closed form
   };
 
   /// `group`: joint indices of the chain, from the base outwards. Throws std::invalid_argument when
@@ -41,26 +41,26 @@ class GRASPLESS_API Ik {
   bool is_closed_form() const;
   const std::vector<int>& group() const;
 
-  /// All solutions within the limits for one value of the free joint, the third of the group:
-  /// closed form, at most 8 and their copies a whole turn of a joint away. `q` gives the values of
-  /// the joints outside the group and decides where an angle is arbitrary; each answer is a whole
-  /// configuration. Writes them to the first columns of `solutions` and returns how many; a matrix
-  /// kept between calls is only ever grown, so that nothing is allocated. Throws std::logic_error
-  /// for a chain without closed form.
+  /// Finds all solutions within the limits for one value of the free joint, the third of the group:
+  /// at most 8, and their copies a whole turn of a joint away. `q` gives the joints outside the
+  /// group, and the angles that a solution leaves arbitrary. Writes configurations of all joints to
+  /// the first columns of `solutions` and returns their number. Keep `solutions` between calls to
+  /// avoid allocation: it never shrinks. Throws std::logic_error for a chain without closed form.
   int solve_free(const Eigen::Isometry3d& X_WF, double free_joint, const Eigen::VectorXd& q,
                  Eigen::MatrixXd& solutions) const;
-  /// The same, appended.
+  /// Same, but appends the solutions to a vector.
   void solve_free(const Eigen::Isometry3d& X_WF, double free_joint, const Eigen::VectorXd& q,
                   std::vector<Eigen::VectorXd>& solutions) const;
 
-  /// All branches found: closed form over samples of the free joint (that of `q` first), or damped
-  /// least squares from `q` and random restarts; duplicates removed, nearest to `q` first.
-  /// Deterministic in rng.
+  /// Returns the solutions found on all branches, without duplicates, nearest to `q` first. Uses
+  /// the closed form at samples of the free joint (first its value in `q`), or damped least squares
+  /// from `q` and from random restarts. Deterministic in `rng`.
   std::vector<Eigen::VectorXd> solve_all(const Eigen::Isometry3d& X_WF, const Eigen::VectorXd& q,
                                          std::mt19937_64& rng) const;
 
-  /// The one solution that continues from `q`: damped least squares without restarts, so that small
-  /// motions of X_WF give small motions of q. Nothing when it does not converge within the limits.
+  /// Returns the solution that continues from `q`: damped least squares without restarts, so that
+  /// small motions of X_WF give small motions of q. Returns nothing if it does not converge within
+  /// the limits.
   std::optional<Eigen::VectorXd> solve_near(const Eigen::Isometry3d& X_WF,
                                             const Eigen::VectorXd& q) const;
 

@@ -25,41 +25,39 @@ struct LinkShape {
   geometry::PlacedShape placed;
 };
 
-/// A rigid-body tree read from a URDF: what moves, how far, and what it looks like to a collision
-/// checker.
+/// A rigid-body tree read from a URDF: its kinematics, joint limits and collision shapes.
 ///
 /// A configuration q holds the values of the independent joints [rad or m] in the URDF's tree
-/// order: depth first, the joints of one link in the order of the file. A mimic joint follows its
-/// own, through other mimics too; its own limits are not looked at. Every link is a frame, in the
-/// same order, the root first. Immutable; copies share their data, and const calls may run in
-/// parallel.
+/// order: depth first, the joints of one link in the order of the file. A mimic joint follows the
+/// joint that it mimics, directly or through other mimic joints; its own limits are ignored. Every
+/// link is a frame, in the same order, the root first. Immutable. Copies share their data, and
+/// const calls may run in parallel.
 class GRASPLESS_API Robot {
  public:
   struct Options {
-    std::string srdf;  ///< SRDF text; groups and disable_collisions are taken from it
-    std::map<std::string, std::string> packages;  ///< where package://NAME/ points
-    std::string directory;                        ///< what relative mesh paths are relative to
+    std::string srdf;  ///< SRDF text: groups, group states and disabled collisions
+    std::map<std::string, std::string> packages;  ///< directory of each package://NAME/
+    std::string directory;                        ///< directory that relative mesh paths start from
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< pose of the root link in the world
   };
 
-  /// Reads URDF text. Throws std::invalid_argument naming the element at fault: XML that does not
-  /// parse, a cycle or several roots, a planar or floating joint, a revolute or prismatic one
-  /// without limits, a mimic joint of an unknown one, a mesh that cannot be read, a collision shape
-  /// that is not finite and positive.
+  /// Reads URDF text. Throws std::invalid_argument that names the faulty element: XML that does not
+  /// parse, a cycle or several roots, a planar or floating joint, a revolute or prismatic joint
+  /// without limits, a mimic joint of an unknown joint, a mesh that cannot be read, or a collision
+  /// shape whose size is not finite and positive.
   static Robot from_urdf(const std::string& xml, const Options& options);
-  /// Reads a .urdf file; a .srdf of the same name beside it is read too unless `options.srdf` is
-  /// given.
+  /// Reads a .urdf file. Unless `options.srdf` is given, also reads a .srdf file of the same name
+  /// in the same directory.
   static Robot from_urdf_file(const std::string& path, Options options);
   static Robot from_urdf_file(const std::string& path);
 
   const std::string& name() const;
   int dof() const;  ///< number of independent joints
   const std::vector<std::string>& joint_names() const;
-  const Eigen::VectorXd& lower() const;  ///< [rad or m]; a continuous joint has -pi
-  const Eigen::VectorXd& upper() const;  ///< [rad or m]; a continuous joint has pi
-  const Eigen::VectorXd& max_velocity()
-      const;                                  ///< [rad/s or m/s]; infinity where the URDF has none
-  const Eigen::VectorXd& max_effort() const;  ///< [Nm or N]
+  const Eigen::VectorXd& lower() const;         ///< [rad or m]; a continuous joint has -pi
+  const Eigen::VectorXd& upper() const;         ///< [rad or m]; a continuous joint has pi
+  const Eigen::VectorXd& max_velocity() const;  ///< [rad/s or m/s]; infinite if the URDF has none
+  const Eigen::VectorXd& max_effort() const;    ///< [Nm or N]
   const Eigen::Isometry3d& X_WB() const;
 
   const std::vector<std::string>& frame_names() const;
@@ -71,40 +69,41 @@ class GRASPLESS_API Robot {
   /// Joint indices of a group of the SRDF. Throws std::invalid_argument that lists the groups.
   const std::vector<int>& group(const std::string& name) const;
   std::vector<std::string> group_names() const;
-  /// The group's configuration of that name in the SRDF (group_state), as a whole q; joints it
-  /// does not name are 0 clamped to their limits. States of one name and several groups are one.
-  /// Throws std::invalid_argument that lists the states.
+  /// Configuration of all joints in a group state of the SRDF. Joints that it does not name are
+  /// 0, clamped to their limits. States of the same name in several groups are merged. Throws
+  /// std::invalid_argument that lists the states.
   const Eigen::VectorXd& state(const std::string& name) const;
   std::vector<std::string> state_names() const;
 
-  /// The poses of all frames, in one pass through the tree. `X_WL` is resized once.
+  /// Computes the poses of all frames at q in one pass through the tree. Resizes `X_WL` if needed.
   void forward(const Eigen::VectorXd& q, Poses& X_WL) const;
-  /// As forward(), only for the frames from the root to `frame`; the others are left as they were.
+  /// Same, but only for the frames from the root to `frame`; the others keep their values.
   void forward_to(int frame, const Eigen::VectorXd& q, Poses& X_WL) const;
   Eigen::Isometry3d pose(int frame, const Eigen::VectorXd& q) const;
 
-  /// The 6 x dof Jacobian of a frame's origin in the world, linear rows first, from poses that
-  /// forward() or forward_to() gave at q.
+  /// Computes the 6 x dof Jacobian of a frame's origin in W, linear rows first, from the poses that
+  /// forward() or forward_to() computed at q.
   void jacobian(int frame, const Poses& X_WL, Eigen::Matrix<double, 6, Eigen::Dynamic>& J) const;
   Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(int frame, const Eigen::VectorXd& q) const;
 
-  /// Clamps to the limits; is_within() allows a slack of `tolerance` [rad or m].
+  /// Returns q clamped to the joint limits.
   Eigen::VectorXd clamp(const Eigen::VectorXd& q) const;
+  /// True if q is within the joint limits, up to `tolerance` [rad or m].
   bool is_within(const Eigen::VectorXd& q, double tolerance = 1e-9) const;
 
   const std::vector<LinkShape>& shapes() const;
-  /// Pairs of links (smaller index first) that are never tested: joined by a joint (through links
-  /// without shapes, fixed joints and all), rigidly connected, or disabled in the SRDF.
+  /// Pairs of links (smaller index first) that are never tested for collision: adjacent (also
+  /// across links without shapes or fixed joints), rigidly connected, or disabled in the SRDF.
   const std::set<std::pair<int, int>>& ignored_pairs() const;
 
-  /// An upper bound on how far any point of any shape of `link` moves, per unit of each joint
-  /// [m/rad or 1], over all configurations within the limits: the lever arms of conservative motion
-  /// checking. Size dof. A link without shapes counts as its origin.
+  /// Upper bound on how far any point of the shapes of `link` moves per unit of each joint [m/rad
+  /// or 1], over all configurations within the limits; size dof. Used for conservative motion
+  /// checking. For a link without shapes: its origin.
   const Eigen::VectorXd& reach(int link) const;
 
-  struct Model;  // the KDL tree and the tables made from it; not part of the interface
+  struct Model;  // KDL segments and tables made from them; not part of the interface
   const Model& model() const { return *model_; }
-  /// Equal for copies, unequal for robots read apart; expires with the last copy.
+  /// Identity shared by all copies of one robot; expires with the last copy.
   std::weak_ptr<const void> identity() const { return model_; }
 
  private:
@@ -112,7 +111,7 @@ class GRASPLESS_API Robot {
   std::shared_ptr<const Model> model_;
 };
 
-/// Throws std::invalid_argument, naming `field`, unless q has a value for every joint, within its
+/// Throws std::invalid_argument that names `field` unless q has a value for every joint within its
 /// limits.
 GRASPLESS_API void require_configuration(const Robot& robot, const Eigen::VectorXd& q,
                                          const std::string& field);

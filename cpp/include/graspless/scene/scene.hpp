@@ -14,11 +14,11 @@
 
 namespace graspless::scene {
 
-/// A robot among bodies. Bodies of the world are named after the robot's links (those that have
-/// shapes), then whatever is added. Links are tested against one another (but for
-/// Robot::ignored_pairs) and against every obstacle and object; obstacles and objects are tested
-/// against one another only where world().add_pair says so. Allowances go through
-/// world().allow_contact. Not shared between threads; copy it instead: a copy costs microseconds.
+/// A robot among obstacles and objects. Each link with a shape is a body of the world and carries
+/// the link's name. Links are tested against each other (except Robot::ignored_pairs) and against
+/// every obstacle and object. Obstacles and objects are tested against each other only after
+/// world().add_pair(). Use world().allow_contact() for contact allowances. Not thread-safe: give
+/// each thread a copy, which costs microseconds.
 class GRASPLESS_API Scene {
  public:
   explicit Scene(const robot::Robot& robot);
@@ -27,51 +27,52 @@ class GRASPLESS_API Scene {
   collision::World& world() { return world_; }
   const collision::World& world() const { return world_; }
 
-  /// Adds a body fixed in the world that no link may touch, except the root link and links rigid
-  /// with it when `touches_base`. Returns its index in the world.
+  /// Adds a fixed body that no link may touch. With `touches_base`, the root link and links rigid
+  /// with it may. Returns the body's index in the world.
   int add_obstacle(const std::string& name, const std::vector<geometry::PlacedShape>& shapes,
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
   int add_obstacle(const std::string& name, const collision::Solid& solid,
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
-  /// Adds a body that moves (see move_object, attach) and that no link may touch.
+  /// Adds a movable body (see move_object, attach) that no link may touch.
   int add_object(const std::string& name, const std::vector<geometry::PlacedShape>& shapes);
   int add_object(const std::string& name, const collision::Solid& solid);
   void move_object(int body, const Eigen::Isometry3d& X_WO);
-  /// The body follows `link` from now on; move_object or detach ends that and leaves it where it
-  /// is. `touching` are links that may touch it meanwhile. Throws std::invalid_argument when the
-  /// body is a link's or there is no such link.
+  /// Lets the body move with `link` until move_object() or detach(), which leave it where it is.
+  /// Links in `touching` may touch it meanwhile. Throws std::invalid_argument if the body is a link
+  /// or there is no such link.
   void attach(int body, int link, const Eigen::Isometry3d& X_LO, const std::vector<int>& touching);
   void detach(int body);
 
   /// Index in the world of a link's body; -1 for a link without shapes.
   int link_body(int link) const { return link_body_[link]; }
 
-  /// Whether the robot at q is within its limits and nothing touches.
+  /// True if q is within the joint limits and nothing touches.
   bool is_free(const Eigen::VectorXd& q);
-  /// As is_free(q), from poses already computed; limits are not looked at.
+  /// Same, from poses already computed. Joint limits are not checked.
   bool is_free(const robot::Poses& X_WL);
-  /// Whether the straight motion from q1 to q2, both within the limits, is free: what is_free(q)
-  /// would say at its ends and at even steps between them of at most `resolution` [rad or m] in any
-  /// joint. Stretches that a bound on the motion of every pair (Robot::reach) proves free all along
-  /// are not stepped through.
+  /// True if q1 and q2 are within the limits and the straight motion between them is free:
+  /// is_free(q) holds at both ends and at equal steps of at most `resolution` [rad or m] in any
+  /// joint. Skips stretches that a bound on the motion of every pair (Robot::reach) proves free.
   bool is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution = 0.01);
-  /// The first touching pair at q, by name; empty names when free. Limits are not looked at.
+  /// Returns the names of the first pair that touches at q; empty if none does. Joint limits are
+  /// not checked.
   std::pair<std::string, std::string> collision(const Eigen::VectorXd& q);
 
-  /// Poses at the configuration last looked at: the q of is_free(q) or collision(q).
+  /// Link poses at the configuration checked last by is_free(q) or collision(q).
   const robot::Poses& poses() const { return X_WL_; }
 
  private:
   struct Attachment {
     int body, link;
     Eigen::Isometry3d X_LO;
-    std::vector<std::pair<int, int>> suspended;  // pairs that are not tested meanwhile
+    std::vector<std::pair<int, int>> suspended;  // pairs that are not tested while attached
   };
-  /// A pair that is not yet known to stay apart over a stretch of motion.
+  /// A pair that may touch during a stretch of motion.
   struct OpenPair {
-    int index;      // in the world's pairs
-    double motion;  // bound on how far its bodies move towards one another in one step [m]
-    double bound_first, bound_last;  // on their distance at the ends of the stretch [m]
+    int index;      // index of the pair in the world
+    double motion;  // bound on how far its bodies approach each other in one step [m]
+    double bound_first,
+        bound_last;  // lower bounds on their distance at both ends of the stretch [m]
     double bound_middle = 0;
   };
 
@@ -90,8 +91,8 @@ class GRASPLESS_API Scene {
   std::vector<int> moving_links_;
   std::vector<Attachment> attachments_;
 
-  // A column for each pair of the world: how far its bodies move towards one another per unit of
-  // each joint. Made again when the world's pairs or the attachments change.
+  // One column per pair of the world: how far its bodies approach each other per unit of each
+  // joint. Recomputed when the world's pairs or the attachments change.
   Eigen::MatrixXd motion_bounds_;
   int motion_revision_ = -1;
   std::vector<OpenPair> open_;  // a stack of stretches

@@ -20,34 +20,37 @@ namespace graspless::slide {
 /// A thin flat object. Its frame O has z up, the underside in the plane z = 0.
 class GRASPLESS_API Object {
  public:
-  /// From an outline in O's x-y plane [m] and a thickness [m]; the contact points are a grid of
-  /// `spacing` [m]. The centre of mass is the area's, half way up.
+  /// Creates an object from its outline in O's x-y plane [m] and its thickness [m]. The contact
+  /// points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at
+  /// half the thickness.
   static Object from_polygon(const std::string& name, const geometry::Polygon& outline,
                              double thickness, double spacing = 0.006);
-  /// From points on the top surface, in O (3 x n) [m], P_o of the paper. The outline is their alpha
-  /// shape, the thickness their median height unless given; the centre of mass is their mean, half
-  /// way up. Throws std::invalid_argument on values that are not finite, fewer than three points, a
-  /// line, or a thick object: heights that spread (5 to 95 %) by over 10 mm, or half the width.
+  /// Creates an object from points on its top surface, (3 x n) in O [m]: P_o of the paper. The
+  /// outline is their alpha shape. The thickness is their median height unless given. The centre of
+  /// mass is their mean, at half the thickness. Throws std::invalid_argument on values that are not
+  /// finite, fewer than three points, points on a line, or a thick object: heights that spread by
+  /// more than 10 mm (5th to 95th percentile), or a thickness over half the width.
   static Object from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
                            double thickness = 0);
 
   const std::string& name() const { return name_; }
   const Eigen::Matrix2Xd& points() const { return points_; }  ///< contact points, x-y in O [m]
   const geometry::Polygon& outline() const { return outline_; }
-  const Eigen::VectorXd& depths() const { return depths_; }  ///< of points() inside outline() [m]
+  /// Distance of each of points() to the outline [m].
+  const Eigen::VectorXd& depths() const { return depths_; }
   double thickness() const { return thickness_; }
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
-  /// Prisms over the convex parts of the outline, in O: the object to the collision checker.
+  /// Prisms over the convex parts of the outline, in O, for collision checking.
   const std::vector<geometry::PlacedShape>& shapes() const { return shapes_; }
   const collision::Solid& solid() const { return solid_; }
 
-  /// The same object with another centre of mass (in O). Throws unless it is finite and within the
-  /// outline's bounding box.
+  /// Returns a copy with another centre of mass, in O [m]. Throws std::invalid_argument unless it
+  /// is finite and within the object's bounding box.
   Object with_com(const Eigen::Vector3d& com_O) const;
-  /// The same object with another mass [kg]. Throws unless it is positive.
+  /// Returns a copy with another mass [kg]. Throws std::invalid_argument unless it is positive.
   Object with_mass(double mass) const;
-  /// The same object scaled in the plane; thickness and mass stay.
+  /// Returns a copy scaled in its plane. Thickness and mass stay the same.
   Object scaled(double scale) const;
 
  private:
@@ -64,9 +67,8 @@ class GRASPLESS_API Object {
   collision::Solid solid_;
 };
 
-/// The mean of points (3 x n) weighted by their masses: the centre of mass of a mass distribution.
-/// Throws std::invalid_argument unless there is one mass a point, none negative, with a positive
-/// sum.
+/// Returns the centre of mass of point masses at `points` (3 x n) [m]. Throws std::invalid_argument
+/// unless there is one mass per point, none is negative, and their sum is positive.
 GRASPLESS_API Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points,
                                              const Eigen::VectorXd& masses);
 
@@ -74,16 +76,16 @@ GRASPLESS_API Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points,
 /// surface).
 class GRASPLESS_API Support {
  public:
-  /// `slab` is how thick the top is [m]; `band_width` how far from the edges P_g reaches [m];
-  /// `friction` that of the object on it. Throws std::invalid_argument unless they are positive and
-  /// X_WS is a rigid pose tilted by less than 60 degrees.
+  /// `slab`: thickness of the table top [m]. `band_width`: width of P_g, the band along the edges
+  /// where slides may end [m]. `friction`: coefficient of friction between object and support.
+  /// Throws std::invalid_argument unless all are positive and X_WS is a rigid pose tilted by at
+  /// most 60 degrees.
   Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab = 0.04,
           double band_width = 0.06, double friction = 0.3);
 
-  const geometry::Polygon& polygon() const {
-    return goal_band_.polygon();
-  }                                                               ///< Q of the paper, in S
-  const geometry::Band& goal_band() const { return goal_band_; }  ///< P_g of the paper, in S
+  /// Q and P_g of the paper, in S.
+  const geometry::Polygon& polygon() const { return goal_band_.polygon(); }
+  const geometry::Band& goal_band() const { return goal_band_; }
   const Eigen::Isometry3d& X_WS() const { return X_WS_; }
   double slab() const { return slab_; }
   double friction() const { return friction_; }
@@ -100,14 +102,13 @@ class GRASPLESS_API Support {
   collision::Solid solid_;
 };
 
-/// How the sliding finger gives way under the press.
+/// Model of how the sliding finger yields when it presses on the object.
 enum class FingerModel {
-  none,     ///< not at all: the contact stays at the commanded tip, as in the paper
-  flexure,  ///< it turns about one flexure behind the tip: the contact runs ahead of the commanded
-            ///< tip
+  none,     ///< rigid: the contact is at the commanded tip, as in the paper
+  flexure,  ///< bends about one flexure: the contact moves ahead of the commanded tip
 };
 
-/// What the planner must know of a hand. Links and groups are the robot's.
+/// Description of the hand: names from the robot's URDF and SRDF, and the pad that slides.
 struct Hand {
   std::string arm = "arm";                   ///< group of joints that carry the hand, base to wrist
   std::string fingertip = "left_fingertip";  ///< frame F: X along the line contact, Z out of the
@@ -119,18 +120,18 @@ struct Hand {
   std::string grasp_frame = "grasp";  ///< frame H: origin between the open tips, Z out of the hand,
                                       ///< Y from finger to finger
   std::string open = "open";          ///< state of the hand's joints while it slides and reaches
-  std::string closed = "closed";      ///< state towards which it closes; it stops at contact
+  std::string closed = "closed";      ///< state that it closes towards, until it touches the object
   FingerModel finger_model = FingerModel::flexure;
-  double flexure_length = 0.11;    ///< from the flexure to the tip [m]
-  double tip_radius = 0.005;       ///< of the pad that rolls on the object [m]
-  double flexure_stiffness = 4.6;  ///< [Nm/rad]: presses with 9 N at a depth of 15 mm
-  double pad_width = 0.032;        ///< of the line contact [m]
-  double pad_friction = 1.16;      ///< of the pad on the object
+  double flexure_length = 0.11;    ///< distance from the flexure to the tip [m]
+  double tip_radius = 0.005;       ///< radius of the pad that rolls on the object [m]
+  double flexure_stiffness = 4.6;  ///< [Nm/rad]; the default presses with 9 N at a depth of 15 mm
+  double pad_width = 0.032;        ///< length of the line contact [m]
+  double pad_friction = 1.16;      ///< coefficient of friction between pad and object
 };
 
-using collision::Obstacle;  // in the way of the arm and of the sliding object
+using collision::Obstacle;  // neither the arm nor the sliding object may touch one
 
-/// What is given: slide `object` from X_WO_start to the edge of `support` and grasp it there.
+/// The task: slide `object` from X_WO_start to an edge of `support` and grasp it there.
 struct Problem {
   robot::Robot robot;
   Hand hand;
@@ -138,13 +139,12 @@ struct Problem {
   Support support;
   Eigen::Isometry3d X_WO_start;  ///< flat on the support
   std::vector<Obstacle> obstacles;
-  Eigen::VectorXd q_home;  ///< where the robot stands, all joints
+  Eigen::VectorXd q_home;  ///< configuration at the start, all joints [rad or m]
 };
 
-/// Throws std::invalid_argument that names the field, the value and the choices: unknown links,
-/// groups or states; a home of the wrong size or outside its limits; an object that does not lie
-/// flat on the support (2 mm, 1 degree) or whose centre of mass is off it; finger figures that are
-/// not positive.
+/// Throws std::invalid_argument that names the field, its value and what is allowed: unknown links,
+/// groups or states; a q_home outside the joint limits; an object that is not flat on the support
+/// (2 mm, 1 degree) or whose centre of mass is off it; finger dimensions out of range.
 GRASPLESS_API void validate(const Problem& problem);
 
 }  // namespace graspless::slide

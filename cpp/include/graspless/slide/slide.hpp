@@ -57,10 +57,10 @@ struct Options {
   bool shortcut = true;
 };
 
-/// Throws std::invalid_argument that names the field, its value and what it may be.
+/// Throws std::invalid_argument that names the field, its value and what is allowed.
 GRASPLESS_API void validate(const Options& options);
-/// Both, and that the finger can bend as deep as the options ask. What plan() and check() begin
-/// with.
+/// Validates both, and also that the finger can bend as deep as options.max_depth. Called by plan()
+/// and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
 enum class Status {
@@ -100,28 +100,28 @@ struct Statistics {
   std::map<std::string, std::int64_t> refusals;
 };
 
-/// What was found, or why not.
+/// Result of plan(): a motion, or the reason why there is none.
 struct Plan {
   Status status = Status::not_connected;
-  std::string reason;  ///< one sentence, for people
+  std::string reason;  ///< one sentence for the user
   std::vector<std::string> joint_names;
   std::vector<Segment> segments;
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g
   double overhang = 0;                                           ///< u at the goal [m]
-  std::vector<std::string> warnings;                             ///< what to be careful of
+  std::vector<std::string> warnings;  ///< risks that the plan carries, one sentence each
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }
 };
 
-/// Plans approach, press, slide, lift, reach, grasp and close. Throws std::invalid_argument on a
-/// bad problem, options or budget; not finding a plan is a status. Same seed and iterations: the
-/// same plan, bit by bit.
+/// Plans the motion: approach, press, slide, lift, reach, grasp and close. Throws
+/// std::invalid_argument on a bad problem, options or budget. Finding no plan is a status, not an
+/// error. The same seed and iterations give the same plan, bit by bit.
 GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 
-/// Replays a plan against its problem at steps of 0.01 rad with none of the search's code. Each
-/// entry says which segment and row fails and how; an empty list means the plan holds.
+/// Checks a plan against its problem by an independent replay at joint steps of 0.01 rad. Returns
+/// one fault per entry, with segment and row; empty if the plan is valid.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

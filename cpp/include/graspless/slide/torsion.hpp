@@ -4,48 +4,51 @@
 
 #include "graspless/slide/slide.hpp"
 
-/// Whether the fingertip's pad can turn the object that it slides: Eq. (2) says that it always
-/// does.
+/// Friction limits of a slide. Eq. (2) assumes that the object always moves and turns with the
+/// fingertip; these functions say how far the friction of the fingertip's pad allows that.
 ///
-/// The support holds the object back with mu_s (N + m g), at a mean radius r about the centre of
-/// pressure; the pad takes it along with mu_p N, on a line whose mean radius is w (a quarter of its
-/// width). With ellipsoidal limit surfaces (Howe, Cutkosky 1996), R = (mu_s (N + m g) / (mu_p N))^2
-/// and a turn of k per length of way, the object keeps up where
+/// The support's friction resists with the force mu_s (N + m g), at a mean radius r about the
+/// centre of pressure. The pad drags the object with at most mu_p N, on a line contact of mean
+/// radius w (a quarter of the pad's width). Let R = (mu_s (N + m g) / (mu_p N))^2, and let the
+/// slide turn by k per distance [rad/m]. With ellipsoidal limit surfaces (Howe, Cutkosky 1996) the
+/// object turns with the pad if
 ///   R (1 + (r / w)^2 r^2 k^2) <= 1 + r^2 k^2.
 ///
-/// Before that, the pad must hold the object at all. The support's pull goes through the centre of
-/// pressure, by e beside the pad's middle: it takes
+/// The pad must also be able to drag the object in a straight line. The support's friction acts at
+/// the centre of pressure, at a distance e beside the middle of the pad. It uses the share
 ///   mu_s (N + m g) / (mu_p N) sqrt(1 + (e / w)^2)
-/// of what the pad can hold, and the pull on the tip changes N.
+/// of the pad's friction limit. The drag on the tip also changes the normal force N.
 namespace graspless::slide {
 
-/// Normal force of a flexed finger whose tip is commanded `depth` below the top face [N].
+/// Returns the normal force [N] of a bent finger whose tip is commanded `depth` [m] below the top
+/// face at `pitch` [rad].
 GRASPLESS_API double press_force(const Hand& hand, double depth, double pitch);
 
-/// The same while the support's `friction` pulls at the tip, of the press and of an object's
-/// `weight` [N]. `along` is the cosine between the finger's heading and its way: an object that it
-/// drags behind itself (-1) takes from the press, one that it pushes (1) adds to it. Infinite where
-/// the finger jams.
+/// Returns the normal force [N] while the object is dragged. The support's `friction` acts on the
+/// sum of the press and the object's `weight` [N]. `along` is the cosine of the angle between the
+/// finger's heading and the direction of motion: pulling the object (-1) reduces the press, pushing
+/// it (1) increases it. Infinite if the finger jams.
 GRASPLESS_API double dragging_force(const Hand& hand, double depth, double pitch, double along,
                                     double friction, double weight);
 
-/// The largest k [rad/m] for a mean radius r [m] of the support's friction and a press of N [N];
-/// infinite where the pad could turn the object on the spot, 0 where it slips off it anyway.
+/// Returns the largest turn per distance k [rad/m] that the pad can impose, for a mean radius r of
+/// the support's friction [m] and a press N [N]. Infinite if the pad could turn the object on the
+/// spot, 0 if it cannot even drag it.
 GRASPLESS_API double max_turn_per_length(const Problem& problem, double radius, double press);
 
-/// The greatest share of what the pad can hold that the drag of the plan's slide takes: above 1 the
-/// pad loses the object, or the object turns under it. 0 where there is no slide or no known press.
+/// Returns the largest share of the pad's friction limit that the plan's slide uses. Above 1, the
+/// pad slips or the object turns under it. 0 if there is no slide or its press is unknown.
 GRASPLESS_API double drag_load(const Problem& problem, const Plan& plan);
 
-/// How fast the slide of a plan turns.
+/// Turn rates of a plan's slide, per distance that the object moves.
 struct Turning {
-  double most = 0;     ///< greatest turn per length of way [rad/m]
-  double allowed = 0;  ///< least k on the way [rad/m]
-  double lag = 0;      ///< the angle by which the object may stay behind in all [rad]
+  double max_turn_rate = 0;      ///< largest turn rate of the slide [rad/m]
+  double allowed_turn_rate = 0;  ///< turn rate that the pad can impose everywhere [rad/m]
+  double lag = 0;                ///< angle by which the object may lag behind in total [rad]
 };
 
-/// Of the plan's slide; where there is none, or the hand's finger does not flex and so has no known
-/// press, everything is allowed.
+/// Returns the turn rates of the plan's slide. If there is no slide, or the finger is rigid and its
+/// press unknown, the allowed rate is infinite.
 GRASPLESS_API Turning turning(const Problem& problem, const Plan& plan);
 
 }  // namespace graspless::slide

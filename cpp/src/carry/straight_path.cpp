@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "carry/way.hpp"
+#include "carry/straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 namespace graspless::carry {
 namespace {
 
-constexpr double kShort = 1e-6;  // [m]; a shorter way is a turn on the spot
+constexpr double kShort = 1e-6;  // [m]; a shorter path is a turn on the spot
 
 }  // namespace
 
-Way::Way(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal)
+StraightPath::StraightPath(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal)
     : start_(X_WO_start),
       along_(X_WO_goal.translation() - X_WO_start.translation()),
       turn_(Eigen::Matrix3d(X_WO_start.linear().transpose() * X_WO_goal.linear())) {
@@ -20,7 +20,7 @@ Way::Way(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal
                                  : Eigen::Vector3d(start_.linear() * turn_.axis());
 }
 
-Eigen::Isometry3d Way::pose(double s, double twist) const {
+Eigen::Isometry3d StraightPath::pose(double s, double twist) const {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.translation() = start_.translation() + s * along_;
   X.linear() = Eigen::AngleAxisd(twist, axis_) * start_.linear() *
@@ -28,7 +28,7 @@ Eigen::Isometry3d Way::pose(double s, double twist) const {
   return X;
 }
 
-bool Way::holds(const Eigen::Isometry3d& X_WO, const Options& options) const {
+bool StraightPath::contains(const Eigen::Isometry3d& X_WO, const Options& options) const {
   const Eigen::Vector3d p = X_WO.translation() - start_.translation();
   const Eigen::Matrix3d R = start_.linear().transpose() * X_WO.linear();
   const Eigen::AngleAxisd turned(R);

@@ -8,17 +8,19 @@
 
 namespace graspless::carry {
 
-/// The straight way of the object: positions on a line, attitudes about one axis, both evenly.
-class Way {
+/// The object's straight path: its origin moves along a line while its attitude turns about one
+/// axis, both at constant rates.
+class StraightPath {
  public:
-  Way(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal);
+  StraightPath(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal);
 
   double distance() const { return along_.norm(); }  ///< [m]
   double angle() const { return turn_.angle(); }     ///< [rad]
-  /// The pose a part s of the way, turned by `twist` about the line of the way through O.
+  /// Pose at fraction s of the path, in [0, 1], turned by `twist` [rad] about the path's line
+  /// through O.
   Eigen::Isometry3d pose(double s, double twist) const;
-  /// Whether a pose lies on the way, at its own place and with any twist within `max_twist`.
-  bool holds(const Eigen::Isometry3d& X_WO, const Options& options) const;
+  /// True if a pose lies on the path, at any s and with any twist up to `max_twist`.
+  bool contains(const Eigen::Isometry3d& X_WO, const Options& options) const;
 
  private:
   Eigen::Isometry3d start_;
