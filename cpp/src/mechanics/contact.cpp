@@ -43,7 +43,9 @@ void check_touch(const Touch& touch, const std::string& field) {
   check_finite(touch.t_O, field + ".t_O");
   const double length = touch.n_O.norm();
   if (std::abs(length - 1) > kUnit) refuse(field + ".n_O", "be a unit vector", length);
-  check_positive(touch.friction, field + ".friction");
+  if (!(touch.friction >= 0) || !std::isfinite(touch.friction)) {
+    refuse(field + ".friction", "be finite, and zero or positive", touch.friction);
+  }
 }
 
 void check_slide(const Contact& contact, const std::string& field) {

@@ -32,8 +32,8 @@ void validate_plane(const Plane& plane, const std::string& what) {
   require(plane.n_W.allFinite() && std::abs(plane.n_W.norm() - 1) <= 1e-6, what + ".n_W",
           plane.n_W.norm(), "must be of length 1");
   require(std::isfinite(plane.offset), what + ".offset", plane.offset, "must be finite");
-  require(std::isfinite(plane.friction) && plane.friction > 0, what + ".friction", plane.friction,
-          "must be positive and finite");
+  require(std::isfinite(plane.friction) && plane.friction >= 0, what + ".friction", plane.friction,
+          "must be finite, and zero or positive");
 }
 
 void validate_arguments(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3d& com_O,

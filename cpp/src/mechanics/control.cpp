@@ -24,6 +24,15 @@ void validate_modes(const ContactSet& set, const std::vector<FingerMode>& modes)
   require_one_each(set, "modes", modes.size());
 }
 
+ForceMask force_mask(const ContactSet& set, const std::vector<FingerMode>& modes) {
+  validate_modes(set, modes);
+  ForceMask mask = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] == FingerMode::force) mask |= 1U << i;
+  }
+  return mask;
+}
+
 void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMode>& modes,
                                const Eigen::VectorXd& commanded_forces) {
   require_one_each(set, "commanded_forces", static_cast<std::size_t>(commanded_forces.size()));

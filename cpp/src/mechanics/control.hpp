@@ -4,12 +4,15 @@
 
 #include <vector>
 
-#include "graspless/mechanics/stability.hpp"
+#include "graspless/mechanics/stability_solver.hpp"
 
 namespace graspless::mechanics {
 
 /// Throws std::invalid_argument unless there is one control mode a finger.
 void validate_modes(const ContactSet& set, const std::vector<FingerMode>& modes);
+
+/// The same modes as bits. Throws as validate_modes().
+ForceMask force_mask(const ContactSet& set, const std::vector<FingerMode>& modes);
 
 /// Throws std::invalid_argument unless there is one commanded force a finger, and those of fingers
 /// in force control lie between 0 and max_normal_force.

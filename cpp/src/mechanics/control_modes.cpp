@@ -6,7 +6,7 @@
 
 #include "graspless/mechanics/stability.hpp"
 
-#include "mechanics/instant.hpp"
+#include "mechanics/control.hpp"
 #include "mechanics/mode_search.hpp"
 #include "mechanics/reference.hpp"
 
@@ -47,27 +47,24 @@ double aptness(const ContactSet& set, ForceMask mask) {
 
 ControlModes choose(const ContactSet& set, const std::vector<FingerMode>& previous,
                     const Matrix6Xd& directions, Engine engine, StabilitySolver& solver) {
-  const Instant instant(set);
-  instant.give_to(solver);
-  const std::size_t n = set.fingers.size();
+  solver.set(set);
+  const Reference reference(set);
   const auto evaluate = [&](ForceMask mask) {
     return engine == Engine::fast ? solver.max_stability(mask)
-                                  : max_stability_reference(set, modes_of(mask, n), directions);
-  };
-  const auto bounded = [&](ForceMask mask) {
-    return internal_force_is_bounded_reference(set, modes_of(mask, n));
+                                  : reference.max_stability(mask, directions);
   };
   const StabilitySolver::Best best =
       engine == Engine::fast
           ? solver.best_control_modes()
           : search_modes(
-                static_cast<int>(n), 0, bounded,
+                static_cast<int>(set.fingers.size()), 0,
+                [&](ForceMask mask) { return reference.internal_force_is_bounded(mask); },
                 [&](ForceMask mask, double) { return evaluate(mask).z; }, [](ForceMask) {});
   ControlModes modes;
   modes.found = best.found;
   if (!best.found) return modes;
   const ForceMask mask = break_tie(set, best.ties, previous);
-  modes.modes = modes_of(mask, n);
+  modes.modes = modes_of(mask, set.fingers.size());
   modes.stability = evaluate(mask);
   return modes;
 }

@@ -134,7 +134,8 @@ int CyclicCuts::sweep(std::size_t index, double z) {
 bool CyclicCuts::certify(std::size_t index, double z) {
   RayBasis& basis = environments_[index].basis;
   for (int d = critical_; d >= 0; d = sweep(index, z)) {
-    if (basis.reach(target(index, d, z), distance(z)) == RayBasis::Outcome::facet) {
+    const auto outcome = basis.reach(target(index, d, z), distance(z));
+    if (outcome == RayBasis::Outcome::facet || basis.is_doubtful()) {
       critical_ = d;
       return false;
     }
@@ -172,6 +173,13 @@ void CyclicCuts::keep_support(const RayBasis::Vector& facet) {
   supports_.push_back(y.normalized());
 }
 
+/// Tells whether rounding decided in some environment.
+bool CyclicCuts::is_doubtful() const {
+  return std::any_of(environments_.begin(),
+                     environments_.begin() + static_cast<std::ptrdiff_t>(used_),
+                     [](const Environment& e) { return e.basis.is_doubtful(); });
+}
+
 CyclicCuts::Result CyclicCuts::finish() const {
   Result result;
   result.z = model_.z() > kNothing * force_scale_ ? model_.z() : 0;
@@ -185,13 +193,19 @@ CyclicCuts::Result CyclicCuts::finish() const {
 CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches*>& environments,
                                      const std::vector<const FingerWrenches*>& fingers,
                                      ForceMask force, double needed) {
-  if (!prepare(environments, fingers, force)) return {};
+  if (!prepare(environments, fingers, force)) {
+    Result none;
+    none.is_doubtful = is_doubtful();
+    return none;
+  }
   double trial = std::min(model_.z(), kFirstTrial * force_scale_);
   for (std::size_t e = 0; e < used_;) {
     if (certify(e, trial)) {
       if (++e < used_) continue;
       if (trial == model_.z()) break;
       trial = model_.z();  // all of it was reached with z to spare
+    } else if (environments_[e].basis.is_doubtful()) {
+      return {0, {}, true};
     } else {
       const Cuts::Cut found = cut(e);
       if (e == 0) keep_support(environments_[e].basis.facet());

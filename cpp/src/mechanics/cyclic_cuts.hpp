@@ -20,11 +20,16 @@ class CyclicCuts {
   struct Result {
     double z = 0;                             ///< an upper bound when z < needed is proven
     std::array<double, kMaxFingers> f_com{};  ///< of all fingers
+    bool is_doubtful = false;                 ///< rounding may have decided: z and f_com mean nothing
   };
   Result solve(const std::vector<const EnvironmentWrenches*>& environments,
                const std::vector<const FingerWrenches*>& fingers, ForceMask force, double needed);
-  /// After solve(): the directions along which (1 + 1e-9) z is out of reach, or z + 1e-9.
+  /// After solve(), unless it is doubtful: the directions along which (1 + 1e-9) z is out of reach, or z + 1e-9.
   std::vector<int> binding();
+  /// True if rounding may have decided since solve() began.
+  bool is_doubtful() const;
+  /// The directions, as given.
+  const Matrix6Xd& directions() const { return directions_; }
 
   std::vector<Vector6d>& supports() { return supports_; }
   std::int64_t pivots() const;

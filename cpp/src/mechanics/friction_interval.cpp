@@ -25,10 +25,10 @@ constexpr double kWithin = 1e-9;     // share by which targets stay within reach
 constexpr double kNarrow = 1e-6;     // width of a piece that is not halved any more
 
 void validate_interval(const FrictionInterval& interval, const std::string& what) {
-  if (interval.lower > 0 && interval.lower <= interval.upper && std::isfinite(interval.upper)) {
+  if (interval.lower >= 0 && interval.lower <= interval.upper && std::isfinite(interval.upper)) {
     return;
   }
-  throw std::invalid_argument(what + " must be an interval with 0 < lower <= upper, not " +
+  throw std::invalid_argument(what + " must be an interval with 0 <= lower <= upper, not " +
                               std::to_string(interval.lower) + " to " +
                               std::to_string(interval.upper));
 }
@@ -102,8 +102,8 @@ class NoJam : public Property {
  public:
   explicit NoJam(const Question& question) : q_(question) {}
   bool holds_at(double environment) override {
-    return internal_force_is_bounded_reference(
-        with_friction(q_, environment, environment, q_.fingers.upper), q_.modes);
+    return Reference(with_friction(q_, environment, environment, q_.fingers.upper))
+        .internal_force_is_bounded(force_mask(q_.set, q_.modes));
   }
   bool proven(const FrictionInterval& piece) override {
     LinearProgram program;

@@ -30,6 +30,7 @@ struct Exchange {
   const double* entry_value;
   const double *row_lower, *row_upper, *lower, *upper, *objective;
   glp_smcp options;
+  bool has_start;
   int code, status, primal_status;
   int *row_status, *column_status;
 };
@@ -56,6 +57,13 @@ void load(const Exchange& exchange, glp_prob* problem) {
   }
   glp_load_matrix(problem, exchange.entries, exchange.entry_row, exchange.entry_column,
                   exchange.entry_value);
+  if (!exchange.has_start) return;
+  for (int i = 0; i < exchange.rows; ++i) {
+    glp_set_row_stat(problem, i + 1, exchange.row_status[i]);
+  }
+  for (int j = 0; j < exchange.columns; ++j) {
+    glp_set_col_stat(problem, j + 1, exchange.column_status[j]);
+  }
 }
 
 void run(Exchange* exchange) {
@@ -124,6 +132,21 @@ BasisStatus status_of(int glpk) {
   }
 }
 
+int glpk_of(BasisStatus status) {
+  switch (status) {
+    case BasisStatus::at_lower:
+      return GLP_NL;
+    case BasisStatus::at_upper:
+      return GLP_NU;
+    case BasisStatus::free:
+      return GLP_NF;
+    case BasisStatus::fixed:
+      return GLP_NS;
+    default:
+      return GLP_BS;
+  }
+}
+
 std::vector<BasisStatus> statuses(const std::vector<int>& glpk) {
   std::vector<BasisStatus> result(glpk.size());
   std::transform(glpk.begin(), glpk.end(), result.begin(), status_of);
@@ -141,6 +164,11 @@ bool find_basis(const LinearProgram& lp, const GlpkMethod& method, LpBasis* basi
     entry_value.push_back(entry.value());
   }
   std::vector<int> rows(lp.row_lower.size()), columns(lp.lower.size());
+  const bool has_start = basis->rows.size() == rows.size() && !basis->variables.empty();
+  if (has_start) {
+    std::transform(basis->rows.begin(), basis->rows.end(), rows.begin(), glpk_of);
+    std::transform(basis->variables.begin(), basis->variables.end(), columns.begin(), glpk_of);
+  }
   Exchange exchange{static_cast<int>(rows.size()),
                     static_cast<int>(columns.size()),
                     static_cast<int>(lp.entries.size()),
@@ -153,6 +181,7 @@ bool find_basis(const LinearProgram& lp, const GlpkMethod& method, LpBasis* basi
                     lp.upper.data(),
                     lp.objective.data(),
                     options(lp, method),
+                    has_start,
                     0,
                     0,
                     0,

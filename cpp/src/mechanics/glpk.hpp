@@ -11,7 +11,8 @@ struct GlpkMethod {
   double tolerance = 1e-9;  ///< of bounds and of reduced costs
 };
 
-/// The final basis of GLPK's simplex method; false when it gives none. GLPK keeps its memory per
+/// The final basis of GLPK's simplex method, which starts from `basis` unless that is empty; false
+/// when it gives none. GLPK keeps its memory per
 /// thread: it is freed when the thread ends. Its fatal errors, which end the process, are caught.
 bool find_basis(const LinearProgram& lp, const GlpkMethod& method, LpBasis* basis);
 

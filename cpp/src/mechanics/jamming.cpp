@@ -19,6 +19,7 @@ using kernels::kLanes;
 constexpr int kGuesses = 2;
 constexpr int kMaxSteps = 1000;
 constexpr double kNone = 1e-14;  // a weight that is rounding
+constexpr double kHeld = 1e-5;   // nearer to 0 than this share of kTouch, the hull holds it
 
 auto ix(int i) { return static_cast<std::size_t>(i); }
 
@@ -200,9 +201,13 @@ bool Jamming::jams_again(Simplex& s) const {
 bool Jamming::is_bounded(const EnvironmentWrenches& environment,
                          const std::vector<const FingerWrenches*>& fingers, ForceMask force) {
   assign(environment, fingers, force);
+  is_doubtful_ = false;
   if (count_ == 0) return true;
   Proof& last = proofs_[force];
-  if (last.known && !last.bounded && jams_again(last.simplex)) return false;
+  if (last.known && !last.bounded && jams_again(last.simplex)) {
+    is_doubtful_ = last.simplex.point().norm() > kHeld * touch_;
+    return false;
+  }
   Vector6d y = last.known && last.bounded ? last.y : sum_;
   last.known = true;
   last.bounded = guess(y);
@@ -214,6 +219,7 @@ bool Jamming::is_bounded(const EnvironmentWrenches& environment,
     last.bounded = wolfe(y, s);
   }
   if (last.bounded) last.y = y;
+  is_doubtful_ = !last.bounded && last.simplex.point().norm() > kHeld * touch_;
   return last.bounded;
 }
 

@@ -21,6 +21,9 @@ class Jamming {
   /// Whether no forces cancel. `force`: whose wrenches do not count.
   bool is_bounded(const EnvironmentWrenches& environment,
                   const std::vector<const FingerWrenches*>& fingers, ForceMask force);
+  /// True if rounding may have decided the last answer: the hull comes near to 0 and was not seen to
+  /// hold it.
+  bool is_doubtful() const { return is_doubtful_; }
 
  private:
   static constexpr std::size_t kCorners = 7;  // of a simplex in six dimensions
@@ -57,6 +60,7 @@ class Jamming {
   bool wolfe(Vector6d& y, Simplex& s) const;
   bool jams_again(Simplex& s) const;
 
+  bool is_doubtful_ = false;
   int count_ = 0;
   double touch_ = 0;                 // kTouch, in units of the wrenches
   Vector6d sum_ = Vector6d::Zero();  // of all wrenches

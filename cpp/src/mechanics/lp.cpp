@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -17,8 +18,10 @@ namespace graspless::mechanics {
 namespace {
 
 constexpr double kRounding = 1e-12;
-constexpr double kGoodError = 1e-10;  // no second attempt
-constexpr double kBadError = 1e-6;    // no answer
+constexpr double kSharpError = 1e-13;  // no refinement
+constexpr double kGoodError = 1e-10;   // no second attempt
+constexpr double kBadError = 1e-6;     // no answer
+constexpr int kRefinements = 3;
 
 void validate_bounds(const std::vector<double>& lower, const std::vector<double>& upper,
                      const std::string& what) {
@@ -57,6 +60,24 @@ double error(const LpSolution& solution) {
   return std::max(solution.primal_error, solution.dual_error);
 }
 
+/// The vertex that a method ends at, refined (Gleixner, Steffy and Wolter 2012): a method accepts
+/// errors up to its tolerance, and finds better bases of the programme in which they are magnified.
+/// Nothing when it fails.
+std::optional<LpSolution> solve_by(const GlpkMethod& method, const LinearProgram& lp) {
+  LpBasis basis;
+  if (!find_basis(lp, method, &basis)) return std::nullopt;
+  LpVertex best = vertex_of(lp, basis);
+  for (int round = 0; round < kRefinements; ++round) {
+    if (error(best.solution) <= kSharpError || !std::isfinite(error(best.solution))) break;
+    if (!find_basis(magnified(lp, best), method, &basis)) break;
+    if (basis.status != LpStatus::optimal) break;
+    LpVertex next = vertex_of(lp, basis);
+    if (error(next.solution) >= error(best.solution)) break;
+    best = std::move(next);
+  }
+  return best.solution;
+}
+
 }  // namespace
 
 int LinearProgram::add_variable(double variable_lower, double variable_upper, double coefficient) {
@@ -92,10 +113,8 @@ LpSolution solve_lp(const LinearProgram& lp) {
   LpSolution best;
   best.primal_error = kInfinity;
   for (const GlpkMethod& method : methods) {
-    LpBasis basis;
-    if (!find_basis(lp, method, &basis)) continue;
-    LpSolution solution = solution_of(lp, basis);
-    if (error(solution) < error(best)) best = std::move(solution);
+    const auto solution = solve_by(method, lp);
+    if (solution && error(*solution) < error(best)) best = *solution;
     if (error(best) <= kGoodError) break;
   }
   if (error(best) > kBadError) {

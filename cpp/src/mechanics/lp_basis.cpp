@@ -17,7 +17,7 @@ constexpr Eigen::Index kDense = 48;  // up to this size a dense factorisation is
 constexpr int kRefinements = 3;
 
 using Sparse = Eigen::SparseMatrix<double>;
-using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using LongVector = LpVertex::Vector;
 
 /// The square system of rows at a bound and basic variables. Basic rows take no part: they follow
 /// from x and have no dual.
@@ -127,93 +127,131 @@ double wrong_sign(BasisStatus status, double reduced) {
   }
 }
 
-double primal_error(const LinearProgram& lp, const Eigen::VectorXd& x) {
-  Eigen::VectorXd rows = Eigen::VectorXd::Zero(lp.num_rows());
-  for (const auto& entry : lp.entries) rows[entry.row()] += entry.value() * x[entry.col()];
-  double worst = 0;
-  const auto look = [&](double value, double lower, double upper) {
-    worst = std::max({worst, lower - value, value - upper});
-  };
-  for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    look(rows[i], lp.row_lower[k], lp.row_upper[k]);
-  }
-  for (Eigen::Index j = 0; j < x.size(); ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    look(x[j], lp.lower[k], lp.upper[k]);
-  }
-  return worst;
+LongVector activities(const LinearProgram& lp, const LongVector& x) {
+  LongVector rows = LongVector::Zero(lp.num_rows());
+  for (const auto& entry : lp.entries) rows[entry.row()] += x[entry.col()] * entry.value();
+  return rows;
 }
 
-double dual_error(const LinearProgram& lp, const LpBasis& basis, const Eigen::VectorXd& y) {
-  Eigen::VectorXd reduced =
-      Eigen::Map<const Eigen::VectorXd>(lp.objective.data(), lp.num_variables());
-  for (const auto& entry : lp.entries) reduced[entry.col()] -= entry.value() * y[entry.row()];
+LongVector reduced_costs(const LinearProgram& lp, const LongVector& y) {
+  LongVector reduced =
+      Eigen::Map<const Eigen::VectorXd>(lp.objective.data(), lp.num_variables()).cast<long double>();
+  for (const auto& entry : lp.entries) reduced[entry.col()] -= y[entry.row()] * entry.value();
+  return reduced;
+}
+
+double primal_error(const LinearProgram& lp, const LongVector& x) {
+  long double worst = 0;
+  const auto look = [&](const LongVector& values, const std::vector<double>& lower,
+                        const std::vector<double>& upper) {
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+      const long double value = values[static_cast<Eigen::Index>(i)];
+      worst = std::max({worst, lower[i] - value, value - upper[i]});
+    }
+  };
+  look(activities(lp, x), lp.row_lower, lp.row_upper);
+  look(x, lp.lower, lp.upper);
+  return static_cast<double>(worst);
+}
+
+double dual_error(const LinearProgram& lp, const LpBasis& basis, const LongVector& y) {
+  const LongVector reduced = reduced_costs(lp, y);
   double worst = 0;
   for (Eigen::Index j = 0; j < reduced.size(); ++j) {
-    worst = std::max(worst, wrong_sign(basis.variables[static_cast<std::size_t>(j)], reduced[j]));
+    const BasisStatus status = basis.variables[static_cast<std::size_t>(j)];
+    worst = std::max(worst, wrong_sign(status, static_cast<double>(reduced[j])));
   }
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     // What a row at its bound would gain by leaving it is its dual.
     const BasisStatus status = basis.rows[static_cast<std::size_t>(i)];
-    if (status != BasisStatus::basic) worst = std::max(worst, wrong_sign(status, y[i]));
+    if (status == BasisStatus::basic) continue;
+    worst = std::max(worst, wrong_sign(status, static_cast<double>(y[i])));
   }
   return worst;
 }
 
-LpSolution singular() {
-  LpSolution solution;
-  solution.status = LpStatus::optimal;
-  solution.primal_error = solution.dual_error = kInfinity;
-  return solution;
+LpVertex singular() {
+  LpVertex vertex;
+  vertex.solution.status = LpStatus::optimal;
+  vertex.solution.primal_error = vertex.solution.dual_error = kInfinity;
+  return vertex;
 }
 
-}  // namespace
-
-LpSolution solution_of(const LinearProgram& lp, const LpBasis& basis) {
-  LpSolution solution;
-  solution.status = basis.status;
-  solution.objective = basis.status == LpStatus::unbounded ? kInfinity : 0;
-  if (basis.status != LpStatus::optimal) return solution;
-  const ActiveSystem system = active_system(lp, basis);
-  if (system.size < 0) return singular();
-
-  solution.x = Eigen::VectorXd::Zero(lp.num_variables());
-  LongVector b = LongVector::Zero(system.size), c = LongVector::Zero(system.size);
+/// The right-hand sides of A x_B = b and A' y = c; those of x that stand at a bound are set.
+void right_sides(const LinearProgram& lp, const LpBasis& basis, const ActiveSystem& system,
+                 LongVector* x, LongVector* b, LongVector* c) {
+  *b = *c = LongVector::Zero(system.size);
+  *x = LongVector::Zero(lp.num_variables());
   for (std::size_t j = 0; j < lp.objective.size(); ++j) {
     const int column = system.column_of[j];
-    if (column >= 0) c[column] = lp.objective[j];
-    if (column < 0) {
-      solution.x[static_cast<Eigen::Index>(j)] =
-          bound(basis.variables[j], lp.lower[j], lp.upper[j]);
+    if (column >= 0) {
+      (*c)[column] = lp.objective[j];
+    } else {
+      (*x)[static_cast<Eigen::Index>(j)] = bound(basis.variables[j], lp.lower[j], lp.upper[j]);
     }
   }
   for (std::size_t i = 0; i < lp.row_lower.size(); ++i) {
     const int row = system.row_of[i];
-    if (row >= 0) b[row] = bound(basis.rows[i], lp.row_lower[i], lp.row_upper[i]);
+    if (row >= 0) (*b)[row] = bound(basis.rows[i], lp.row_lower[i], lp.row_upper[i]);
   }
   for (const auto& entry : lp.entries) {
     const int row = system.row_of[static_cast<std::size_t>(entry.row())];
     if (row < 0 || system.column_of[static_cast<std::size_t>(entry.col())] >= 0) continue;
-    b[row] -= static_cast<long double>(entry.value()) * solution.x[entry.col()];
+    (*b)[row] -= (*x)[entry.col()] * entry.value();
   }
-  LongVector x, y;
+}
+
+/// How much an error is magnified: to 1, but not from nothing.
+long double magnification(double error) { return 1 / std::max(error, 1e-12); }
+
+}  // namespace
+
+LpVertex vertex_of(const LinearProgram& lp, const LpBasis& basis) {
+  LpVertex vertex;
+  LpSolution& solution = vertex.solution;
+  solution.status = basis.status;
+  solution.objective = basis.status == LpStatus::unbounded ? kInfinity : 0;
+  if (basis.status != LpStatus::optimal) return vertex;
+  const ActiveSystem system = active_system(lp, basis);
+  if (system.size < 0) return singular();
+  LongVector b, c, x, y;
+  right_sides(lp, basis, system, &vertex.x, &b, &c);
   if (!solve_both(system.A, b, c, &x, &y)) return singular();
   long double objective = 0;
   for (std::size_t j = 0; j < lp.objective.size(); ++j) {
     const auto k = static_cast<Eigen::Index>(j);
-    if (system.column_of[j] >= 0) solution.x[k] = static_cast<double>(x[system.column_of[j]]);
-    objective += static_cast<long double>(lp.objective[j]) * solution.x[k];
+    if (system.column_of[j] >= 0) vertex.x[k] = x[system.column_of[j]];
+    objective += lp.objective[j] * vertex.x[k];
   }
-  solution.objective = static_cast<double>(objective);
-  solution.duals = Eigen::VectorXd::Zero(lp.num_rows());
+  vertex.duals = LongVector::Zero(lp.num_rows());
   for (std::size_t i = 0; i < lp.row_lower.size(); ++i) {
     const int row = system.row_of[i];
-    if (row >= 0) solution.duals[static_cast<Eigen::Index>(i)] = static_cast<double>(y[row]);
+    if (row >= 0) vertex.duals[static_cast<Eigen::Index>(i)] = y[row];
   }
-  solution.primal_error = primal_error(lp, solution.x);
-  solution.dual_error = dual_error(lp, basis, solution.duals);
-  return solution;
+  solution.objective = static_cast<double>(objective);
+  solution.x = vertex.x.cast<double>();
+  solution.duals = vertex.duals.cast<double>();
+  solution.primal_error = primal_error(lp, vertex.x);
+  solution.dual_error = dual_error(lp, basis, vertex.duals);
+  return vertex;
+}
+
+LinearProgram magnified(const LinearProgram& lp, const LpVertex& vertex) {
+  LinearProgram rest = lp;
+  const long double primal = magnification(vertex.solution.primal_error);
+  const long double dual = magnification(vertex.solution.dual_error);
+  const auto shift = [&](const LongVector& origin, std::vector<double>* bounds) {
+    for (std::size_t i = 0; i < bounds->size(); ++i) {
+      (*bounds)[i] =
+          static_cast<double>(primal * ((*bounds)[i] - origin[static_cast<Eigen::Index>(i)]));
+    }
+  };
+  for (auto* bounds : {&rest.lower, &rest.upper}) shift(vertex.x, bounds);
+  const LongVector rows = activities(lp, vertex.x);
+  for (auto* bounds : {&rest.row_lower, &rest.row_upper}) shift(rows, bounds);
+  const LongVector reduced = dual * reduced_costs(lp, vertex.duals);
+  Eigen::Map<Eigen::VectorXd>(rest.objective.data(), rest.num_variables()) = reduced.cast<double>();
+  return rest;
 }
 
 }  // namespace graspless::mechanics

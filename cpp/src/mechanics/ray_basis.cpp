@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace graspless::mechanics {
 namespace {
 
 constexpr double kZeroPrice = 1e-11;  // |rho . a_j| / |rho| below which column j lies in the facet
+constexpr double kNoPrice = 1e-13;    // below this a column lies in the facet beyond doubt
+constexpr double kIllConditioned = 1e5;
 constexpr double kSmallPivot = 1e-8;  // of an artificial column's row: the columns do not span
 constexpr double kWrongSign = 0.05;   // worth of a pivot to a coefficient against the target
 constexpr double kResumable = 1e-4;   // relative pivot of a basis worth taking up again
@@ -31,6 +32,7 @@ double squared(const RayBasis::Vector& a) {
 
 void RayBasis::begin(const Columns& columns) {
   columns_ = &columns;
+  is_doubtful_ = false;
   rows_ = columns.rows();
   K_ = rows_ <= 8 ? 8 : 12;
   inverse_.fill(0);
@@ -46,6 +48,7 @@ void RayBasis::begin(const Columns& columns) {
 bool RayBasis::resume(const Columns& columns) {
   if (columns_ == nullptr || columns.rows() != rows_) return false;
   columns_ = &columns;
+  is_doubtful_ = false;
   for (int r = 0; r < rows_; ++r) {
     if (head_[ix(r)] < 0 || head_[ix(r)] >= columns.count()) return false;
     columns.column(head_[ix(r)], &matrix_[ix(r * K_)]);
@@ -79,7 +82,11 @@ bool RayBasis::complete(const Vector& target) {
     for (double& value : rho) value = -value;
     const int toward = least_price(rho, below);
     const double most = toward < 0 ? 0 : -price(rho, toward);
-    if (against < 0 && toward < 0) return false;
+    if (against < 0 && toward < 0) {
+      const double noise = -kNoPrice * std::sqrt(squared(rho));
+      is_doubtful_ = least_price(rho, noise) >= 0 || least_price(row(r), noise) >= 0;
+      return false;
+    }
     const bool up = values[ix(r)] >= 0 ? most >= kWrongSign * least : kWrongSign * most > least;
     pivot(r, up ? toward : against);
   }
@@ -106,11 +113,24 @@ int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
   return first;
 }
 
+/// Tells whether some column of the basis is, to rounding, a combination of the others: 1 / |row r|
+/// is the distance of column r from their span.
+bool RayBasis::is_ill_conditioned() const {
+  const double nearest = *std::min_element(per_square_.begin(), per_square_.begin() + rows_);
+  return nearest * kIllConditioned * kIllConditioned < columns_->longest() * columns_->longest();
+}
+
 /// The column that turns most against row r; Bland: the first that does. -1: none does.
-int RayBasis::entering(int r, bool bland) const {
+int RayBasis::entering(int r, bool bland) {
   const Vector rho = row(r);
-  const double below = -kZeroPrice / std::sqrt(per_square_[ix(r)]);
-  if (!bland) return least_price(rho, below);
+  const double length = 1 / std::sqrt(per_square_[ix(r)]);
+  const double below = -kZeroPrice * length;
+  if (!bland) {
+    const int q = least_price(rho, -kNoPrice * length);
+    if (q < 0 || price(rho, q) < below) return q;
+    is_doubtful_ = true;
+    return -1;
+  }
   for (int j = 0; j < columns_->count(); ++j) {
     if (price(rho, j) < below) return j;
   }
@@ -124,7 +144,7 @@ void RayBasis::pivot(int r, int q) {
   std::copy_n(column.begin(), K_, &matrix_[ix(r * K_)]);
   head_[ix(r)] = q;
   ++pivots_;
-  if (++since_refresh_ >= kRefresh) refresh();
+  if (++since_refresh_ >= kRefresh && !refresh()) is_doubtful_ = true;
 }
 
 RayBasis::Outcome RayBasis::reach(const Vector& target, double tolerance) {
@@ -139,7 +159,8 @@ RayBasis::Outcome RayBasis::reach(const Vector& target, double tolerance) {
     }
     pivot(r, q);
   }
-  throw std::logic_error("a ray shot did not end");
+  is_doubtful_ = true;  // only rounding makes it cycle
+  return Outcome::facet;
 }
 
 }  // namespace graspless::mechanics

@@ -25,6 +25,8 @@ class Columns {
   int count() const { return kernels::kLanes * static_cast<int>(finger_row_.size()); }
   const double* blocks() const { return table_.data(); }
   const int* finger_row() const { return finger_row_.data(); }
+  /// The greatest length of a wrench.
+  double longest() const { return longest_; }
   /// Column j, of all rows.
   void column(int j, double* entries) const;
   /// The column that slackens a finger's row; -1 for fingers in force control.
@@ -34,6 +36,7 @@ class Columns {
   double* place(int j);
 
   int rows_ = 0;
+  double longest_ = 0;
   std::vector<double> table_;    // blocks of six rows of wrenches and the finger's row
   std::vector<int> finger_row_;  // of each block
   std::array<int, kMaxFingers> slack_{};
@@ -57,6 +60,9 @@ class RayBasis {
   /// Pivots until the basis carries the target with coefficients >= 0 (to `tolerance`, a distance
   /// from the target), or a row proves that none does: facet().
   Outcome reach(const Vector& target, double tolerance);
+  /// True if rounding may have decided since begin() or resume(): a basis was too ill-conditioned, or
+  /// a column too close to a facet, for the last outcome to be accurate to 1e-9.
+  bool is_doubtful() const { return is_doubtful_ || is_ill_conditioned(); }
   /// rho with rho . a_j >= 0 for all columns and rho . target < 0.
   const Vector& facet() const { return facet_; }
 
@@ -65,8 +71,9 @@ class RayBasis {
 
  private:
   Vector row(int r) const;
+  bool is_ill_conditioned() const;
   int leaving(const Vector& target, double tolerance, bool bland);
-  int entering(int r, bool bland) const;
+  int entering(int r, bool bland);
   int least_price(const Vector& rho, double below) const;
   double price(const Vector& rho, int j) const;
   void pivot(int r, int q);
@@ -82,6 +89,7 @@ class RayBasis {
   std::array<double, kMaxRows * kMaxRows> matrix_{};   // the basis' columns, likewise
   Vector per_square_{};
   Vector facet_{};
+  bool is_doubtful_ = false;
   int since_refresh_ = 0;
   std::int64_t pivots_ = 0;
 };

@@ -4,6 +4,9 @@
 // The columns of the balance, side by side for pricing.
 #include "mechanics/ray_basis.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace graspless::mechanics {
 namespace {
 
@@ -30,7 +33,11 @@ void Columns::assign(const EnvironmentWrenches& environment,
     finger_row_.insert(finger_row_.end(), static_cast<std::size_t>(blocks_for(edges + 1)), 6 + i);
   }
   table_.assign(finger_row_.size() * kBlock, 0.0);
+  longest_ = 0;
   const auto put = [&](const Matrix6Xd& generators, int first) {
+    if (generators.cols() > 0) {
+      longest_ = std::max(longest_, generators.colwise().squaredNorm().maxCoeff());
+    }
     for (int j = 0; j < static_cast<int>(generators.cols()); ++j) {
       double* entry = place(first + j);
       for (int i = 0; i < 6; ++i) entry[i * kLanes] = generators(i, j);
@@ -48,6 +55,7 @@ void Columns::assign(const EnvironmentWrenches& environment,
     if (!forced) place(next + edges)[6 * kLanes] = 1;
     next += kLanes * blocks_for(edges + 1);
   }
+  longest_ = std::sqrt(longest_);
 }
 
 void Columns::column(int j, double* entries) const {

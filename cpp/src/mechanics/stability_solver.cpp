@@ -4,13 +4,16 @@
 // The fast engine: one instant after the other, in one workspace.
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "mechanics/cyclic_cuts.hpp"
 #include "mechanics/jamming.hpp"
 #include "mechanics/mode_search.hpp"
+#include "mechanics/reference.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -51,7 +54,9 @@ struct StabilitySolver::Impl {
   bool is_bounded(ForceMask force) {
     ++counters.bounded_tests;
     for (const EnvironmentWrenches* environment : environments) {
-      if (!jamming.is_bounded(*environment, fingers, force)) return false;
+      const bool is_bounded = jamming.is_bounded(*environment, fingers, force);
+      if (jamming.is_doubtful()) return handed_over().internal_force_is_bounded(force);
+      if (!is_bounded) return false;
     }
     return true;
   }
@@ -63,8 +68,32 @@ struct StabilitySolver::Impl {
     return result;
   }
 
+  /// solve(), by whichever engine may answer.
+  CyclicCuts::Result evaluate(ForceMask force, double needed) {
+    CyclicCuts::Result result = solve(force, needed);
+    if (!result.is_doubtful) return result;
+    const Stability found = handed_over().evaluate(force, cuts.directions());
+    result.z = found.z;
+    result.is_doubtful = false;
+    std::copy_n(found.commanded_forces.data(), fingers.size(), result.f_com.begin());
+    return result;
+  }
+
+  /// The engine for what is too ill-conditioned for rays.
+  const Reference& handed_over() {
+    ++counters.handed_over;
+    if (!reference) {
+      reference = set ? Reference(*set) : Reference(environments, fingers);
+    }
+    return *reference;
+  }
+
   std::vector<const EnvironmentWrenches*> environments;
   std::vector<const FingerWrenches*> fingers;
+  std::optional<ContactSet> set;  // where the wrenches are those of one
+  EnvironmentWrenches own_environment;
+  std::vector<FingerWrenches> own_fingers;
+  std::optional<Reference> reference;  // of this instant, once needed
   CyclicCuts cuts;
   Jamming jamming;
   Counters counters;
@@ -85,6 +114,23 @@ void StabilitySolver::set(const std::vector<const EnvironmentWrenches*>& environ
   }
   impl_->environments = environments;
   impl_->fingers = fingers;
+  impl_->set.reset();
+  impl_->reference.reset();
+}
+
+void StabilitySolver::set(const ContactSet& set) {
+  validate(set);
+  Impl& own = *impl_;
+  own.own_environment = environment_wrenches(set);
+  own.own_fingers.clear();
+  std::vector<const FingerWrenches*> pointers;
+  own.own_fingers.reserve(set.fingers.size());
+  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
+    own.own_fingers.push_back(finger_wrenches(set, static_cast<int>(i)));
+    pointers.push_back(&own.own_fingers.back());
+  }
+  this->set({&own.own_environment}, pointers);
+  own.set = set;
 }
 
 bool StabilitySolver::internal_force_is_bounded(ForceMask force) {
@@ -93,18 +139,23 @@ bool StabilitySolver::internal_force_is_bounded(ForceMask force) {
 
 Stability StabilitySolver::max_stability(ForceMask force, double needed) {
   const auto result = impl_->solve(force, needed);
+  std::vector<int> binding;
+  bool is_doubtful = result.is_doubtful;
+  if (!is_doubtful && result.z > 0 && result.z >= needed && std::isfinite(result.z)) {
+    binding = impl_->cuts.binding();
+    is_doubtful = impl_->cuts.is_doubtful();
+  }
+  if (is_doubtful) return impl_->handed_over().max_stability(force, impl_->cuts.directions());
   Stability stability;
   stability.z = result.z;
   stability.commanded_forces = Eigen::Map<const Eigen::VectorXd>(
       result.f_com.data(), static_cast<Eigen::Index>(impl_->fingers.size()));
-  if (result.z > 0 && result.z >= needed && std::isfinite(result.z)) {
-    stability.binding_directions = impl_->cuts.binding();
-  }
+  stability.binding_directions = binding;
   return stability;
 }
 
 StabilitySolver::Evaluation StabilitySolver::evaluate(ForceMask force, double needed) {
-  const auto result = impl_->solve(force, needed);
+  const auto result = impl_->evaluate(force, needed);
   return {result.z, Eigen::Map<const Eigen::Vector4d>(result.f_com.data())};
 }
 
@@ -114,7 +165,7 @@ StabilitySolver::Best StabilitySolver::best_control_modes(double needed) {
       static_cast<int>(impl_->fingers.size()), needed,
       [&](ForceMask mask) { return impl_->is_bounded(mask); },
       [&](ForceMask mask, double least) {
-        last = impl_->solve(mask, least);
+        last = impl_->evaluate(mask, least);
         return last.z;
       },
       [&](ForceMask) { kept = last; });

@@ -212,7 +212,7 @@ TEST(ContactPatch, BadInputIsNamed) {
   plane.offset = nan;
   expect_refused([&] { with(plane); }, "planes[1].offset");
   plane = {};
-  plane.friction = 0;
+  plane.friction = -0.1;
   expect_refused([&] { with(plane); }, "planes[1].friction");
   BodyState state;
   state.twist_W[2] = nan;

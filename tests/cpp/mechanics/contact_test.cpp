@@ -85,8 +85,8 @@ TEST(Contact, ValidateNamesTheField) {
     expect_refused([&] { validate(set, "sample 3"); }, "sample 3: " + words);
   };
   refused([&](ContactSet& s) { s.contacts[1].p_OC.y() = nan; }, "contacts[1].p_OC must be finite");
-  refused([](ContactSet& s) { s.contacts[0].friction = 0; },
-          "contacts[0].friction must be positive");
+  refused([](ContactSet& s) { s.contacts[0].friction = -0.1; },
+          "contacts[0].friction must be finite, and zero or positive, not -0.1");
   refused([](ContactSet& s) { s.contacts[0].n_O *= 1.1; },
           "contacts[0].n_O must be a unit vector, not 1.1");
   refused([](ContactSet& s) { s.contacts[1].t_O = Vector3d(0, 0, 5); }, "contacts[1].t_O must");

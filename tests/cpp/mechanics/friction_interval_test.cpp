@@ -128,7 +128,7 @@ TEST(FrictionInterval, BadInputIsNamed) {
                           environment, fingers, needed, axes());
     };
   };
-  expect_refused(ask({0, 1}, {0.5, 0.5}, 1), "environment must be an interval");
+  expect_refused(ask({-0.1, 1}, {0.5, 0.5}, 1), "environment must be an interval");
   expect_refused(ask({0.5, 0.4}, {0.5, 0.5}, 1), "environment must be an interval");
   expect_refused(ask({0.5, 0.5}, {0.5, nan}, 1), "fingers must be an interval");
   expect_refused(ask({0.5, 0.5}, {0.5, 0.5}, -1), "needed");

@@ -62,6 +62,9 @@ class GRASPLESS_API StabilitySolver {
   /// to must outlive the questions; at most kMaxFingers fingers.
   void set(const std::vector<const EnvironmentWrenches*>& environments,
            const std::vector<const FingerWrenches*>& fingers);
+  /// The same for a contact set, which is copied. Where it is ill-conditioned, answers are more
+  /// accurate than from its rounded wrenches. Throws as validate().
+  void set(const ContactSet& set);
 
   /// Problem (5).
   bool internal_force_is_bounded(ForceMask force);
@@ -99,6 +102,7 @@ class GRASPLESS_API StabilitySolver {
     std::int64_t evaluations = 0;    ///< of Problem (6)
     std::int64_t bounded_tests = 0;  ///< of Problem (5)
     std::int64_t pivots = 0;
+    std::int64_t handed_over = 0;  ///< of both, to the reference engine: ill-conditioned contacts
   };
   const Counters& counters() const;
 
