@@ -6,12 +6,13 @@
 
 namespace graspless::mechanics {
 
-/// Unit edges, in O, of the forces that a contact or a finger can put on the object. A contact that
-/// slides has one: c' of Eq. (1), against the motion.
+/// Unit edges, in O, of the cone of forces that a contact or a finger can exert on the object. A
+/// sliding contact has only one: c' of Eq. (1), against the motion.
 Eigen::Matrix3Xd cone_of(const Contact& contact, int cone_edges);
 Eigen::Matrix3Xd cone_of(const Finger& finger, int cone_edges);
 
-/// The same set with cones of 12 edges or more, which hold its own: within 4 % of Coulomb's.
+/// Returns the set with cones of at least 12 edges that contain its own. They are within 4 % of
+/// Coulomb's cone.
 ContactSet with_round_cones(ContactSet set);
 
 }  // namespace graspless::mechanics

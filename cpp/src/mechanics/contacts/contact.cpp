@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a contact can press with: normals, tangents and friction cones, Eqs. (1) and (2).
+// Normals, tangents and friction cones of contacts, Eqs. (1) and (2).
 #include "graspless/mechanics/contact.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kUnit = 1e-9;      // how far a unit normal's length may be from 1
+constexpr double kUnit = 1e-9;      // tolerance of a unit normal's length
 constexpr double kParallel = 1e-9;  // sine below which a direction is along the normal
 
 [[noreturn]] void refuse(const std::string& field, const std::string& must, double value) {
@@ -35,7 +35,7 @@ Eigen::Vector3d along_surface(const Eigen::Vector3d& n_O, const Eigen::Vector3d&
   return t_O - n_O * n_O.dot(t_O);
 }
 
-/// What contacts and fingers have in common.
+/// Validates the fields that contacts and fingers have in common.
 template <typename Touch>
 void check_touch(const Touch& touch, const std::string& field) {
   check_finite(touch.p_OC, field + ".p_OC");
@@ -57,7 +57,7 @@ void check_slide(const Contact& contact, const std::string& field) {
 }
 
 void normalize(Eigen::Vector3d* n_O, const std::string& field) {
-  const double length = n_O->stableNorm();  // as long or short as doubles go
+  const double length = n_O->stableNorm();  // without overflow or underflow
   if (!n_O->allFinite() || !(length > 0)) {
     throw std::invalid_argument(field + ".n_O must have a direction, not length " +
                                 std::to_string(length));

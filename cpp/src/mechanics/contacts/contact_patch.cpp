@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a polyhedron touches planes, as points that stick or slide.
+// Contacts of a polyhedron with planes, as points that stick or slide.
 #include "graspless/mechanics/contact_patch.hpp"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace graspless::mechanics {
 namespace {
 
-// Speeds below this share of the motion's own are rounding.
+// Speeds below this fraction of the motion's own are rounding errors.
 constexpr double kStill = 1e-9;
 
 std::string text(const Eigen::Vector3d& v) {
-  // Without -0 and the digits that rounding makes.
+  // Clears -0 and rounding errors.
   const auto clean = [](double x) { return std::abs(x) < 1e-12 ? 0.0 : x; };
   std::ostringstream out;
   out << "(" << clean(v.x()) << ", " << clean(v.y()) << ", " << clean(v.z()) << ")";
@@ -55,7 +55,7 @@ void validate_arguments(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3
           "must be a length of 0 m or more");
 }
 
-/// The object in W, and below which speed one of its points stands still.
+/// Motion of the object in W, and the speed below which one of its points stands still.
 struct Motion {
   Motion(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3d& com_O, const BodyState& state,
          double tolerance)
@@ -67,12 +67,12 @@ struct Motion {
         p_WV(state.X_WO * vertices_O) {
     v_com = velocity(state.X_WO * com_O);
     const double size = (vertices_O.colwise() - com_O).colwise().norm().maxCoeff();
-    // A point that touches only by the tolerance may be as far from the axis it belongs to.
+    // A point that touches only within the tolerance may be that far from its axis of rotation.
     still = kStill * (v_com.norm() + omega.norm() * size) + tolerance * omega.norm();
     turns = omega.norm() * size > kStill * v_com.norm();
   }
   Eigen::Vector3d velocity(const Eigen::Vector3d& p_W) const { return v + omega.cross(p_W - p_WO); }
-  /// A velocity along a plane as a direction in O; zero where it is none.
+  /// Returns the direction, in O, of a velocity along a plane. Zero if the point stands still.
   Eigen::Vector3d along_O(const Eigen::Vector3d& n_W, const Eigen::Vector3d& velocity_W) const {
     const Eigen::Vector3d t_W = velocity_W - n_W.dot(velocity_W) * n_W;
     if (!(t_W.norm() > still)) return Eigen::Vector3d::Zero();
@@ -86,7 +86,7 @@ struct Motion {
   double still = 0;
 };
 
-/// The fault of a vertex that would have to enter the plane.
+/// Describes the fault of a vertex that would move into the plane.
 std::string entering(const Motion& motion, const Plane& plane, std::size_t touching,
                      const Eigen::Vector3d& p_W) {
   const std::string where =
@@ -97,7 +97,7 @@ std::string entering(const Motion& motion, const Plane& plane, std::size_t touch
          text(motion.omega.normalized()) + ": " + where;
 }
 
-/// The vertices that touch a plane, without those that leave it; a fault when one enters it.
+/// Returns the vertices that touch a plane and do not leave it. Sets `fault` if one enters it.
 std::vector<int> touching(const Motion& motion, const Plane& plane, double tolerance,
                           std::string* fault) {
   std::vector<int> touch;
@@ -121,7 +121,7 @@ std::vector<int> touching(const Motion& motion, const Plane& plane, double toler
   return remain;
 }
 
-/// Those of `vertices` that are corners of their hull in the plane.
+/// Returns those of `vertices` that are corners of their hull in the plane.
 std::vector<int> corners(const Motion& motion, const Plane& plane, const std::vector<int>& vertices,
                          double tolerance) {
   const Eigen::Vector3d t_W = tangent(plane.n_W, Eigen::Vector3d::Zero());
@@ -149,11 +149,12 @@ Contact contact(const Motion& motion, const Plane& plane, const Eigen::Matrix3Xd
   return contact;
 }
 
-/// An edge may turn about itself alone: about any other axis its points part ways.
+/// Describes the fault of an edge that turns about another axis than itself: its two ends then do
+/// not represent the points between them.
 std::string edge_fault(const Motion& motion, const Plane& plane, const std::vector<int>& patch) {
   if (motion.at_rest || !motion.turns || patch.size() != 2) return "";
   const Eigen::Vector3d along = motion.p_WV.col(patch[1]) - motion.p_WV.col(patch[0]);
-  // The difference of the ends' velocities, each known to within `still`.
+  // This is the difference of the ends' velocities, each of which is known to within `still`.
   if (motion.omega.cross(along).norm() <= 2 * motion.still) return "";
   return "the edge along " + text(along.normalized()) + " on plane '" + plane.name +
          "' cannot turn about the axis " + text(motion.omega.normalized()) +
@@ -177,7 +178,7 @@ ContactPatches contact_patches(const Eigen::Matrix3Xd& vertices_O, const Eigen::
       patches.contacts.push_back(contact(motion, plane, vertices_O, vertex));
       patches.plane.push_back(static_cast<int>(i));
     }
-    // What remains of a face turns about its normal, or not at all.
+    // A face that still touches turns about its normal, or not at all.
     if (patch.size() > 2 && motion.turns && !motion.at_rest) patches.turns_in_plane = true;
   }
   return patches;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The corners of a contact patch, with a tolerance for what a mesh file leaves of straight edges.
+// Corners of a contact patch, with a tolerance for edges that a mesh file leaves not quite
+// straight.
 #include "mechanics/contacts/patch_corners.hpp"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
   return (p - a - s * along).norm();
 }
 
-/// Columns turned so that the first coordinate runs along the patch: in a patch that is nearly a
-/// line, the order along it is then beyond doubt.
+/// Rotates the points so that the first coordinate runs along the patch. The order along it is then
+/// well defined even for a patch that is nearly a line.
 Eigen::Matrix2Xd turned(const Eigen::Matrix2Xd& points) {
   const Eigen::Vector2d centre = points.rowwise().mean();
   Eigen::Index far = 0;
@@ -74,7 +75,7 @@ std::vector<int> patch_corners(const Eigen::Matrix2Xd& raw, double tolerance) {
       ++k;
     } else {
       hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;  // its neighbours have new neighbours
+      k = 0;  // the neighbours of the erased point must be checked again
     }
   }
   std::sort(hull.begin(), hull.end());

@@ -8,9 +8,9 @@
 
 namespace graspless::mechanics {
 
-/// Which of these points (2 x n) are corners of their convex hull, ascending. A point within
-/// `tolerance` of the hull of the rest is none: points inside, within an edge, and all but one of a
-/// cluster.
+/// Indices of the points (2 x n) that are corners of their convex hull, ascending. A point within
+/// `tolerance` of the hull of the others is no corner. That leaves out points inside, points on an
+/// edge, and all but one of a cluster.
 std::vector<int> patch_corners(const Eigen::Matrix2Xd& points, double tolerance);
 
 }  // namespace graspless::mechanics

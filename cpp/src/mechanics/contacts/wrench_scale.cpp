@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How wrenches are measured, Eqs. (7) and (8), and the disturbances that Problem (6) tries.
+// Scale of wrenches, Eqs. (7) and (8), and the disturbances of Problem (6).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,15 +15,15 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kEqual = 1e-9;  // relative difference of moments whose axes are free
+constexpr double kEqual = 1e-9;  // relative difference of moments that count as equal
 
 struct Principal {
   Eigen::Vector3d moments;
   Eigen::Matrix3d axes;  // columns
 };
 
-/// Eigenvectors as near to the columns of `targets` as their freedom allows, and how near (a sum of
-/// cosines): signs, and turns within the spaces of equal moments.
+/// Turns the axes towards the columns of `targets`: signs are free, and so are rotations within the
+/// spaces of equal moments. Returns the sum of the cosines that remain.
 double turn_towards(const Eigen::Matrix3d& targets, Principal& principal) {
   Eigen::Matrix3d near = principal.axes.transpose() * targets;
   const double equal = kEqual * principal.moments.maxCoeff();
@@ -37,7 +37,7 @@ double turn_towards(const Eigen::Matrix3d& targets, Principal& principal) {
   return (principal.axes.transpose() * targets).trace();
 }
 
-/// Ordered and signed to be nearest to the axes of O.
+/// Returns principal axes in the order and with the signs nearest to the axes of O.
 Principal principal_axes(const Eigen::Matrix3d& inertia) {
   Eigen::Matrix3d off = inertia;
   off.diagonal().setZero();
@@ -47,7 +47,7 @@ Principal principal_axes(const Eigen::Matrix3d& inertia) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   Principal best;
   double nearest = -1;
-  std::array<int, 3> order{0, 1, 2};  // of O's axis for each eigenvector
+  std::array<int, 3> order{0, 1, 2};  // axis of O for each eigenvector
   do {
     Principal candidate{solver.eigenvalues(), solver.eigenvectors()};
     Eigen::Matrix3d targets;

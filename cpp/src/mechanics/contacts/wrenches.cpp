@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The columns of Eq. (3), scaled: what the edges of all cones do to the object.
+// Columns of Eq. (3), scaled: wrenches of the edges of all cones.
 #include <Eigen/Geometry>
 
 #include "graspless/mechanics/stability_solver.hpp"
@@ -11,9 +11,9 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kNoise = 1e-12;  // relative size below which a component is rounding, not physics
+constexpr double kNoise = 1e-12;  // relative size below which a component is a rounding error
 
-/// R^1/2 W C of edges at one point. Noise is cleared: it would pass for a lever.
+/// R^1/2 W C of edges at one point. Rounding errors are cleared, since they would act like a lever.
 Matrix6Xd wrenches(const ContactSet& set, const Eigen::Vector3d& p_OC,
                    const Eigen::Matrix3Xd& edges) {
   const Eigen::Vector3d lever = p_OC - set.com_O;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far springs at the contacts carry a disturbance before the first of them slips or lets go.
+// Largest disturbance before the first spring contact slips or lifts off.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>

@@ -1,24 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Nominal forces: among the equilibria that are deep inside their limits, the least.
+// Nominal forces: the smallest among the equilibria that are well inside their limits.
 #include "graspless/mechanics/equilibrium.hpp"
 
 #include <algorithm>
 
 #include "mechanics/contacts/cones.hpp"
-#include "mechanics/stability/control.hpp"
 #include "mechanics/equilibrium/inner_forces.hpp"
 #include "mechanics/equilibrium/springs.hpp"
+#include "mechanics/stability/control.hpp"
 
 namespace graspless::mechanics {
 namespace {
 
-// The optimum of either programme is a vertex, and rarely the only one: rounding would choose
-// between forces far apart. So a share of it is given up, and of what that allows the coefficients
-// of least squares are taken: one answer, which follows the contacts continuously.
+// The optimum of either program is a vertex, and rarely unique: rounding would choose between very
+// different forces. So a fraction of the optimum is given up, and among the forces that this allows
+// those of least squares are taken. They are unique and continuous in the contacts.
 constexpr double kKeptMargin = 0.9, kKeptStability = 0.99;
-// How often forces are looked for: first with reserves along the axes of the cones, then along the
-// forces found. That reaches 97 % of the best index there is (median of 54 rows), and more rounds
+// Number of rounds: the first one has reserves along the axes of the cones, the next one along the
+// forces found. That reaches 97 % of the best possible margin (median of 54 rows); more rounds
 // hardly help.
 constexpr int kRounds = 2;
 
@@ -29,7 +29,7 @@ void validate_all(const ContactSet& set, const std::vector<FingerMode>& modes,
   validate_commanded_forces(set, modes, commanded_forces);
 }
 
-/// All coefficients at least t.
+/// Reserves that make all coefficients at least t.
 std::vector<Reserve> equal_reserves(const ContactSet& set) {
   std::vector<Reserve> reserves;
   for (const Contact& contact : set.contacts) {
@@ -41,8 +41,8 @@ std::vector<Reserve> equal_reserves(const ContactSet& set) {
   return reserves;
 }
 
-/// What the springs ask for under the worst of all disturbances, along the forces that there are.
-/// Nothing where one of them has no room at all within its cone.
+/// Reserves for the changes of force under the worst disturbance, along the given forces. Nothing
+/// if one of these has no margin within its cone.
 std::optional<std::vector<Reserve>> spring_reserves(const std::vector<Spring>& springs,
                                                     const Equilibrium& forces) {
   std::vector<Reserve> reserves;
@@ -56,7 +56,7 @@ std::optional<std::vector<Reserve>> spring_reserves(const std::vector<Spring>& s
   return reserves;
 }
 
-/// Unit forces along the normals: of contacts that slide, along their one edge.
+/// Unit forces along the normals; along their one edge for sliding contacts.
 Equilibrium along_normals(const ContactSet& set) {
   Equilibrium units;
   units.contact_forces_O.resize(3, static_cast<Eigen::Index>(set.contacts.size()));

@@ -10,37 +10,37 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
-#include "mechanics/lp/conditioning.hpp"
 #include "mechanics/contacts/cones.hpp"
 #include "mechanics/equilibrium/least_forces.hpp"
+#include "mechanics/lp/conditioning.hpp"
 #include "mechanics/lp/program.hpp"
 
 namespace graspless::mechanics {
 namespace {
 
-/// The optimum: all forces are t apex + edges k', k' >= 0.
+/// Optimum: every force is t apex + edges k', k' >= 0.
 struct Solution {
   double t = 0;
   Eigen::VectorXd k;
 };
 
-/// A programme in t and k' >= 0.
-class Programme {
+/// Linear program in t and k' >= 0.
+class ReserveProgram {
  public:
-  Programme(double t_max, const Matrix6d& even, const Vector6d& known)
+  ReserveProgram(double t_max, const Matrix6d& even, const Vector6d& known)
       : t_(lp_.add_variable(0, t_max, 1)), even_(even) {
     const Vector6d right = -even * known;
     for (int i = 0; i < 6; ++i) lp_.add_row(right[i], right[i]);
   }
-  /// k' of these generators, and the wrench of t; gives the first one's index.
+  /// Adds k' for these generators and the wrench per unit of t. Returns the index of the first k'.
   int add(const Matrix6Xd& generators, const Vector6d& apex) {
     const auto first = static_cast<int>(lp_.num_variables());
     for (Eigen::Index j = 0; j < generators.cols(); ++j) lp_.add_variable(0, kInfinity);
     lp_.set_block(0, first, even_ * generators);
     on_t_ += even_ * apex;
-    return first - 1;  // t is no coefficient
+    return first - 1;  // the solution's k does not contain t
   }
-  /// The normal force of one finger: f_com, or f_max less what is kept in reserve at most.
+  /// Adds the normal force of one finger: f_com, or at most f_max less the reserve.
   void add_normal(int first, const FingerWrenches& finger, double on_t, bool force, double f_com) {
     const int row =
         force ? lp_.add_row(f_com, f_com) : lp_.add_row(-kInfinity, finger.max_normal_force);
@@ -52,14 +52,14 @@ class Programme {
     const LpSolution solution = solve_lp(lp_);
     if (solution.status != LpStatus::optimal) return std::nullopt;
     const double largest = solution.objective, t = kept * largest;
-    if (largest > 0) {  // else there is no room to choose in
+    if (largest > 0) {  // otherwise there is nothing to choose from
       if (const auto least = least_squares(t)) return Solution{t, *least};
     }
     return Solution{largest, solution.x.tail(solution.x.size() - 1)};
   }
 
  private:
-  /// k' >= 0 of least squares for a t at which the rows can be kept with room to spare.
+  /// Returns k' >= 0 of least squares for a t below the largest one.
   std::optional<Eigen::VectorXd> least_squares(double t) const {
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(lp_.num_rows(), lp_.num_variables());
     for (const auto& entry : lp_.entries) A(entry.row(), entry.col()) = entry.value();
@@ -72,8 +72,8 @@ class Programme {
   }
   LinearProgram lp_;
   int t_;
-  Matrix6d even_;                     // on both sides of the balance
-  Vector6d on_t_ = Vector6d::Zero();  // what the balance gains per unit of t
+  Matrix6d even_;                     // factor on both sides of the balance
+  Vector6d on_t_ = Vector6d::Zero();  // coefficients of t in the balance
 };
 
 Vector6d scaled_wrench(const ContactSet& set, const Eigen::Vector3d& p_OC,
@@ -83,7 +83,7 @@ Vector6d scaled_wrench(const ContactSet& set, const Eigen::Vector3d& p_OC,
   return set.wrench_scale * wrench;
 }
 
-/// The largest t such that all coefficients of a force within its cone can be at least t.
+/// Largest t such that all coefficients of a force within its cone can be at least t.
 double least_coefficient(const Eigen::Matrix3Xd& cone, const Eigen::Vector3d& n_O,
                          const Eigen::Vector3d& force_O) {
   if (cone.cols() == 1) return force_O.norm();
@@ -131,24 +131,24 @@ std::optional<Equilibrium> inner_forces(const ContactSet& set, const std::vector
   for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
     fingers.push_back(finger_wrenches(set, i));
   }
-  Programme programme(t_max, balance_conditioning(environment, fingers), environment.known);
+  ReserveProgram program(t_max, balance_conditioning(environment, fingers), environment.known);
   Vector6d apices = Vector6d::Zero();
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     apices += scaled_wrench(set, set.contacts[i].p_OC, reserves[i].apex_O);
   }
-  int next = programme.add(environment.generators, apices);
+  int next = program.add(environment.generators, apices);
   std::vector<int> first_finger;
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const Reserve& reserve = reserves[set.contacts.size() + i];
     const Finger& f = set.fingers[i];
     first_finger.push_back(
-        programme.add(fingers[i].generators, scaled_wrench(set, f.p_OC, reserve.apex_O)));
+        program.add(fingers[i].generators, scaled_wrench(set, f.p_OC, reserve.apex_O)));
     const bool force = modes[i] == FingerMode::force;
-    programme.add_normal(first_finger[i], fingers[i],
-                         f.n_O.dot(reserve.apex_O) + (force ? 0 : reserve.normal), force,
-                         commanded_forces[static_cast<Eigen::Index>(i)]);
+    program.add_normal(first_finger[i], fingers[i],
+                       f.n_O.dot(reserve.apex_O) + (force ? 0 : reserve.normal), force,
+                       commanded_forces[static_cast<Eigen::Index>(i)]);
   }
-  const auto solution = programme.solve(kept);
+  const auto solution = program.solve(kept);
   if (!solution) return std::nullopt;
   Equilibrium forces;
   forces.contact_forces_O.resize(3, static_cast<Eigen::Index>(set.contacts.size()));

@@ -9,22 +9,23 @@
 
 namespace graspless::mechanics {
 
-/// What a contact or finger is to keep in reserve, per unit of t.
+/// Reserve that a contact or finger keeps, per unit of t.
 struct Reserve {
-  Eigen::Vector3d apex_O;  ///< its force stays within the cone that begins at t times this
-  double normal = 0;       ///< a finger in position control: t times this below its limit
+  Eigen::Vector3d apex_O;  ///< the force stays within the cone whose apex is at t times this
+  double normal = 0;       ///< a finger in position control stays t times this below its limit
 };
 
-/// The contact forces that balance a set with the largest t, contacts' reserves before fingers'; of
-/// all that have at least the share `kept` of it, those whose coefficients beyond have the least
-/// squares. t is at most `t_max`. Nothing when there is no equilibrium.
+/// Contact forces that balance a set with at least the fraction `kept` of the largest possible t.
+/// Among these, the coefficients beyond the reserves have the least sum of squares. t is at most
+/// `t_max`. `reserves` holds those of the contacts, then those of the fingers. Returns nothing if
+/// there is no equilibrium.
 std::optional<Equilibrium> inner_forces(const ContactSet& set, const std::vector<FingerMode>& modes,
                                         const Eigen::VectorXd& commanded_forces,
                                         const std::vector<Reserve>& reserves, double t_max,
                                         double kept);
 
-/// t can grow without bound only where the environment alone can jam: no force that is asked for is
-/// of use beyond this one: the known force and all force limits together.
+/// Largest useful force [N]: the known force plus all force limits. It bounds t, which would
+/// otherwise be unbounded where the environment alone can jam.
 double largest_force(const ContactSet& set);
 
 }  // namespace graspless::mechanics

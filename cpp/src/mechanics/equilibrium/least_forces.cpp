@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The dual of a least-squares problem over x >= 0: x = max(0, A^T lambda) for the multipliers
-// lambda of the rows that hold with equality, found by Newton's method on A max(0, A^T lambda) =
-// upper.
+// Solves a least-squares problem over x >= 0 by its dual: x = max(0, A^T lambda), where the
+// multipliers lambda of the rows that hold with equality follow from Newton's method on
+// A max(0, A^T lambda) = upper.
 #include "mechanics/equilibrium/least_forces.hpp"
 
 #include <cmath>
@@ -13,10 +13,10 @@ namespace graspless::mechanics {
 namespace {
 
 constexpr int kMaxSteps = 100;
-constexpr double kTolerance = 1e-12;  // of the rows, relative to their sizes
-constexpr double kDamping = 1e-13;    // of the Hessian, relative: columns may be few
+constexpr double kTolerance = 1e-12;  // of the rows, relative
+constexpr double kDamping = 1e-13;    // of the Hessian, relative
 
-/// lambda for A x = b.
+/// Returns lambda for A x = b.
 std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
   Eigen::VectorXd lambda = Eigen::VectorXd::Zero(A.rows());
   const auto x_of = [&](const Eigen::VectorXd& at) {
@@ -38,7 +38,8 @@ std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen
     const Eigen::VectorXd direction = -hessian.ldlt().solve(gradient);
     const double slope = gradient.dot(direction), now = value(lambda);
     const auto is_better = [&](const Eigen::VectorXd& at, double length) {
-      // Near the end values differ by less than their rounding; the gradient still tells.
+      // Near the solution, values differ by less than rounding errors; the gradient still
+      // decreases.
       return value(at) <= now + 1e-4 * length * slope ||
              (A * x_of(at) - b).norm() <= 0.5 * gradient.norm();
     };
@@ -49,7 +50,7 @@ std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen
   return std::nullopt;
 }
 
-/// The rows that are to hold with equality: of A x = b.
+/// Rows that hold with equality, as A x = b.
 struct Held {
   std::vector<Eigen::Index> rows;
   Eigen::MatrixXd A;
@@ -79,7 +80,7 @@ std::optional<Eigen::VectorXd> least_forces(const LeastForces& problem) {
     const Eigen::VectorXd x = (held.A.transpose() * *lambda).cwiseMax(0);
     const Eigen::VectorXd excess = problem.A * x - problem.upper;
     bool changed = false;
-    for (std::size_t k = 0; k < held.rows.size(); ++k) {  // an upper bound that pushes lets go
+    for (std::size_t k = 0; k < held.rows.size(); ++k) {  // releases upper bounds that push
       const auto i = static_cast<std::size_t>(held.rows[k]);
       if (problem.is_equal[i] || (*lambda)[static_cast<Eigen::Index>(k)] <= 0) continue;
       is_held[i] = false;

@@ -9,15 +9,15 @@
 
 namespace graspless::mechanics {
 
-/// minimise |x|^2  subject to  A x = upper or A x <= upper (a row each),  x >= 0.
+/// Problem: minimise |x|^2  subject to  A x = upper or A x <= upper (for each row),  x >= 0.
 struct LeastForces {
   Eigen::MatrixXd A;
   Eigen::VectorXd upper;
   std::vector<bool> is_equal;
 };
 
-/// The one solution of a problem that can be kept strictly (some x > 0). Nothing where the
-/// iteration does not end, as when it cannot.
+/// Returns the unique solution of a problem that some x > 0 fulfils strictly. Returns nothing if
+/// the iteration does not converge, as for problems without such an x.
 std::optional<Eigen::VectorXd> least_forces(const LeastForces& problem);
 
 }  // namespace graspless::mechanics

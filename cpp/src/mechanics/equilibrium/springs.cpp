@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An object on springs: where it moves under a disturbance, and what that does to every contact.
+// Object on springs: its displacement under a disturbance, and the change of every contact force.
 #include "mechanics/equilibrium/springs.hpp"
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kSoft = 1e-9;  // share of the stiffest motion below which one is not held
+constexpr double kSoft = 1e-9;  // fraction of the largest stiffness below which a motion is free
 
-/// A spring and where it is.
-struct Placed {
+/// Spring with its stiffness and its displacement.
+struct LocatedSpring {
   Spring spring;
   Eigen::Matrix3d stiffness;              // force on the object per displacement against it
   Eigen::Matrix<double, 3, 6> displaced;  // displacement of the point per twist about the com
@@ -32,9 +32,9 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-Placed placed(const ContactSet& set, const Eigen::Vector3d& p_OC, const Eigen::Vector3d& n_O,
-              double friction) {
-  Placed at;
+LocatedSpring located(const ContactSet& set, const Eigen::Vector3d& p_OC,
+                      const Eigen::Vector3d& n_O, double friction) {
+  LocatedSpring at;
   at.spring.n = n_O;
   at.spring.friction = friction;
   at.displaced << Eigen::Matrix3d::Identity(), -cross_matrix(p_OC - set.com_O);
@@ -45,8 +45,8 @@ Eigen::Matrix3d isotropic(const Eigen::Vector3d& n, double normal, double tangen
   return tangential * Eigen::Matrix3d::Identity() + (normal - tangential) * n * n.transpose();
 }
 
-Placed of_contact(const ContactSet& set, const Contact& c, const Compliance& compliance) {
-  Placed at = placed(set, c.p_OC, c.n_O, c.friction);
+LocatedSpring of_contact(const ContactSet& set, const Contact& c, const Compliance& compliance) {
+  LocatedSpring at = located(set, c.p_OC, c.n_O, c.friction);
   at.spring.follows = c.mode == ContactMode::slide;
   if (at.spring.follows) {
     const Eigen::Vector3d edge = c.n_O - c.friction * tangent(c.n_O, c.t_O);
@@ -58,9 +58,9 @@ Placed of_contact(const ContactSet& set, const Contact& c, const Compliance& com
   return at;
 }
 
-Placed of_finger(const ContactSet& set, const Finger& f, FingerMode mode,
-                 const Compliance& compliance) {
-  Placed at = placed(set, f.p_OC, f.n_O, f.friction);
+LocatedSpring of_finger(const ContactSet& set, const Finger& f, FingerMode mode,
+                        const Compliance& compliance) {
+  LocatedSpring at = located(set, f.p_OC, f.n_O, f.friction);
   const bool force = mode == FingerMode::force;
   at.stiffness =
       isotropic(f.n_O, force ? 0 : compliance.finger_normal, compliance.finger_tangential);
@@ -68,9 +68,9 @@ Placed of_finger(const ContactSet& set, const Finger& f, FingerMode mode,
   return at;
 }
 
-std::vector<Placed> all_of(const ContactSet& set, const std::vector<FingerMode>& modes,
-                           const Compliance& compliance) {
-  std::vector<Placed> all;
+std::vector<LocatedSpring> all_of(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                  const Compliance& compliance) {
+  std::vector<LocatedSpring> all;
   for (const Contact& contact : set.contacts) all.push_back(of_contact(set, contact, compliance));
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     all.push_back(of_finger(set, set.fingers[i], modes[i], compliance));
@@ -78,9 +78,9 @@ std::vector<Placed> all_of(const ContactSet& set, const std::vector<FingerMode>&
   return all;
 }
 
-/// Whether the springs push the object back from every displacement: measured with the same scale
-/// as disturbances, no motion of the stiffness has a rate of 0 or below. (Friction that follows a
-/// normal force makes it unsymmetric; without sliding this is positive definiteness.)
+/// Returns true if the springs push the object back from every displacement: all eigenvalues of the
+/// stiffness, in the scale of the disturbances, have positive real parts. Without sliding that is
+/// positive definiteness; friction that follows a normal force makes the stiffness unsymmetric.
 bool holds(const Matrix6d& stiffness, const Matrix6d& scale, bool slides) {
   const Matrix6d scaled = scale * stiffness * scale.transpose();
   const double soft = kSoft * scaled.norm();
@@ -100,10 +100,10 @@ void validate_compliance(const Compliance& compliance) {
   positive(compliance.finger_tangential, "finger_tangential");
 }
 
-/// The largest t at which force + t change lies within Coulomb's cone; both are a nominal force
-/// inside it and any direction. The quadratic a t^2 + 2 b t + c is negative inside.
-double unslipped(const Spring& spring, const Eigen::Vector3d& force,
-                 const Eigen::Vector3d& change) {
+/// Largest t at which force + t change lies within Coulomb's cone, for a nominal force inside it.
+/// The quadratic a t^2 + 2 b t + c is negative inside.
+double slip_limit(const Spring& spring, const Eigen::Vector3d& force,
+                  const Eigen::Vector3d& change) {
   const double normal = spring.n.dot(force), grows = spring.n.dot(change);
   const Eigen::Vector3d along = force - normal * spring.n;
   const Eigen::Vector3d slips = change - grows * spring.n;
@@ -125,7 +125,7 @@ double Spring::within_cone(const Eigen::Vector3d& force_O) const {
   double t = most > 0 ? normal / most : kUnlimited;
   if (follows) return t;
   for (Eigen::Index k = 0; k < changes.cols(); ++k) {
-    t = std::min(t, unslipped(*this, force_O, changes.col(k)));
+    t = std::min(t, slip_limit(*this, force_O, changes.col(k)));
   }
   return t;
 }
@@ -152,20 +152,20 @@ std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
   if (directions.cols() == 0 || !directions.allFinite()) {
     throw std::invalid_argument("directions must be finite, one at least");
   }
-  const std::vector<Placed> all = all_of(set, modes, compliance);
+  const std::vector<LocatedSpring> all = all_of(set, modes, compliance);
   Matrix6d stiffness = Matrix6d::Zero();
   bool slides = false;
-  for (const Placed& at : all) {
+  for (const LocatedSpring& at : all) {
     stiffness += at.displaced.transpose() * at.stiffness * at.displaced;
     slides = slides || at.spring.follows;
   }
   if (!holds(stiffness, set.wrench_scale, slides)) return std::nullopt;
 
-  // The springs must supply R^-1/2 l_i: the object moves against them by that much.
+  // The springs must supply the wrench R^-1/2 l_i, which determines the displacement.
   const Matrix6Xd moved = -stiffness.partialPivLu().solve(
       Eigen::MatrixXd(set.wrench_scale.partialPivLu().solve(directions)));
   std::vector<Spring> springs;
-  for (const Placed& at : all) {
+  for (const LocatedSpring& at : all) {
     springs.push_back(at.spring);
     springs.back().changes = -at.stiffness * at.displaced * moved;
   }

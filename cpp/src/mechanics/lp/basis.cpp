@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertex that belongs to a basis. A simplex method updates its factors hundreds of times and
-// accepts bounds to a tolerance; one fresh factorisation with refinement gets the digits back.
+// Computes the vertex of a basis. A simplex method updates its factors hundreds of times and
+// accepts bounds to a tolerance; one new factorisation with refinement restores full accuracy.
 #include "mechanics/lp/basis.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr Eigen::Index kDense = 48;  // up to this size a dense factorisation is the faster one
+constexpr Eigen::Index kDense = 48;  // up to this size a dense factorisation is faster
 constexpr int kRefinements = 3;
 
 using Sparse = Eigen::SparseMatrix<double>;
 using LongVector = LpVertex::Vector;
 
-/// The square system of rows at a bound and basic variables. Basic rows take no part: they follow
-/// from x and have no dual.
+/// Square system of the rows at a bound and the basic variables. Basic rows are not part of it:
+/// they follow from x, and their dual is 0.
 struct ActiveSystem {
   std::vector<int> row_of, column_of;  // position in the system, or -1
   Eigen::Index size = 0;
@@ -64,7 +64,7 @@ LongVector product(const Sparse& A, const LongVector& x, bool transposed) {
   return result;
 }
 
-/// x with A x = b by `solve`, refined with residuals of extended precision.
+/// Solves A x = b by `solve`, refined with residuals of extended precision.
 template <class Solve>
 LongVector refined(const Sparse& A, bool transposed, const LongVector& b, const Solve& solve) {
   LongVector x = LongVector::Zero(b.size());
@@ -75,7 +75,7 @@ LongVector refined(const Sparse& A, bool transposed, const LongVector& b, const 
   return x;
 }
 
-/// x_B and y of A x_B = b, A' y = c.
+/// Solves A x_B = b and A' y = c. Returns false if A is singular.
 bool solve_both(const Sparse& A, const LongVector& b, const LongVector& c, LongVector* x,
                 LongVector* y) {
   if (A.rows() == 0) {
@@ -113,8 +113,8 @@ double bound(BasisStatus status, double lower, double upper) {
   }
 }
 
-/// By how much a reduced cost has the wrong sign where one maximises.
-double wrong_sign(BasisStatus status, double reduced) {
+/// Size of a reduced cost of the wrong sign, for maximisation; otherwise 0.
+double sign_error(BasisStatus status, double reduced) {
   switch (status) {
     case BasisStatus::at_lower:
       return std::max(0.0, reduced);
@@ -134,23 +134,23 @@ LongVector activities(const LinearProgram& lp, const LongVector& x) {
 }
 
 LongVector reduced_costs(const LinearProgram& lp, const LongVector& y) {
-  LongVector reduced =
-      Eigen::Map<const Eigen::VectorXd>(lp.objective.data(), lp.num_variables()).cast<long double>();
+  LongVector reduced = Eigen::Map<const Eigen::VectorXd>(lp.objective.data(), lp.num_variables())
+                           .cast<long double>();
   for (const auto& entry : lp.entries) reduced[entry.col()] -= y[entry.row()] * entry.value();
   return reduced;
 }
 
 double primal_error(const LinearProgram& lp, const LongVector& x) {
   long double worst = 0;
-  const auto look = [&](const LongVector& values, const std::vector<double>& lower,
-                        const std::vector<double>& upper) {
+  const auto check = [&](const LongVector& values, const std::vector<double>& lower,
+                         const std::vector<double>& upper) {
     for (std::size_t i = 0; i < lower.size(); ++i) {
       const long double value = values[static_cast<Eigen::Index>(i)];
       worst = std::max({worst, lower[i] - value, value - upper[i]});
     }
   };
-  look(activities(lp, x), lp.row_lower, lp.row_upper);
-  look(x, lp.lower, lp.upper);
+  check(activities(lp, x), lp.row_lower, lp.row_upper);
+  check(x, lp.lower, lp.upper);
   return static_cast<double>(worst);
 }
 
@@ -159,13 +159,13 @@ double dual_error(const LinearProgram& lp, const LpBasis& basis, const LongVecto
   double worst = 0;
   for (Eigen::Index j = 0; j < reduced.size(); ++j) {
     const BasisStatus status = basis.variables[static_cast<std::size_t>(j)];
-    worst = std::max(worst, wrong_sign(status, static_cast<double>(reduced[j])));
+    worst = std::max(worst, sign_error(status, static_cast<double>(reduced[j])));
   }
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    // What a row at its bound would gain by leaving it is its dual.
+    // The dual is what the objective would gain if the row left its bound.
     const BasisStatus status = basis.rows[static_cast<std::size_t>(i)];
     if (status == BasisStatus::basic) continue;
-    worst = std::max(worst, wrong_sign(status, static_cast<double>(y[i])));
+    worst = std::max(worst, sign_error(status, static_cast<double>(y[i])));
   }
   return worst;
 }
@@ -177,7 +177,7 @@ LpVertex singular() {
   return vertex;
 }
 
-/// The right-hand sides of A x_B = b and A' y = c; those of x that stand at a bound are set.
+/// Computes the right-hand sides of A x_B = b and A' y = c, and sets the x that are at a bound.
 void right_sides(const LinearProgram& lp, const LpBasis& basis, const ActiveSystem& system,
                  LongVector* x, LongVector* b, LongVector* c) {
   *b = *c = LongVector::Zero(system.size);
@@ -201,7 +201,7 @@ void right_sides(const LinearProgram& lp, const LpBasis& basis, const ActiveSyst
   }
 }
 
-/// How much an error is magnified: to 1, but not from nothing.
+/// Factor that magnifies an error to 1, at most 1e12.
 long double magnification(double error) { return 1 / std::max(error, 1e-12); }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Linear programs whose rows differ by orders of magnitude, made even.
+// Scales linear programs whose rows differ by orders of magnitude.
 #include "mechanics/lp/conditioning.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -8,8 +8,8 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kEven = 1e-3;       // least ratio of singular values that solvers take well
-constexpr double kDependent = 1e-7;  // below this share a row is a combination of the others
+constexpr double kEven = 1e-3;       // least ratio of singular values that solvers handle well
+constexpr double kDependent = 1e-7;  // ratio below which rows are dependent
 
 }  // namespace
 

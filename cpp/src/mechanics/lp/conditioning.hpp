@@ -8,9 +8,9 @@
 
 namespace graspless::mechanics {
 
-/// What the six rows of balance may be multiplied with, so that contacts which hardly resist some
-/// wrench (points that are nearly on a line, say) do not sink below a solver's tolerance. The
-/// identity where there is no need, or no wrench at all is resisted.
+/// Factor for the six rows of balance that keeps contacts which hardly resist some wrench (points
+/// nearly on a line, for instance) above a solver's tolerance. The identity if there is no need, or
+/// if some wrench is not resisted at all.
 Matrix6d balance_conditioning(const EnvironmentWrenches& environment,
                               const std::vector<FingerWrenches>& fingers);
 

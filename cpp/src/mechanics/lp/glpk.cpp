@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The one file that calls GLPK.
+// The only file that calls GLPK.
 #include "mechanics/lp/glpk.hpp"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ extern "C" void graspless_on_glpk_error(void* jump) {
   std::longjmp(*static_cast<std::jmp_buf*>(jump), 1);  // returning would abort
 }
 
-/// What passes between us and GLPK: plain data alone, since a fatal error jumps out of the calls
-/// without destroying anything. Indices from 1, as GLPK counts.
+/// Data exchanged with GLPK. It is plain, since a fatal error jumps out of the calls without
+/// running destructors. Indices start at 1, as in GLPK.
 struct Exchange {
   int rows, columns, entries;
   const int *entry_row, *entry_column;
@@ -72,7 +72,7 @@ void run(Exchange* exchange) {
   exchange->code = glp_simplex(problem, &exchange->options);
   if (exchange->code == 0 && glp_get_status(problem) != GLP_OPT &&
       glp_get_prim_stat(problem) != GLP_NOFEAS && glp_get_status(problem) != GLP_UNBND) {
-    // No dual solution: infeasible or unbounded, which the primal method tells apart.
+    // There is no dual solution. The primal method distinguishes infeasible from unbounded.
     exchange->options.meth = GLP_PRIMAL;
     exchange->code = glp_simplex(problem, &exchange->options);
   }
@@ -87,13 +87,13 @@ void run(Exchange* exchange) {
   glp_delete_prob(problem);
 }
 
-/// Whether GLPK came back from run() in an orderly way.
+/// Returns false if GLPK met a fatal error.
 bool run_guarded(Exchange* exchange) {
   static thread_local Environment environment;
   static_cast<void>(environment);
   static thread_local std::jmp_buf jump;
   if (setjmp(jump) != 0) {
-    glp_free_env();  // also forgets the hook, and frees what was left behind
+    glp_free_env();  // also removes the hook, and frees what the call left behind
     glp_init_env();
     return false;
   }
@@ -112,7 +112,7 @@ glp_smcp options(const LinearProgram& lp, const GlpkMethod& method) {
   options.meth = method.dual ? GLP_DUAL : GLP_PRIMAL;
   options.presolve = GLP_OFF;  // with the primal method it gave wrong optima
   options.tol_bnd = options.tol_dj = method.tolerance;
-  // Far more than any of our programmes needs; a method that cycles ends.
+  // Far more than any of our programs needs; it stops a method that cycles.
   options.it_lim = 1000 + 20 * static_cast<int>(lp.num_rows() + lp.num_variables());
   return options;
 }

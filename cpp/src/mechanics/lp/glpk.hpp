@@ -6,14 +6,15 @@
 
 namespace graspless::mechanics {
 
+/// Variant of the simplex method.
 struct GlpkMethod {
   bool dual = true;         ///< dual or primal simplex; never with presolve
-  double tolerance = 1e-9;  ///< of bounds and of reduced costs
+  double tolerance = 1e-9;  ///< tolerance of bounds and of reduced costs
 };
 
-/// The final basis of GLPK's simplex method, which starts from `basis` unless that is empty; false
-/// when it gives none. GLPK keeps its memory per
-/// thread: it is freed when the thread ends. Its fatal errors, which end the process, are caught.
+/// Runs GLPK's simplex method, from `basis` unless that is empty, and sets `basis` to the final
+/// one. Returns false if there is none. GLPK keeps memory per thread, which is freed when the
+/// thread ends. Its fatal errors would end the process; they are caught.
 bool find_basis(const LinearProgram& lp, const GlpkMethod& method, LpBasis* basis);
 
 }  // namespace graspless::mechanics

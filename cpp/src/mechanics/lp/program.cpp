@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Linear programs: what is asked is checked before GLPK sees it, what it answers afterwards.
+// Linear programs: input is validated before GLPK sees it, and its answers are checked.
 #include "mechanics/lp/program.hpp"
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 #include <stdexcept>
 #include <string>
 
-#include "mechanics/lp/glpk.hpp"
 #include "mechanics/lp/basis.hpp"
+#include "mechanics/lp/glpk.hpp"
 
 namespace graspless::mechanics {
 namespace {
 
 constexpr double kRounding = 1e-12;
-constexpr double kSharpError = 1e-13;  // no refinement
-constexpr double kGoodError = 1e-10;   // no second attempt
-constexpr double kBadError = 1e-6;     // no answer
+constexpr double kSharpError = 1e-13;  // error below which nothing is refined
+constexpr double kGoodError = 1e-10;   // error below which no other method is tried
+constexpr double kBadError = 1e-6;     // error above which there is no answer
 constexpr int kMagnifications = 3;
 
 void validate_bounds(const std::vector<double>& lower, const std::vector<double>& upper,
@@ -60,9 +60,9 @@ double error(const LpSolution& solution) {
   return std::max(solution.primal_error, solution.dual_error);
 }
 
-/// The vertex that a method ends at, refined (Gleixner, Steffy and Wolter 2012): a method accepts
-/// errors up to its tolerance, and finds better bases of the programme in which they are magnified.
-/// Nothing when it fails.
+/// Returns the vertex that a method finds, refined (Gleixner, Steffy and Wolter 2012): the method
+/// accepts errors up to its tolerance, so it finds a better basis for the program in which they are
+/// magnified. Returns nothing if the method fails.
 std::optional<LpSolution> solve_by(const GlpkMethod& method, const LinearProgram& lp) {
   LpBasis basis;
   if (!find_basis(lp, method, &basis)) return std::nullopt;
@@ -106,8 +106,8 @@ void LinearProgram::set_block(int row, int column, const Eigen::Ref<const Eigen:
 
 LpSolution solve_lp(const LinearProgram& lp) {
   validate(lp);
-  // The dual method first: it alone was right on every contact set tried. The others are for a
-  // programme on which it stalls.
+  // The dual method was right on every contact set tried. The others are for programs on which it
+  // stalls.
   const std::array<GlpkMethod, 3> methods = {GlpkMethod{true, 1e-9}, GlpkMethod{false, 1e-9},
                                              GlpkMethod{true, 1e-7}};
   LpSolution best;
@@ -118,8 +118,9 @@ LpSolution solve_lp(const LinearProgram& lp) {
     if (error(best) <= kGoodError) break;
   }
   if (error(best) > kBadError) {
-    throw std::runtime_error("the linear programme could not be solved: its answers miss by " +
-                             std::to_string(error(best)));
+    throw std::runtime_error(
+        "the linear program could not be solved: the errors of the best answer are " +
+        std::to_string(error(best)));
   }
   return best;
 }

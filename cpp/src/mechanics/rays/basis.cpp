@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A dual simplex without costs: from one target to the next with few pivots.
+// Dual simplex without costs, which moves from one target to the next with few pivots.
 #include "mechanics/rays/basis.hpp"
 
 #include <algorithm>
@@ -10,14 +10,16 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kZeroPrice = 1e-11;  // |rho . a_j| / |rho| below which column j lies in the facet
-constexpr double kNoPrice = 1e-13;    // below this a column lies in the facet beyond doubt
-constexpr double kIllConditioned = 1e5;
-constexpr double kSmallPivot = 1e-8;  // of an artificial column's row: the columns do not span
-constexpr double kWrongSign = 0.05;   // worth of a pivot to a coefficient against the target
-constexpr double kResumable = 1e-4;   // relative pivot of a basis worth taking up again
-constexpr int kRefresh = 16;          // pivots between refreshments of the inverse
-constexpr int kBland = 60;            // pivots towards one target before Bland's rule
+constexpr double kZeroPrice =
+    1e-11;  // |rho . a_j| / |rho| below which column j counts as in the facet
+constexpr double kNoPrice = 1e-13;       // below this a column is in the facet beyond doubt
+constexpr double kIllConditioned = 1e5;  // condition from which 1e-9 cannot be guaranteed
+constexpr double kSmallPivot =
+    1e-8;  // price of an artificial column's row below which no column replaces it
+constexpr double kWrongSign = 0.05;  // weight of a pivot that makes a coefficient negative
+constexpr double kResumable = 1e-4;  // least relative pivot of a basis to continue from
+constexpr int kRefresh = 16;         // pivots between refinements of the inverse
+constexpr int kBland = 60;           // pivots towards one target before Bland's rule
 constexpr int kGiveUp = 5000;
 
 double squared(const RayBasis::Vector& a) {
@@ -96,7 +98,8 @@ int RayBasis::least_price(const Vector& rho, double below) const {
                               columns_->count() / kernels::kLanes, below);
 }
 
-/// The row most against the target, by distance; Bland: that of the first column. -1: none is.
+/// Returns the row most against the target by distance, by Bland's rule that of the first column,
+/// or -1 if there is none.
 int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
   const double allowed = tolerance * tolerance;
   if (!bland) return kernels::most_against(inverse(), target.data(), allowed);
@@ -111,14 +114,15 @@ int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
   return first;
 }
 
-/// Tells whether some column of the basis is, to rounding, a combination of the others: 1 / |row r|
-/// is the distance of column r from their span.
+/// Returns true if some column of the basis nearly is a combination of the others: 1 / |row r| is
+/// the distance of column r from their span.
 bool RayBasis::is_ill_conditioned() const {
   const double nearest = *std::min_element(per_square_.begin(), per_square_.begin() + rows_);
   return nearest * kIllConditioned * kIllConditioned < columns_->longest() * columns_->longest();
 }
 
-/// The column that turns most against row r; Bland: the first that does. -1: none does.
+/// Returns the column that turns most against row r, by Bland's rule the first that does, or -1 if
+/// none does.
 int RayBasis::entering(int r, bool bland) {
   const Vector rho = row(r);
   const double length = 1 / std::sqrt(per_square_[ix(r)]);
@@ -157,7 +161,7 @@ RayBasis::Outcome RayBasis::reach(const Vector& target, double tolerance) {
     }
     pivot(r, q);
   }
-  is_doubtful_ = true;  // only rounding makes it cycle
+  is_doubtful_ = true;  // only rounding errors make it cycle
   return Outcome::facet;
 }
 

@@ -11,11 +11,11 @@
 
 namespace graspless::mechanics {
 
-/// The columns of the balance of one instant with one choice of control modes:
-///   sum_j a_j k_j = w               (6 rows: a wrench to be balanced, less the known one)
+/// Columns of the balance of one instant with one combination of control modes:
+///   sum_j a_j k_j = w               (6 rows: a wrench to balance, less the known one)
 ///   normal_i . k_i + slack = f_max  (a finger in position control)
 ///   normal_i . k_i         = f      (a finger in force control)
-/// In blocks, each of the environment or of one finger; blocks are padded with zeros.
+/// They are stored in blocks, each of the environment or of one finger, padded with zeros.
 class Columns {
  public:
   void assign(const EnvironmentWrenches& environment,
@@ -25,11 +25,11 @@ class Columns {
   int count() const { return kernels::kLanes * static_cast<int>(finger_row_.size()); }
   const double* blocks() const { return table_.data(); }
   const int* finger_row() const { return finger_row_.data(); }
-  /// The greatest length of a wrench.
+  /// Length of the longest wrench.
   double longest() const { return longest_; }
-  /// Column j, of all rows.
+  /// Writes column j, all rows.
   void column(int j, double* entries) const;
-  /// The column that slackens a finger's row; -1 for fingers in force control.
+  /// Slack column of a finger's row; -1 for fingers in force control.
   int slack(int finger) const { return slack_[static_cast<std::size_t>(finger)]; }
 
  private:
@@ -38,30 +38,30 @@ class Columns {
   int rows_ = 0;
   double longest_ = 0;
   std::vector<double> table_;    // blocks of six rows of wrenches and the finger's row
-  std::vector<int> finger_row_;  // of each block
+  std::vector<int> finger_row_;  // row of each block's finger
   std::array<int, kMaxFingers> slack_{};
 };
 
-/// A basis of the balance with the inverse of its matrix, walked from target to target.
+/// Basis of the balance with the inverse of its matrix, which moves from target to target.
 class RayBasis {
  public:
   static constexpr int kMaxRows = 12;  // 6 + kMaxFingers, padded
   using Vector = std::array<double, kMaxRows>;
 
-  /// Forgets the basis: the slacks, and artificial columns that may carry nothing elsewhere.
+  /// Restarts with the slacks and with artificial columns, which must carry nothing in the end.
   void begin(const Columns& columns);
-  /// Exchanges artificial columns for real ones, those first that carry `target` with the right
-  /// sign. False when the columns do not span the space.
+  /// Replaces artificial columns by real ones, preferably ones that carry `target` with the right
+  /// sign. Returns false if the columns do not span the space.
   bool complete(const Vector& target);
-  /// Takes up the basis that was left, with the columns as they are now. False if it is none.
+  /// Continues from the last basis with new columns. Returns false if they are dependent.
   bool resume(const Columns& columns);
 
   enum class Outcome { reached, facet };
   /// Pivots until the basis carries the target with coefficients >= 0 (to `tolerance`, a distance
-  /// from the target), or a row proves that none does: facet().
+  /// from the target), or a row proves that no basis does: facet().
   Outcome reach(const Vector& target, double tolerance);
-  /// True if rounding may have decided since begin() or resume(): a basis was too ill-conditioned, or
-  /// a column too close to a facet, for the last outcome to be accurate to 1e-9.
+  /// True if rounding errors may have decided: the basis is ill-conditioned, or since begin() or
+  /// resume() a column was too close to a facet to tell its side.
   bool is_doubtful() const { return is_doubtful_ || is_ill_conditioned(); }
   /// rho with rho . a_j >= 0 for all columns and rho . target < 0.
   const Vector& facet() const { return facet_; }
@@ -84,9 +84,9 @@ class RayBasis {
 
   const Columns* columns_ = nullptr;
   int rows_ = 0, K_ = 8;
-  std::array<int, kMaxRows> head_{};                   // columns of the basis; negative: artificial
-  std::array<double, kMaxRows * kMaxRows> inverse_{};  // by columns of K
-  std::array<double, kMaxRows * kMaxRows> matrix_{};   // the basis' columns, likewise
+  std::array<int, kMaxRows> head_{};                   // column of each row; negative: artificial
+  std::array<double, kMaxRows * kMaxRows> inverse_{};  // column by column, K entries each
+  std::array<double, kMaxRows * kMaxRows> matrix_{};   // columns of the basis, stored likewise
   Vector per_square_{};
   Vector facet_{};
   bool is_doubtful_ = false;

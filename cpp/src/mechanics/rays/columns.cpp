@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The columns of the balance, side by side for pricing.
-#include "mechanics/rays/basis.hpp"
-
+// Columns of the balance, side by side for pricing.
 #include <algorithm>
 #include <cmath>
+
+#include "mechanics/rays/basis.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -17,7 +17,7 @@ int blocks_for(int columns) { return (columns + kLanes - 1) / kLanes; }
 
 }  // namespace
 
-/// The first entry of column j; the others follow at steps of kLanes.
+/// Returns the first entry of column j; the others follow at steps of kLanes.
 double* Columns::place(int j) {
   return &table_[static_cast<std::size_t>(j / kLanes * kBlock + j % kLanes)];
 }
@@ -27,7 +27,7 @@ void Columns::assign(const EnvironmentWrenches& environment,
   const int n = static_cast<int>(fingers.size());
   const int passive = static_cast<int>(environment.generators.cols());
   rows_ = 6 + n;
-  finger_row_.assign(static_cast<std::size_t>(blocks_for(passive)), 6);  // an entry that is zero
+  finger_row_.assign(static_cast<std::size_t>(blocks_for(passive)), 6);  // a row of zeros
   for (int i = 0; i < n; ++i) {
     const int edges = static_cast<int>(fingers[static_cast<std::size_t>(i)]->normal.size());
     finger_row_.insert(finger_row_.end(), static_cast<std::size_t>(blocks_for(edges + 1)), 6 + i);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The master problem of (6): z as a concave function of f_com, from above.
+// Master problem of (6): upper bound on z, a concave function of f_com.
 #include "mechanics/rays/cuts.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kTight = 1e-14;  // relative excess that counts as none
-constexpr int kMaxPivots = 200;   // never seen above 10; ties could cycle
+constexpr double kTight = 1e-14;  // relative excess that counts as zero
+constexpr int kMaxPivots = 200;   // never seen above 10; limits cycles
 
 }  // namespace
 
@@ -44,7 +44,7 @@ double Cuts::at(const Cut& cut) const {
   return value;
 }
 
-/// By how much (z, f) breaks a row, per unit of its coefficients.
+/// Violation of a row by (z, f), per unit of its coefficients.
 double Cuts::excess(const Row& row) const {
   double value = -row[ix(n_)], size = 0;
   for (int k = 0; k < n_; ++k) {
@@ -54,7 +54,7 @@ double Cuts::excess(const Row& row) const {
   return value / size;
 }
 
-/// (z, f) from the active rows, with one step of refinement.
+/// Computes (z, f) from the active rows, with one step of refinement.
 void Cuts::locate() {
   std::array<double, kDims> residual{};
   v_.fill(0);
@@ -73,7 +73,7 @@ void Cuts::locate() {
   }
 }
 
-/// One pivot: the row becomes active in place of the one whose weight vanishes first.
+/// Pivots: the row becomes active in place of the one whose weight vanishes first.
 void Cuts::make_active(const Row& row) {
   std::array<double, kDims> share{};  // row = sum of share * active
   int leaving = -1;
@@ -92,7 +92,7 @@ void Cuts::make_active(const Row& row) {
     leaving = i;
     least = ratio;
   }
-  if (leaving < 0) return;  // z has no lower bound: only rounding comes here
+  if (leaving < 0) return;  // only rounding errors lead here
   const double pivot = share[ix(leaving)];
   for (int i = 0; i < n_; ++i) {
     if (i != leaving) {

@@ -9,7 +9,7 @@
 
 namespace graspless::mechanics {
 
-/// What is known of z as a function of f_com: the least of affine cuts z <= a + b . f, valid for
+/// Upper bound on z as a function of f_com: the least of affine cuts z <= a + b . f, valid for
 /// every f. Keeps the maximum over the box 0 <= f <= f_max, by dual simplex in 1 + dims variables.
 class Cuts {
  public:
@@ -18,15 +18,15 @@ class Cuts {
     std::array<double, kMaxFingers> b{};
   };
 
-  /// No cut but z <= ceiling.
+  /// Restarts with the single cut z <= ceiling.
   void begin(int dims, const double* upper, double ceiling);
-  /// Adds a cut and moves to the new maximum.
-  /// False when that changes nothing: the cut was known, but for rounding.
+  /// Adds a cut and moves to the new maximum. Returns false if that changes nothing, because the
+  /// cut was known up to rounding.
   bool add(const Cut& cut);
 
   double z() const { return v_[0]; }
   const double* f() const { return &v_[1]; }
-  /// The value of a cut where the model is.
+  /// Value of a cut at the maximum.
   double at(const Cut& cut) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Problem (6): ray shots along the directions share f_com alone.
+// Problem (6): ray shots along the directions share only f_com.
 #include "mechanics/rays/cyclic_cuts.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kTolerance = 1e-13;  // distance from a target that counts as none, relative
-constexpr double kCeiling = 1e6;      // z above this many times the forces at play is infinite
-constexpr double kNothing = 1e-12;    // z below this many forces at play is none
-constexpr double kFirstTrial = 1;     // z that is tried first, in forces at play
+constexpr double kTolerance = 1e-13;  // distance from a target that counts as reached, relative
+constexpr double kCeiling = 1e6;      // z above this multiple of the largest force is infinite
+constexpr double kNothing = 1e-12;    // z below this multiple of the largest force is 0
+constexpr double kFirstTrial = 1;     // first z to try, as a multiple of the largest force
 
 using kernels::kLanes;
 
@@ -32,7 +32,7 @@ std::int64_t CyclicCuts::pivots() const {
   return sum;
 }
 
-/// False when some environment and the fingers do not span the space.
+/// Returns false if some environment and the fingers do not span the space.
 bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environments,
                          const std::vector<const FingerWrenches*>& fingers, ForceMask force) {
   fingers_ = static_cast<int>(fingers.size());
@@ -65,7 +65,7 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
   return true;
 }
 
-/// What the columns must carry for z l_d.
+/// Right-hand side of the balance for the target z l_d.
 RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, double z) const {
   RayBasis::Vector b{};
   for (int i = 0; i < 6; ++i) {
@@ -78,7 +78,7 @@ RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, doub
   return b;
 }
 
-/// Begins anew with all directions, the critical one first.
+/// Restarts with all directions, in the order that the last run left.
 void CyclicCuts::Unreached::restart(const Matrix6Xd& all) {
   left = static_cast<int>(all.cols());
   if (!order.empty()) return;
@@ -96,7 +96,7 @@ double* CyclicCuts::Unreached::place(int at, int axis) {
   return &table[ix((at / kLanes * 6 + axis) * kLanes + at % kLanes)];
 }
 
-/// The last of those left takes the place of one that is reached.
+/// Removes a direction that is reached: the last one left takes its place.
 void CyclicCuts::Unreached::remove(int at) {
   --left;
   std::swap(order[ix(at)], order[ix(left)]);
@@ -104,16 +104,18 @@ void CyclicCuts::Unreached::remove(int at) {
   for (int i = 0; i < 6; ++i) std::swap(*place(at, i), *place(left, i));
 }
 
-/// How far from a target counts as there.
+/// Distance from a target that counts as reached.
 double CyclicCuts::distance(double z) const { return tolerance_ * (force_scale_ + z * longest_); }
 
-/// Drops the targets z l_d that the present basis carries. The nearest of the others; -1: none.
+/// Removes the targets z l_d that the current basis carries. Returns the nearest of the others, or
+/// -1.
 int CyclicCuts::sweep(std::size_t index, double z) {
   Environment& e = environments_[index];
   Unreached& u = e.unreached;
   if (u.left == 0) return -1;
   const RayBasis::Vector origin = target(index, 0, 0);
-  const double allowed = -2 * distance(z);  // more than reach(): what that reaches is dropped
+  const double allowed =
+      -2 * distance(z);  // twice that of reach(), so that what it reaches is removed
   kernels::slacks(e.basis.inverse(), origin.data(), z, u.table.data(),
                   (u.left + kLanes - 1) / kLanes, u.slack.data());
   int nearest = -1;
@@ -128,7 +130,8 @@ int CyclicCuts::sweep(std::size_t index, double z) {
   return nearest < 0 ? -1 : u.order[ix(nearest)];
 }
 
-/// Reaches all targets z l_d in an environment, or stops at a facet that is against one.
+/// Returns true if all targets z l_d are reached in an environment. Stops at a facet that excludes
+/// one, or where rounding errors may have decided.
 bool CyclicCuts::certify(std::size_t index, double z) {
   RayBasis& basis = environments_[index].basis;
   for (int d = critical_; d >= 0; d = sweep(index, z)) {
@@ -141,7 +144,7 @@ bool CyclicCuts::certify(std::size_t index, double z) {
   return true;
 }
 
-/// The facet rho . (z l_d - known, f) >= 0 for all d, solved for z: with y = -rho,
+/// Cut of the facet rho . (z l_d - known, f) >= 0 for all d, solved for z: with y = -rho,
 /// z <= (y . known + sum of rho f) / max_d y . l_d.
 Cuts::Cut CyclicCuts::cut(std::size_t index) const {
   const Environment& e = environments_[index];
@@ -171,7 +174,6 @@ void CyclicCuts::keep_support(const RayBasis::Vector& facet) {
   supports_.push_back(y.normalized());
 }
 
-/// Tells whether rounding decided in some environment.
 bool CyclicCuts::is_doubtful() const {
   return std::any_of(environments_.begin(),
                      environments_.begin() + static_cast<std::ptrdiff_t>(used_),
@@ -201,7 +203,7 @@ CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches
     if (certify(e, trial)) {
       if (++e < used_) continue;
       if (trial == model_.z()) break;
-      trial = model_.z();  // all of it was reached with z to spare
+      trial = model_.z();  // everything was reached, and z may be larger
     } else if (environments_[e].basis.is_doubtful()) {
       return {0, {}, true};
     } else {
@@ -209,7 +211,8 @@ CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches
       if (e == 0) keep_support(environments_[e].basis.facet());
       const bool is_against = model_.at(found) < trial;
       const bool is_new = model_.add(found);
-      if (!is_against || !is_new) tolerance_ *= 2;  // against the facet by rounding alone
+      if (!is_against || !is_new)
+        tolerance_ *= 2;  // only rounding errors put the target beyond the facet
       if (model_.z() < needed || model_.z() <= kNothing * force_scale_) return finish();
       if (dims_ == 0 && model_.z() <= trial) {
         trial = model_.z();

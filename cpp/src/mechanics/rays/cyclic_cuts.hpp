@@ -7,26 +7,28 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
-#include "mechanics/rays/cuts.hpp"
 #include "mechanics/rays/basis.hpp"
+#include "mechanics/rays/cuts.hpp"
 
 namespace graspless::mechanics {
 
-/// Problem (6) by ray shots and cuts, for one instant and one choice of control modes at a time.
+/// Problem (6) by ray shots and cuts, for one instant and one combination of control modes at a
+/// time.
 class CyclicCuts {
  public:
   explicit CyclicCuts(const Matrix6Xd& directions);
 
   struct Result {
-    double z = 0;                             ///< an upper bound when z < needed is proven
+    double z = 0;                             ///< upper bound if z < needed is proven
     std::array<double, kMaxFingers> f_com{};  ///< of all fingers
-    bool is_doubtful = false;                 ///< rounding may have decided: z and f_com mean nothing
+    bool is_doubtful = false;                 ///< z and f_com may be rounding errors
   };
   Result solve(const std::vector<const EnvironmentWrenches*>& environments,
                const std::vector<const FingerWrenches*>& fingers, ForceMask force, double needed);
-  /// After solve(), unless it is doubtful: the directions along which (1 + 1e-9) z is out of reach, or z + 1e-9.
+  /// Directions along which (1 + 1e-9) z or z + 1e-9 is out of reach. Call after solve(), unless
+  /// that was doubtful.
   std::vector<int> binding();
-  /// True if rounding may have decided since solve() began.
+  /// True if rounding errors may have decided since solve() began.
   bool is_doubtful() const;
   /// The directions, as given.
   const Matrix6Xd& directions() const { return directions_; }
@@ -47,9 +49,10 @@ class CyclicCuts {
 
   Matrix6Xd directions_;
   int count_;
-  double longest_;  // direction
+  double longest_;  // length of the longest direction
 
-  /// Directions whose targets are not reached yet come first, in blocks for kernels::slacks().
+  /// Order of the directions: those whose targets are not reached yet come first, in blocks for
+  /// kernels::slacks().
   struct Unreached {
     int left = 0;
     std::vector<int> order;

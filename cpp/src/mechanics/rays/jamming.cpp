@@ -18,8 +18,8 @@ using kernels::kLanes;
 
 constexpr int kGuesses = 2;
 constexpr int kMaxSteps = 1000;
-constexpr double kNone = 1e-14;  // a weight that is rounding
-constexpr double kHeld = 1e-5;   // nearer to 0 than this share of kTouch, the hull holds it
+constexpr double kNone = 1e-14;  // weight that counts as 0
+constexpr double kHeld = 1e-5;   // fraction of kTouch within which the hull contains 0 beyond doubt
 
 }  // namespace
 
@@ -51,7 +51,8 @@ void Jamming::assign(const EnvironmentWrenches& environment,
     if ((force >> i & 1U) == 0) put(jam(*fingers[i]));
   }
   touch_ = kTouch * std::sqrt(touch_);
-  for (int j = count_; count_ > 0 && j % kLanes != 0; ++j) {  // padding: the first one again
+  for (int j = count_; count_ > 0 && j % kLanes != 0;
+       ++j) {  // pads with copies of the first column
     for (int i = 0; i < 6; ++i) {
       blocks_[ix(j / kLanes * kBlock + i * kLanes + j % kLanes)] = blocks_[ix(i * kLanes)];
     }
@@ -65,7 +66,7 @@ Vector6d Jamming::wrench(int j) const {
   return g;
 }
 
-/// The wrench farthest against y.
+/// Returns the wrench farthest against y.
 int Jamming::least(const Vector6d& y) const {
   std::array<double, 7> rho{};
   std::copy_n(y.data(), 6, rho.begin());
@@ -75,12 +76,13 @@ int Jamming::least(const Vector6d& y) const {
   return j < count_ ? j : 0;
 }
 
-/// Whether the half-space of y holds all wrenches, the farthest against it among them.
+/// Returns true if the half-space of y contains all wrenches. `least` is the farthest one against
+/// it.
 bool Jamming::is_apart(const Vector6d& y, int least) const {
   return y.dot(wrench(least)) > touch_ * y.norm();
 }
 
-/// A few steps of the perceptron: the common case ends here.
+/// Tries a few steps of the perceptron, which settle the common case.
 bool Jamming::guess(Vector6d& y) const {
   for (int step = 0; step < kGuesses; ++step) {
     const int j = least(y);
@@ -113,8 +115,8 @@ void Jamming::Simplex::drop(std::size_t at) {
   }
 }
 
-/// The factor L of G + e e', G the Gram matrix, from where it is known on. False when the corners
-/// are affinely dependent.
+/// Completes the factor L of G + e e', where G is the Gram matrix. Returns false if the corners are
+/// affinely dependent.
 bool Jamming::Simplex::factor() {
   for (; factored < count; ++factored) {
     const std::size_t a = factored;
@@ -123,14 +125,14 @@ bool Jamming::Simplex::factor() {
       double sum = whole;
       for (std::size_t k = 0; k < b; ++k) sum -= L[a][k] * L[b][k];
       if (a == b && !(sum > kNone * whole)) return false;
-      L[a][b] = a == b ? 1 / std::sqrt(sum) : sum * L[b][b];  // the diagonal's inverse
+      L[a][b] = a == b ? 1 / std::sqrt(sum) : sum * L[b][b];  // the diagonal holds inverses
     }
   }
   return true;
 }
 
-/// Weights (of sum 1) of the point nearest to 0 in the affine hull of the corners: those of
-/// (G + e e') w = e. False when the corners are affinely dependent.
+/// Computes the weights (of sum 1) of the point nearest to 0 in the affine hull of the corners,
+/// from (G + e e') w = e. Returns false if the corners are affinely dependent.
 bool Jamming::Simplex::aim(Weights& w) {
   if (!factor()) return false;
   for (std::size_t a = 0; a < count; ++a) {
@@ -147,8 +149,8 @@ bool Jamming::Simplex::aim(Weights& w) {
   return std::isfinite(total) && total > 0;
 }
 
-/// Towards the nearest point of the affine hull as far as weights stay positive; corners that stop
-/// it are dropped. False when the corners are affinely dependent.
+/// Moves to the nearest point of the affine hull as far as weights stay positive, and drops corners
+/// that stop it. Returns false if the corners are affinely dependent.
 bool Jamming::Simplex::approach() {
   for (;;) {
     Weights target{};
@@ -168,21 +170,22 @@ bool Jamming::Simplex::approach() {
   }
 }
 
-/// Whether the hull stays away from 0: then y shows it, else the simplex does.
+/// Returns true if the hull stays away from 0, which y then proves. Otherwise the simplex proves
+/// that it does not.
 bool Jamming::wolfe(Vector6d& y, Simplex& s) const {
   for (int step = 0; step < kMaxSteps; ++step) {
     y = s.point();
     if (s.count == kCorners || y.norm() < touch_) return false;
     const int entering = least(y);
     if (is_apart(y, entering)) return true;
-    if (s.has(entering)) return false;  // 0, but for rounding
+    if (s.has(entering)) return false;  // 0 up to rounding
     s.append(entering, wrench(entering), 0);
     if (!s.approach()) return false;
   }
   return false;
 }
 
-/// Whether the corners of the last proof jam again.
+/// Returns true if the corners of the last proof jam again.
 bool Jamming::jams_again(Simplex& s) const {
   s.factored = 0;
   for (std::size_t i = 0; i < s.count; ++i) {

@@ -10,25 +10,26 @@
 
 namespace graspless::mechanics {
 
-/// Problem (5) as geometry: contact forces can cancel each other iff 0 lies in the convex hull of
-/// the wrenches. Wolfe's algorithm for the hull's point nearest to 0; a half-space y . g > 0 that
-/// holds all wrenches ends it early. What proved the last answer for the same mask is tried first.
+/// Problem (5) as geometry: contact forces can cancel each other if and only if 0 lies in the
+/// convex hull of the wrenches. Wolfe's algorithm finds the point of the hull nearest to 0; a
+/// half-space y . g > 0 that contains all wrenches ends it early. The proof of the last answer for
+/// the same mask is tried first.
 class Jamming {
  public:
-  /// Nearer to 0 than this, in lengths of the longest wrench, counts as a hull that holds 0.
+  /// Distance from 0, relative to the longest wrench, below which the hull counts as containing 0.
   static constexpr double kTouch = 1e-9;
 
-  /// Whether no forces cancel. `force`: whose wrenches do not count.
+  /// Returns true if no forces can cancel. Wrenches of the fingers in `force` do not count.
   bool is_bounded(const EnvironmentWrenches& environment,
                   const std::vector<const FingerWrenches*>& fingers, ForceMask force);
-  /// True if rounding may have decided the last answer: the hull comes near to 0 and was not seen to
-  /// hold it.
+  /// True if rounding errors may have decided the last answer: the hull comes near to 0, and no
+  /// point of it was found at 0.
   bool is_doubtful() const { return is_doubtful_; }
 
  private:
   static constexpr std::size_t kCorners = 7;  // of a simplex in six dimensions
   using Weights = std::array<double, kCorners + 1>;
-  /// Corners of the hull and the weights of a point between them.
+  /// Corners of the hull, and the weights of a point between them.
   struct Simplex {
     std::size_t count = 0, factored = 0;
     std::array<int, kCorners + 1> corner{};
@@ -46,8 +47,8 @@ class Jamming {
   };
   struct Proof {
     bool known = false, bounded = false;
-    Vector6d y = Vector6d::Zero();  // when bounded
-    Simplex simplex;                // else
+    Vector6d y = Vector6d::Zero();  // if bounded
+    Simplex simplex;                // otherwise
   };
 
   void assign(const EnvironmentWrenches& environment,
@@ -62,7 +63,7 @@ class Jamming {
 
   bool is_doubtful_ = false;
   int count_ = 0;
-  double touch_ = 0;                 // kTouch, in units of the wrenches
+  double touch_ = 0;                 // kTouch times the longest wrench
   Vector6d sum_ = Vector6d::Zero();  // of all wrenches
   std::vector<double> blocks_;       // for kernels::least_price()
   std::vector<int> rows_;

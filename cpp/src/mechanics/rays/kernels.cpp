@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The inner loops of a ray shot. Compiled twice: processors with AVX2 and FMA take the wider
-// version, so that last bits may differ from machine to machine.
+// Inner loops of a ray shot. They are compiled twice, and processors with AVX2 and FMA take the
+// wider version. So the last bits may differ from machine to machine.
 #include "mechanics/rays/kernels.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the inverse of a basis is kept free of the rounding that pivots leave behind.
+// Removes from the inverse of a basis the rounding errors that pivots accumulate.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kDrift = 1e-6;      // residual from which a Newton step is not trusted
+constexpr double kDrift = 1e-6;      // residual above which a Newton step may diverge
 constexpr double kSingular = 1e-10;  // relative pivot below which columns count as dependent
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, RayBasis::kMaxRows,
@@ -21,7 +21,8 @@ using Map = Eigen::Map<Square, 0, Eigen::OuterStride<>>;
 
 }  // namespace
 
-/// A Newton step X += X (I - B X) towards the inverse; from scratch when it has drifted far.
+/// Takes a Newton step X += X (I - B X) towards the inverse, or inverts again if it has drifted
+/// far. Returns false if the basis is singular.
 bool RayBasis::refresh() {
   since_refresh_ = 0;
   Map X(inverse_.data(), rows_, rows_, Eigen::OuterStride<>(K_));
@@ -35,7 +36,8 @@ bool RayBasis::refresh() {
   return true;
 }
 
-/// Gauss and Jordan's elimination with pivots from whole columns.
+/// Inverts by Gauss-Jordan elimination with partial pivoting. Returns false if the basis is
+/// singular.
 bool RayBasis::refactor(double least_pivot) {
   since_refresh_ = 0;
   Square B = Map(matrix_.data(), rows_, rows_, Eigen::OuterStride<>(K_));
@@ -74,7 +76,7 @@ void RayBasis::measure() {
   }
 }
 
-/// Row r of the inverse with one step of refinement: rho += (e_r - rho B) X.
+/// Sets the facet to row r of the inverse after one step of refinement: rho += (e_r - rho B) X.
 void RayBasis::refine_facet(int r) {
   using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxRows>;
   const Map X(inverse_.data(), rows_, rows_, Eigen::OuterStride<>(K_));

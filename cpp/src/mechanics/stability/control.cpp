@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fingers are controlled: what callers may say of it.
+// Validation of control modes and commanded forces.
 #include "mechanics/stability/control.hpp"
 
 #include <stdexcept>
@@ -9,13 +9,12 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kAboveLimit = 1e-9;  // relative: rounding of a force that stands at its limit
+constexpr double kAboveLimit = 1e-9;  // relative, for the rounding error of a force at its limit
 
 void require_one_each(const ContactSet& set, const std::string& field, std::size_t given) {
   if (given == set.fingers.size()) return;
-  throw std::invalid_argument(field +
-                              " must be one a finger: " + std::to_string(set.fingers.size()) +
-                              ", not " + std::to_string(given));
+  throw std::invalid_argument(field + " must have " + std::to_string(set.fingers.size()) +
+                              " entries, one for each finger, not " + std::to_string(given));
 }
 
 }  // namespace

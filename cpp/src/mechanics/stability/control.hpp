@@ -8,14 +8,14 @@
 
 namespace graspless::mechanics {
 
-/// Throws std::invalid_argument unless there is one control mode a finger.
+/// Throws std::invalid_argument unless there is one control mode for each finger.
 void validate_modes(const ContactSet& set, const std::vector<FingerMode>& modes);
 
-/// The same modes as bits. Throws as validate_modes().
+/// Returns the modes as bits. Throws like validate_modes().
 ForceMask force_mask(const ContactSet& set, const std::vector<FingerMode>& modes);
 
-/// Throws std::invalid_argument unless there is one commanded force a finger, and those of fingers
-/// in force control lie between 0 and max_normal_force.
+/// Throws std::invalid_argument unless there is one commanded force for each finger, and those of
+/// fingers in force control lie between 0 and max_normal_force.
 void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMode>& modes,
                                const Eigen::VectorXd& commanded_forces);
 

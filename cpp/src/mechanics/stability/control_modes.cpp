@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Section 3.4: which finger holds its position and which its force, and what to do about ties.
+// Section 3.4: control modes of the fingers, and the choice among ties.
 #include <stdexcept>
 
 #include "graspless/mechanics/stability.hpp"
@@ -27,9 +27,9 @@ Vector3d direction(const Vector3d& sum) {
   return sum.norm() > 1e-9 ? sum.normalized() : Vector3d::Zero();
 }
 
-/// How well modes suit the fingers' places: force control presses into the environment, position
-/// control stands in line with the motion.
-double aptness(const ContactSet& set, ForceMask mask) {
+/// Measures how well modes suit the fingers: force control should press into the environment,
+/// position control should be in line with the motion.
+double suitability(const ContactSet& set, ForceMask mask) {
   Vector3d support = Vector3d::Zero(), motion = Vector3d::Zero();
   for (const Contact& contact : set.contacts) {
     support += contact.n_O;
@@ -72,8 +72,8 @@ ControlModes choose(const ContactSet& set, const std::vector<FingerMode>& previo
 void check_previous(const ContactSet& set, const std::vector<FingerMode>& previous) {
   if (previous.empty() || previous.size() == set.fingers.size()) return;
   throw std::invalid_argument(
-      "previous must hold one mode a finger or none: " + std::to_string(set.fingers.size()) +
-      ", not " + std::to_string(previous.size()));
+      "previous must be empty or have " + std::to_string(set.fingers.size()) +
+      " entries, one for each finger, not " + std::to_string(previous.size()));
 }
 
 }  // namespace
@@ -87,9 +87,9 @@ ForceMask break_tie(const ContactSet& set, unsigned ties, const std::vector<Fing
   double most = -1e300;
   for (ForceMask mask = 0; mask < 1U << set.fingers.size(); ++mask) {
     if ((ties >> mask & 1U) == 0) continue;
-    const double apt = aptness(set, mask);
-    if (apt <= most + 1e-9) continue;
-    most = apt;
+    const double suits = suitability(set, mask);
+    if (suits <= most + 1e-9) continue;
+    most = suits;
     best = mask;
   }
   return best;

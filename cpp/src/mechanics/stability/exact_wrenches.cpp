@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrenches in quadruple precision, until they are combined.
+// Wrenches in quadruple precision.
 #include "mechanics/stability/exact_wrenches.hpp"
 
 #include <array>
@@ -28,7 +28,8 @@ QuadWrench scaled(const Matrix6d& scale, const QuadWrench& wrench) {
   QuadWrench result{};
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
-      result[static_cast<std::size_t>(i)] += Quad{scale(i, j)} * wrench[static_cast<std::size_t>(j)];
+      result[static_cast<std::size_t>(i)] +=
+          Quad{scale(i, j)} * wrench[static_cast<std::size_t>(j)];
     }
   }
   return result;
@@ -49,7 +50,8 @@ Eigen::MatrixXd rounded(const Eigen::MatrixXd& rows, const std::vector<QuadWrenc
     for (Eigen::Index i = 0; i < product.rows(); ++i) {
       Quad sum = 0;
       for (int k = 0; k < 6; ++k) {
-        sum += Quad{rows(i, k)} * wrenches[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+        sum +=
+            Quad{rows(i, k)} * wrenches[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
       }
       product(i, j) = static_cast<double>(sum);
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Stability at given commanded forces, and the measure of wrenches that goes with it.
+// Stability at given commanded forces, and the gauge of wrenches.
 #include "mechanics/stability/fixed_forces.hpp"
 
 #include <algorithm>
@@ -108,7 +108,7 @@ double largest_gauge(const Matrix6Xd& directions, const std::vector<Vector6d>& w
     plus[i] = gauge(directions, Vector6d::Unit(i));
     minus[i] = gauge(directions, -Vector6d::Unit(i));
   }
-  // A gauge is at most the sum of those of the parts.
+  // A gauge is at most the sum of the gauges of the parts.
   std::vector<double> at_most;
   for (const Vector6d& w : wrenches) {
     at_most.push_back(plus.dot(w.cwiseMax(0.0)) + minus.dot((-w).cwiseMax(0.0)));

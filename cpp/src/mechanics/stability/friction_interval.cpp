@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Proof, piece by piece, that a contact set holds over intervals of friction, or a coefficient at
-// which it does not.
+// Proves piece by piece that a contact set holds over intervals of friction, or finds a coefficient
+// at which it fails.
 #include "graspless/mechanics/friction_interval.hpp"
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kSameStability = 1e-9;        // of z, relative to what is needed
-constexpr double kSeparated = 1e-9;  // by which wrenches must lie on one side [1]
-constexpr double kWithin = 1e-9;     // share by which targets stay within reach
-constexpr double kNarrow = 1e-6;     // width of a piece that is not halved any more
+constexpr double kSameStability = 1e-9;  // tolerance of z, relative to `needed`
+constexpr double kSeparated = 1e-9;      // least distance of unit wrenches from a separating plane
+constexpr double kWithin = 1e-9;         // fraction by which targets stay within reach
+constexpr double kNarrow = 1e-6;         // width of the smallest piece
 
 void validate_interval(const FrictionInterval& interval, const std::string& what) {
   if (interval.lower >= 0 && interval.lower <= interval.upper && std::isfinite(interval.upper)) {
@@ -33,7 +33,7 @@ void validate_interval(const FrictionInterval& interval, const std::string& what
                               std::to_string(interval.upper));
 }
 
-struct Question {
+struct FrictionQuery {
   const ContactSet& set;
   const std::vector<FingerMode>& modes;
   const Eigen::VectorXd& commanded_forces;
@@ -42,7 +42,7 @@ struct Question {
   const Matrix6Xd& directions;
 };
 
-ContactSet with_friction(const Question& q, double stick, double slide, double fingers) {
+ContactSet with_friction(const FrictionQuery& q, double stick, double slide, double fingers) {
   ContactSet set = q.set;
   for (Contact& contact : set.contacts) {
     contact.friction = contact.mode == ContactMode::stick ? stick : slide;
@@ -64,11 +64,11 @@ std::string at(double environment, double fingers) {
          std::to_string(fingers) + " (fingers)";
 }
 
-/// One property of a contact set, for one coefficient and for a whole piece at once.
+/// Property of a contact set, for one coefficient of friction and for an interval of them.
 struct Property {
   virtual ~Property() = default;
   virtual bool holds_at(double environment) = 0;
-  /// Whether it is proven over the piece.
+  /// True if the property is proven over the piece.
   virtual bool proven(const FrictionInterval& piece) = 0;
   virtual FrictionVerdict failure(double environment) = 0;
 };
@@ -95,12 +95,13 @@ FrictionVerdict settle(const FrictionInterval& interval, Property* property) {
   return verdict;
 }
 
-/// No jamming. Shown by a y with y . g > 0 for every generator g of (5): then no sum of them with
-/// positive weights vanishes. A narrower cone lies within a wider one and the generator of a
-/// sliding contact is linear in its coefficient, so both ends stand for what is between them.
+/// No jamming. It is proven by a y with y . g > 0 for every generator g of (5), since then no sum
+/// of generators with positive weights vanishes. A narrower cone lies within a wider one, and the
+/// generator of a sliding contact is linear in its coefficient, so checking both ends covers the
+/// interval.
 class NoJam : public Property {
  public:
-  explicit NoJam(const Question& question) : q_(question) {}
+  explicit NoJam(const FrictionQuery& query) : q_(query) {}
   bool holds_at(double environment) override {
     return Reference(with_friction(q_, environment, environment, q_.fingers.upper))
         .internal_force_is_bounded(force_mask(q_.set, q_.modes));
@@ -108,7 +109,7 @@ class NoJam : public Property {
   bool proven(const FrictionInterval& piece) override {
     LinearProgram program;
     for (int i = 0; i < 6; ++i) program.add_variable(-1, 1);  // y
-    program.add_variable(0, 1, 1);                            // by how much it separates
+    program.add_variable(0, 1, 1);                            // separation
     for (const double slide : {piece.lower, piece.upper}) {
       const ContactSet set = with_friction(q_, piece.upper, slide, q_.fingers.upper);
       add(environment_wrenches(set).generators, &program);
@@ -133,13 +134,13 @@ class NoJam : public Property {
       program->set(row, 6, -1);
     }
   }
-  const Question& q_;
+  const FrictionQuery& q_;
 };
 
-/// z >= needed, as friction_interval.hpp shows it.
+/// z >= needed, by the proof in friction_interval.hpp.
 class StableEnough : public Property {
  public:
-  explicit StableEnough(const Question& question) : q_(question) {
+  explicit StableEnough(const FrictionQuery& query) : q_(query) {
     for (const Contact& contact : q_.set.contacts) {
       if (contact.mode != ContactMode::slide) continue;
       const Eigen::Vector3d t = tangent(contact.n_O, contact.t_O);
@@ -160,10 +161,10 @@ class StableEnough : public Property {
     const FixedForces balance(with_friction(q_, piece.lower, middle, q_.fingers.lower), q_.modes,
                               q_.commanded_forces);
     double bound = balance.stability(q_.directions);
-    if (!std::isfinite(bound)) return false;  // such contacts jam
+    if (!std::isfinite(bound)) return false;  // the contacts jam
     if (delta > 0 && !drag_.empty() && enough(bound)) {
       bound *= 1 - kWithin;
-      bound -= delta * miss(balance, bound);
+      bound -= delta * decrease(balance, bound);
     }
     if (!enough(bound)) return false;
     least_ = std::min(least_, bound);
@@ -172,7 +173,7 @@ class StableEnough : public Property {
   FrictionVerdict failure(double environment) override {
     const double fingers = q_.fingers.lower;
     const std::string what = enough(z_) ? "a stability of " + std::to_string(q_.needed) +
-                                              " N can be neither shown nor refuted"
+                                              " N can be neither proven nor refuted"
                                         : "the stability is " + std::to_string(z_) +
                                               " N, less than " + std::to_string(q_.needed) + " N";
     return fails(environment, fingers, what + at(environment, fingers));
@@ -182,9 +183,9 @@ class StableEnough : public Property {
  private:
   bool enough(double z) const { return z >= q_.needed - kSameStability * std::max(1.0, q_.needed); }
 
-  /// By how much z falls per unit of the coefficient: at another one the forces k_d that reach
-  /// z l_d miss it by sum k_i t_i, to either side.
-  double miss(const FixedForces& balance, double z) const {
+  /// Decrease of z per unit of the coefficient: at another one, the forces k_d that reach z l_d
+  /// miss it by sum k_i t_i, to either side.
+  double decrease(const FixedForces& balance, double z) const {
     std::vector<Vector6d> misses;
     for (Eigen::Index d = 0; d < q_.directions.cols(); ++d) {
       const Eigen::VectorXd forces = balance.sliding_forces(z * q_.directions.col(d));
@@ -198,12 +199,12 @@ class StableEnough : public Property {
     return largest_gauge(q_.directions, misses);
   }
 
-  const Question& q_;
+  const FrictionQuery& q_;
   std::vector<Vector6d> drag_;  // R^1/2 W_i t_i of each sliding contact
   double z_ = 0, least_ = kInfinity;
 };
 
-void validate_question(const Question& q, const FrictionInterval& environment) {
+void validate_query(const FrictionQuery& q, const FrictionInterval& environment) {
   validate(q.set);
   validate_modes(q.set, q.modes);
   validate_commanded_forces(q.set, q.modes, q.commanded_forces);
@@ -225,12 +226,12 @@ FrictionVerdict holds_over_friction(const ContactSet& set, const std::vector<Fin
                                     const FrictionInterval& environment,
                                     const FrictionInterval& fingers, double needed,
                                     const Matrix6Xd& directions) {
-  const Question question{set, modes, commanded_forces, fingers, needed, directions};
-  validate_question(question, environment);
-  NoJam no_jam(question);
+  const FrictionQuery query{set, modes, commanded_forces, fingers, needed, directions};
+  validate_query(query, environment);
+  NoJam no_jam(query);
   FrictionVerdict verdict = settle(environment, &no_jam);
   if (!verdict.holds) return verdict;
-  StableEnough stable(question);
+  StableEnough stable(query);
   verdict = settle(environment, &stable);
   if (verdict.holds) verdict.least_stability = stable.least();
   return verdict;

@@ -10,16 +10,17 @@
 
 namespace graspless::mechanics {
 
-constexpr double kTie = 1e-9;  ///< difference of z that is none, relative above 1 N
+constexpr double kTie = 1e-9;  ///< difference of z that counts as a tie: [N], relative above 1 N
 
-/// Which of `ties` (masks as bits) to take: that of `previous` if it is among them, else the one in
+/// Chooses among `ties` (masks as bits): that of `previous` if it is among them, else the one in
 /// which force control presses into the environment and position control opposes the motion.
 ForceMask break_tie(const ContactSet& set, unsigned ties, const std::vector<FingerMode>& previous);
 
-/// Section 3.4 over any engine: the combinations of control modes, those with fewer fingers in
-/// force control first. Once one is free of jamming, those that force more fingers cannot be
-/// better. bounded(mask) is Problem (5); evaluate(mask, needed) is Problem (6) and returns z, or an
-/// upper bound below `needed`; `keep(mask)` follows whenever that mask is the best so far.
+/// Section 3.4 for any engine. Tries the combinations of control modes, those with fewer fingers in
+/// force control first. Once a combination cannot jam, those that add fingers in force control
+/// cannot be better. bounded(mask) solves Problem (5). evaluate(mask, needed) solves Problem (6)
+/// and returns z, or an upper bound below `needed`. keep(mask) is called whenever that mask is the
+/// best so far.
 template <typename Bounded, typename Evaluate, typename Keep>
 StabilitySolver::Best search_modes(int fingers, double needed, Bounded bounded, Evaluate evaluate,
                                    Keep keep) {

@@ -7,21 +7,21 @@
 
 #include <Eigen/SVD>
 
-#include "mechanics/stability/exact_wrenches.hpp"
 #include "mechanics/lp/program.hpp"
+#include "mechanics/stability/exact_wrenches.hpp"
 
 namespace graspless::mechanics {
 namespace {
 
 constexpr double kBinding = 1e-9;
-constexpr double kEvenRows = 1e-3;    // ratio of singular values that GLPK takes well
-constexpr double kDependentRow = 1e-13;  // ratio below which a row is a combination of the others
+constexpr double kEvenRows = 1e-3;       // ratio of singular values that GLPK handles well
+constexpr double kDependentRow = 1e-13;  // ratio below which rows are dependent
 
 bool is_forced(ForceMask force, std::size_t finger) { return (force >> finger & 1U) != 0; }
 
-/// What rows of balance may be multiplied with to make them of even size: contacts that hardly
-/// resist some wrench (points nearly on a line, say) would sink below GLPK's tolerance. Has as many
-/// rows as there are independent ones; the identity where there is no need.
+/// Factor that makes the rows of a balance equally strong. Otherwise a wrench that contacts hardly
+/// resist, as with points nearly on a line, would be lost in GLPK's tolerance. Has one row for each
+/// independent row of the balance; the identity if there is no need.
 struct EvenRows {
   explicit EvenRows(const Matrix6Xd& generators) : matrix(Matrix6d::Identity()) {
     if (generators.cols() == 0) return;
@@ -50,7 +50,7 @@ Matrix6Xd side_by_side(const std::vector<const Matrix6Xd*>& parts) {
   return all;
 }
 
-/// A column k in [0, upper] for each generator: the first one's index.
+/// Adds a variable k in [0, upper] for each generator. Returns the index of the first one.
 int add_coefficients(LinearProgram* lp, const Eigen::MatrixXd& generators, double upper,
                      double objective) {
   const auto first = static_cast<int>(lp->num_variables());
@@ -66,12 +66,12 @@ int add_balance_rows(LinearProgram* lp, const Eigen::VectorXd& value) {
 
 }  // namespace
 
-/// Problem (6) with forces in units of `force` and z in units of `z_unit`.
+/// Linear program of Problem (6), with forces in units of `force` and z in units of `z_unit`.
 struct Reference::Program {
   LinearProgram lp;
   double force = 1, z_unit = 1;  // [N]
   int z = 0;
-  std::vector<int> f_com;  // a column for each finger; -1: position control
+  std::vector<int> f_com;  // variable of each finger; -1: position control
 };
 
 Reference::Reference(const ContactSet& set) : set_(set), environments_{environment_wrenches(set)} {
@@ -85,7 +85,8 @@ Reference::Reference(const std::vector<const EnvironmentWrenches*>& environments
   for (const FingerWrenches* finger : fingers) fingers_.push_back(*finger);
 }
 
-/// None where some environment and the fingers do not span the space.
+/// Returns the balance of each environment; nothing if one of them and the fingers do not span the
+/// space.
 std::vector<Reference::Balance> Reference::balances() const {
   std::vector<Balance> all;
   for (const EnvironmentWrenches& environment : environments_) {
@@ -109,7 +110,7 @@ std::vector<Reference::Balance> Reference::balances() const {
   return all;
 }
 
-/// The forces at play [N].
+/// Largest force involved [N]: the known wrench, or all limits together.
 double Reference::force_scale() const {
   double limits = 0, known = 0;
   for (const FingerWrenches& finger : fingers_) limits += finger.max_normal_force;
@@ -147,7 +148,7 @@ Reference::Program Reference::program(const std::vector<Balance>& balances, Forc
         const int k_rob = add_coefficients(&p.lp, balance.fingers[i], kInfinity, 0);
         p.lp.set_block(row, k_rob, balance.fingers[i]);
         // N_rob' C_rob k_rob i <= f_max; N_rob' A_force C_rob k_rob i = f_com, where f_com <= f_max
-        // already stands for the limit.
+        // already ensures the limit.
         const int normal = is_forced(force, i)
                                ? p.lp.add_row(0, 0)
                                : p.lp.add_row(-kInfinity, finger.max_normal_force / p.force);
@@ -159,7 +160,7 @@ Reference::Program Reference::program(const std::vector<Balance>& balances, Forc
   return p;
 }
 
-/// Directions whose targets cannot be moved further with these commanded forces.
+/// Directions that cannot be withstood beyond z with these commanded forces.
 std::vector<int> Reference::binding(const std::vector<Balance>& balances, ForceMask force,
                                     const Matrix6Xd& directions, const Stability& stability) const {
   const double beyond = stability.z + kBinding * std::max(1.0, stability.z);
@@ -212,10 +213,10 @@ bool Reference::internal_force_is_bounded(ForceMask force) const {
   const auto of = [](const auto& part) -> const Matrix6Xd& {
     return part.jam_generators.cols() > 0 ? part.jam_generators : part.generators;
   };
-  // maximise b_env' k_env + b_rob' k_rob
-  // subject to W_env C_env k_env + W_rob A_pos C_rob k_rob = 0, k_env >= 0, k_rob >= 0  (5)
-  // A feasible k may be scaled, so that an unbounded objective shows as one of 1 or more under
-  // k <= 1, and a bounded one as 0: an optimum either way, whose residuals can be checked.
+  // maximise b_env' k_env + b_rob' k_rob subject to W_env C_env k_env + W_rob A_pos C_rob k_rob =
+  // 0, k_env >= 0, k_rob >= 0  (5) A feasible k may be scaled. So with k <= 1 an unbounded
+  // objective becomes 1 or more, and a bounded one 0: an optimum either way, whose residuals can be
+  // checked.
   for (const EnvironmentWrenches& environment : environments_) {
     std::vector<const Matrix6Xd*> parts = {&of(environment)};
     for (std::size_t i = 0; i < fingers_.size(); ++i) {

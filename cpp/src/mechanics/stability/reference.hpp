@@ -9,15 +9,15 @@
 
 namespace graspless::mechanics {
 
-/// Problems (5) and (6) as the paper writes them, solved by GLPK: slow and plain. The fast engine is
-/// tested against it, and hands over the contact sets that are too ill-conditioned for itself.
-/// Contacts that resist some wrench 1e13 times less than another count as not resisting it.
-/// Methods throw std::runtime_error when no answer of GLPK passes the checks of solve_lp().
+/// Problems (5) and (6) as the paper writes them, solved by GLPK: slow and simple. The fast engine
+/// is tested against it, and hands over contact sets that are too ill-conditioned for rays.
+/// Contacts that resist some wrench 1e13 times less than another one count as not resisting it. The
+/// methods throw std::runtime_error if no answer of GLPK passes the checks of solve_lp().
 class Reference {
  public:
-  /// A validated contact set. Its wrenches are worked out without rounding where that matters.
+  /// Takes a validated contact set. If it is ill-conditioned, its wrenches are computed exactly.
   explicit Reference(const ContactSet& set);
-  /// Wrenches that are rounded already. Several environments share the commanded forces.
+  /// Takes rounded wrenches. Several environments share the commanded forces.
   Reference(const std::vector<const EnvironmentWrenches*>& environments,
             const std::vector<const FingerWrenches*>& fingers);
 
@@ -25,13 +25,13 @@ class Reference {
   Stability max_stability(ForceMask force, const Matrix6Xd& directions) const;
   /// max_stability() without the binding directions.
   Stability evaluate(ForceMask force, const Matrix6Xd& directions) const;
-  /// Problem (5).
+  /// Problem (5): returns true if nothing can jam.
   bool internal_force_is_bounded(ForceMask force) const;
 
  private:
-  /// The balance of one environment and the fingers, in rows of even size.
+  /// Balance of one environment and the fingers, with rows of equal strength.
   struct Balance {
-    Eigen::MatrixXd rows;  ///< what the rows of the paper are multiplied with
+    Eigen::MatrixXd rows;  ///< factor of the paper's balance
     Eigen::MatrixXd environment;
     std::vector<Eigen::MatrixXd> fingers;
     Eigen::VectorXd known;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Problems (5) and (6) for somebody with contacts of their own: checked input, either engine.
+// Problems (5) and (6) for contact sets of users: validated, solved by either engine.
 #include "graspless/mechanics/stability.hpp"
 
 #include "graspless/mechanics/stability_solver.hpp"

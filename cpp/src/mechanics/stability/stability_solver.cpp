@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The fast engine: one instant after the other, in one workspace.
+// The fast engine, which hands over ill-conditioned problems to the reference engine.
 #include "graspless/mechanics/stability_solver.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace graspless::mechanics {
 namespace {
 
-/// Whether every vector is a combination of the columns with coefficients >= 0.
+/// Returns true if every vector is a combination of the columns with coefficients >= 0.
 bool span_positively(const Matrix6Xd& directions) {
   EnvironmentWrenches pushes;
   pushes.generators = directions;
@@ -68,7 +68,7 @@ struct StabilitySolver::Impl {
     return result;
   }
 
-  /// solve(), by whichever engine may answer.
+  /// Like solve(), by the reference engine if rounding may have decided.
   CyclicCuts::Result evaluate(ForceMask force, double needed) {
     CyclicCuts::Result result = solve(force, needed);
     if (!result.is_doubtful) return result;
@@ -79,7 +79,7 @@ struct StabilitySolver::Impl {
     return result;
   }
 
-  /// The engine for what is too ill-conditioned for rays.
+  /// Engine for problems that are too ill-conditioned for rays. Counts them.
   const Reference& handed_over() {
     ++counters.handed_over;
     if (!reference) {
@@ -90,10 +90,10 @@ struct StabilitySolver::Impl {
 
   std::vector<const EnvironmentWrenches*> environments;
   std::vector<const FingerWrenches*> fingers;
-  std::optional<ContactSet> set;  // where the wrenches are those of one
+  std::optional<ContactSet> set;  // the origin of the wrenches, if known
   EnvironmentWrenches own_environment;
   std::vector<FingerWrenches> own_fingers;
-  std::optional<Reference> reference;  // of this instant, once needed
+  std::optional<Reference> reference;  // for this instant, once needed
   CyclicCuts cuts;
   Jamming jamming;
   Counters counters;

@@ -215,9 +215,10 @@ TEST(Equilibrium, BadInputIsNamed) {
   const auto solve = [&](const std::vector<FingerMode>& modes, const Eigen::VectorXd& forces) {
     return [=] { interior_equilibrium(set, modes, forces); };
   };
-  expect_refused(solve({kPosition}, Eigen::Vector2d(1, 1)), "modes must be one a finger: 2, not 1");
+  expect_refused(solve({kPosition}, Eigen::Vector2d(1, 1)),
+                 "modes must have 2 entries, one for each finger, not 1");
   expect_refused(solve({kPosition, kForce}, Eigen::VectorXd::Ones(3)),
-                 "commanded_forces must be one a finger");
+                 "commanded_forces must have 2 entries, one for each finger");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {-1.0, 10.1, nan}) {
     expect_refused(solve({kPosition, kForce}, Eigen::Vector2d(1, bad)), "commanded_forces[1]");

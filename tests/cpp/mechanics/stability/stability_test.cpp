@@ -175,8 +175,9 @@ TEST(Stability, RefusesWhatItCannotMeasure) {
   Sets sets(12);
   const ContactSet set = sets.box(2);
   const std::vector<FingerMode> modes(2, FingerMode::position);
-  expect_refused([&] { max_stability(set, {}); }, "modes must be one a finger: 2, not 0");
-  expect_refused([&] { internal_force_is_bounded(set, {}); }, "modes must be one a finger");
+  expect_refused([&] { max_stability(set, {}); },
+                 "modes must have 2 entries, one for each finger, not 0");
+  expect_refused([&] { internal_force_is_bounded(set, {}); }, "modes must have 2 entries");
   Matrix6Xd directions = disturbance_directions();
   expect_refused([&] { max_stability(set, modes, directions.leftCols<6>()); },
                  "directions must positively span");
