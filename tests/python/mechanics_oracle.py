@@ -53,7 +53,9 @@ def wrenches(contact_set, p, edges):
 def times(matrix, wrenches):
     """The exact product of a matrix of floats with rational columns, without its zeros."""
     rows = [
-        sum((Fraction(value) * wrenches[j] for j, value in enumerate(row) if value), 0 * wrenches[0])
+        sum(
+            (Fraction(value) * wrenches[j] for j, value in enumerate(row) if value), 0 * wrenches[0]
+        )
         for row in np.asarray(matrix)
     ]
     return np.array(rows)
@@ -171,7 +173,9 @@ class Problem6:
             shared = np.zeros((len(rob), first))
             for column, i in enumerate(force):
                 shared[i, 1 + column] = -1
-            rows.add({0: shared, k: normals}, [0 if i in force else limits[i] for i in range(len(rob))])
+            rows.add(
+                {0: shared, k: normals}, [0 if i in force else limits[i] for i in range(len(rob))]
+            )
         for column, i in enumerate(force):  # f_com + slack = f_max
             slack = first + len(targets) * width + column
             rows.add({1 + column: np.ones((1, 1)), slack: np.ones((1, 1))}, [limits[i]])

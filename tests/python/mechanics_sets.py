@@ -134,7 +134,10 @@ def near_line(rng, count, off=None):
     """Points on the floor, `off` times the line's length away from it: 1e-9 to 1e-3."""
     off = 10 ** rng.uniform(-9, -3) if off is None else off
     turn = rng.uniform(0, 2 * np.pi)
-    along, across = np.array([np.cos(turn), np.sin(turn), 0]), np.array([-np.sin(turn), np.cos(turn), 0])
+    along, across = (
+        np.array([np.cos(turn), np.sin(turn), 0]),
+        np.array([-np.sin(turn), np.cos(turn), 0]),
+    )
     points = np.outer(np.sort(rng.uniform(-1, 1, count)), along)
     return points + np.outer(off * rng.normal(size=count), across) + [0, 0, -1]
 

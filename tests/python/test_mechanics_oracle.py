@@ -120,7 +120,9 @@ def run_many(kinds, seed, count):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize(("kinds", "seed"), [(sets.KINDS, 7), (sets.HARD, 8)], ids=["common", "hard"])
+@pytest.mark.parametrize(
+    ("kinds", "seed"), [(sets.KINDS, 7), (sets.HARD, 8)], ids=["common", "hard"]
+)
 def test_ten_thousand(capsys, kinds, seed):
     with capsys.disabled():
         assert not run_many(list(kinds), seed, 10_000)

@@ -14,6 +14,7 @@ namespace graspless::mechanics {
 namespace {
 
 constexpr double kBinding = 1e-9;
+constexpr double kNoWeight = 1e-12;      // weight of a generator that counts as none
 constexpr double kEvenRows = 1e-3;       // ratio of singular values that GLPK handles well
 constexpr double kDependentRow = 1e-13;  // ratio below which rows are dependent
 
@@ -56,6 +57,23 @@ int add_coefficients(LinearProgram* lp, const Eigen::MatrixXd& generators, doubl
   const auto first = static_cast<int>(lp->num_variables());
   for (Eigen::Index j = 0; j < generators.cols(); ++j) lp->add_variable(0, upper, objective);
   return first;
+}
+
+/// Returns true if contacts can balance any wrench: the generators span the space, and some
+/// combination of all of them, each with a positive weight, cancels.
+bool balances_anything(const Eigen::MatrixXd& environment) {
+  if (EvenRows(environment).rank < 6) return false;
+  LinearProgram lp;
+  const int row = static_cast<int>(lp.num_rows());
+  for (Eigen::Index i = 0; i < environment.rows(); ++i) lp.add_row(0, 0);
+  const int least = lp.add_variable(0, 1, 1);
+  lp.set_block(row, add_coefficients(&lp, environment, 1, 0), environment);
+  for (int j = 0; j < static_cast<int>(environment.cols()); ++j) {
+    const int above = lp.add_row(0, kInfinity);  // k_j >= least
+    lp.set(above, least + 1 + j, 1);
+    lp.set(above, least, -1);
+  }
+  return solve_lp(lp).objective > kNoWeight;
 }
 
 int add_balance_rows(LinearProgram* lp, const Eigen::VectorXd& value) {
@@ -184,7 +202,15 @@ Stability Reference::evaluate(const std::vector<Balance>& balances, ForceMask fo
   Stability stability;
   stability.commanded_forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fingers_.size()));
   if (balances.empty()) return stability;
-  const Program p = program(balances, force, directions);
+  std::vector<Balance> limiting;
+  for (const Balance& balance : balances) {
+    if (!balances_anything(balance.environment)) limiting.push_back(balance);
+  }
+  if (limiting.empty()) {
+    stability.z = kInfinity;
+    return stability;
+  }
+  const Program p = program(limiting, force, directions);
   const LpSolution solution = solve_lp(p.lp);
   stability.z = std::max(0.0, solution.objective * p.z_unit);
   if (solution.status != LpStatus::optimal) return stability;

@@ -102,6 +102,24 @@ TEST(Reference, StabilityIsUnboundedBetweenClampingContacts) {
   EXPECT_FALSE(bounded(set, {}));
 }
 
+TEST(Reference, StabilityIsFiniteWhereClampingContactsLeaveAMotionToFingers) {
+  ContactSet set;  // two contacts jam, but the object may turn about the line through them
+  for (const double side : {-1.0, 1.0}) {
+    Contact contact;
+    contact.p_OC = side * Eigen::Vector3d::UnitX();
+    contact.n_O = -contact.p_OC;
+    set.contacts.push_back(contact);
+    Finger finger;
+    finger.p_OC = side * Eigen::Vector3d::UnitY();
+    finger.n_O = -finger.p_OC;
+    set.fingers.push_back(finger);
+  }
+  const double z = reference(set, {kPosition, kPosition}).z;
+  EXPECT_GT(z, 1);
+  EXPECT_LT(z, 20);
+  EXPECT_NEAR(max_stability(set, {kPosition, kPosition}).z, z, 1e-9);
+}
+
 TEST(Reference, OpposedFingersJamUnlessOneGivesWay) {
   ContactSet set;
   for (const double side : {-1.0, 1.0}) {
