@@ -374,6 +374,8 @@ void bind_statistics(py::module_& m) {
       Field{"z_evaluations", &Statistics::z_evaluations, "Of Problem (6)."},
       Field{"bounded_tests", &Statistics::bounded_tests, "Of Problem (5)."},
       Field{"pivots", &Statistics::pivots, "Of the simplex."},
+      Field{"ill_conditioned", &Statistics::ill_conditioned,
+            "Problems (5) and (6) with ill-conditioned contacts, solved by the reference engine."},
       Field{"nodes", &Statistics::nodes, "Opened by the search."},
       Field{"supports", &Statistics::supports, "Wrench functionals used as bounds."},
       Field{"candidates", &Statistics::candidates, "Motions of the object tried (Goal)."},

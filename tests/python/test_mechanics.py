@@ -205,8 +205,8 @@ class TestArrays:
             ("normals", np.zeros((2, 3, 3)), "normals must have shape"),
             ("finger_points", np.zeros((3, 2, 3)), "finger_points must have shape"),
             ("finger_friction", np.ones(2), "finger_friction must have shape"),
-            ("friction", 0.0, "friction must be positive"),
-            ("friction", -1.0, "friction must be positive"),
+            ("friction", np.nan, "friction must be"),
+            ("friction", -1.0, "friction must be"),
             ("max_normal_force", 0.0, "max_normal_force must be positive"),
             ("mass", 0.0, "mass must be positive"),
             ("mass", NAN, "mass must be positive"),
@@ -255,7 +255,7 @@ class TestBadInput:
     @pytest.mark.parametrize(
         ("changes", "words"),
         [
-            ({"contacts": [Contact(p_OC=[0, 0, 0], n_O=UP, friction=0)]}, r"contacts\[0\].friction"),
+            ({"contacts": [Contact(p_OC=[0, 0, 0], n_O=UP, friction=-0.1)]}, r"contacts\[0\].friction"),
             ({"contacts": [Contact(p_OC=[0, 0, 0], n_O=UP, friction=NAN)]}, r"contacts\[0\].friction"),
             ({"contacts": [Contact(p_OC=[0, 0, 0], n_O=UP, mode=ContactMode.slide)]}, r"contacts\[0\].t_O"),
             ({"contacts": [Contact(p_OC=[0, 0, 0], n_O=UP, mode=ContactMode.slide, t_O=UP)]}, r"contacts\[0\].t_O"),

@@ -81,6 +81,7 @@ void count(const SearchContext& context, const planning::Clock& clock, Statistic
     statistics.z_evaluations += counters.evaluations;
     statistics.bounded_tests += counters.bounded_tests;
     statistics.pivots += counters.pivots;
+    statistics.ill_conditioned += counters.handed_over;
   }
 }
 

@@ -638,7 +638,7 @@ class Statistics:
     """
     What the search did.
     """
-    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, locations: typing.SupportsInt | typing.SupportsIndex = 0, z_evaluations: typing.SupportsInt | typing.SupportsIndex = 0, bounded_tests: typing.SupportsInt | typing.SupportsIndex = 0, pivots: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, supports: typing.SupportsInt | typing.SupportsIndex = 0, candidates: typing.SupportsInt | typing.SupportsIndex = 0, memory: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
+    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, locations: typing.SupportsInt | typing.SupportsIndex = 0, z_evaluations: typing.SupportsInt | typing.SupportsIndex = 0, bounded_tests: typing.SupportsInt | typing.SupportsIndex = 0, pivots: typing.SupportsInt | typing.SupportsIndex = 0, ill_conditioned: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, supports: typing.SupportsInt | typing.SupportsIndex = 0, candidates: typing.SupportsInt | typing.SupportsIndex = 0, memory: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
         """
         Any field by keyword; the others are zero.
         """
@@ -663,6 +663,14 @@ class Statistics:
         """
     @candidates.setter
     def candidates(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def ill_conditioned(self) -> int:
+        """
+        Problems (5) and (6) with ill-conditioned contacts, solved by the reference engine.
+        """
+    @ill_conditioned.setter
+    def ill_conditioned(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def locations(self) -> int:

@@ -99,6 +99,7 @@ struct Statistics {
   std::int64_t z_evaluations = 0;  ///< of Problem (6), each one with all its directions
   std::int64_t bounded_tests = 0;  ///< of Problem (5)
   std::int64_t pivots = 0;
+  std::int64_t ill_conditioned = 0;  ///< of both, solved by mechanics::Engine::reference
   std::int64_t nodes = 0;       ///< opened by the search
   std::int64_t supports = 0;    ///< wrench functionals used as bounds
   std::int64_t candidates = 0;  ///< motions of the object tried (Goal)

@@ -12,40 +12,43 @@
 
 namespace graspless::mechanics {
 
-/// A half-space that the object rests on or leans against: floor or wall.
+/// Solid half-space that the object rests on or leans against: a floor or a wall.
 struct Plane {
   std::string name = "floor";
   Eigen::Vector3d n_W = Eigen::Vector3d::UnitZ();  ///< out of the solid, unit
-  double offset = 0;                               ///< n_W . p of its points [m]
-  double friction = 0.5;                           ///< coefficient
+  double offset = 0;                               ///< n_W . p of its surface points [m]
+  double friction = 0.5;                           ///< coefficient, in [0, inf)
 };
 
-/// How an object stands and moves at one instant.
+/// Pose and velocity of an object at one instant.
 struct BodyState {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
-  /// Of the object in W per unit of the motion's parameter: velocity of O's origin, then omega.
+  /// Velocity of O's origin, then angular velocity, in W per unit of the motion's parameter.
   Vector6d twist_W = Vector6d::Zero();
-  /// Whether the object stands still (while fingers regrasp, say): every contact sticks, and the
-  /// twist only turns the cones.
+  /// True if the object stands still, for instance while fingers regrasp. Then every contact
+  /// sticks, and the twist only determines the directions of the cones.
   bool at_rest = false;
 };
 
-/// Where a polyhedron touches planes.
+/// Contacts of a polyhedron with planes.
 struct ContactPatches {
-  /// The vertices of the patches' convex hulls, in O. The first edge of a sticking contact's cone
-  /// lies along the velocity of the centre of mass over the plane.
+  /// Vertices of the convex hulls of the patches, in O. The first edge of a sticking contact's cone
+  /// points along the velocity of the centre of mass over the plane.
   std::vector<Contact> contacts;
-  std::vector<int> plane;  ///< of each contact
-  /// Why the vertices cannot stand for the patches; empty when they can. A face or an edge that
-  /// turns about an axis which it cannot follow, a vertex that moves into a plane, a penetration.
+  std::vector<int> plane;  ///< index of each contact's plane
+  /// Reason why the vertices do not represent the patches; empty if they do. A face or an edge
+  /// turns about an axis that would lift or drive in part of it, a vertex moves into a plane, or
+  /// the object penetrates a plane.
   std::string fault;
-  /// A face turns about its normal while it slides: its vertices understate what friction can do.
+  /// True if a face turns about its normal while it slides. Its vertices alone then understate the
+  /// wrenches that friction can exert.
   bool turns_in_plane = false;
 };
 
-/// Contacts of the convex hull of `vertices_O` (3 x n [m]) with the planes. A vertex within
-/// `tolerance` [m] of a plane touches it; of those one that leaves its plane does not count, one
-/// that moves along it slides, one that does not move sticks.
+/// Finds the contacts of the convex hull of `vertices_O` (3 x n [m]) with the planes. A vertex
+/// within `tolerance` [m] of a plane touches it. A touching vertex that leaves its plane is
+/// ignored, one that moves along it slides, and one that does not move sticks. Throws
+/// std::invalid_argument on bad arguments.
 GRASPLESS_API ContactPatches contact_patches(const Eigen::Matrix3Xd& vertices_O,
                                              const Eigen::Vector3d& com_O,
                                              const std::vector<Plane>& planes,

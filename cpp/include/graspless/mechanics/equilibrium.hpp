@@ -12,57 +12,59 @@
 
 namespace graspless::mechanics {
 
-/// Contact forces that balance a contact set, deep inside their cones and limits.
+/// Contact forces that balance a contact set, well inside their cones and limits.
 struct Equilibrium {
-  Eigen::Matrix3Xd contact_forces_O;  ///< on the object, one a contact [N]
-  Eigen::Matrix3Xd finger_forces_O;   ///< on the object, one a finger [N]
-  /// The largest t such that all cone coefficients can be at least t, and t is left to the limits
-  /// of fingers in position control [N].
+  Eigen::Matrix3Xd contact_forces_O;  ///< force on the object at each contact [N]
+  Eigen::Matrix3Xd finger_forces_O;   ///< force on the object at each finger [N]
+  /// Largest t such that all cone coefficients are at least t, and fingers in position control stay
+  /// at least t below their limits [N].
   double margin = 0;
 };
 
-/// The interior equilibrium under no disturbance, with fingers in force control at their commanded
-/// normal forces (entries of the others are not looked at): of all that have nine tenths of the
-/// largest margin there is, the one whose coefficients beyond that have the least squares. It is
-/// one answer, and follows the contacts continuously; the deepest equilibria themselves are many.
-/// Where the environment alone can jam, margins have no limit: the sum of the known force and all
-/// force limits then counts as the largest. Nothing when there is no equilibrium. Throws
-/// std::invalid_argument on a bad contact set, modes or forces.
+/// Interior equilibrium without disturbance. Fingers in force control press with their commanded
+/// normal forces; entries for the other fingers are ignored. Among all equilibria with at least 0.9
+/// of the largest possible margin, it is the one whose cone coefficients beyond that margin have
+/// the least sum of squares. That makes the answer unique and continuous in the contacts;
+/// equilibria of largest margin are not unique. If the environment alone can jam, margins have no
+/// limit, and the sum of the known force and all force limits counts as the largest margin. Returns
+/// nothing if there is no equilibrium. Throws std::invalid_argument on a bad contact set, modes or
+/// forces.
 GRASPLESS_API std::optional<Equilibrium> interior_equilibrium(
     const ContactSet& set, const std::vector<FingerMode>& modes,
     const Eigen::VectorXd& commanded_forces);
 
-/// Springs at the contacts, only whose ratios matter to compliant_stability(). Along the surface a
-/// contact of elastic bodies is 2 (1 - nu) / (2 - nu) times as stiff as along its normal (Mindlin):
-/// 0.8 for most materials. A finger is as stiff as the servo behind it, in all directions alike,
-/// and that is softer than a floor; five times is a guess.
+/// Stiffness of the springs that model the contacts. Only ratios matter to compliant_stability().
+/// Along the surface, a contact of elastic bodies is 2 (1 - nu) / (2 - nu) times as stiff as along
+/// its normal (Mindlin), 0.8 for most materials. A finger is as stiff as its servo, alike in all
+/// directions, and softer than a floor; the default of five times softer is a guess.
 struct Compliance {
   double environment_normal = 1;        ///< stiffness along the normal [any unit of N/m]
-  double environment_tangential = 0.8;  ///< along the surface, of contacts that stick
-  double finger_normal = 0.2;           ///< of fingers in position control
-  double finger_tangential = 0.2;
+  double environment_tangential = 0.8;  ///< along the surface, for sticking contacts
+  double finger_normal = 0.2;           ///< along the normal, for fingers in position control
+  double finger_tangential = 0.2;       ///< along the surface, for all fingers
 };
 
-/// A margin that does not assume that passive friction redistributes freely. Each contact is a
-/// spring about its nominal force: sticking contacts in all directions, sliding ones along the
-/// normal (friction follows it), fingers in position control in all directions, fingers in force
-/// control along the surface alone. The object moves until the springs balance a disturbance; the
-/// index is the largest t [N] such that for all directions l_i the disturbance t l_i leaves every
-/// contact pressing, within Coulomb's cone, and every finger within its limit. 0 where the springs
-/// do not hold the object.
+/// Stability margin that does not assume that passive friction redistributes freely. Each contact
+/// is a spring about its nominal force: sticking contacts in all directions, sliding contacts along
+/// the normal (friction follows it), fingers in position control in all directions, and fingers in
+/// force control along the surface only. The object moves until the springs balance a disturbance.
+/// The margin is the largest t [N] such that, for every direction l_i, the disturbance t l_i leaves
+/// every contact pressing, every force within Coulomb's cone, and every finger within its limit.
+/// Returns 0 if the springs do not hold the object. Throws std::invalid_argument on bad arguments.
 GRASPLESS_API double compliant_stability(const ContactSet& set,
                                          const std::vector<FingerMode>& modes,
                                          const Equilibrium& nominal,
                                          const Compliance& compliance = {},
                                          const Matrix6Xd& directions = disturbance_directions());
 
-/// As interior_equilibrium(), with the room where the springs of compliant_stability() will ask for
-/// it, so that this index is as large as can be: the cone of every contact moves inwards, by what a
-/// disturbance may take from its force, and the largest disturbance that leaves an equilibrium is
-/// looked for; once more along the forces found. (Commonly within a tenth of the best forces there
-/// are; a quarter below has been seen, and in 3 of 1000 random sets less than even margins give.)
-/// In cones of at least 12 edges, to which `margin` refers. Where the springs do not hold the
-/// object all coefficients count alike. Throws as those two.
+/// Equilibrium whose compliant_stability() is as large as possible. Like interior_equilibrium(),
+/// but the reserve of each contact is what a disturbance may take from its force: the cones move
+/// inwards by it, and the largest disturbance that leaves an equilibrium is sought, twice, the
+/// second time along the forces found first. Commonly the margin is within a tenth of the best
+/// possible one; a quarter below has been seen, and in 3 of 1000 random sets it is less than that
+/// of interior_equilibrium(). Cones have at least 12 edges, to which `margin` refers. If the
+/// springs do not hold the object, all coefficients count alike. Throws std::invalid_argument like
+/// interior_equilibrium() and compliant_stability().
 GRASPLESS_API std::optional<Equilibrium> compliant_equilibrium(
     const ContactSet& set, const std::vector<FingerMode>& modes,
     const Eigen::VectorXd& commanded_forces, const Compliance& compliance = {},

@@ -11,53 +11,56 @@
 
 namespace graspless::mechanics {
 
-/// Who solves the linear programs. Both give the same numbers (to 1e-9).
+/// Solver of the linear programs. Both give the same z, to 1e-9 of z or 1e-12 of the forces
+/// involved.
 enum class Engine {
-  fast,       ///< decomposed by directions, warm started: stability_solver.hpp
-  reference,  ///< the programs as the paper writes them, by GLPK, with checked residuals
+  fast,       ///< decomposed by directions and warm-started; ill-conditioned sets go to `reference`
+  reference,  ///< the programs as the paper writes them, solved by GLPK, with checked residuals
 };
 
-/// How much disturbance an instant withstands: the answer of Problem (6).
+/// Largest disturbance that a contact set withstands: the answer to Problem (6).
 struct Stability {
-  /// The largest z such that every z l_i can be balanced [N]; 0 when there is no equilibrium or it
-  /// has no margin; infinite when contacts can balance anything (then (5) is unbounded too).
+  /// Largest z such that every z l_i can be balanced [N]. 0 if there is no equilibrium or it has no
+  /// margin; infinite if the contacts can balance anything (then (5) is unbounded too).
   double z = 0;
-  /// f_com [N]: one a finger, 0 for those in position control.
+  /// f_com: normal force of each finger, 0 for fingers in position control [N].
   Eigen::VectorXd commanded_forces;
-  /// Columns of the directions that keep z from growing (to 1e-9).
+  /// Columns of the directions that limit z (to 1e-9).
   std::vector<int> binding_directions;
 };
 
-/// Problem (6): the stability of a contact set with these control modes, one a finger, over
-/// `directions` (6 x N, columns that positively span the space). Throws std::invalid_argument on a
-/// bad contact set, modes or directions.
+/// Problem (6): stability of a contact set with one control mode for each finger, over `directions`
+/// (6 x N, columns that positively span the space). Throws std::invalid_argument on a bad contact
+/// set, modes or directions.
 GRASPLESS_API Stability max_stability(const ContactSet& set, const std::vector<FingerMode>& modes,
                                       const Matrix6Xd& directions = disturbance_directions(),
                                       Engine engine = Engine::fast);
 
-/// Problem (5): whether contacts and position-controlled fingers cannot jam: no contact forces of
-/// arbitrary size that cancel each other. A contact set without contacts or fingers is bounded.
+/// Problem (5): returns true if contacts and position-controlled fingers cannot jam, that is, if no
+/// contact forces of arbitrary size cancel each other. A set without contacts and fingers cannot
+/// jam. Throws std::invalid_argument on a bad contact set or modes.
 GRASPLESS_API bool internal_force_is_bounded(const ContactSet& set,
                                              const std::vector<FingerMode>& modes,
                                              Engine engine = Engine::fast);
 
-/// The control modes of greatest stability that cannot jam, Section 3.4.
+/// Control modes of greatest stability that cannot jam, Section 3.4.
 struct ControlModes {
-  bool found = false;  ///< whether any combination is free of jamming and in equilibrium with z > 0
+  bool found = false;  ///< true if some combination cannot jam and has z > 0
   std::vector<FingerMode> modes;
   Stability stability;
 };
 
-/// Searches the combinations of control modes. A combination is passed over when a bounded one with
-/// fewer force-controlled fingers exists, since that one is at least as stable. Ties (to 1e-9) of
-/// the rest go to `previous` if it is among them, else to force control for the fingers that press
-/// into the environment and position control for those that oppose the motion: the other way round
-/// is as stable on paper, and flies apart.
+/// Searches the combinations of control modes, Section 3.4. A combination is skipped if a bounded
+/// one with a subset of its force-controlled fingers exists, since that one is at least as stable.
+/// Ties (to 1e-9) go to `previous` if it is among them. Otherwise force control goes to fingers
+/// that press into the environment and position control to fingers that oppose the motion: the
+/// opposite is as stable in theory, but an object held that way slips out at the slightest error.
+/// Throws std::invalid_argument on bad arguments.
 GRASPLESS_API ControlModes best_control_modes(
     const ContactSet& set, const std::vector<FingerMode>& previous = {},
     const Matrix6Xd& directions = disturbance_directions(), Engine engine = Engine::fast);
 
-/// The stability of many contact sets, each with its best control modes.
+/// The same for many contact sets, each on its own.
 GRASPLESS_API std::vector<ControlModes> best_control_modes(
     const std::vector<ContactSet>& sets, const Matrix6Xd& directions = disturbance_directions(),
     Engine engine = Engine::fast);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mechanics/lp.hpp"
+#include "mechanics/lp/program.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {

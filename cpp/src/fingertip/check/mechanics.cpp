@@ -8,7 +8,7 @@
 #include "graspless/mechanics/contact_patch.hpp"
 
 #include "fingertip/check/check.hpp"
-#include "mechanics/cones.hpp"
+#include "mechanics/contacts/cones.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "mechanics/mode_search.hpp"
+#include "mechanics/stability/mode_search.hpp"
 
 namespace graspless::fingertip {
 

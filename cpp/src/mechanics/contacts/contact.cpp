@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Normals, tangents and friction cones of contacts, Eqs. (1) and (2).
+#include "graspless/mechanics/contact.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace graspless::mechanics {
+namespace {
+
+constexpr double kUnit = 1e-9;      // tolerance of a unit normal's length
+constexpr double kParallel = 1e-9;  // sine below which a direction is along the normal
+
+[[noreturn]] void refuse(const std::string& field, const std::string& must, double value) {
+  throw std::invalid_argument(field + " must " + must + ", not " + std::to_string(value));
+}
+
+void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::string& field) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const double value = values(i % values.rows(), i / values.rows());
+    if (!std::isfinite(value)) refuse(field, "be finite", value);
+  }
+}
+
+void check_positive(double value, const std::string& field) {
+  if (!(value > 0) || !std::isfinite(value)) refuse(field, "be positive and finite", value);
+}
+
+Eigen::Vector3d along_surface(const Eigen::Vector3d& n_O, const Eigen::Vector3d& t_O) {
+  return t_O - n_O * n_O.dot(t_O);
+}
+
+/// Validates the fields that contacts and fingers have in common.
+template <typename Touch>
+void check_touch(const Touch& touch, const std::string& field) {
+  check_finite(touch.p_OC, field + ".p_OC");
+  check_finite(touch.n_O, field + ".n_O");
+  check_finite(touch.t_O, field + ".t_O");
+  const double length = touch.n_O.norm();
+  if (std::abs(length - 1) > kUnit) refuse(field + ".n_O", "be a unit vector", length);
+  if (!(touch.friction >= 0) || !std::isfinite(touch.friction)) {
+    refuse(field + ".friction", "be finite, and zero or positive", touch.friction);
+  }
+}
+
+void check_slide(const Contact& contact, const std::string& field) {
+  if (contact.mode != ContactMode::slide) return;
+  const double length = along_surface(contact.n_O, contact.t_O).norm();
+  if (length > kParallel * contact.t_O.norm()) return;
+  throw std::invalid_argument(field + ".t_O must have a part along the surface: the contact " +
+                              "slides, and friction acts against the motion");
+}
+
+void normalize(Eigen::Vector3d* n_O, const std::string& field) {
+  const double length = n_O->stableNorm();  // without overflow or underflow
+  if (!n_O->allFinite() || !(length > 0)) {
+    throw std::invalid_argument(field + ".n_O must have a direction, not length " +
+                                std::to_string(length));
+  }
+  *n_O = (*n_O / length).normalized();
+}
+
+}  // namespace
+
+void validate(const ContactSet& set, const std::string& what) {
+  for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+    const std::string field = what + ": contacts[" + std::to_string(i) + "]";
+    check_touch(set.contacts[i], field);
+    check_slide(set.contacts[i], field);
+  }
+  if (set.fingers.size() > kMaxFingers) {
+    throw std::invalid_argument(what + ": fingers must be at most " + std::to_string(kMaxFingers) +
+                                ", not " + std::to_string(set.fingers.size()));
+  }
+  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
+    const std::string field = what + ": fingers[" + std::to_string(i) + "]";
+    check_touch(set.fingers[i], field);
+    check_positive(set.fingers[i].max_normal_force, field + ".max_normal_force");
+  }
+  check_finite(set.com_O, what + ": com_O");
+  check_finite(set.known_wrench_O, what + ": known_wrench_O");
+  check_finite(set.wrench_scale, what + ": wrench_scale");
+  if (!Eigen::FullPivLU<Matrix6d>(set.wrench_scale).isInvertible()) {
+    throw std::invalid_argument(what + ": wrench_scale must be regular");
+  }
+  if (set.cone_edges < 3) {
+    throw std::invalid_argument(what + ": cone_edges must be at least 3, not " +
+                                std::to_string(set.cone_edges));
+  }
+}
+
+ContactSet normalized(ContactSet set, const std::string& what) {
+  for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+    normalize(&set.contacts[i].n_O, what + ": contacts[" + std::to_string(i) + "]");
+  }
+  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
+    normalize(&set.fingers[i].n_O, what + ": fingers[" + std::to_string(i) + "]");
+  }
+  return set;
+}
+
+Eigen::Vector3d tangent(const Eigen::Vector3d& n_O, const Eigen::Vector3d& t_O) {
+  const Eigen::Vector3d t = along_surface(n_O, t_O);
+  if (t.norm() > kParallel * t_O.norm()) return t.normalized();
+  Eigen::Index longest = 0;
+  n_O.cwiseAbs().maxCoeff(&longest);
+  return along_surface(n_O, Eigen::Vector3d::Unit((longest + 1) % 3)).normalized();
+}
+
+Eigen::Matrix3Xd friction_cone(const Eigen::Vector3d& n_O, double friction, int edges,
+                               const Eigen::Vector3d& tangent) {
+  const Eigen::Vector3d left = n_O.cross(tangent);
+  const double step = 2 * std::acos(-1.0) / edges;
+  Eigen::Matrix3Xd cone(3, edges);
+  for (int j = 0; j < edges; ++j) {
+    const Eigen::Vector3d around = std::cos(step * j) * tangent + std::sin(step * j) * left;
+    cone.col(j) = (n_O + friction * around) / std::sqrt(1 + friction * friction);
+  }
+  return cone;
+}
+
+Vector6d gravity_wrench(double mass, const Eigen::Vector3d& gravity_O) {
+  check_positive(mass, "mass");
+  check_finite(gravity_O, "gravity_O");
+  Vector6d wrench = Vector6d::Zero();
+  wrench.head<3>() = mass * gravity_O;
+  return wrench;
+}
+
+}  // namespace graspless::mechanics

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Largest disturbance before the first spring contact slips or lifts off.
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "graspless/mechanics/equilibrium.hpp"
+
+#include "mechanics/equilibrium/springs.hpp"
+
+namespace graspless::mechanics {
+namespace {
+
+void validate_nominal(const ContactSet& set, const Equilibrium& nominal) {
+  const auto contacts = static_cast<Eigen::Index>(set.contacts.size());
+  const auto fingers = static_cast<Eigen::Index>(set.fingers.size());
+  if (nominal.contact_forces_O.cols() != contacts || nominal.finger_forces_O.cols() != fingers) {
+    throw std::invalid_argument("nominal must hold one force a contact and one a finger");
+  }
+  if (!nominal.contact_forces_O.allFinite() || !nominal.finger_forces_O.allFinite()) {
+    throw std::invalid_argument("nominal forces must be finite");
+  }
+}
+
+}  // namespace
+
+double compliant_stability(const ContactSet& set, const std::vector<FingerMode>& modes,
+                           const Equilibrium& nominal, const Compliance& compliance,
+                           const Matrix6Xd& directions) {
+  const auto springs = springs_under(set, modes, compliance, directions);
+  validate_nominal(set, nominal);
+  if (!springs) return 0;
+  double t = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < springs->size(); ++i) {
+    const Eigen::Vector3d force_O = force_at(nominal, i);
+    t = std::min({t, (*springs)[i].within_cone(force_O), (*springs)[i].within_limit(force_O)});
+  }
+  return t;
+}
+
+}  // namespace graspless::mechanics

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Solves a least-squares problem over x >= 0 by its dual: x = max(0, A^T lambda), where the
+// multipliers lambda of the rows that hold with equality follow from Newton's method on
+// A max(0, A^T lambda) = upper.
+#include "mechanics/equilibrium/least_forces.hpp"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace graspless::mechanics {
+namespace {
+
+constexpr int kMaxSteps = 100;
+constexpr double kTolerance = 1e-12;  // of the rows, relative
+constexpr double kDamping = 1e-13;    // of the Hessian, relative
+
+/// Returns lambda for A x = b.
+std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  Eigen::VectorXd lambda = Eigen::VectorXd::Zero(A.rows());
+  const auto x_of = [&](const Eigen::VectorXd& at) {
+    return (A.transpose() * at).cwiseMax(0).eval();
+  };
+  const auto value = [&](const Eigen::VectorXd& at) {  // convex; its gradient is A x - b
+    return 0.5 * x_of(at).squaredNorm() - b.dot(at);
+  };
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Eigen::VectorXd x = x_of(lambda);
+    const Eigen::VectorXd gradient = A * x - b;
+    if (gradient.norm() <= kTolerance * (1 + b.norm())) return lambda;
+    Eigen::MatrixXd held = A;
+    for (Eigen::Index j = 0; j < x.size(); ++j) {
+      if (x[j] <= 0 && step > 0) held.col(j).setZero();
+    }
+    Eigen::MatrixXd hessian = held * held.transpose();
+    hessian.diagonal().array() += kDamping * (1 + A.squaredNorm());
+    const Eigen::VectorXd direction = -hessian.ldlt().solve(gradient);
+    const double slope = gradient.dot(direction), now = value(lambda);
+    const auto is_better = [&](const Eigen::VectorXd& at, double length) {
+      // Near the solution, values differ by less than rounding errors; the gradient still
+      // decreases.
+      return value(at) <= now + 1e-4 * length * slope ||
+             (A * x_of(at) - b).norm() <= 0.5 * gradient.norm();
+    };
+    double length = 1;
+    while (length > 1e-10 && !is_better(lambda + length * direction, length)) length /= 2;
+    lambda += length * direction;
+  }
+  return std::nullopt;
+}
+
+/// Rows that hold with equality, as A x = b.
+struct Held {
+  std::vector<Eigen::Index> rows;
+  Eigen::MatrixXd A;
+  Eigen::VectorXd b;
+  Held(const LeastForces& problem, const std::vector<bool>& is_held) {
+    for (std::size_t i = 0; i < is_held.size(); ++i) {
+      if (is_held[i]) rows.push_back(static_cast<Eigen::Index>(i));
+    }
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    A.resize(count, problem.A.cols());
+    b.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      A.row(i) = problem.A.row(rows[static_cast<std::size_t>(i)]);
+      b[i] = problem.upper[rows[static_cast<std::size_t>(i)]];
+    }
+  }
+};
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> least_forces(const LeastForces& problem) {
+  std::vector<bool> is_held = problem.is_equal;
+  for (std::size_t round = 0; round <= 2 * is_held.size(); ++round) {
+    const Held held(problem, is_held);
+    const auto lambda = multipliers(held.A, held.b);
+    if (!lambda) return std::nullopt;
+    const Eigen::VectorXd x = (held.A.transpose() * *lambda).cwiseMax(0);
+    const Eigen::VectorXd excess = problem.A * x - problem.upper;
+    bool changed = false;
+    for (std::size_t k = 0; k < held.rows.size(); ++k) {  // releases upper bounds that push
+      const auto i = static_cast<std::size_t>(held.rows[k]);
+      if (problem.is_equal[i] || (*lambda)[static_cast<Eigen::Index>(k)] <= 0) continue;
+      is_held[i] = false;
+      changed = true;
+    }
+    for (std::size_t i = 0; i < is_held.size(); ++i) {
+      const double room = kTolerance * (1 + std::abs(problem.upper[static_cast<Eigen::Index>(i)]));
+      if (is_held[i] || problem.is_equal[i] || excess[static_cast<Eigen::Index>(i)] <= 10 * room) {
+        continue;
+      }
+      is_held[i] = changed = true;
+    }
+    if (!changed) return x;
+  }
+  return std::nullopt;
+}
+
+}  // namespace graspless::mechanics

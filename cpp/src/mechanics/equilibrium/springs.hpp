@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/mechanics/equilibrium.hpp"
+
+namespace graspless::mechanics {
+
+/// Contact as a spring about its nominal force.
+struct Spring {
+  Eigen::Vector3d n;               ///< normal into the object, in O
+  double friction = 0;             ///< coefficient
+  double max_normal = kUnlimited;  ///< [N]
+  bool follows = false;      ///< sliding contact: friction follows the normal force and cannot slip
+  Eigen::Matrix3Xd changes;  ///< change of the force on the object per unit of each disturbance
+  /// Largest t at which force + t change presses and lies within Coulomb's cone, for every change.
+  double within_cone(const Eigen::Vector3d& force_O) const;
+  /// Largest t at which force + t change stays below max_normal, for every change.
+  double within_limit(const Eigen::Vector3d& force_O) const;
+  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+};
+
+/// Force at contact i; contacts come before fingers.
+Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i);
+
+/// Springs of the contacts, then of the fingers, with the changes of their forces when the object
+/// has moved until the springs balance a disturbance. Nothing if the springs do not hold the
+/// object. Throws std::invalid_argument on a bad contact set, modes, compliance or directions.
+std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
+                                                 const std::vector<FingerMode>& modes,
+                                                 const Compliance& compliance,
+                                                 const Matrix6Xd& directions);
+
+}  // namespace graspless::mechanics

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Linear programs: input is validated before GLPK sees it, and its answers are checked.
+#include "mechanics/lp/program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "mechanics/lp/basis.hpp"
+#include "mechanics/lp/glpk.hpp"
+
+namespace graspless::mechanics {
+namespace {
+
+constexpr double kRounding = 1e-12;
+constexpr double kSharpError = 1e-13;  // error below which nothing is refined
+constexpr double kGoodError = 1e-10;   // error below which no other method is tried
+constexpr double kBadError = 1e-6;     // error above which there is no answer
+constexpr int kMagnifications = 3;
+
+void validate_bounds(const std::vector<double>& lower, const std::vector<double>& upper,
+                     const std::string& what) {
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    // False for NaN. A lower bound of +infinity or an upper one of -infinity leaves nothing.
+    if (lower[i] <= upper[i] && lower[i] < kInfinity && upper[i] > -kInfinity) continue;
+    throw std::invalid_argument("bounds of " + what + " " + std::to_string(i) +
+                                " must be ordered: " + std::to_string(lower[i]) + ", " +
+                                std::to_string(upper[i]));
+  }
+}
+
+void validate(const LinearProgram& lp) {
+  validate_bounds(lp.lower, lp.upper, "variable");
+  validate_bounds(lp.row_lower, lp.row_upper, "row");
+  for (std::size_t j = 0; j < lp.objective.size(); ++j) {
+    if (std::isfinite(lp.objective[j])) continue;
+    throw std::invalid_argument("objective of variable " + std::to_string(j) + " must be finite");
+  }
+  std::set<std::pair<int, int>> seen;
+  for (const auto& entry : lp.entries) {
+    const std::string where =
+        "entry (" + std::to_string(entry.row()) + ", " + std::to_string(entry.col()) + ")";
+    if (entry.row() < 0 || entry.row() >= lp.num_rows() || entry.col() < 0 ||
+        entry.col() >= lp.num_variables()) {
+      throw std::invalid_argument(where + " must lie in the matrix");
+    }
+    if (!std::isfinite(entry.value())) throw std::invalid_argument(where + " must be finite");
+    if (!seen.emplace(entry.row(), entry.col()).second) {
+      throw std::invalid_argument(where + " must be given once");
+    }
+  }
+}
+
+double error(const LpSolution& solution) {
+  return std::max(solution.primal_error, solution.dual_error);
+}
+
+/// Returns the vertex that a method finds, refined (Gleixner, Steffy and Wolter 2012): the method
+/// accepts errors up to its tolerance, so it finds a better basis for the program in which they are
+/// magnified. Returns nothing if the method fails.
+std::optional<LpSolution> solve_by(const GlpkMethod& method, const LinearProgram& lp) {
+  LpBasis basis;
+  if (!find_basis(lp, method, &basis)) return std::nullopt;
+  LpVertex best = vertex_of(lp, basis);
+  for (int round = 0; round < kMagnifications; ++round) {
+    if (error(best.solution) <= kSharpError || !std::isfinite(error(best.solution))) break;
+    if (!find_basis(magnified(lp, best), method, &basis)) break;
+    if (basis.status != LpStatus::optimal) break;
+    LpVertex next = vertex_of(lp, basis);
+    if (error(next.solution) >= error(best.solution)) break;
+    best = std::move(next);
+  }
+  return best.solution;
+}
+
+}  // namespace
+
+int LinearProgram::add_variable(double variable_lower, double variable_upper, double coefficient) {
+  lower.push_back(variable_lower);
+  upper.push_back(variable_upper);
+  objective.push_back(coefficient);
+  return static_cast<int>(lower.size()) - 1;
+}
+
+int LinearProgram::add_row(double lower_bound, double upper_bound) {
+  row_lower.push_back(lower_bound);
+  row_upper.push_back(upper_bound);
+  return static_cast<int>(row_lower.size()) - 1;
+}
+
+void LinearProgram::set(int row, int column, double value) {
+  if (std::abs(value) < kRounding) return;
+  entries.emplace_back(row, column, value);
+}
+
+void LinearProgram::set_block(int row, int column, const Eigen::Ref<const Eigen::MatrixXd>& block) {
+  for (int j = 0; j < static_cast<int>(block.cols()); ++j) {
+    for (int i = 0; i < static_cast<int>(block.rows()); ++i) set(row + i, column + j, block(i, j));
+  }
+}
+
+LpSolution solve_lp(const LinearProgram& lp) {
+  validate(lp);
+  // The dual method was right on every contact set tried. The others are for programs on which it
+  // stalls.
+  const std::array<GlpkMethod, 3> methods = {GlpkMethod{true, 1e-9}, GlpkMethod{false, 1e-9},
+                                             GlpkMethod{true, 1e-7}};
+  LpSolution best;
+  best.primal_error = kInfinity;
+  for (const GlpkMethod& method : methods) {
+    const auto solution = solve_by(method, lp);
+    if (solution && error(*solution) < error(best)) best = *solution;
+    if (error(best) <= kGoodError) break;
+  }
+  if (error(best) > kBadError) {
+    throw std::runtime_error(
+        "the linear program could not be solved: the errors of the best answer are " +
+        std::to_string(error(best)));
+  }
+  return best;
+}
+
+}  // namespace graspless::mechanics
