@@ -9,3 +9,7 @@ from ._core.planning import (
 __all__ = [
     "Budget",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

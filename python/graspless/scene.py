@@ -9,3 +9,7 @@ from ._core.scene import (
 __all__ = [
     "Scene",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__
