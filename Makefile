@@ -2,8 +2,9 @@
 .PHONY: demo test lint format docs stubs bench bench-install wheel asan clean
 
 demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.html
-	@tools/install view
+	@tools/install view,timing
 	@.venv/bin/graspless example slide --output demo/
+	@echo "the command is .venv/bin/graspless; more: .venv/bin/graspless example --list"
 
 test:  ## C++ and Python tests
 	@tools/install test,all GRASPLESS_TESTS=ON

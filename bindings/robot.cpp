@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "graspless/robot/ik.hpp"
+#include "graspless/robot/source.hpp"
 
 #include "conversions.hpp"
 
@@ -81,6 +82,16 @@ void bind_tables(py::class_<Robot>& cls) {
       .def_property_readonly(
           "X_WB", [](const Robot& self) { return from_pose(self.X_WB()); },
           "(4, 4) pose of the root link in the world.")
+      .def_property_readonly("urdf", &robot::urdf_of, "URDF text that the robot was read from.")
+      .def_property_readonly(
+          "srdf", [](const Robot& self) { return robot::options_of(self).srdf; },
+          "SRDF text that the robot was read with; empty: none.")
+      .def_property_readonly(
+          "packages", [](const Robot& self) { return robot::options_of(self).packages; },
+          "Folders that package://NAME/ points to; a copy.")
+      .def_property_readonly(
+          "directory", [](const Robot& self) { return robot::options_of(self).directory; },
+          "Folder that relative mesh paths start from.")
       .def_property_readonly("frame_names", &Robot::frame_names,
                              "All links, in the order of forward().")
       .def_property_readonly("group_names", &Robot::group_names, "Names of the SRDF's groups.")

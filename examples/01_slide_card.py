@@ -6,7 +6,7 @@ from pathlib import Path
 
 import graspless
 
-task = graspless.load_task(Path(__file__).with_suffix(".yaml"))
+task = graspless.load_task(Path(__file__).with_suffix(".yaml"), "slide")
 plan = graspless.plan(task, seed=1)
 assert plan, plan.reason
 assert graspless.check(plan) == []

@@ -4,6 +4,7 @@
 
 import numpy as np
 
+import graspless
 from graspless import planning, slide
 from graspless.robot import Robot, builtin
 
@@ -17,6 +18,6 @@ X_WO[:3, 3] = [0.60, -0.05, 0.0]
 problem = slide.Problem(kr5, slide.Hand(), plate, table, X_WO, kr5.state("home"))
 
 plan = slide.plan(problem, slide.Options(), planning.Budget(seconds=10, seed=1))
-print(plan.status.name, plan.reason)
-for fault in slide.check(problem, plan):
+print(plan.status, plan.reason)
+for fault in graspless.check(plan):
     print(fault)

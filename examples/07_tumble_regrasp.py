@@ -25,10 +25,11 @@ problem = fingertip.Problem(
 )
 plan = fingertip.plan(problem)
 assert plan, plan.reason
+assert plan.weakest
 assert fingertip.check(problem, plan) == []
 
 print(f"cost {plan.cost:.6f}, {plan.regrasps} regrasp, z at least", end=" ")
-print(f"{plan.segments[plan.weakest_segment].rows[plan.weakest_row].stability:.2f} N")
+print(f"{plan.segments[plan.weakest.segment].stability[plan.weakest.row]:.2f} N")
 for segment in plan.segments:
     for k, finger in enumerate(segment.rows[0].fingers):
         where = np.round(100 * finger.p_OC, 1) if finger.touches else "on its way"

@@ -3,13 +3,14 @@
 """A mesh from trimesh, a plan for every friction in an interval, and what others would need."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import trimesh
 
 from graspless import fingertip
 
-mesh = trimesh.load(Path(__file__).with_suffix(".obj"), force="mesh")
+mesh: Any = trimesh.load(Path(__file__).with_suffix(".obj"), force="mesh")
 mesh.apply_scale(0.001)  # the file is in millimetres
 bracket = fingertip.Object.from_mesh("bracket", mesh, mass=0.9 * 1000 * mesh.volume)
 motion = fingertip.slide_path(np.eye(4), [0, 0.12, 0], segments=24)

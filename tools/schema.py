@@ -5,8 +5,8 @@
 import json
 import pathlib
 
-from graspless.exports.json_model import schema as trajectory_schema
-from graspless.plans.model import schema
+from graspless.formats.json_model import schema as trajectory_schema
+from graspless.plan_files.table import schema
 
 PACKAGE = pathlib.Path(__file__).parents[1] / "python" / "graspless"
 TARGET = PACKAGE / "plan.schema.json"

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from . import (
         carry,
+        chain,
         clasp,
         collision,
         fingertip,
@@ -31,10 +32,12 @@ if TYPE_CHECKING:
         slide,
         view,
     )
+    from ._api import check, plan
+    from ._plan import Plan
     from .batches import batch
     from .errors import TaskError
-    from .exports import export
-    from .plans import Plan, check, load_plan, plan
+    from .formats import export
+    from .plan_files import load_plan
     from .simulation import simulate
     from .tasks import Task, load_task
     from .timing import Trajectory, time
@@ -49,6 +52,7 @@ __all__ = [
     "__version__",
     "batch",
     "carry",
+    "chain",
     "check",
     "clasp",
     "collision",
@@ -70,11 +74,11 @@ __all__ = [
 
 _HOMES = {
     "batch": "batches",
-    "Plan": "plans",
-    "check": "plans",
-    "export": "exports",
-    "load_plan": "plans",
-    "plan": "plans",
+    "Plan": "_plan",
+    "check": "_api",
+    "export": "formats",
+    "load_plan": "plan_files",
+    "plan": "_api",
     "simulate": "simulation",
     "Trajectory": "timing",
     "time": "timing",

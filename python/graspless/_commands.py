@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Iterator
 
-    from .plans import Plan
+    from ._plan import Plan
 
 FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE, TERMINATED = 0, 1, 2, 130, 141, 143
 
@@ -59,9 +59,11 @@ def terminable() -> Iterator[Callable[[int], int]]:
 
 def given_plan(path: str) -> Plan:
     """Returns the plan in a file; - stands for stdin."""
-    from . import plans
+    from . import plan_files
 
-    return plans.load_plan(path) if path != "-" else plans.read_plan(read_stdin(), "stdin")
+    if path != "-":
+        return plan_files.load_plan(path)
+    return plan_files.read_plan(read_stdin(), "stdin")
 
 
 def add_unchecked(parser: argparse.ArgumentParser) -> None:
@@ -83,13 +85,13 @@ def checked_plan(options: argparse.Namespace) -> Plan:
     TaskError
         The plan fails its check, and --unchecked was not given.
     """
-    from . import plans, progress
+    from . import _api, progress
 
     plan = given_plan(options.plan)
     if not plan or options.unchecked:
         return plan
     with progress.waiting("checking"):
-        faults = plans.check(plan)
+        faults = _api.check(plan)
     if faults:
         name = options.plan if options.plan != "-" else "stdin"
         more = f" and {len(faults) - 1} more" if len(faults) > 1 else ""

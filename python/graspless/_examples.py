@@ -4,11 +4,13 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
-from . import _data, plans, progress, report, view
+from . import _api, _data, progress, report, view
 from .errors import TaskError
+from .kinds import KINDS
 from .tasks import load_task
 
 
@@ -18,8 +20,11 @@ def names() -> dict[str, str]:
 
 
 def find(name: str | None) -> Path:
-    """The task file of an example, by its name, its number or a part of either; None: the first."""
+    """The task file of an example, by its kind, name, number or part of it; None: the first."""
     known = list(names())
+    if name in KINDS:
+        folder = _data.directory("examples")
+        return next(path for path in sorted(folder.glob("*.yaml")) if _kind(path) == name)
     fits = [known[0]] if name is None else [stem for stem in known if name in stem]
     if name in known:
         fits = [str(name)]
@@ -49,8 +54,8 @@ def run(name: str | None, directory: Path | None = None) -> bool:
     task_file = _copy(source, directory)
     task = load_task(task_file)
     with progress.waiting("planning"):
-        plan = plans.plan(task)
-    faults = plans.check(plan) if plan else []
+        plan = _api.plan(task)
+    faults = _api.check(plan) if plan else []
     plan.save(directory / "plan.json")
     with progress.waiting("drawing"):
         view.write_png(plan, directory / f"{plan.kind}.png")
@@ -73,6 +78,12 @@ def _copy(source: Path, directory: Path) -> Path:
     except OSError as error:
         raise TaskError(f"{directory}: cannot be written: {error.strerror}") from None
     return directory / source.name
+
+
+def _kind(path: Path) -> str:
+    """The kind that a task file states."""
+    stated = re.search(r"^kind: (\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)
+    return stated[1] if stated else ""
 
 
 def _about(path: Path) -> str:

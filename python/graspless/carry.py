@@ -2,18 +2,69 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Carry a held object along a straight path: lift it, or drag it over a surface."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+from ._core import carry as _core
 from ._core.carry import (
     Options,
-    Plan,
     Problem,
     Segment,
     Statistics,
     Status,
     check,
-    plan,
     validate,
 )
+from ._named import equal_to_names
+from ._plan import AnyPlan
 from .collision import Obstacle
+
+if TYPE_CHECKING:
+    from . import tasks
+    from .planning import Budget
+
+    Task = tasks.Task[Problem, Options, "Plan"]
+
+equal_to_names(Status)
+
+
+class Plan(AnyPlan, _core.Plan):
+    """A straight motion of what the hand holds, or why not. False unless solved."""
+
+    kind: ClassVar[Literal["carry"]] = "carry"
+    _planner: ClassVar[Any] = _core
+
+    if TYPE_CHECKING:
+
+        @property
+        def task(self) -> Task: ...
+
+
+def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
+    """Plans a motion of the arm that takes the object along a straight line to its goal.
+
+    Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
+    KeyboardInterrupt, budget.stop() returns the best so far.
+
+    Parameters
+    ----------
+    problem : Problem
+    options : Options, optional
+        How to search.
+    budget : planning.Budget, optional
+        Time and randomness.
+
+    Raises
+    ------
+    ValueError
+        A bad problem or bad options; names the field, its value and what is allowed.
+    """
+    from .tasks import Task
+
+    task = Task.of(problem, options, budget)
+    return Plan._search(task, task.budget)
+
 
 __all__ = [
     "Obstacle",

@@ -15,15 +15,20 @@ After Stork, Pokorny, Kragic 2013. `plan` is Section IV, `test_stability` Sectio
 >>> assert plan and not clasp.check(problem, plan)  # doctest: +SKIP
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+import numpy as np
+
+from ._core import clasp as _core
 from ._core.clasp import (
     CurveNode,
     Finger,
     Hand,
     Object,
     Options,
-    Plan,
     Problem,
-    Segment,
     Stability,
     StabilityOptions,
     Statistics,
@@ -32,13 +37,125 @@ from ._core.clasp import (
     check,
     hand_from_yaml,
     hand_from_yaml_file,
-    plan,
     sample_object,
     sample_object_names,
     test_stability,
     validate,
 )
+from ._named import equal_to_names
+from ._plan import AnyPlan, of_solved, own_segments
 from .collision import Obstacle
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from . import geometry, tasks
+    from .frames import Matrix
+    from .planning import Budget
+
+    Task = tasks.Task[Problem, Options, "Plan"]
+
+equal_to_names(Status)
+
+
+class Segment(_core.Segment):
+    """A stretch of motion: reach or close. Rows follow each other by at most 0.05 rad in any joint.
+
+    Parameters
+    ----------
+    name : str
+        reach or close.
+    positions : array [N, dof]
+        All joints [rad or m].
+    object_poses : array [N, 4, 4]
+        X_WO at each row: the object stands still.
+    virtual_linking : array [N, curves]
+        |VLk| of every finger curve with the loop that is clasped.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        positions: ArrayLike,
+        object_poses: ArrayLike,
+        virtual_linking: ArrayLike,
+    ) -> None:
+        super().__init__(name, positions, virtual_linking)
+        self.object_poses: Matrix = np.array(object_poses, dtype=float).reshape(-1, 4, 4)
+        if len(self) != len(self.object_poses):
+            counts = f"{len(self)} positions but {len(self.object_poses)} object_poses"
+            raise ValueError(f"segment '{name}' has {counts}")
+
+
+class Plan(AnyPlan, _core.Plan):
+    """A motion that ends in a clasp, or why not. False unless solved."""
+
+    kind: ClassVar[Literal["clasp"]] = "clasp"
+    _planner: ClassVar[Any] = _core
+
+    if TYPE_CHECKING:
+
+        @property
+        def task(self) -> Task: ...
+
+        segments: tuple[Segment, ...]  # type: ignore[override]
+        loop: int | None  # type: ignore[assignment]
+        target: geometry.ClaspTarget | None  # type: ignore[assignment]
+        stability: Stability | None  # type: ignore[assignment]
+    else:
+        segments = own_segments(_core.Plan)
+        loop = of_solved(_core.Plan, "loop")
+        target = of_solved(_core.Plan, "target")
+        stability = of_solved(_core.Plan, "stability")
+
+    @classmethod
+    def _of(cls, found: Any, task: Any, **changes: Any) -> Plan:
+        if not found:
+            changes |= dict.fromkeys(("loop", "target", "stability"))
+        changes["segments"] = [
+            Segment(s.name, s.positions, [task.problem.X_WO] * len(s), s.virtual_linking)
+            for s in found.segments
+        ]
+        return super()._of(found, task, **changes)
+
+    def _faults(self) -> list[str]:
+        """Returns what does not hold of a solved plan."""
+        X_WO = self.task.problem.X_WO
+        what = "object_poses: the object does not stand where the task says"
+        return super()._faults() + [
+            f"{segment.name}: row {row}: {what}"
+            for segment in self.segments
+            for row, X in enumerate(segment.object_poses)
+            if np.abs(X - X_WO).max() > 1e-9
+        ]
+
+
+def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
+    """Plans a motion of arm and hand that ends in a clasp: reach, then close until contact.
+
+    Algorithms 1 to 4 of Stork, Pokorny and Kragic 2013.
+
+    Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
+    KeyboardInterrupt, budget.stop() returns the best so far.
+
+    Parameters
+    ----------
+    problem : Problem
+    options : Options, optional
+        How to search.
+    budget : planning.Budget, optional
+        Time and randomness.
+
+    Raises
+    ------
+    ValueError
+        A bad problem or bad options; names the field, its value and what is allowed.
+    """
+    from .tasks import Task
+
+    task = Task.of(problem, options, budget)
+    return Plan._search(task, task.budget)
+
 
 __all__ = [
     "CurveNode",
@@ -64,3 +181,7 @@ __all__ = [
     "test_stability",
     "validate",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

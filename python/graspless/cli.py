@@ -31,7 +31,7 @@ from .errors import TaskError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from .plans import Plan
+    from ._plan import Plan
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -194,7 +194,7 @@ def _add_view(parser: argparse.ArgumentParser) -> None:
 def _add_example(parser: argparse.ArgumentParser) -> None:
     parser.description = "Plan, check and draw an example, into a folder of its own."
     parser.add_argument(
-        "name", metavar="NAME", nargs="?", help="example to run (default: the first)"
+        "name", metavar="NAME", nargs="?", help="name, number or kind (default: the first)"
     )
     parser.add_argument("--list", action="store_true", help="list the examples")
     parser.add_argument(
@@ -215,7 +215,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "check": ("check a plan by replaying it", _add_check),
     "view": ("view a plan, or draw it to a file", _add_view),
     "simulate": ("execute a plan in the MuJoCo physics engine", _of(".simulation.cli")),
-    "export": ("export a timed plan for ROS, MuJoCo and others", _of(".exports.cli")),
+    "export": ("export a timed plan for ROS, MuJoCo and others", _of(".formats.cli")),
     "batch": ("plan many tasks in parallel", _of(".batches.cli")),
     "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
     "example": ("plan, check and draw an example", _add_example),
@@ -224,7 +224,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
 
 
 def _plan(options: argparse.Namespace) -> int:
-    from . import files, plans, progress, report
+    from . import _api, files, progress, report
     from .tasks import load_task, read_task
 
     to_stdout = options.output == "-"
@@ -234,8 +234,8 @@ def _plan(options: argparse.Namespace) -> int:
     given = load_task(options.task) if options.task != "-" else read_task(read_stdin(), "stdin")
     task = _change(given, options)
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
-        plan = plans.plan(task)
-    faults = plans.check(plan) if plan else []
+        plan = _api.plan(task)
+    faults = _api.check(plan) if plan else []
     # Files first: who reads our output may go at any time.
     if not to_stdout:
         plan.save(options.output)
@@ -276,10 +276,10 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
 
 
 def _check(options: argparse.Namespace) -> int:
-    from . import plans, report
+    from . import _api, report
 
     plan = given_plan(options.plan)
-    faults = plans.check(plan)
+    faults = _api.check(plan)
     if options.json:
         print(json.dumps({"holds": not faults, "faults": faults}))
     else:

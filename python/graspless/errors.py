@@ -1,12 +1,54 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The one error of files that people write."""
+"""The one error of files that people write, and of packages that are not installed."""
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
+EXTRAS = {  # that bring a package, the smallest first
+    "dask": ("cluster",),
+    "distributed": ("cluster",),
+    "joblib": ("batch", "cluster"),
+    "matplotlib": ("view",),
+    "mujoco": ("sim",),
+    "rich": ("batch", "cluster"),
+    "rosbags": ("ros",),
+    "scipy": ("timing", "view", "sim", "ros"),
+    "toppra": ("timing", "sim", "ros"),
+    "viser": ("view",),
+}
+
 
 class TaskError(ValueError):
-    """A task file, a file it names, or a plan file is not as it may be.
+    """A task file, a file it names, or a plan file is not valid; or a package is missing.
 
-    The message has one line a fault, ``file:line: field: value: what it may be``.
+    The message has one line per fault, ``file:line: field: value: what is allowed``.
     """
+
+
+def missing(error: ImportError, extra: str, purpose: str = "") -> TaskError:
+    """Returns the error of a package that is not installed.
+
+    Parameters
+    ----------
+    error : ImportError
+        Names the package.
+    extra : str
+        Extra that was needed; another one is named where that does not bring the package.
+    purpose : str
+        What the package is needed for: " to draw".
+    """
+    name = error.name.partition(".")[0] if error.name else str(error)
+    extras = EXTRAS.get(name, (extra,))
+    command = install_command(extra if extra in extras else extras[0])
+    return TaskError(f"needs {name}{purpose}: {command}")
+
+
+def install_command(extra: str) -> str:
+    """Returns the command that installs an extra: into the .venv of a checkout, if that runs."""
+    checkout = Path(sys.prefix).parent
+    if Path(sys.prefix).name == ".venv" and (checkout / "python" / "graspless").is_dir():
+        return f".venv/bin/pip install '.[{extra}]'"
+    return f"pip install 'graspless[{extra}]'"

@@ -13,18 +13,26 @@
 >>> assert plan and not fingertip.check(problem, plan)  # doctest: +SKIP
 """
 
+from __future__ import annotations
+
+import enum
+import math
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
+
+import numpy as np
+
+from ._core import fingertip as _core
 from ._core.fingertip import (
     Carrier,
     Face,
     Fingers,
     FingerState,
     Goal,
-    JointSegment,
     Lattice,
     Object,
     Options,
     Path,
-    Plan,
     Plane,
     Problem,
     Realization,
@@ -32,22 +40,270 @@ from ._core.fingertip import (
     Relaxation,
     Row,
     Search,
-    Segment,
     Statistics,
     Status,
     check,
     check_realization,
     join,
-    plan,
     realize,
     slide_path,
     turn_path,
     validate,
 )
 from ._core.mechanics import Compliance, FingerMode
+from ._named import equal_to_names
+from ._plan import AnyPlan, of_solved, own_segments
 from .collision import Obstacle
 
 Motion = Path | Lattice | Goal
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from . import tasks
+    from .frames import Matrix
+    from .planning import Budget
+
+    Task = tasks.Task[Problem, Options, "Plan"]
+
+
+class NotRealized(enum.Enum):
+    """Status of a plan that is solved, but whose robot cannot carry the fingertips."""
+
+    not_realized = -1
+
+
+equal_to_names(Status)
+equal_to_names(NotRealized)
+
+
+class Segment(_core.Segment):
+    """A stretch with the fingers where they are, or one regrasp: N rows, n fingers.
+
+    Its rows stand in `rows`, and as arrays over all of them in the other attributes.
+    """
+
+    @cached_property
+    def _all_rows(self) -> tuple[Row, ...]:
+        return tuple(self.rows)
+
+    def _column(self, name: str) -> Matrix:
+        return np.array([getattr(row, name) for row in self._all_rows], dtype=float)
+
+    def _table(self, name: str, touching: bool = False) -> Matrix:
+        """[N, n, ...] of each finger in each row; with `touching`, NaN while it is off."""
+        values = [[getattr(f, name) for f in row.fingers] for row in self._all_rows]
+        found = np.array(values, dtype=float)
+        if touching and found.size:
+            found[~self.touches] = np.nan
+        return found
+
+    @cached_property
+    def object_poses(self) -> Matrix:
+        """[N, 4, 4] pose of O in the world at each row."""
+        return self._column("X_WO").reshape(-1, 4, 4)
+
+    @cached_property
+    def touches(self) -> NDArray[np.bool_]:
+        """[N, n] True where a finger is on the object."""
+        return np.array([[f.touches for f in row.fingers] for row in self._all_rows], dtype=bool)
+
+    @cached_property
+    def fingers(self) -> Matrix:
+        """[N, n, 3] contact points in O [m]; NaN while a finger is off the object."""
+        return self._table("p_OC", touching=True)
+
+    @cached_property
+    def normals(self) -> Matrix:
+        """[N, n, 3] unit normals into the object, in O; NaN while a finger is off it."""
+        return self._table("n_O", touching=True)
+
+    @cached_property
+    def modes(self) -> list[list[str]]:
+        """[N][n] control of each finger: position or force."""
+        return [[f.mode.name for f in row.fingers] for row in self._all_rows]
+
+    @cached_property
+    def commanded_forces(self) -> Matrix:
+        """[N, n] normal force in force control, else 0 [N]."""
+        return self._table("commanded_force")
+
+    @cached_property
+    def nominal_forces(self) -> Matrix:
+        """[N, n, 3] forces on the object to feed forward, in O [N]."""
+        return self._table("nominal_force_O")
+
+    @cached_property
+    def stability(self) -> Matrix:
+        """[N] z [N]."""
+        return self._column("stability")
+
+    @cached_property
+    def compliant_stability(self) -> Matrix:
+        """[N] see mechanics.compliant_stability [N]."""
+        return self._column("compliant_stability")
+
+    @cached_property
+    def nominal_margin(self) -> Matrix:
+        """[N] margin of the nominal forces [N]."""
+        return self._column("nominal_margin")
+
+
+class JointSegment(_core.JointSegment):
+    """A stretch of joint motion."""
+
+    @cached_property
+    def object_poses(self) -> Matrix:
+        """[N, 4, 4] pose of O in the world at each row."""
+        return self.X_WO
+
+
+class Weakest(NamedTuple):
+    """Place of the least stability in a plan."""
+
+    segment: int
+    """Index of the segment, from 0."""
+
+    row: int
+    """Row of the segment, from 0."""
+
+
+class Plan(AnyPlan, _core.Plan):
+    """Where the fingers press, or why not. False unless solved."""
+
+    kind: ClassVar[Literal["fingertip"]] = "fingertip"
+    _planner: ClassVar[Any] = _core
+
+    if TYPE_CHECKING:
+
+        @property
+        def task(self) -> Task: ...
+
+        segments: tuple[Segment, ...]  # type: ignore[override]
+        status: Status | NotRealized  # type: ignore[assignment]
+        cost: float | None  # type: ignore[assignment]
+        lower_bound: float | None  # type: ignore[assignment]
+    else:
+        segments = own_segments(_core.Plan)
+        cost = of_solved(_core.Plan, "cost")
+
+        status = property(
+            lambda self: self.__dict__.get("_status") or _core.Plan.status.fget(self),
+            lambda self, status: self._end(status),
+            doc=_core.Plan.status.__doc__,
+        )
+        lower_bound = property(
+            lambda self: _finite(_core.Plan.lower_bound.fget(self)),
+            _core.Plan.lower_bound.fset,
+            doc="Bound below which no plan on this lattice can cost [m]; None if unknown.",
+        )
+
+    realization: Realization | None = None
+    """Joint paths of a task with a robot, or why there are none."""
+
+    def __bool__(self) -> bool:
+        return self.status is Status.solved
+
+    def _end(self, status: Status | NotRealized) -> None:
+        """Sets the status; a plan that is not realized is solved to the core."""
+        self.__dict__["_status"] = status if isinstance(status, NotRealized) else None
+        core = Status.solved if isinstance(status, NotRealized) else status
+        base: Any = _core.Plan.status
+        base.__set__(self, core)
+
+    @classmethod
+    def _status(cls, name: str) -> Status | NotRealized:
+        return NotRealized[name] if name in NotRealized.__members__ else Status[name]
+
+    @property
+    def weakest(self) -> Weakest | None:
+        """Segment and row of the least stability; None unless solved."""
+        place = Weakest(self.weakest_segment, self.weakest_row)
+        return None if min(place) < 0 else place
+
+    @weakest.setter
+    def weakest(self, place: Weakest) -> None:
+        self.weakest_segment, self.weakest_row = place
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Columns of the positions of joint_segments; empty without a robot."""
+        return () if self.realization is None else self.realization.joint_names
+
+    @property
+    def joint_segments(self) -> tuple[JointSegment, ...]:
+        """Joint motion of a task with a robot, in order; else empty."""
+        found = () if self.realization is None else self.realization.segments
+        return tuple(
+            JointSegment(s.name, s.positions, s.X_WO, s.plan_segment, s.scrub) for s in found
+        )
+
+    @classmethod
+    def _of(cls, found: Any, task: Any, **changes: Any) -> Plan:
+        changes["segments"] = [Segment(s.name, s.X_WO, s.rows, s.finger) for s in found.segments]
+        changes["lower_bound"] = _finite(found.lower_bound)
+        if not found:
+            changes["cost"] = None
+        if found.weakest_segment >= 0:
+            changes["weakest"] = Weakest(found.weakest_segment, found.weakest_row)
+        return super()._of(found, task, **changes)
+
+    @classmethod
+    def _search(cls, task: Any, budget: Budget) -> Plan:
+        """Plans, and gives the plan the task's arm."""
+        found = _core.plan(task.problem, task.options, budget)
+        if task.arm is None or not found:
+            return cls._of(found, task)
+        arm = task.arm
+        paths = realize(
+            task.problem, found, arm.robot, arm.carrier, arm.q_home, arm.options, budget
+        )
+        if paths:
+            return cls._of(found, task, realization=paths)
+        status = NotRealized.not_realized
+        return cls._of(found, task, realization=paths, status=status, reason=paths.reason)
+
+    def _faults(self) -> list[str]:
+        """Returns what does not hold of a solved plan, or of its joint paths."""
+        task, faults = self.task, super()._faults()
+        if task.arm is None:
+            return faults
+        if self.realization is None:
+            return [*faults, "realization: missing, and the task has a robot"]
+        arm = task.arm
+        return faults + check_realization(
+            task.problem, self, arm.robot, arm.carrier, self.realization, arm.options
+        )
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
+    """Plans where the fingers press, how each is controlled, and when to change grip.
+
+    Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
+    KeyboardInterrupt, budget.stop() returns the best so far.
+
+    Parameters
+    ----------
+    problem : Problem
+    options : Options, optional
+        How to search.
+    budget : planning.Budget, optional
+        Time and randomness.
+
+    Raises
+    ------
+    ValueError
+        A bad problem or bad options; names the field, its value and what is allowed.
+    """
+    from .tasks import Task
+
+    task = Task.of(problem, options, budget)
+    return Plan._search(task, task.budget)
+
 
 __all__ = [
     "Carrier",
@@ -60,6 +316,7 @@ __all__ = [
     "JointSegment",
     "Lattice",
     "Motion",
+    "NotRealized",
     "Object",
     "Obstacle",
     "Options",
@@ -75,6 +332,7 @@ __all__ = [
     "Segment",
     "Statistics",
     "Status",
+    "Weakest",
     "check",
     "check_realization",
     "join",
@@ -84,3 +342,7 @@ __all__ = [
     "turn_path",
     "validate",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

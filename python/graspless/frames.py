@@ -82,6 +82,21 @@ def from_row(row: Sequence[float]) -> Matrix:
     return translation(row[:3]) @ from_quaternion(row[3:])
 
 
+def to_rows(poses: ArrayLike) -> list[list[float]]:
+    """Poses [N, 4, 4] as plan files write them: a row of seven numbers each."""
+    points, quaternions = places(np.asarray(poses, dtype=float).reshape(-1, 4, 4))
+    rows: list[list[float]] = np.hstack([points, quaternions]).tolist()
+    return rows
+
+
+def from_rows(rows: Sequence[Sequence[float]]) -> Matrix:
+    """The poses [N, 4, 4] of `to_rows`' rows."""
+    poses = np.empty((len(rows), 4, 4))
+    for i, row in enumerate(rows):  # an object mostly stands still
+        poses[i] = poses[i - 1] if i and row == rows[i - 1] else from_row(row)
+    return poses
+
+
 def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
     """Interpolates between two poses [4, 4]: X_A at t = 0, X_B at t = 1, positions linearly."""
     a, b = to_quaternion(X_A), to_quaternion(X_B)

@@ -80,3 +80,7 @@ __all__ = [
     "virtual_linking_gradient",
     "visible_points",
 ]
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -18,3 +18,8 @@ KINDS = ("slide", "fingertip", "clasp", "carry", "chain")
 def part(room: str, kind: str) -> Any:
     """What a kind has in a room, imported when it is first asked for."""
     return importlib.import_module(f".{room}.{kind}", __package__)
+
+
+def plan_type(kind: str) -> Any:
+    """Returns the type of a kind's plans: slide.Plan, ..."""
+    return importlib.import_module(f".{kind}", __package__).Plan

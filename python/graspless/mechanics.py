@@ -163,3 +163,7 @@ def stability(
 
 def _for_each(value: ArrayLike, shape: tuple[int, ...]) -> ArrayLike:
     return np.full(shape, value) if np.ndim(value) == 0 else value
+
+
+def __dir__() -> list[str]:
+    return __all__

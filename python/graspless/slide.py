@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Slide a thin object to the edge of its support and grasp it there (Hang, Morgan, Dollar 2019)."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+from ._core import slide as _core
 from ._core.slide import (
     FingerModel,
     Hand,
     Object,
     Options,
-    Plan,
     Problem,
     Search,
     Segment,
@@ -17,11 +21,61 @@ from ._core.slide import (
     Turning,
     center_of_mass,
     check,
-    plan,
     turning,
     validate,
 )
+from ._named import equal_to_names
+from ._plan import AnyPlan
 from .collision import Obstacle
+
+if TYPE_CHECKING:
+    from . import tasks
+    from .planning import Budget
+
+    Task = tasks.Task[Problem, Options, "Plan"]
+
+equal_to_names(Status)
+
+
+class Plan(AnyPlan, _core.Plan):
+    """A slide and a grasp, or why not. False unless solved."""
+
+    kind: ClassVar[Literal["slide"]] = "slide"
+    _planner: ClassVar[Any] = _core
+
+    if TYPE_CHECKING:
+
+        @property
+        def task(self) -> Task: ...
+
+
+def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
+    """Plans approach, press, slide, lift, reach, grasp and close.
+
+    Algorithm 1 of Hang, Morgan and Dollar 2019 (Options.search: paper), or the same with goals
+    drawn to fit a start.
+
+    Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
+    KeyboardInterrupt, budget.stop() returns the best so far.
+
+    Parameters
+    ----------
+    problem : Problem
+    options : Options, optional
+        How to search.
+    budget : planning.Budget, optional
+        Time and randomness.
+
+    Raises
+    ------
+    ValueError
+        A bad problem or bad options; names the field, its value and what is allowed.
+    """
+    from .tasks import Task
+
+    task = Task.of(problem, options, budget)
+    return Plan._search(task, task.budget)
+
 
 __all__ = [
     "FingerModel",

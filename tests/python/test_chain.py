@@ -10,7 +10,7 @@ import pytest
 
 import graspless
 from graspless import _data, frames
-from graspless.plans.chain_state import begins, ends
+from graspless.chain.state import begins, ends
 from graspless.simulation import simulation_kind
 from graspless.tasks.chain import lying
 from tasks_common import fault, reread, run, without_clock
@@ -77,7 +77,7 @@ def test_lift_holds(lift):
     assert [stage.kind for stage in lift.stages] == ["slide", "carry"]
     assert lift.names == ["to the edge", "lift"]
     assert [s.name for s in lift.segments][-2:] == ["close", "carry"]
-    assert [join.how for join in lift.fields.joins] == ["held"]
+    assert [join.how for join in lift.joins] == ["held"]
 
 
 def test_lift_takes_the_object_up_and_nowhere_else(lift):
@@ -109,9 +109,9 @@ def test_stages_stand_alone(lift, tmp_path):
 
 
 def test_seeds_and_time_are_shared(lift):
-    assert [stage.fields.seed for stage in lift.stages] == [1, 2]
+    assert [stage.seed for stage in lift.stages] == [1, 2]
     assert [stage.task.budget.seconds for stage in lift.stages] == [20, 20]
-    assert lift.statistics["attempts"] == 1
+    assert lift.statistics.attempts == 1
 
 
 def test_same_seed_same_plan(lift, write):
@@ -132,7 +132,7 @@ def test_written_and_read_back(lift, tumble, tmp_path):
 def test_fingers_regrasp_between_stages(tumble):
     assert tumble, tumble.reason
     assert graspless.check(tumble) == []
-    assert [join.how for join in tumble.fields.joins] == ["regrasp"]
+    assert [join.how for join in tumble.joins] == ["regrasp"]
     first, second = tumble.stages
     assert np.abs(ends(first).X_WO - begins(second)[1]).max() < 1e-9
     # Tumbled by 90 degrees about -y... the block's z looks along x now.
@@ -161,7 +161,7 @@ def test_first_stage_that_is_not_found_ends_the_chain(write):
     assert not plan
     assert plan.status == "not_found"
     assert plan.reason.startswith("lift: the arm follows only ")
-    assert plan.statistics["attempts"] == 2
+    assert plan.statistics.attempts == 2
     assert [bool(stage) for stage in plan.stages] == [True, False]
     assert graspless.check(plan)[0].startswith("nothing to check")
 
@@ -382,25 +382,24 @@ def test_replay_shows_one_stage_after_the_other(lift, tmp_path):
         if m["type"] == "SetSceneNodeVisibilityMessage" and m["name"].count("/") == 1
     ]
     switched = [(name, visible) for at, name, visible in shown if at > 0]
-    assert ("/1 to the edge", False) in switched
-    assert ("/2 lift", True) in switched
+    assert ("/0 to the edge", False) in switched
+    assert ("/1 lift", True) in switched
 
 
 def test_picture_has_those_of_the_stages_below_each_other(lift, tmp_path, monkeypatch):
-    image = pytest.importorskip("PIL.Image")
-    import io
-
+    pytest.importorskip("matplotlib")
     from graspless import view
     from graspless.view import carry, slide
+    from graspless.view.figures import DPI, new_figure
     from tasks_common import read_png
 
     def drawing(width, height, color):
-        written = io.BytesIO()
-        image.new("RGB", (width, height), color).save(written, "png")
-        return lambda plan: written.getvalue()
+        page = new_figure(width / DPI, height / DPI)
+        page.set_facecolor(color)
+        return lambda plan: page
 
-    monkeypatch.setattr(slide, "draw", drawing(30, 20, (255, 0, 0)))
-    monkeypatch.setattr(carry, "draw", drawing(20, 10, (0, 0, 255)))
+    monkeypatch.setattr(slide, "draw", drawing(30, 20, (1, 0, 0)))
+    monkeypatch.setattr(carry, "draw", drawing(20, 10, (0, 0, 1)))
     view.write_png(lift, tmp_path / "plan.png")
     picture = read_png(tmp_path / "plan.png")[..., :3]
     assert picture.shape == (30, 30, 3)
@@ -416,7 +415,7 @@ def test_chain_without_a_stage_is_drawn_as_it_starts(write, tmp_path):
     from tasks_common import read_png
 
     plan = graspless.plan(write(LIFT), seconds=1e-9)
-    assert plan.stages == []
+    assert plan.stages == ()
     view.write_png(plan, tmp_path / "plan.png")
     assert read_png(tmp_path / "plan.png").std() > 0
     view.write_html(plan, tmp_path / "plan.html")
@@ -543,7 +542,7 @@ def tile():
 def test_arm_goes_on_with_what_the_fingertips_left(tile):
     assert tile, tile.reason
     assert graspless.check(tile) == []
-    assert [join.how for join in tile.fields.joins] == ["arm", "held"]
+    assert [join.how for join in tile.joins] == ["arm", "held"]
     first, second, _ = tile.stages
     q = first.joint_segments[-1].positions[-1]
     assert np.abs(q - second.segments[0].positions[0]).max() < 1e-9

@@ -80,7 +80,12 @@ def test_sample_objects():
         (lambda: clasp.validate(problem(loops=[3])), "loops"),
         (lambda: clasp.validate(problem(pull_W=[0, 0, 0])), "pull_W"),
         (lambda: clasp.validate(clasp.Options(min_linking=2)), "min_linking"),
-        (lambda: clasp.Segment("reach", np.zeros((2, 12)), np.zeros((3, 2))), "reach.*2 positions"),
+        (
+            lambda: clasp.Segment(
+                "reach", np.zeros((2, 12)), np.zeros((2, 4, 4)), np.zeros((3, 2))
+            ),
+            "reach.*2 positions",
+        ),
         (lambda: clasp.plan(problem(), clasp.Options(max_step=-1)), "max_step"),
         (lambda: clasp.test_stability(problem(), np.zeros(12), 7), "loop"),
         (lambda: clasp.test_stability(problem(), np.zeros(3), 0), r"q has shape \(3,\)"),
@@ -128,7 +133,9 @@ def test_plan_can_be_rebuilt(plan):
     made = clasp.Plan()
     assert not made
     made.status, made.joint_names = plan.status, plan.joint_names
-    made.segments = [clasp.Segment(s.name, s.positions, s.virtual_linking) for s in plan.segments]
+    made.segments = [
+        clasp.Segment(s.name, s.positions, s.object_poses, s.virtual_linking) for s in plan.segments
+    ]
     made.loop, made.target, made.min_linking = plan.loop, plan.target, plan.min_linking
     made.stability = plan.stability
     made.tree = clasp.Tree(plan.tree.p_W, plan.tree.parents, plan.tree.path)

@@ -55,6 +55,9 @@ def test_cloud_is_what_its_script_makes(tmp_path):
         ("04", "04_clutter"),
         ("02_kr5", "02_kr5"),
         ("clasp", "13_clasp_purse"),
+        ("fingertip", "06_push_block"),
+        ("carry", "24_carry_bar"),
+        ("chain", "19_slide_then_lift"),
     ],
 )
 def test_found_by_a_part_of_its_name(name, found):

@@ -18,10 +18,10 @@ from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
 import graspless
-from graspless import TaskError, cli, exports, frames
-from graspless.exports import ENDINGS, FORMATS
-from graspless.exports.fingers import contacts
-from graspless.exports.json_model import TrajectoryFile
+from graspless import TaskError, cli, formats, frames
+from graspless.formats import ENDINGS, FORMATS
+from graspless.formats.fingers import contacts
+from graspless.formats.json_model import TrajectoryFile
 from graspless.tasks import read_task
 from tasks_common import changed, edited
 from timing_common import planned
@@ -199,7 +199,7 @@ def test_an_ending_of_another_format_is_refused(tmp_path, to):
                 exported("slide", tmp_path / f"plan{ending.upper()}", to)
     assert not list(tmp_path.iterdir())
     for ending in (*ENDINGS[to], "", ".of_2026"):
-        exports._check_ending(f"plan{ending}", to)
+        formats._check_ending(f"plan{ending}", to)
 
 
 @pytest.mark.parametrize("to", FORMATS)
@@ -328,7 +328,7 @@ def test_nothing_is_minus_nothing(to):
     trajectory = graspless.time(planned("slide"), rate=RATE)
     zeros = dataclasses.replace(trajectory, velocities=np.full_like(trajectory.velocities, -0.0))
     assert np.signbit(zeros.velocities).all()
-    module = importlib.import_module(f"graspless.exports.{to}")
+    module = importlib.import_module(f"graspless.formats.{to}")
     assert not re.search(r"-0\.0(?![\de])", module.text(zeros))
 
 
@@ -337,8 +337,8 @@ def test_an_import_error_without_a_name(tmp_path, monkeypatch):
         raise ImportError("libzstd.so.1: cannot open shared object file")
 
     plan, export = planned("push"), graspless.export
-    monkeypatch.setattr("graspless.exports.importlib.import_module", broken)
-    with pytest.raises(TaskError, match=r"needs libzstd.so.1: cannot .*graspless\[ros\]"):
+    monkeypatch.setattr("graspless.formats.importlib.import_module", broken)
+    with pytest.raises(TaskError, match=r"needs libzstd.so.1: cannot .*\[ros\]"):
         export(plan, tmp_path / "a.mcap", "mcap")
 
 
@@ -502,7 +502,7 @@ def prism(outline, thickness):
 
 def test_mujoco_file_needs_no_other(tmp_path):
     """A robot with a mesh, and mimic joints where they follow to."""
-    from graspless.exports import mujoco_scene
+    from graspless.formats import mujoco_scene
 
     trimesh.creation.box((0.1, 0.2, 0.3)).export(tmp_path / "box.stl")
     spec = mujoco.MjSpec()

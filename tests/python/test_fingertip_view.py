@@ -138,11 +138,11 @@ def test_replay_shows_fingers_forces_and_walls(plan, tmp_path):
     messages = recording(text)["messages"]
     named = {message["name"] for _, message in messages if "name" in message}
     assert {"/object", "/floor", "/walls/behind", "/walls/beside", "/forces"} <= named
-    assert {"/fingers/1/position", "/fingers/1/force", "/fingers/2/free"} <= named
+    assert {"/fingers/0/position", "/fingers/0/force", "/fingers/1/free"} <= named
     last = last_positions(messages)
     goal = moments(plan)[-1]
     np.testing.assert_allclose(last["/object"], goal.X_WO[:3, 3], atol=2e-6)
-    np.testing.assert_allclose(last["/fingers/1"], goal.centers_W[0], atol=2e-6)
+    np.testing.assert_allclose(last["/fingers/0"], goal.centers_W[0], atol=2e-6)
 
 
 def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):

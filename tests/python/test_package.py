@@ -92,7 +92,7 @@ print(*sys.modules)
     modules = set(done.stdout.splitlines()[-1].split())
     assert "graspless.tasks.slide" in modules
     assert not modules & {
-        *("graspless.batches", "graspless.exports", "graspless.simulation", "graspless.timing"),
+        *("graspless.batches", "graspless.formats", "graspless.simulation", "graspless.timing"),
         *("graspless.tasks.clasp", "graspless.tasks.fingertip", "graspless.tasks.chain"),
         *("matplotlib", "mujoco", "scipy", "trimesh", "viser", "xacro"),
     }

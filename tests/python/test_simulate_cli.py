@@ -14,6 +14,7 @@ import pytest
 
 import graspless
 from graspless import _data, view
+from graspless.errors import install_command
 from graspless.simulation import Trial, simulation_kind
 from tasks_common import edited, run
 
@@ -131,6 +132,9 @@ def test_numbers_of_numpy_are_whole_too(plan_file, engine):
 def test_what_is_no_plan_is_told(what, given):
     name = "task" if what == "plan" else "plan"
     words = f"{name}: {given!r}: should be a graspless.{name.title()}, or the path of its file"
+    if name == "task":
+        words = words.replace(", or", ", a Problem, a dict, or")
+        words = "task: kind: missing; should be" if given == {} else words
     with pytest.raises(graspless.TaskError, match=re.escape(words)):
         getattr(graspless, what)(given)
 
@@ -184,7 +188,7 @@ def test_without_viser_a_replay_is_refused_before_the_work(
     ):
         code, out, err = run(capsys, *command)
         assert (code, out) == (2, "")
-        assert err == "needs viser to draw: pip install 'graspless[view]'\n"
+        assert err == f"needs viser to draw: {install_command('view')}\n"
     with pytest.raises(graspless.TaskError, match="needs viser"):
         view.write_html(graspless.load_plan(plan_file), page)
     assert not engine

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and replays: that something is on them, and that a replay needs nothing else."""
 
-import dataclasses
 import re
 import shutil
 import socket
@@ -14,7 +13,7 @@ import pytest
 
 import graspless
 from browser_common import served
-from graspless import TaskError, frames
+from graspless import Task, TaskError, frames
 from tasks_common import changed, last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
@@ -158,7 +157,8 @@ def test_visual_mesh_that_cannot_be_read_is_warned_of_once(plan, tmp_path, mesh,
     text = re.sub(r"<visual>.*?</visual>", visual, robot.urdf_text, count=1, flags=re.DOTALL)
     robot = robot.model_copy(update={"urdf_text": text, "directory": str(tmp_path)})
     fields = plan.task.fields.model_copy(update={"robot": robot})
-    task = dataclasses.replace(plan.task, fields=fields)
+    given = plan.task
+    task = Task(given.problem, given.options, given.budget, fields=fields)
     visuals._warned.clear()
     with pytest.warns(UserWarning, match=re.escape(why)) as caught:
         found = [bodies.robot(task) for _ in range(2)][0]

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import json
 import string
-import types
 from typing import TYPE_CHECKING
 
 from .. import machine
@@ -76,19 +75,11 @@ def write(result: Row, run: Run, directory: Path) -> None:
 
 
 def _draw(run: Run, directory: Path) -> None:
-    from graspless import plans, view
+    from graspless import fingertip, view
 
     for found in run.found:
         if found.row["case"] in PICTURES and found.row["engine"] == "fast" and found.plan:
-            core = found.plan
-            whole = types.SimpleNamespace(
-                plan=core,
-                realization=None,
-                statistics=core.statistics,
-                status=core.status,
-                reason=core.reason,
-            )
-            plan = plans.from_core(whole, found.task)
+            plan = fingertip.Plan._of(found.plan, found.task)
             view.write_png(plan, directory / f"fingertip_{found.row['case']}.png")
 
 

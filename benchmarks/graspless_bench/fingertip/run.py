@@ -10,6 +10,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from graspless import fingertip
+from graspless._core import fingertip as core  # the file's numbers are not wanted
 
 from .. import memory
 from .grid import PAPER_MINUTES, REFERENCE_COSTS
@@ -33,7 +34,7 @@ class Found:
 
     row: Row
     task: Task
-    plan: fingertip.Plan
+    plan: core.Plan
 
 
 @dataclasses.dataclass
@@ -111,20 +112,20 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
     return Found(row, task, plan)
 
 
-def _plan(task: Task) -> tuple[fingertip.Plan, str]:
+def _plan(task: Task) -> tuple[core.Plan, str]:
     """The plan and its status: too_large where the search would need more memory than it may."""
     try:
-        plan = fingertip.plan(task.problem, task.options, task.budget)
+        plan = core.plan(task.problem, task.options, task.budget)
     except ValueError as error:
         if "max_memory" not in str(error):
             raise
-        plan = fingertip.Plan()
+        plan = core.Plan()
         plan.reason = str(error)
         return plan, "too_large"
     return plan, plan.status.name
 
 
-def _of_plan(plan: fingertip.Plan) -> dict[str, Any]:
+def _of_plan(plan: core.Plan) -> dict[str, Any]:
     if not plan:
         return {"cost": None, "lower_bound": None, "regrasps": None, "weakest": None}
     weakest = plan.segments[plan.weakest_segment].rows[plan.weakest_row]
@@ -138,7 +139,7 @@ def _of_plan(plan: fingertip.Plan) -> dict[str, Any]:
     }
 
 
-def _grip(segment: fingertip.Segment) -> list[str]:
+def _grip(segment: core.Segment) -> list[str]:
     """Which face each finger is on and how it is controlled: -z means that it presses down."""
     places = []
     for finger in segment.rows[0].fingers:

@@ -15,7 +15,7 @@ from graspless.kinds import part
 from graspless.tasks.digest import digest
 
 if TYPE_CHECKING:
-    from graspless.plans import Plan
+    from graspless._plan import Plan
     from graspless.simulation import Trial
 
     from ..machine import Row
@@ -63,14 +63,14 @@ def measure(query: Query) -> Row:
 
 
 def _measure(query: Query) -> Row:
-    from graspless import plans
+    from graspless import _api
     from graspless.tasks import task_from_dict
 
-    plan: Any = plans.plan(task_from_dict(query.document, query.name))
-    faults = plans.check(plan) if plan else []
+    plan: Any = _api.plan(task_from_dict(query.document, query.name))
+    faults = _api.check(plan) if plan else []
     row = {
-        **unknown(query, plan.status, plan.reason),
-        "plan_seconds": _figure(plan.statistics.get("seconds", 0.0)),
+        **unknown(query, str(plan.status), plan.reason),
+        "plan_seconds": _figure(plan.statistics.seconds),
         "faults": faults[:3],
         "warnings": list(plan.warnings),
     }

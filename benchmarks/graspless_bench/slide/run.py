@@ -11,6 +11,7 @@ import time
 from typing import TYPE_CHECKING
 
 from graspless import slide
+from graspless._core import slide as core  # the file's numbers are not wanted
 
 from .. import _peers, memory
 
@@ -53,7 +54,7 @@ class Run:
 class _Pending:
     outcome: Outcome
     problem: slide.Problem
-    plan: slide.Plan | None
+    plan: core.Plan | None
 
 
 def run(
@@ -116,10 +117,10 @@ def _query(trial: Trial, seconds: float, result: Run) -> _Pending:
 
 def _prepare(
     trial: Trial, problem: slide.Problem, options: slide.Options
-) -> Callable[[Budget], tuple[slide.Plan | None, float | None]]:
+) -> Callable[[Budget], tuple[core.Plan | None, float | None]]:
     """What answers the trial: (plan, seconds of its own if not all of the call's)."""
     if trial.method in ("fast", "paper"):
-        return lambda budget: (slide.plan(problem, options, budget), None)
+        return lambda budget: (core.plan(problem, options, budget), None)
     draw = _peers.PairDraw[trial.pairs]
     pair = _peers.PairProblem(problem, options, draw, trial.start.draw_seed())
     if not pair.has_pair:

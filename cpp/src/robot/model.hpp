@@ -32,6 +32,8 @@ struct Link {
 };
 
 struct Robot::Model {
+  std::string urdf;  // as it was read
+  Robot::Options options;
   std::string name;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::vector<Link> links;  // depth first, so that a parent comes before its children

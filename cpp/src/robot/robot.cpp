@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/robot/source.hpp"
+
 #include "robot/model.hpp"
 #include "robot/names.hpp"
 
@@ -69,6 +71,8 @@ Robot Robot::from_urdf(const std::string& xml, const Options& options) {
     throw std::invalid_argument("X_WB must be finite");
   }
   auto model = std::make_shared<Model>(read_urdf(xml, options));
+  model->urdf = xml;
+  model->options = options;
   model->ignored_pairs = neighbours(*model);
   model->reach = reach_bounds(*model);
   if (!options.srdf.empty()) read_srdf(options.srdf, *model);
@@ -199,6 +203,10 @@ bool Robot::is_within(const VectorXd& q, double tolerance) const {
   return (q.array() >= model_->lower.array() - tolerance).all() &&
          (q.array() <= model_->upper.array() + tolerance).all();
 }
+
+const std::string& urdf_of(const Robot& robot) { return robot.model().urdf; }
+
+const Robot::Options& options_of(const Robot& robot) { return robot.model().options; }
 
 void require_configuration(const Robot& robot, const VectorXd& q, const std::string& field) {
   if (q.size() != robot.dof()) {

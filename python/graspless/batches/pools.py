@@ -13,7 +13,7 @@ import time
 from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from ..errors import TaskError
+from ..errors import TaskError, missing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -68,8 +68,8 @@ class Processes:
     def __init__(self, jobs: int) -> None:
         try:
             from joblib.externals.loky import process_executor
-        except ImportError:
-            raise TaskError("needs joblib: pip install 'graspless[batch]'") from None
+        except ImportError as error:
+            raise missing(error, "batch") from None
         self.workers = jobs
         self.capacity = 2 * jobs
         self.crashes: Crashes = (process_executor.BrokenProcessPool,)
@@ -103,8 +103,8 @@ class Cluster:
         try:
             import distributed
             from distributed.scheduler import KilledWorker
-        except ImportError:
-            raise TaskError("needs distributed: pip install 'graspless[cluster]'") from None
+        except ImportError as error:
+            raise missing(error, "cluster") from None
         self.crashes: Crashes = (KilledWorker,)
         if not re.fullmatch(ADDRESS, str(address)):
             raise TaskError(f"dask: {address}: should be an address like tcp://host:8786")

@@ -149,7 +149,7 @@ def is_row(row: Row) -> bool:
 
 
 def _carry_out(job: Job) -> Outcome:
-    from .. import plans
+    from .. import _api
 
     task = _read(job)
     digest = hash_of(task)
@@ -157,10 +157,10 @@ def _carry_out(job: Job) -> Outcome:
         return Outcome(job.name)
     if job.patience is not None:
         _watch(job.patience + task.budget.seconds)
-    plan = plans.plan(task)
-    faults = plans.check(plan) if plan else []
-    row = _row(job, digest, plan.status, plan.reason) | {
-        "seconds": float(plan.statistics.get("seconds", 0.0)),
+    plan = _api.plan(task)
+    faults = _api.check(plan) if plan else []
+    row = _row(job, digest, str(plan.status), plan.reason) | {
+        "seconds": float(plan.statistics.seconds),
         "seed": task.seed,
         "plan": plan_file(job.name),
         "holds": bool(plan) and not faults,

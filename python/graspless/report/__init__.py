@@ -12,7 +12,7 @@ import numpy as np
 from ..kinds import part
 
 if TYPE_CHECKING:
-    from ..plans import Plan
+    from .._plan import Plan
 
 
 MOST = 5  # faults printed per segment
@@ -44,10 +44,10 @@ def as_dict(plan: Plan) -> dict[str, Any]:
         Status, reason, seed, statistics, and a summary of each segment.
     """
     return {
-        "status": plan.status,
+        "status": str(plan.status),
         "reason": plan.reason,
-        "seed": plan.fields.seed,
-        "stats": plan.statistics,
+        "seed": plan.seed,
+        "stats": plan.statistics.as_dict(),
         **_kind(plan).details(plan),
     }
 
@@ -64,8 +64,8 @@ def as_text(plan: Plan) -> str:
     str
         Status, segments, measures of quality, and the counters of the search.
     """
-    stats = plan.statistics
-    lines = [f"{plan.status} in {_duration(stats.get('seconds', 0))}, seed {plan.fields.seed}"]
+    stats = plan.statistics.as_dict()
+    lines = [f"{plan.status} in {_duration(stats.get('seconds', 0))}, seed {plan.seed}"]
     if plan:
         lines += [f"  {line}" for line in _kind(plan).lines(plan)]
     else:
@@ -119,7 +119,7 @@ def least_seconds(plan: Plan, segment: Any) -> float | None:
 
 def refused(plan: Plan) -> list[str]:
     """Returns lines that count the reasons of rejected candidates, the most frequent first."""
-    refusals = plan.statistics.get("refusals", {})
+    refusals = plan.statistics.as_dict().get("refusals", {})
     if not refusals:
         return []
     width = max(map(len, refusals))

@@ -11,7 +11,7 @@ import numpy as np
 from . import least_seconds, refused, segment_line
 
 if TYPE_CHECKING:
-    from ..plans.carry import Plan
+    from ..carry import Plan
 
 
 def details(plan: Plan) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from . import as_dict, as_text
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ..plans.chain import Plan
+    from ..chain import Plan
 
 
 def details(plan: Plan) -> dict[str, Any]:
@@ -20,7 +20,7 @@ def details(plan: Plan) -> dict[str, Any]:
     return {
         "stages": [{"name": name, "kind": stage.kind} | as_dict(stage) for name, stage in named],
         "segments": [
-            {"name": s.name, "stage": s.stage, "segment": s.segment} for s in plan.fields.segments
+            {"name": s.name, "stage": s.stage, "segment": s.segment} for s in plan.contents
         ],
     }
 

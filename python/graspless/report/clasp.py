@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..clasp import Status
 from . import count, refused, segment_line
 from .loops import betti_line, loop_line
 
 if TYPE_CHECKING:
-    from ..plans.clasp import Plan
+    from ..clasp import Plan
 
 
 def details(plan: Plan) -> dict[str, Any]:
@@ -21,12 +22,12 @@ def details(plan: Plan) -> dict[str, Any]:
     return {
         "loop": plan.loop,
         "loops": len(plan.task.problem.object.loops.loops),
-        "target": None if plan.target is None else plan.target.model_dump(),
+        "target": _target(plan),
         "min_linking": plan.min_linking,
         "virtual_linking": ends,
-        "stability": None if plan.stability is None else plan.stability.model_dump(),
+        "stability": _stability(plan),
         "path_nodes": len(plan.tree.path),
-        "warnings": plan.warnings,
+        "warnings": list(plan.warnings),
         "segments": [{"name": s.name, "rows": len(s)} for s in plan.segments],
     }
 
@@ -53,10 +54,23 @@ def lines(plan: Plan) -> list[str]:
 
 def lines_not_found(plan: Plan) -> list[str]:
     """Returns why targets, connections and clasps failed; without a hole, the Betti curve."""
-    if plan.status == "no_reliable_hole":
+    if plan.status is Status.no_reliable_hole:
         loops = plan.task.problem.object.loops
         return [f"warning: {warning}" for warning in loops.warnings] + betti_line(loops)
     return [f"warning: {warning}" for warning in plan.warnings] + refused(plan)
+
+
+def _target(plan: Plan) -> dict[str, list[float]] | None:
+    target = plan.target
+    if target is None:
+        return None
+    return {"point": target.point.tolist(), "tangent": target.tangent.tolist()}
+
+
+def _stability(plan: Plan) -> dict[str, Any] | None:
+    names = ("secure", "escapes", "margin", "checks")
+    found = plan.stability
+    return None if found is None else {name: getattr(found, name) for name in names}
 
 
 def _ends(plan: Plan) -> dict[str, float]:

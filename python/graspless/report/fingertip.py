@@ -11,7 +11,7 @@ import numpy as np
 from . import count
 
 if TYPE_CHECKING:
-    from ..plans.fingertip import JointSegment, Plan, Segment
+    from ..fingertip import JointSegment, Plan, Segment
 
 UNITS = {"fingers.max_normal_force": " N", "min_stability": " N"}
 
@@ -24,9 +24,9 @@ def details(plan: Plan) -> dict[str, Any]:
         "lower_bound": plan.lower_bound,
         "regrasps": plan.regrasps,
         "weakest": None if weakest is None else {"segment": weakest[0], "row": weakest[1]},
-        "warnings": plan.warnings,
+        "warnings": list(plan.warnings),
         "limit": plan.limit,
-        "relaxations": [r.model_dump() for r in plan.fields.relaxations],
+        "relaxations": [{"field": r.field, "value": r.value} for r in plan.relaxations],
         "segments": [
             {
                 "name": s.name,
@@ -73,7 +73,7 @@ def lines_not_found(plan: Plan) -> list[str]:
     found = [f"limiting condition: {plan.limit}"] if plan.limit else []
     return found + [
         f"one change that would suffice: {r.field} {r.value:.4g}{UNITS.get(r.field, '')}"
-        for r in plan.fields.relaxations
+        for r in plan.relaxations
     ]
 
 
@@ -81,9 +81,7 @@ def _segment_line(segment: Segment) -> str:
     number, _, rows = count(len(segment), "rows").partition(" ")
     head = f"{segment.name:10}{number:>5} {rows:5}"
     if segment.name == "regrasp":
-        return (
-            f"{head} finger {segment.finger + 1} moves, withstands {segment.stability.min():.3g} N"
-        )
+        return f"{head} finger {segment.finger} moves, withstands {segment.stability.min():.3g} N"
     return f"{head} {_moved(segment)}, withstands {_range(segment.stability)} N, {_modes(segment)}"
 
 
@@ -124,7 +122,7 @@ def _name(segment: Segment) -> str:
 
 
 def _place(k: int, row: int, segment: Segment) -> str:
-    return f"row {row} of segment {k + 1}, {_name(segment)}"
+    return f"row {row} of segment {k}, {_name(segment)}"
 
 
 def _cost(plan: Plan) -> str:

@@ -12,14 +12,14 @@ import numpy as np
 from . import least_seconds, refused, segment_line
 
 if TYPE_CHECKING:
-    from ..plans.slide import Plan
+    from ..slide import Plan
 
 
 def details(plan: Plan) -> dict[str, Any]:
     """Returns the fields of `--json` that only this kind has."""
     return {
         "overhang": plan.overhang if plan else None,
-        "warnings": plan.warnings,
+        "warnings": list(plan.warnings),
         "segments": [
             {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
             for s in plan.segments

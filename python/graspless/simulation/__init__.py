@@ -12,9 +12,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from .._arguments import require_integer
-from ..errors import TaskError
+from ..errors import TaskError, install_command, missing
 from ..kinds import part
-from ..plans import as_plan
+from ..plan_files import as_plan
 from .results import Recording, Simulation, Trial
 from .variation import Variation, variations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from ..plans import Plan
+    from .._plan import Plan
     from .settings import Spread
 
 OLDEST = 4  # tested major version of MuJoCo; early 3.3 lacks parts of MjSpec
@@ -105,7 +105,7 @@ def simulation_kind(name: str) -> SimulationKind:
                 f"a {name} is not simulated alone: plan a chain of a slide and what is carried "
                 "after it, and simulate that plan"
             ) from None
-        raise TaskError(f"needs {error.name or error}: pip install 'graspless[sim]'") from None
+        raise missing(error, "sim") from None
     return kind
 
 
@@ -116,7 +116,7 @@ def require_mujoco() -> None:
     version = str(mujoco.__version__)
     if int(version.partition(".")[0]) < OLDEST:
         raise TaskError(
-            f"needs mujoco>={OLDEST}.0, {version} is installed: pip install 'graspless[sim]'"
+            f"needs mujoco>={OLDEST}.0, {version} is installed: {install_command('sim')}"
         )
 
 

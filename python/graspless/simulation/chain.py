@@ -24,9 +24,11 @@ from .slide import run as run_slide
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, stretch
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .._plan import Plan as AnyPlan
+    from ..chain import Plan
     from ..frames import Matrix
-    from ..plans import Plan as AnyPlan
-    from ..plans.chain import Plan
     from .results import Recording
     from .variation import Variation
 
@@ -122,7 +124,7 @@ class _Carried(Execution):
         self.measures["kept"] = float(phase == HOLD and "dropped" not in self.judge.failures)
 
 
-def obstacles_of(stages: list[Any]) -> list[Any]:
+def obstacles_of(stages: Sequence[Any]) -> list[Any]:
     """Returns the obstacles of all stages, each once, without the support, which is the table."""
     found: list[Any] = []
     known: list[Any] = []
@@ -136,7 +138,7 @@ def obstacles_of(stages: list[Any]) -> list[Any]:
     return found
 
 
-def with_carries(program: Program, carries: list[AnyPlan], timestep: float) -> Program:
+def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) -> Program:
     """Returns the program of a slide with its lift replaced by the motions of carries.
 
     Parameters

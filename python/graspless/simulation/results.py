@@ -14,8 +14,8 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from .._plan import Plan
     from ..frames import Matrix
-    from ..plans import Plan
     from .variation import Variation
 
 

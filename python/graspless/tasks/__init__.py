@@ -4,10 +4,12 @@
 
 from __future__ import annotations
 
+import importlib
 import json
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Generic, Literal, Protocol, overload
+
+from typing_extensions import TypeVar
 
 from ..errors import TaskError
 from ..kinds import KINDS, part
@@ -17,7 +19,8 @@ from .source import Source, parse_yaml, read_text
 if TYPE_CHECKING:
     import pydantic
 
-    from .. import planning
+    from .. import carry, chain, clasp, fingertip, planning, slide
+    from .._plan import Plan
 
 
 class TaskKind(Protocol):
@@ -49,43 +52,97 @@ class TaskKind(Protocol):
         """Fields with every value that was in force, so that a later default cannot change it."""
 
 
-@dataclass(frozen=True)
-class Task:
-    """A task file that was read, with all that it names.
+ProblemT = TypeVar("ProblemT", default=Any)
+OptionsT = TypeVar("OptionsT", default=Any)
+PlanT = TypeVar("PlanT", default=Any)
+
+
+class Task(Generic[ProblemT, OptionsT, PlanT]):
+    """A problem with options and budget: read from a task file, or made of a problem by `Task.of`.
+
+    Immutable. Two tasks are equal if their files are, and they may be pickled; both need a problem
+    that a task file can state.
 
     Attributes
     ----------
-    fields : SlideTask, FingertipTask, ClaspTask, CarryTask or ChainTask
-        The whole task; no file but meshes is needed beside it.
     problem : slide.Problem, fingertip.Problem, clasp.Problem, carry.Problem or chain.Problem
         What is given.
-    options : slide.Options, fingertip.Options, clasp.Options, carry.Options or chain.model.Options
+    options : slide.Options, fingertip.Options, clasp.Options, carry.Options or chain.Options
         How to search.
     budget : planning.Budget
         Time and randomness.
     arm : tasks.fingertip.Arm or None
-        Of a fingertip task with a robot.
+        Robot of a fingertip task.
     """
 
-    fields: Any
-    problem: Any
-    arm: Any
-    options: Any
-    budget: planning.Budget
-    source: Source
+    def __init__(
+        self,
+        problem: ProblemT,
+        options: OptionsT,
+        budget: planning.Budget,
+        *,
+        arm: Any = None,
+        fields: Any = None,
+        source: Source | None = None,
+    ) -> None:
+        self.problem, self.options, self.budget, self.arm = problem, options, budget, arm
+        self.source = source or Source("task", {})
+        self._fields = fields
+
+    @classmethod
+    def of(
+        cls,
+        problem: ProblemT,
+        options: OptionsT | None = None,
+        budget: planning.Budget | None = None,
+        *,
+        arm: Any = None,
+    ) -> Task[ProblemT, OptionsT, Any]:
+        """Returns the task of a problem that was made in Python.
+
+        Parameters
+        ----------
+        problem : slide.Problem, fingertip.Problem, clasp.Problem or carry.Problem
+        options : slide.Options, ..., optional
+            How to search.
+        budget : planning.Budget, optional
+            Time and randomness.
+        arm : tasks.fingertip.Arm, optional
+            Robot that carries the fingertips.
+        """
+        from .. import planning
+
+        module = importlib.import_module(f"..{problem_kind(problem)}", __package__)
+        options = module.Options() if options is None else options
+        return cls(problem, options, planning.Budget() if budget is None else budget, arm=arm)
 
     @property
     def kind(self) -> str:
-        """Which planner it is for: slide, fingertip, clasp or carry; chain: several."""
-        return str(self.fields.kind)
+        """Planner that it is for: slide, fingertip, clasp or carry; chain: several."""
+        return problem_kind(self.problem)
 
     @property
     def seed(self) -> int:
-        """Of all randomness."""
+        """Seed of all randomness."""
         return int(self.budget.seed)
 
+    @property
+    def fields(self) -> Any:
+        """The whole task as its file has it; no file but meshes is needed beside it.
+
+        Raises
+        ------
+        TaskError
+            No task file can state the problem.
+        """
+        if self._fields is None:
+            from .statement import stated
+
+            self._fields = stated(self)
+        return self._fields
+
     def to_dict(self) -> dict[str, Any]:
-        """The task as it stands in a plan file: whole, in plain types."""
+        """Returns the task as it stands in a plan file: whole, in plain types."""
         document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
         return document
 
@@ -96,13 +153,18 @@ class Task:
         seconds: float | None = None,
         iterations: int | None = None,
         seed: int | None = None,
-    ) -> Task:
-        """The same task, searched otherwise; what is None stays."""
+    ) -> Task[ProblemT, OptionsT, PlanT]:
+        """Returns the same task, searched otherwise; what is None stays."""
         if (search, seconds, iterations, seed) == (None, None, None, None):
             return self
-        document = self.to_dict()
         changes = {"seconds": seconds, "iterations": iterations, "seed": seed}
         budget = {key: value for key, value in changes.items() if value is not None}
+        if self._fields is None and search is None:
+            from .budget import with_budget
+
+            changed = with_budget(self.budget, budget)
+            return type(self)(self.problem, self.options, changed, arm=self.arm)
+        document = self.to_dict()
         document["budget"] = document.get("budget", {}) | budget
         if search is not None:
             document["options"] = document.get("options", {}) | {"search": search}
@@ -110,21 +172,75 @@ class Task:
         fields = source.validate(type(self.fields))
         return _with_search(fields, (self.problem, self.arm), self.source)
 
+    def __repr__(self) -> str:
+        name = getattr(getattr(self.problem, "object", None), "name", "")
+        stages = getattr(self.problem, "stages", None)
+        what = f"{len(stages)} stages" if stages else f"'{name}'"
+        return f"<{self.kind} task, {what}, {self.budget.seconds:g} s, seed {self.seed}>"
 
-def load_task(path: str | Path) -> Task:
+    def __eq__(self, other: object) -> bool:
+        if self is other or not isinstance(other, Task):
+            return self is other
+        return self.to_dict() == other.to_dict()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Task[ProblemT, OptionsT, PlanT]:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Task[ProblemT, OptionsT, PlanT]:
+        return self
+
+    def __reduce__(self) -> Any:
+        return task_from_dict, (self.to_dict(), "pickled task")
+
+
+def problem_kind(problem: Any) -> str:
+    """Returns the kind of a Problem; raises TaskError where it is none."""
+    room = type(problem).__module__.removeprefix("graspless.").removeprefix("_core.")
+    kind = room.removeprefix("tasks.")
+    if kind not in KINDS:
+        raise TaskError(f"problem: {problem!r}: should be a Problem of a planner")
+    return kind
+
+
+def is_problem(value: Any) -> bool:
+    """True of the Problem of a planner."""
+    return type(value).__name__ == "Problem" and type(value).__module__.startswith("graspless.")
+
+
+@overload
+def load_task(path: str | Path, kind: Literal["slide"]) -> slide.Task: ...
+@overload
+def load_task(path: str | Path, kind: Literal["fingertip"]) -> fingertip.Task: ...
+@overload
+def load_task(path: str | Path, kind: Literal["clasp"]) -> clasp.Task: ...
+@overload
+def load_task(path: str | Path, kind: Literal["carry"]) -> carry.Task: ...
+@overload
+def load_task(path: str | Path, kind: Literal["chain"]) -> chain.Task: ...
+@overload
+def load_task(path: str | Path, kind: None = None) -> Task[Any, Any, Plan]: ...
+def load_task(path: str | Path, kind: str | None = None) -> Any:
     """Reads a task file and everything that it names.
 
     Parameters
     ----------
     path : str or Path
         A YAML file, see docs/task-files.md. Paths in it are relative to it.
+    kind : str, optional
+        Kind that the task must have: slide, fingertip, clasp, carry or chain. Type checkers then
+        know the type of its plan.
 
     Raises
     ------
     TaskError
         A ValueError whose lines read ``file:line: field: value: what it may be``.
     """
-    return read_task(read_text(path), str(path), Path(path).resolve().parent)
+    task = read_task(read_text(path), str(path), Path(path).resolve().parent)
+    if kind is not None and task.kind != kind:
+        raise task.source.error(("kind",), f"should be '{kind}'")
+    return task
 
 
 def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
@@ -148,8 +264,8 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
     return build_task(fields, source, other)
 
 
-def task_from_dict(document: Any, file: str) -> Task:
-    """The task that stands in a plan file.
+def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
+    """The task of a document in plain types.
 
     Parameters
     ----------
@@ -157,10 +273,15 @@ def task_from_dict(document: Any, file: str) -> Task:
         As `Task.to_dict` gives it.
     file : str
         For errors.
+    resolve : bool
+        Whether it may name files as a task file does, relative to the working folder.
     """
     source = Source(file, document)
     kind = task_kind(source)
     fields = source.validate(kind.Fields)
+    if resolve and not fields.files:
+        fields, other = kind.resolve(fields, source, Path.cwd())
+        return build_task(fields, source, other)
     kind.require_resolved(fields, source)
     check_files(fields.files, source)
     return build_task(fields, source, source)
@@ -210,13 +331,14 @@ def _is_plan(text: str) -> bool:
 
 def _with_search(fields: Any, built: tuple[Any, Any], source: Source) -> Task:
     from .budget import build_budget
-    from .force import in_force
+    from .effective_values import in_force
 
     problem, arm = built
     kind: TaskKind = part("tasks", fields.kind)
     options, budget = kind.options(fields, problem, source), build_budget(fields.budget, source)
     update = kind.in_force(fields, problem, options) | {"budget": in_force(fields.budget, budget)}
-    return Task(fields.model_copy(update=update), problem, arm, options, budget, source)
+    fields = fields.model_copy(update=update)
+    return Task(problem, options, budget, arm=arm, fields=fields, source=source)
 
 
 __all__ = ["Task", "TaskError", "load_task", "read_task", "task_from_dict"]

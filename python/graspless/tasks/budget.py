@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
@@ -24,7 +24,22 @@ class Budget(Fields):
 
 
 def build_budget(budget: Budget, source: Source) -> planning.Budget:
+    with at(source, "budget"):
+        built: planning.Budget = _planning().Budget(**budget.model_dump(exclude_none=True))
+    return built
+
+
+def _planning() -> Any:
     from .. import planning
 
+    return planning
+
+
+def with_budget(budget: planning.Budget, changes: dict[str, Any]) -> planning.Budget:
+    """Returns a budget with other seconds, iterations or seed."""
+    source = Source("budget", {"budget": changes})
+    validated = Source("budget", changes).validate(Budget).model_dump(exclude_none=True)
+    given = {name: getattr(budget, name) for name in Budget.model_fields} | validated
     with at(source, "budget"):
-        return planning.Budget(**budget.model_dump(exclude_none=True))
+        built: planning.Budget = _planning().Budget(**given)
+    return built

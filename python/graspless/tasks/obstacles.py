@@ -11,15 +11,16 @@ import numpy as np
 from pydantic import AfterValidator
 
 from .. import geometry
-from .shapes import Obstacle, pose_matrix, regular_polygon
+from .shapes import MeshFile, Obstacle, Shape, pose_matrix, regular_polygon
 from .source import Source, at
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from ..frames import Matrix
+    from .source import Location
 
-    Shape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
+    AnyShape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
 
 
 def _with_own_names(obstacles: list[Obstacle]) -> list[Obstacle]:
@@ -41,7 +42,8 @@ def resolve_obstacles(
 
 def obstacle_meshes(obstacles: Sequence[Obstacle]) -> set[Path]:
     """The mesh files that resolved obstacles read."""
-    return {Path(obstacle.mesh.file) for obstacle in obstacles if obstacle.mesh}
+    shapes = [shape for body in obstacles for shape in (body, *(body.parts or ()))]
+    return {Path(shape.mesh.file) for shape in shapes if shape.mesh}
 
 
 def placed_obstacles(
@@ -50,34 +52,57 @@ def placed_obstacles(
     """Name, shapes in the body's frame B, and X_WB of each."""
     for i, obstacle in enumerate(obstacles):
         with at(source, "obstacles", i):
-            placed = geometry.PlacedShape(_shape(obstacle), np.eye(4))
-        yield obstacle.name, [placed], pose_matrix(obstacle.pose)
+            placed = placed_parts(obstacle.parts or [obstacle], alone=not obstacle.parts)
+        yield obstacle.name, placed, pose_matrix(obstacle.pose)
+
+
+def placed_parts(parts: Sequence[Shape], alone: bool = False) -> list[geometry.PlacedShape]:
+    """The parts of a body in its frame; of a body that is its only part, `alone`, at the origin."""
+    return [
+        geometry.PlacedShape(_shape(part), np.eye(4) if alone else pose_matrix(part.pose))
+        for part in parts
+    ]
 
 
 def _resolved(obstacle: Obstacle, source: Source, index: int, directory: Path) -> Obstacle:
-    if obstacle.mesh is None:
-        return obstacle
-    path = directory / obstacle.mesh.file
+    place = ("obstacles", index)
+    update: dict[str, object] = {"mesh": _mesh(obstacle, source, place, directory)}
+    if obstacle.parts is not None:
+        update["parts"] = [
+            part.model_copy(update={"mesh": _mesh(part, source, (*place, "parts", k), directory)})
+            for k, part in enumerate(obstacle.parts)
+        ]
+    return obstacle.model_copy(update=update)
+
+
+def _mesh(shape: Shape, source: Source, place: Location, directory: Path) -> MeshFile | None:
+    """The shape's mesh file by its absolute path."""
+    if shape.mesh is None:
+        return None
+    path = directory / shape.mesh.file
     if not path.is_file():
-        raise source.error(("obstacles", index, "mesh", "file"), "no such file")
-    mesh = obstacle.mesh.model_copy(update={"file": str(path.resolve())})
-    return obstacle.model_copy(update={"mesh": mesh})
+        raise source.error((*place, "mesh", "file"), "no such file")
+    return shape.mesh.model_copy(update={"file": str(path.resolve())})
 
 
-def _shape(obstacle: Obstacle) -> Shape:
-    if obstacle.box is not None:
-        return geometry.Box(np.array(obstacle.box))
-    if obstacle.sphere is not None:
-        return geometry.Sphere(obstacle.sphere.radius)
-    if obstacle.capsule is not None:
-        return geometry.Capsule(obstacle.capsule.radius, obstacle.capsule.length)
-    if obstacle.cylinder is not None:
-        rod = obstacle.cylinder
+def _shape(shape: Shape) -> AnyShape:
+    if shape.box is not None:
+        return geometry.Box(np.array(shape.box))
+    if shape.sphere is not None:
+        return geometry.Sphere(shape.sphere.radius)
+    if shape.capsule is not None:
+        return geometry.Capsule(shape.capsule.radius, shape.capsule.length)
+    if shape.convex is not None:
+        return geometry.Convex(np.array(shape.convex))
+    if shape.vertices is not None:
+        return geometry.Mesh(np.array(shape.vertices), np.array(shape.triangles))
+    if shape.cylinder is not None:
+        rod = shape.cylinder
         # A prism that holds the cylinder: FCL's own cylinders have open faults.
         ring = regular_polygon(rod.radius / np.cos(np.pi / 24), 24)
         heights = (-rod.length / 2, rod.length / 2)
         return geometry.Convex(
             np.concatenate([np.column_stack([ring, np.full(24, z)]) for z in heights])
         )
-    assert obstacle.mesh is not None
-    return geometry.read_mesh(obstacle.mesh.file, np.array(obstacle.mesh.scale))
+    assert shape.mesh is not None
+    return geometry.read_mesh(shape.mesh.file, np.array(shape.mesh.scale))

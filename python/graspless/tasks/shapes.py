@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
@@ -19,6 +19,7 @@ Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
 Point2 = Annotated[list[float], Field(min_length=2, max_length=2)]
 Point3 = Annotated[list[float], Field(min_length=3, max_length=3)]
+Triangle = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=3, max_length=3)]
 Points2 = Annotated[list[Point2], Field(min_length=3)]
 Size2 = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Size3 = Annotated[list[Positive], Field(min_length=3, max_length=3)]
@@ -113,21 +114,59 @@ class MeshFile(Fields):
     scale: Scale3 = Field(default=[1.0, 1.0, 1.0], description="a number, or one an axis")
 
 
-class Obstacle(Fields):
-    """Something that stands in the way of the arm and of the sliding object."""
+class Named(Fields):
+    """Something with a name."""
 
     name: str
+
+
+class Shape(Fields):
+    """One shape, at a pose."""
+
     box: Size3 | None = Field(default=None, description="side lengths [m]")
     sphere: Sphere | None = None
     capsule: Rod | None = None
     cylinder: Rod | None = None
     mesh: MeshFile | None = None
-    pose: Pose = Field(default=Pose.model_construct(), description="in the world")
+    pose: Pose = Field(
+        default=Pose.model_construct(), description="in the world; of a part in its body's frame"
+    )
+    convex: Annotated[list[Point3], Field(min_length=4)] | None = Field(
+        default=None, description="instead: convex hull of these points [m]"
+    )
+    vertices: Annotated[list[Point3], Field(min_length=3)] | None = Field(
+        default=None, description="instead: of a mesh [m]"
+    )
+    triangles: list[Triangle] | None = Field(
+        default=None, description="of that mesh: three vertices each, from 0"
+    )
 
     @model_validator(mode="after")
-    def _check(self) -> Obstacle:
-        self.one_of("box", "sphere", "capsule", "cylinder", "mesh")
+    def _check(self) -> Shape:
+        self.one_of(*self.CHOICES)
+        if (self.vertices is None) != (self.triangles is None):
+            raise ValueError("vertices and triangles must be given together")
         return self
+
+    CHOICES: ClassVar[tuple[str, ...]] = (
+        "box",
+        "sphere",
+        "capsule",
+        "cylinder",
+        "mesh",
+        "convex",
+        "vertices",
+    )
+
+
+class Obstacle(Shape, Named):
+    """Something that stands in the way of the arm and of the sliding object."""
+
+    parts: Annotated[list[Shape], Field(min_length=1)] | None = Field(
+        default=None, description="instead: several shapes, in the obstacle's frame"
+    )
+
+    CHOICES: ClassVar[tuple[str, ...]] = (*Shape.CHOICES, "parts")
 
 
 def regular_polygon(radius: float, n: int) -> Matrix:

@@ -6,16 +6,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from ..errors import TaskError
+from ..errors import TaskError, missing
 from ..kinds import part
-from ..plans import as_plan
+from ..plan_files import as_plan
 from .rates import Rate
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from ..plans import Plan
+    from .._plan import Plan
     from ..robot import Robot
     from .settings import PerJoint, Settings
 
@@ -118,7 +118,7 @@ def _kind(name: str) -> TimingKind:
     try:
         kind: TimingKind = part("timing", name)
     except ImportError as error:
-        raise TaskError(f"needs {error.name or error}: pip install 'graspless[timing]'") from None
+        raise missing(error, "timing") from None
     return kind
 
 

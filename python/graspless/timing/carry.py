@@ -11,7 +11,7 @@ from . import settings as defaults
 from .joints import robot
 
 if TYPE_CHECKING:
-    from ..plans.carry import Plan
+    from ..carry import Plan
     from .settings import Settings
     from .trajectory import Trajectory
 

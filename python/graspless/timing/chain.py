@@ -13,7 +13,7 @@ from ..kinds import part
 from .trajectory import concatenated
 
 if TYPE_CHECKING:
-    from ..plans.chain import Plan
+    from ..chain import Plan
     from ..robot import Robot
     from .settings import Settings
     from .trajectory import Trajectory

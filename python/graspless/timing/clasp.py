@@ -11,7 +11,7 @@ from . import settings as defaults
 from .joints import robot
 
 if TYPE_CHECKING:
-    from ..plans.clasp import Plan
+    from ..clasp import Plan
     from .settings import Settings
     from .trajectory import Trajectory
 

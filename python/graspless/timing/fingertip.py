@@ -20,8 +20,8 @@ from .trajectory import assembled
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..fingertip import JointSegment, Plan, Segment
     from ..frames import Matrix
-    from ..plans.fingertip import JointSegment, Plan, Segment
     from ..robot import Robot
     from .settings import Settings
     from .trajectory import Trajectory

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any
 
-    from ..plans import Plan
+    from .._plan import Plan
     from ..robot import Robot
     from .fastest import Pace
     from .settings import Settings

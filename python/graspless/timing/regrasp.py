@@ -17,8 +17,8 @@ from .fastest import Limits
 from .settings import FINGERTIP_SPEED, FREE_FINGER_ACCELERATION, FREE_FINGER_SPEED
 
 if TYPE_CHECKING:
+    from ..fingertip import Plan
     from ..frames import Matrix
-    from ..plans.fingertip import Plan
     from .rates import Rate
     from .settings import Settings
 

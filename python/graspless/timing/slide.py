@@ -13,7 +13,7 @@ from .joints import robot
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ..plans.slide import Plan
+    from ..slide import Plan
     from .fastest import Pace
     from .settings import Settings
     from .trajectory import Trajectory

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
+from ..errors import TaskError
 from .rates import Rate
 from .settings import require_positive
 
@@ -20,9 +21,17 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from .._plan import Plan
     from ..frames import Matrix
-    from ..plans import Plan
+    from ..robot import Robot
     from .clip import Clip
+
+
+def robot_of(plan: Any) -> Robot | None:
+    """Returns the robot of a plan, of a chain that of its first stage."""
+    task = getattr(plan, "stages", (plan,))[0].task
+    robot: Robot | None = task.arm.robot if task.arm else getattr(task.problem, "robot", None)
+    return robot
 
 
 @dataclass(frozen=True)
@@ -71,6 +80,34 @@ class Trajectory:
     def duration(self) -> float:
         """Duration [s]."""
         return float(self.times[-1])
+
+    @property
+    def start(self) -> dict[str, float]:
+        """Where each joint must stand at the first moment [rad or m]."""
+        return dict(zip(self.joint_names, self.positions[0].tolist(), strict=True))
+
+    def of_group(self, group: str) -> Trajectory:
+        """Returns the motion of the joints of one group of the SRDF, such as arm or hand.
+
+        Raises
+        ------
+        TaskError
+            No joints move, or the robot has no such group; names those that it has.
+        """
+        robot = robot_of(self.plan)
+        if not self.joint_names or robot is None:
+            raise TaskError(f"group: {group}: the plan moves no joints")
+        try:
+            columns = [self.joint_names.index(robot.joint_names[j]) for j in robot.group(group)]
+        except ValueError as error:
+            raise TaskError(f"group: {error}") from None
+        return replace(
+            self,
+            joint_names=[self.joint_names[i] for i in columns],
+            positions=self.positions[:, columns],
+            velocities=self.velocities[:, columns],
+            accelerations=self.accelerations[:, columns],
+        )
 
     @property
     def names(self) -> list[str]:

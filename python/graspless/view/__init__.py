@@ -9,16 +9,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import files
-from ..errors import TaskError
+from ..errors import TaskError, missing
 from ..kinds import part
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
 
     from .. import geometry
-    from ..plans import Plan
+    from .._plan import Plan
     from ..simulation import Recording
 
 
@@ -41,8 +42,32 @@ def write_png(plan: Plan, path: str | Path) -> None:
     check_png(path)
     files.check_writable(path)
     with _told():
-        picture: bytes = part("view", plan.kind).draw(plan)
+        from .figures import as_png
+
+        picture = as_png(figure(plan))
     files.write(path, picture)
+
+
+def figure(plan: Plan) -> Figure:
+    """Returns the picture of a plan, as `write_png` draws it, as a figure of matplotlib."""
+    with _told():
+        drawn: Figure = part("view", plan.kind).draw(plan)
+    return drawn
+
+
+def show(plan: Plan) -> None:
+    """Shows a replay: inline in a notebook, otherwise in the web browser."""
+    with _told():
+        from . import notebook
+
+        notebook.show(plan)
+
+
+def html(plan: Plan) -> str:
+    """Returns what a notebook shows of a plan: its summary and its picture."""
+    from . import notebook
+
+    return notebook.html(plan)
 
 
 def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) -> None:
@@ -140,11 +165,10 @@ def _told() -> Iterator[None]:
     try:
         yield
     except ImportError as error:
-        what = f"needs {error.name or error} to draw: pip install 'graspless[view]'"
-        raise TaskError(what) from None
+        raise missing(error, "view", " to draw") from None
 
 
-__all__ = ["serve", "write_html", "write_loops_png", "write_png"]
+__all__ = ["figure", "serve", "show", "write_html", "write_loops_png", "write_png"]
 
 
 def __dir__() -> list[str]:

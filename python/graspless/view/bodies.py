@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames, geometry
+from ..errors import TaskError
+from ..tasks.obstacles import placed_parts
 from ..tasks.shapes import pose_matrix
 from .visuals import UnreadableError, read_visual, warn_once
 
@@ -66,11 +68,20 @@ class Body:
     is_flat: bool = False
 
 
-def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
-    """Returns one body per link, in the order of Robot.frame_names: its visuals, or its shapes."""
+def fields_of(task: Task) -> Any:
+    """The fields of a task file; None where no file can state the problem."""
+    try:
+        return task.fields
+    except TaskError:
+        return None
+
+
+def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
+    """One body a link, in the order of Robot.frame_names: its visuals, or else its shapes."""
     names = list(robot.frame_names)
     bodies = [Body(name) for name in names]
-    root = ET.fromstring(fields.urdf_text or "")
+    text = (fields and fields.urdf_text) or "<robot/>"
+    root = ET.fromstring(text)
     palette = {
         material.get("name", ""): _color(material)
         for material in root.iter("material")
@@ -81,6 +92,7 @@ def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
         name = link.get("name", "")
         try:
             for visual in link.findall("visual"):
+                assert fields is not None
                 bodies[names.index(name)].parts += _visual_parts(visual, palette, fields)
                 drawn.add(name)
         except UnreadableError as error:
@@ -95,19 +107,26 @@ def robot_bodies(robot: Robot, fields: RobotFields) -> list[Body]:
 
 
 def robot(task: Task) -> list[Body]:
-    """Returns one body per link of the problem's robot, in the order of Robot.frame_names."""
-    return robot_bodies(task.problem.robot, task.fields.robot)
+    """One body a link of the problem's robot, in the order of Robot.frame_names."""
+    fields = fields_of(task)
+    return robot_bodies(task.problem.robot, fields and fields.robot)
 
 
 def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
-    """Returns the obstacles with their poses in the world."""
-    return obstacle_bodies(task.fields.obstacles)
+    """The obstacles with their poses in the world."""
+    fields = fields_of(task)
+    if fields is not None:
+        return obstacle_bodies(fields.obstacles)
+    return [
+        (Body(o.name, [placed_part(placed, OBSTACLE) for placed in o.shapes]), np.asarray(o.X_WB))
+        for o in task.problem.obstacles
+    ]
 
 
 def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Matrix]]:
     """Returns the obstacles with their poses in the world."""
     return [
-        (Body(obstacle.name, [_obstacle_part(obstacle)]), pose_matrix(obstacle.pose))
+        (Body(obstacle.name, _obstacle_parts(obstacle)), pose_matrix(obstacle.pose))
         for obstacle in obstacles
     ]
 
@@ -128,6 +147,13 @@ def placed_part(placed: geometry.PlacedShape, color: Color) -> Part:
     else:
         mesh = trimesh.Trimesh(shape.vertices).convex_hull
     return _part(mesh, np.asarray(placed.X_BG), color)
+
+
+def _obstacle_parts(obstacle: shapes.Obstacle) -> list[Part]:
+    if obstacle.parts or obstacle.convex or obstacle.vertices:
+        placed = placed_parts(obstacle.parts or [obstacle], alone=not obstacle.parts)
+        return [placed_part(shape, OBSTACLE) for shape in placed]
+    return [_obstacle_part(obstacle)]
 
 
 def _obstacle_part(obstacle: shapes.Obstacle) -> Part:

@@ -13,8 +13,8 @@ from ..errors import TaskError
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from .._plan import Plan
     from ..frames import Matrix
-    from ..plans import Plan
     from ..timing import Trajectory
 
 LONGEST = 30.0  # longest duration of a replay [s]

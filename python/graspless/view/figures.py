@@ -14,9 +14,10 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 INK = (0.15, 0.17, 0.20)
+DPI = 110  # pixels per inch
 
 
-def new_figure(width: float, height: float, dpi: int = 110) -> Figure:
+def new_figure(width: float, height: float, dpi: int = DPI) -> Figure:
     """Returns a white page; sizes in inches."""
     figure = Figure(figsize=(width, height), dpi=dpi, facecolor="white")
     FigureCanvasAgg(figure)

@@ -16,8 +16,8 @@ from .clock import LONGEST, clock_of, pace_of
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from .._plan import Plan
     from ..frames import Matrix
-    from ..plans import Plan
     from ..simulation import Recording
 
 SPEED = 0.9  # default speed for watching, not for driving a robot [rad/s]
@@ -123,7 +123,7 @@ def film(
     segments = [segment for segment in plan.segments if len(segment)]
     if not segments:
         joints, pose = np.asarray(q, dtype=float), np.asarray(X_WO, dtype=float)
-        return Film(plan, np.zeros(1), joints[None], pose[None], [plan.status])
+        return Film(plan, np.zeros(1), joints[None], pose[None], [str(plan.status)])
     times: list[float] = []
     now = 0.0
     for segment in segments:

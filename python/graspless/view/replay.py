@@ -19,7 +19,7 @@ from .scene import legend_html
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ..plans import Plan
+    from .._plan import Plan
     from ..simulation import Recording
     from .scene import Layers
 
@@ -60,7 +60,7 @@ def as_html(plan: Plan, recording: Recording | None = None) -> str:
             stage.show(row)
         serializer.insert_sleep(HOLD if stage.rows > 2 else 0.0)
         text: str = serializer.as_html()
-    what = plan.status if recording is None else "simulated"
+    what = str(plan.status) if recording is None else "simulated"
     title = f"<title>graspless: {html.escape(plan.task.problem.object.name)}, {what}</title>"
     legend = LEGEND.format(legend_html(stage.layers.legend))
     text = text.replace("<title>Viser</title>", title, 1)

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ... import geometry
+    from ...clasp import Plan
     from ...frames import Matrix
-    from ...plans.clasp import Plan
     from ...timing import Trajectory
     from ..variation import Variation
 

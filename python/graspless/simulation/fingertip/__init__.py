@@ -26,8 +26,8 @@ from .servo import Servo
 from .world import build_world
 
 if TYPE_CHECKING:
+    from ...fingertip import Plan
     from ...frames import Matrix
-    from ...plans.fingertip import Plan
     from ..variation import Variation
     from .script import Script
     from .world import World

@@ -20,8 +20,8 @@ from .servo import LOADING
 from .world import World, add_finger_pairs, add_scene
 
 if TYPE_CHECKING:
+    from ...fingertip import JointSegment, Plan
     from ...frames import Matrix
-    from ...plans.fingertip import JointSegment, Plan
     from ...robot import Robot
     from ...timing import Trajectory
     from ..variation import Variation
@@ -86,7 +86,7 @@ def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
 
 def _fingertip(plan: Plan, finger: int) -> int:
     """Returns the index of the robot's fingertip that acts as a finger of the plan."""
-    found = plan.fields.realization
+    found = plan.realization
     assert found is not None
     return found.finger_of_fingertip.index(finger)
 

@@ -21,8 +21,8 @@ from .servo import Servo
 from .world import build_world
 
 if TYPE_CHECKING:
+    from ...fingertip import Plan, Segment
     from ...frames import Matrix
-    from ...plans.fingertip import Plan, Segment
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from ..settings import Fingertip
 from .script import Script, blended, joined, moving, still
 
 if TYPE_CHECKING:
+    from ...fingertip import Plan
     from ...frames import Matrix
-    from ...plans.fingertip import Plan
     from ...timing import Trajectory
 
 

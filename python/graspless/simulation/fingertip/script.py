@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from ...fingertip import Segment
     from ...frames import Matrix
-    from ...plans.fingertip import Segment
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ...frames import Matrix
-    from ...plans.slide import Plan
+    from ...slide import Plan
     from ..variation import Variation
 
 MEASURES = {

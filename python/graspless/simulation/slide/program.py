@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ...frames import Matrix
-    from ...plans.slide import Plan
+    from ...slide import Plan
     from ...timing import Trajectory
     from ..settings import Slide
 

@@ -7,10 +7,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ..clasp.cloud import resolve_object
-from ..force import in_force as _in_force
+from ..effective_values import in_force as _in_force
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..robots import resolve_robot, robot_meshes
+from ..statement import (
+    obstacle_fields,
+    part_fields,
+    pose_fields,
+    robot_fields,
+    struct_fields,
+)
 from .build import build as build_problem
 from .build import build_options
 from .model import CarryTask
@@ -68,4 +75,27 @@ def in_force(fields: CarryTask, problem: carry.Problem, options: carry.Options) 
     return {"options": _in_force(fields.options, options)}
 
 
-__all__ = ["SEARCHES", "Fields", "build", "in_force", "options", "require_resolved", "resolve"]
+def state(problem: carry.Problem, arm: None) -> dict[str, Any]:
+    """The task file of a problem, without options and budget."""
+    held = problem.object
+    return {
+        "robot": robot_fields(problem.robot, problem.q_start),
+        **struct_fields(problem, ["arm", "frame"]),
+        "object": {"name": held.name, "parts": part_fields(held.shapes)},
+        "pose": pose_fields(held.X_WB),
+        "goal": pose_fields(problem.X_WO_goal),
+        "rests_on": list(problem.rests_on),
+        "obstacles": obstacle_fields(problem.obstacles),
+    }
+
+
+__all__ = [
+    "SEARCHES",
+    "Fields",
+    "build",
+    "in_force",
+    "options",
+    "require_resolved",
+    "resolve",
+    "state",
+]

@@ -11,7 +11,7 @@ import numpy as np
 
 from ... import carry, frames, geometry
 from ..clasp.build import build_object as build_clasp_object
-from ..obstacles import placed_obstacles
+from ..obstacles import placed_obstacles, placed_parts
 from ..robots import build_home, build_robot, require_srdf
 from ..shapes import pose_matrix
 from ..slide.build import build_object as build_slide_object
@@ -81,6 +81,9 @@ def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedSh
     """What the hand holds, in O."""
     if thing.box is not None:
         return [geometry.PlacedShape(geometry.Box(np.array(thing.box)), np.eye(4))]
+    if thing.parts is not None:
+        with at(source, "object", "parts"):
+            return placed_parts(thing.parts)
     field = "slide" if thing.slide is not None else "clasp"
     given = source.data.get("object", {})
     inner = given.get(field, {}) if isinstance(given, dict) else {}

@@ -15,7 +15,7 @@ from ..budget import Budget
 from ..clasp.model import Object as ClaspObject
 from ..obstacles import Obstacles
 from ..robots import Robot
-from ..shapes import Fields, NotNegative, Point3, Pose, Positive, Size3
+from ..shapes import Fields, NotNegative, Point3, Pose, Positive, Shape, Size3
 from ..slide.model import Object as SlideObject
 from ..slide.model import Support
 
@@ -34,10 +34,13 @@ class Object(Fields):
         default=None, description="as in a task of kind slide"
     )
     clasp: ClaspObject | None = Field(default=None, description="as in a task of kind clasp")
+    parts: Annotated[list[Shape], Field(min_length=1)] | None = Field(
+        default=None, description="instead: shapes, in O"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Object:
-        self.one_of("box", "slide", "clasp")
+        self.one_of("box", "slide", "clasp", "parts")
         return self
 
 

@@ -72,6 +72,7 @@ __all__ = [
     "SEARCHES",
     "Fields",
     "Held",
+    "Options",
     "Problem",
     "Stage",
     "State",

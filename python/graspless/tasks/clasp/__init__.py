@@ -6,15 +6,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..force import in_force as _in_force
+from ..effective_values import in_force as _in_force
+from ..effective_values import plain
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..robots import resolve_robot, robot_meshes
+from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
 from .cloud import resolve_object
 from .hand import Hand, hand_in_force, resolve_hand
-from .model import ClaspTask
+from .model import ClaspTask, LoopOptions
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -76,4 +78,32 @@ def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) 
     }
 
 
-__all__ = ["SEARCHES", "Fields", "build", "in_force", "options", "require_resolved", "resolve"]
+def state(problem: clasp.Problem, arm: None) -> dict[str, Any]:
+    """The task file of a problem, without options and budget."""
+    thing = problem.object
+    return {
+        "robot": robot_fields(problem.robot, problem.q_start),
+        "hand": hand_in_force(problem.hand).model_dump(),
+        "object": {
+            **struct_fields(thing, ["name", "points"]),
+            "pose": pose_fields(problem.X_WO),
+            "loops": struct_fields(thing.loop_options, list(LoopOptions.model_fields)),
+        },
+        "clasp": {
+            **struct_fields(problem, ["loops", "marks"]),
+            "pull": plain(problem.pull_W),
+        },
+        "obstacles": obstacle_fields(problem.obstacles),
+    }
+
+
+__all__ = [
+    "SEARCHES",
+    "Fields",
+    "build",
+    "in_force",
+    "options",
+    "require_resolved",
+    "resolve",
+    "state",
+]

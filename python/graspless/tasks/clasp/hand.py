@@ -120,7 +120,9 @@ def hand_in_force(hand: clasp.Hand) -> Hand:
 
 def _unit(direction: list[float]) -> np.ndarray:
     vector = np.array(direction, dtype=float)
-    return np.asarray(vector / np.linalg.norm(vector))
+    length = float(np.linalg.norm(vector))
+    # What was normalised once stays as it is, so that a plan file reads as it was written.
+    return vector if abs(length - 1) < 1e-12 else np.asarray(vector / length)
 
 
 def _finger(name: str, nodes: list[Node]) -> clasp.Finger:

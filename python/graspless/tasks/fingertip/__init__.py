@@ -6,11 +6,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..force import in_force as _in_force
+from ..effective_values import in_force as _in_force
+from ..effective_values import plain
+from ..statement import obstacle_fields, robot_fields, struct_fields
 from .arm import Arm, build_arm
 from .build import build as build_problem
 from .build import build_options
-from .model import FingertipTask
+from .model import Carrier, Fingers, FingertipTask, Realize
+from .motions import motion_fields
 from .resolve import resolve as resolve_files
 
 if TYPE_CHECKING:
@@ -62,6 +65,30 @@ def in_force(
     return {"options": type(fields.options)(**update)}
 
 
+def state(problem: fingertip.Problem, arm: Arm | None) -> dict[str, Any]:
+    """The task file of a problem, without options and budget."""
+    thing = problem.object
+    floor, *walls = problem.planes
+    stated = {
+        "object": {
+            **struct_fields(thing, ["name", "mass", "com", "inertia"]),
+            **struct_fields(thing.mesh, ["vertices", "triangles"]),
+        },
+        "fingers": struct_fields(problem.fingers, list(Fingers.model_fields)),
+        "floor": {"height": floor.offset},
+        "walls": [{"normal": plain(w.n_W), "name": w.name, "offset": w.offset} for w in walls],
+        "friction": list(problem.friction),
+        "gravity": plain(problem.gravity_W),
+        "motion": motion_fields(problem.motion),
+        "obstacles": obstacle_fields(problem.obstacles),
+    }
+    if arm is not None:
+        stated["robot"] = robot_fields(arm.robot, arm.q_home)
+        stated["carrier"] = struct_fields(arm.carrier, list(Carrier.model_fields))
+        stated["realize"] = struct_fields(arm.options, list(Realize.model_fields))
+    return stated
+
+
 __all__ = [
     "SEARCHES",
     "Arm",
@@ -71,4 +98,5 @@ __all__ = [
     "options",
     "require_resolved",
     "resolve",
+    "state",
 ]

@@ -15,11 +15,10 @@ from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 from ..budget import Budget
 from ..obstacles import Obstacles
 from ..robots import Robot
-from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3
+from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3, Triangle
 from .motion import Motion
 
 Count = Annotated[int, Field(ge=1)]
-Triangle = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=3, max_length=3)]
 Direction = Annotated[list[float], Field(min_length=6, max_length=6)]
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from ... import fingertip, frames
 from ..shapes import pose_matrix
 from ..source import at
+from ..statement import pose_fields, struct_fields
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -58,6 +59,18 @@ def build_motion(
     paths = [walk.step(step, ("motion", "sequence", i)) for i, step in enumerate(motion.sequence)]
     with at(source, *place):
         return fingertip.join(paths)
+
+
+def motion_fields(motion: fingertip.Motion) -> dict[str, Any]:
+    """The motion of a task file."""
+    if isinstance(motion, fingertip.Path):
+        return {"path": [pose_fields(X_WO) for X_WO in motion.X_WO]}
+    start, goal = pose_fields(motion.X_WO_start), pose_fields(motion.X_WO_goal)
+    if isinstance(motion, fingertip.Goal):
+        how = struct_fields(motion, ["slide_step", "turn_step", "max_tumbles"])
+        return {"goal": {"start": start, "pose": goal} | how}
+    how = struct_fields(motion, ["lower", "upper", "counts"])
+    return {"lattice": {"start": start, "goal": goal} | how}
 
 
 def standing(thing: fingertip.Object, floor: fingertip.Plane) -> Matrix:

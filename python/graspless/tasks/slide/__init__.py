@@ -4,16 +4,21 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import TYPE_CHECKING, Any
 
-from ..force import in_force as _in_force
+import numpy as np
+
+from ... import slide
+from ..effective_values import in_force as _in_force
+from ..effective_values import plain
+from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
-from .model import SlideTask
+from .model import Hand, SlideTask
 from .resolve import resolve
 
 if TYPE_CHECKING:
-    from ... import slide
     from ..source import Source
 
 SEARCHES = ("paper", "fast")
@@ -49,4 +54,51 @@ def in_force(fields: SlideTask, problem: slide.Problem, options: slide.Options) 
     }
 
 
-__all__ = ["SEARCHES", "Fields", "build", "in_force", "options", "require_resolved", "resolve"]
+def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
+    """The task file of a problem, without options and budget."""
+    thing, support = problem.object, problem.support
+    X_SO = np.linalg.inv(support.X_WS) @ problem.X_WO_start
+    pose = {"x": X_SO[0, 3], "y": X_SO[1, 3], "yaw": np.arctan2(X_SO[1, 0], X_SO[0, 0])}
+    return {
+        "robot": robot_fields(problem.robot, problem.q_home),
+        "hand": struct_fields(problem.hand, list(Hand.model_fields)),
+        "object": {
+            **struct_fields(thing, ["name", "thickness", "com", "mass"]),
+            **_outline(thing),
+            "pose": {name: float(value) for name, value in pose.items()},
+        },
+        "support": {
+            "polygon": plain(support.polygon.vertices),
+            "pose": pose_fields(support.X_WS),
+            "band_width": support.goal_band.width,
+            **struct_fields(support, ["slab", "friction"]),
+        },
+        "obstacles": obstacle_fields(problem.obstacles),
+    }
+
+
+def _outline(thing: slide.Object) -> dict[str, Any]:
+    """Its polygon and the spacing of the grid of contact points; of a cloud its points."""
+    steps = np.diff(np.unique(np.round(thing.points[:, 0], 12)))
+    spacing = float(steps.min()) if len(steps) else thing.outline.area
+    given = {"polygon": plain(thing.outline.vertices), "spacing": spacing}
+    with contextlib.suppress(ValueError):
+        made = slide.Object.from_polygon(
+            thing.name, thing.outline, thing.thickness, spacing=spacing
+        )
+        if made.points.shape == thing.points.shape and np.allclose(made.points, thing.points):
+            return given
+    heights = np.full(len(thing.points), thing.thickness)
+    return {"points": np.column_stack([thing.points, heights]).tolist()}
+
+
+__all__ = [
+    "SEARCHES",
+    "Fields",
+    "build",
+    "in_force",
+    "options",
+    "require_resolved",
+    "resolve",
+    "state",
+]

@@ -7,13 +7,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ...plans.carry import Plan
+    from matplotlib.figure import Figure
+
+    from ...carry import Plan
     from ...simulation import Recording
     from ..replay import Stage
 
 
-def draw(plan: Plan) -> bytes:
-    """Draws the robot at three moments of the path; returns the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Draws the robot at three moments of the path."""
     from .picture import draw
 
     return draw(plan)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import geometry
-from ..bodies import OBJECT, TABLE, Body, placed_part
+from ..bodies import OBJECT, TABLE, Body, fields_of, placed_part
 from ..surface import surface_part
 
 if TYPE_CHECKING:
@@ -28,16 +28,21 @@ def object_body(task: Task) -> Body:
             parts.append(surface_part(shape.vertices, shape.triangles, OBJECT))
         else:
             parts.append(placed_part(placed, OBJECT))
-    return Body("object", parts, is_flat=task.fields.object.clasp is None)
+    fields = fields_of(task)
+    is_flat = fields is None or fields.object.clasp is None
+    return Body("object", parts, is_flat=is_flat)
 
 
 def supports(task: Task) -> list[tuple[Body, Matrix]]:
     """Returns the support with its pose in the world, if the object comes from a slide."""
+    fields = fields_of(task)
+    if fields is None:
+        return []
     return [
         (
             Body("table", [placed_part(p, TABLE) for p in obstacle.shapes], is_flat=True),
             np.asarray(obstacle.X_WB),
         )
         for obstacle in task.problem.obstacles
-        if obstacle.name == SUPPORT and task.fields.support is not None
+        if obstacle.name == SUPPORT and fields.support is not None
     ]

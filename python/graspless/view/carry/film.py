@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from .. import film as films
 
 if TYPE_CHECKING:
-    from ...plans.carry import Plan
+    from ...carry import Plan
     from ...simulation import Recording
 
 SPEEDS = {"carry": 0.25}  # [rad/s]

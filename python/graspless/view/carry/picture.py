@@ -9,18 +9,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import raster
-from ..figures import INK, as_png, draw_panel, new_figure
+from ..figures import INK, draw_panel, new_figure
 from .film import film
 from .stage import Scene, camera
 
 if TYPE_CHECKING:
-    from ...plans.carry import Plan
+    from matplotlib.figure import Figure
+
+    from ...carry import Plan
 
 PANEL = (520, 420)  # pixels
 
 
-def draw(plan: Plan) -> bytes:
-    """Returns the picture as the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Returns the picture of a plan."""
     shown = film(plan)
     scene = Scene(shown)
     last = len(shown.times) - 1
@@ -34,7 +36,7 @@ def draw(plan: Plan) -> bytes:
         picture = raster.render([*scene.still, *scene.moving(row)], view, *PANEL)
         draw_panel(axes, picture, captions[k], pad=3)
     figure.suptitle(headline(plan), x=0.015, y=0.96, ha="left", fontsize=14, color=INK)
-    return as_png(figure)
+    return figure
 
 
 def headline(plan: Plan) -> str:
@@ -42,7 +44,7 @@ def headline(plan: Plan) -> str:
     problem = plan.task.problem
     name = problem.object.name
     if not plan:
-        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"
+        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
     start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
     distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
     return f"{problem.robot.name} carries the {name} {distance * 100:.0f} cm along a straight path"

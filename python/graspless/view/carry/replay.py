@@ -16,7 +16,7 @@ from .film import film
 from .stage import Scene, camera
 
 if TYPE_CHECKING:
-    from ...plans.carry import Plan
+    from ...carry import Plan
     from ...simulation import Recording
 
 

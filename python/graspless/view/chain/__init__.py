@@ -9,16 +9,18 @@ from typing import TYPE_CHECKING, Any
 from ...kinds import part
 
 if TYPE_CHECKING:
-    from ...plans import Plan as AnyPlan
-    from ...plans.chain import Plan
+    from matplotlib.figure import Figure
+
+    from ..._plan import Plan as AnyPlan
+    from ...chain import Plan
     from ...simulation import Recording
     from ..replay import Stage as AnyStage
 
 NO_TIME = 1e-9  # too short to find a plan: the start alone is drawn [s]
 
 
-def draw(plan: Plan) -> bytes:
-    """Draws the stages below each other; returns the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Draws the stages below each other."""
     from .picture import draw
 
     return draw(plan)
@@ -43,7 +45,7 @@ def stages_of(plan: Plan) -> list[tuple[str, AnyPlan]]:
     """Returns names and plans of the stages; for a chain without plans, its start."""
     if plan.stages:
         return list(zip(plan.names, plan.stages, strict=True))
-    from ... import plans
+    from ... import _api
 
     problem = plan.task.problem
-    return [(problem.stages[0].name, plans.plan(problem.first, seconds=NO_TIME))]
+    return [(problem.stages[0].name, _api.plan(problem.first, seconds=NO_TIME))]

@@ -4,28 +4,34 @@
 
 from __future__ import annotations
 
-import io
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from ...kinds import part
+from ..figures import DPI, new_figure
 from . import stages_of
 
 if TYPE_CHECKING:
-    from ...plans.chain import Plan
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from ...chain import Plan
 
 
-def draw(plan: Plan) -> bytes:
-    """Returns the picture as the bytes of a PNG file."""
-    from PIL import Image  # matplotlib needs it too
+def draw(plan: Plan) -> Figure:
+    """The pictures of the stages on one page."""
+    drawn = [_pixels(part("view", stage.kind).draw(stage)) for _, stage in stages_of(plan)]
+    width, height = max(p.shape[1] for p in drawn), sum(p.shape[0] for p in drawn)
+    page = new_figure(width / DPI, height / DPI, DPI)
+    for picture in drawn:
+        height -= picture.shape[0]
+        page.figimage(picture, 0, height, origin="upper")
+    return page
 
-    drawn = [part("view", stage.kind).draw(stage) for _, stage in stages_of(plan)]
-    pictures = [Image.open(io.BytesIO(picture)).convert("RGB") for picture in drawn]
-    width = max(picture.width for picture in pictures)
-    page = Image.new("RGB", (width, sum(picture.height for picture in pictures)), "white")
-    top = 0
-    for picture in pictures:
-        page.paste(picture, (0, top))
-        top += picture.height
-    written = io.BytesIO()
-    page.save(written, "png")
-    return written.getvalue()
+
+def _pixels(figure: Figure) -> NDArray[np.uint8]:
+    """[height, width, 4]"""
+    canvas: Any = figure.canvas
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())

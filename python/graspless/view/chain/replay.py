@@ -15,7 +15,7 @@ from ..scene import FIELD, Layers, look, plain
 from . import stages_of
 
 if TYPE_CHECKING:
-    from ...plans.chain import Plan
+    from ...chain import Plan
 
 
 NEARER = 0.8  # a scene does not fill the sphere around it
@@ -30,7 +30,7 @@ class Stage:
         self.stages: list[Any] = []
         seen: list[Any] = []  # the initial camera of each stage
         for k, (name, stage) in enumerate(stages_of(plan)):
-            corner = f"{k + 1} {plain(name)}"
+            corner = f"{k} {plain(name)}"
             frame = server.scene.add_frame(f"/{corner}", show_axes=False, visible=k == 0)
             seen.append(SimpleNamespace())
             within = SimpleNamespace(scene=Corner(server.scene, corner), initial_camera=seen[-1])

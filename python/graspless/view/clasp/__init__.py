@@ -7,13 +7,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ...plans.clasp import Plan
+    from matplotlib.figure import Figure
+
+    from ...clasp import Plan
     from ...simulation import Recording
     from ..replay import Stage
 
 
-def draw(plan: Plan) -> bytes:
-    """Draws the robot, the loops and the virtual linking; returns the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Draws the robot, the loops and the virtual linking."""
     from .picture import draw
 
     return draw(plan)

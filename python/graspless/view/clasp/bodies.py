@@ -13,8 +13,8 @@ from ..surface import surface_part
 from ..tubes import ball, smooth, tube
 
 if TYPE_CHECKING:
+    from ...clasp import Plan
     from ...frames import Matrix
-    from ...plans.clasp import Plan
     from ...tasks import Task
 
 CLASPED: Color = TRAIL
@@ -77,7 +77,7 @@ def curve_bodies(task: Task, link_poses: Matrix) -> list[Body]:
     radius = 0.016 * reach
     return [
         Body(
-            f"curve {k + 1}",
+            f"curve {k}",
             [
                 tube(curve, radius, CURVE),
                 *(ball(corner, 1.7 * radius, CURVE) for corner in curve),

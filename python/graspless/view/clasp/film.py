@@ -11,8 +11,8 @@ import numpy as np
 from .. import film as films
 
 if TYPE_CHECKING:
+    from ...clasp import Plan
     from ...frames import Matrix
-    from ...plans.clasp import Plan
     from ...simulation import Recording
 
 SPEEDS = {"reach": 0.7, "close": 0.35}  # [rad/s]

@@ -13,14 +13,16 @@ from matplotlib.ticker import MaxNLocator
 
 from .. import raster
 from ..bodies import LOOP
-from ..figures import INK, as_png, draw_panel, new_figure
+from ..figures import INK, draw_panel, new_figure
 from ..loops import draw_cloud
 from . import bodies, stage
 from .film import film, linking
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ...clasp import Plan
     from ...frames import Matrix
-    from ...plans.clasp import Plan
     from ..bodies import Body
     from ..film import Film
     from ..raster import Camera
@@ -31,8 +33,8 @@ PANEL = (560, 400)  # pixels
 THROUGH = 0.75  # visibility of hidden loops and curves
 
 
-def draw(plan: Plan) -> bytes:
-    """Returns the picture as the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Returns the picture of a plan."""
     shown = film(plan)
     figure = new_figure(15, 7.6)
     grid = figure.add_gridspec(
@@ -59,7 +61,7 @@ def draw(plan: Plan) -> bytes:
         _draw_loops(figure.add_subplot(grid[0, 2]), plan, shown)
     figure.suptitle(headline(plan), x=0.015, y=0.975, ha="left", fontsize=14, color=INK)
     _draw_key(figure, plan)
-    return as_png(figure)
+    return figure
 
 
 def headline(plan: Plan) -> str:
@@ -67,7 +69,7 @@ def headline(plan: Plan) -> str:
     problem = plan.task.problem
     name = problem.object.name
     if not plan:
-        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
+        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
     assert plan.stability is not None
     loops = len(problem.object.loops.loops)
     which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (from 0)"
@@ -86,7 +88,7 @@ def _render(solid: Placed, lines: Placed, view: Camera) -> Matrix:
 
 def _draw_tree(axes: Any, plan: Plan, view: Camera) -> None:
     """Draws nodes and branches of the search tree, and the path to the clasp."""
-    points = np.array(plan.tree.points, dtype=float).reshape(-1, 3)
+    points = plan.tree.p_W
     if not len(points):
         return
     xy = view.project(points, *PANEL)[:, :2]
@@ -98,7 +100,7 @@ def _draw_tree(axes: Any, plan: Plan, view: Camera) -> None:
     )
     axes.plot(*xy.T, ".", ms=2, color=bodies.NODE)
     if plan.tree.path:
-        path = xy[plan.tree.path]
+        path = xy[list(plan.tree.path)]
         axes.plot(*path.T, "-", lw=2, color=bodies.PATH, solid_capstyle="round")
         axes.plot(*path[-1], "o", ms=5, color=bodies.PATH, mec="w", mew=0.8)
     axes.set_xlim(0, PANEL[0])

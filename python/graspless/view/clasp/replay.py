@@ -17,8 +17,8 @@ from .film import film, linking_at
 from .stage import Scene, camera
 
 if TYPE_CHECKING:
+    from ...clasp import Plan
     from ...frames import Matrix
-    from ...plans.clasp import Plan
     from ...simulation import Recording
     from ..bodies import Color
 
@@ -91,10 +91,10 @@ class Stage(FilmStage):
         self.layers.explain(CLOUD, "point cloud")
 
     def _add_tree(self) -> None:
-        points = np.array(self.plan.tree.points, dtype=float).reshape(-1, 3)
+        points = self.plan.tree.p_W
         if len(points) < 2:
             return
-        parents, path = np.array(self.plan.tree.parents), self.plan.tree.path
+        parents, path = np.array(self.plan.tree.parents), np.array(self.plan.tree.path, dtype=int)
         branches = np.stack([points, points[parents]], axis=1)[1:]
         self._add_lines("tree", branches, bodies.NODE, 0.0008)
         self.layers.explain(bodies.NODE, "search tree of the hand's centre")

@@ -16,8 +16,8 @@ from .film import linking
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ...clasp import Plan
     from ...frames import Matrix
-    from ...plans.clasp import Plan
     from ..bodies import Body
     from ..film import Film
 

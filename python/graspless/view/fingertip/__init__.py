@@ -7,13 +7,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ...plans.fingertip import Plan
+    from matplotlib.figure import Figure
+
+    from ...fingertip import Plan
     from ...simulation import Recording
     from ..replay import Stage
 
 
-def draw(plan: Plan) -> bytes:
-    """Draws the object at some moments, and its stability; returns the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Draws the object at some moments, and its stability."""
     from .picture import draw
 
     return draw(plan)

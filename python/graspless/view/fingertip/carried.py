@@ -14,8 +14,8 @@ from ..raster import Camera
 from . import bodies
 
 if TYPE_CHECKING:
+    from ...fingertip import JointSegment, Plan
     from ...frames import Matrix
-    from ...plans.fingertip import JointSegment, Plan
 
 MOST = 4  # pictures
 

@@ -13,7 +13,7 @@ from . import bodies
 from .moments import measure, progress
 
 if TYPE_CHECKING:
-    from ...plans.fingertip import Plan
+    from ...fingertip import Plan
 
 STABLE = "#1f5f8b"
 COMPLIANT = "#d98a1f"
@@ -84,7 +84,7 @@ def _draw_regrasps(axes: Any, plan: Plan, along: list[Any], height: float) -> No
     places: dict[float, list[int]] = {}
     for k, segment in enumerate(plan.segments):
         if segment.name == "regrasp" and len(segment):
-            places.setdefault(round(float(along[k][0]), 9), []).append(segment.finger + 1)
+            places.setdefault(round(float(along[k][0]), 9), []).append(segment.finger)
     low, high = axes.get_xlim()
     for n, (x, fingers) in enumerate(sorted(places.items())):
         axes.axvline(x, color=INK, lw=1.1, ls=":", label="" if n else "regrasp")
@@ -115,6 +115,6 @@ def _draw_modes(axes: Any, plan: Plan, along: list[Any], top: float) -> None:
                     [left, right], bottom, bottom + high, color=color, lw=0, alpha=0.85
                 )
         axes.annotate(
-            f"finger {finger + 1}", (0, bottom + high / 2), (-4, 0), textcoords="offset points",
+            f"finger {finger}", (0, bottom + high / 2), (-4, 0), textcoords="offset points",
             xycoords=("axes fraction", "data"), fontsize=8, color=INK, ha="right", va="center",
         )  # fmt: skip

@@ -17,8 +17,8 @@ from .moments import Moment, at, start_of
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from ...fingertip import JointSegment, Plan, Segment
     from ...frames import Matrix
-    from ...plans.fingertip import JointSegment, Plan, Segment
     from ...simulation import Recording
 
 SLIDE = 8.0  # [cm/s]
@@ -82,7 +82,7 @@ def _sampled(keys: list[Key], rate: float) -> list[Moment]:
 
 def _tips(plan: Plan, q: Matrix) -> Matrix:
     """Returns the centres of the fingertips, [n, 3] in the world, in the order of the fingers."""
-    arm, found = plan.task.arm, plan.fields.realization
+    arm, found = plan.task.arm, plan.realization
     assert found is not None
     links = np.asarray(arm.robot.forward(q))
     names = list(arm.robot.frame_names)

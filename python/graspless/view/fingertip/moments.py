@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...fingertip import Plan, Segment
     from ...frames import Matrix
-    from ...plans.fingertip import Plan, Segment
 
 MOST = 8  # moments of a picture
 LONG = 0.45  # share of the motion above which a segment's middle is drawn too
@@ -89,24 +91,25 @@ def start_of(plan: Plan) -> Moment:
 
 def moments(plan: Plan) -> list[Moment]:
     """Returns the start, both sides of each regrasp, the middle of long motions, and the goal."""
-    moving = [segment for segment in plan.segments if segment.name != "regrasp" and len(segment)]
-    if not moving:
+    parts = [(i, s) for i, s in enumerate(plan.segments) if s.name != "regrasp" and len(s)]
+    if not parts:
         return [start_of(plan)]
     found: list[Moment] = []
-    for k, segment in enumerate(moving):
+    moving = [segment for _, segment in parts]
+    for k, (i, segment) in enumerate(parts):
         first, last = k == 0, k == len(moving) - 1
         same = k > 0 and _same_grip(moving[k - 1], segment)
         if not same:
-            caption = "start" if first else f"after regrasp{_progress(plan, segment, 0)}"
+            caption = "start" if first else f"after regrasp{_progress(plan, i, 0)}"
             found.append(replace(at(plan, segment, 0, segment.X_WO[0]), caption=caption))
         if len(moving) == 1 or len(segment) > LONG * sum(map(len, moving)):
             middle = len(segment) // 2
-            caption = f"{segment.name}{_progress(plan, segment, middle)}"
+            caption = f"{segment.name}{_progress(plan, i, middle)}"
             found.append(replace(at(plan, segment, middle), caption=caption))
         next_same = not last and _same_grip(segment, moving[k + 1])
         if last or not next_same or segment.name != moving[k + 1].name:
             what = f"after the {segment.name}" if next_same else "before regrasp"
-            caption = "goal" if last else what + _progress(plan, segment, len(segment))
+            caption = "goal" if last else what + _progress(plan, i, len(segment))
             row = len(segment) - 1
             found.append(replace(at(plan, segment, row, segment.X_WO[-1]), caption=caption))
     if len(found) > MOST:
@@ -115,7 +118,7 @@ def moments(plan: Plan) -> list[Moment]:
     return found
 
 
-def progress(segments: list[Segment]) -> list[Matrix]:
+def progress(segments: Sequence[Segment]) -> list[Matrix]:
     """For each segment, how far along the way its rows are: poses of the lattice passed."""
     passed = 0.0
     found: list[Matrix] = []
@@ -127,7 +130,7 @@ def progress(segments: list[Segment]) -> list[Matrix]:
     return found
 
 
-def measure(segments: list[Segment]) -> tuple[float, str]:
+def measure(segments: Sequence[Segment]) -> tuple[float, str]:
     """What a pose of the lattice is worth where all motion is of one name: [degrees] or [cm]."""
     names = {segment.name for segment in segments if segment.name != "regrasp"}
     arcs = sum(len(segment.X_WO) - 1 for segment in segments if segment.name != "regrasp")
@@ -154,11 +157,12 @@ def _same_grip(before: Segment, after: Segment) -> bool:
     return bool(np.allclose(before.fingers[-1], after.fingers[0], atol=1e-9, equal_nan=True))
 
 
-def _progress(plan: Plan, segment: Segment, row: int) -> str:
-    """ " at 36 deg", of the whole way where that is of one name."""
-    k = next(i for i, other in enumerate(plan.segments) if other is segment)
-    each, unit = measure(plan.segments)
-    passed = sum(len(other.X_WO) - 1 for other in plan.segments[:k])
+def _progress(plan: Plan, k: int, row: int) -> str:
+    """ " at 36 deg", of the whole way where that is of one name, at a row of segment k."""
+    segments = plan.segments
+    segment = segments[k]
+    each, unit = measure(segments)
+    passed = sum(len(other.X_WO) - 1 for other in segments[:k])
     here = passed + row * (len(segment.X_WO) - 1) / max(len(segment), 1)
     if unit.endswith("[cm]"):
         return f", {here * each:.3g} cm"

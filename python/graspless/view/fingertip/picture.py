@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from ... import frames
 from .. import raster
 from ..bodies import obstacles
-from ..figures import INK, as_png, draw_panel, new_figure
+from ..figures import INK, draw_panel, new_figure
 from . import bodies, carried, curves
 from .moments import moments
 from .stage import camera, swept
@@ -20,8 +20,10 @@ from .stage import camera, swept
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from matplotlib.figure import Figure
+
+    from ...fingertip import Plan
     from ...frames import Matrix
-    from ...plans.fingertip import Plan
     from ...tasks import Task
     from ..bodies import Body
     from ..raster import Camera
@@ -37,8 +39,8 @@ TITLE = {"pad": 2, "y": 0.985}
 HIDDEN = 0.3  # visibility of hidden fingertips and forces
 
 
-def draw(plan: Plan) -> bytes:
-    """Returns the picture as the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Returns the picture of a plan."""
     shown = moments(plan)
     across = len(shown) if len(shown) <= ACROSS else -(-len(shown) // 2)
     down = -(-len(shown) // across)
@@ -65,7 +67,7 @@ def draw(plan: Plan) -> bytes:
         draw_panel(axes, scene.render(moment), number + moment.caption, **TITLE)
         for finger, place in enumerate(scene.places(moment)):
             axes.annotate(
-                str(finger + 1), place, ha="center", va="center", fontsize=8, color="white",
+                str(finger), place, ha="center", va="center", fontsize=8, color="white",
                 weight="bold",
             )  # fmt: skip
     if arm:
@@ -76,7 +78,7 @@ def draw(plan: Plan) -> bytes:
             draw_panel(figure.add_subplot(row[k]), picture, caption, **TITLE)
     if plan.segments:
         curves.draw(figure.add_subplot(grid[len(heights) - 1]), plan)
-    return as_png(figure)
+    return figure
 
 
 class _Scene:
@@ -161,7 +163,7 @@ def _draw_head(axes: Any, plan: Plan) -> None:
 def _headline(plan: Plan) -> str:
     name = plan.task.problem.object.name
     if not plan and not plan.segments:
-        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:110]
+        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:110]
     names = dict.fromkeys(s.name for s in plan.segments if s.name != "regrasp")
     verbs = [f"{word[:-1]}ing" if word.endswith("e") else f"{word}ing" for word in names]
     fingers = plan.task.problem.fingers.count

@@ -18,8 +18,8 @@ from .film import recorded, timed
 from .stage import camera, swept
 
 if TYPE_CHECKING:
+    from ...fingertip import Plan
     from ...frames import Matrix
-    from ...plans.fingertip import Plan
     from ...simulation import Recording
     from .moments import Moment
 
@@ -139,10 +139,10 @@ class Stage:
             return
         self.layers.add("fingers")
         for k in range(count):
-            frame = scene.add_frame(f"/fingers/{k + 1}", show_axes=False)
+            frame = scene.add_frame(f"/fingers/{k}", show_axes=False)
             balls = {
                 mode: scene.add_icosphere(
-                    f"/fingers/{k + 1}/{mode}", radius, shade(color), visible=False
+                    f"/fingers/{k}/{mode}", radius, shade(color), visible=False
                 )
                 for mode, color in bodies.MODES.items()
             }

@@ -7,13 +7,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ...plans.slide import Plan
+    from matplotlib.figure import Figure
+
     from ...simulation import Recording
+    from ...slide import Plan
     from ..replay import Stage
 
 
-def draw(plan: Plan) -> bytes:
-    """Draws the slide from above and the robot at four moments; returns the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Draws the slide from above and the robot at four moments."""
     from .picture import draw
 
     return draw(plan)

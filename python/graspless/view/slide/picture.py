@@ -12,13 +12,15 @@ from matplotlib.patches import Patch
 
 from .. import raster
 from ..bodies import OBJECT, obstacles
-from ..figures import INK, as_png, draw_panel, new_figure
+from ..figures import INK, draw_panel, new_figure
 from . import stage
 from .film import film
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ...frames import Matrix
-    from ...plans.slide import Plan
+    from ...slide import Plan
     from ..film import Film
 
 TRAIL = (0.78, 0.10, 0.32)
@@ -30,8 +32,8 @@ PANEL = (560, 350)  # pixels
 LETTER = 0.62  # width of a letter over its height, at most
 
 
-def draw(plan: Plan) -> bytes:
-    """Returns the picture as the bytes of a PNG file."""
+def draw(plan: Plan) -> Figure:
+    """Returns the picture of a plan."""
     shown = film(plan)
     figure = new_figure(15, 6.5)
     grid = figure.add_gridspec(
@@ -48,13 +50,13 @@ def draw(plan: Plan) -> bytes:
         draw_panel(axes, picture, caption, pad=3)
     _draw_key(figure, shown)
     figure.suptitle(_headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
-    return as_png(figure)
+    return figure
 
 
 def _headline(plan: Plan) -> str:
     name = plan.task.problem.object.name
     if not plan:
-        return f"{name}: {plan.status.replace('_', ' ')}: {plan.reason.split(';')[0]}"
+        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
     distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.task.problem.X_WO_start[:3, 3])
     robot = plan.task.problem.robot.name
     return f"{robot} slides the {name} {distance * 100:.0f} cm to the edge and grasps it there"

@@ -16,8 +16,8 @@ from .film import film
 from .stage import camera
 
 if TYPE_CHECKING:
-    from ...plans.slide import Plan
     from ...simulation import Recording
+    from ...slide import Plan
 
 
 class Stage(FilmStage):

@@ -1,31 +1,27 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan file of kind slide holds."""
+"""Table of a plan file of kind slide."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from ..tasks.shapes import Fields
+from .. import slide
 from ..tasks.slide.model import SlideTask
-from .joints import require_rows
-from .model import PlanFields, PoseRow, require_unit_quaternions
+from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
 
-Status = Literal[
-    "solved",
-    "start_in_collision",
-    "no_start_root",
-    "no_goal_root",
-    "no_valid_pair",
-    "not_connected",
-    "interrupted",
-]
+if TYPE_CHECKING:
+    Status = str
+else:
+    Status = Literal[tuple(slide.Status.__members__)]
 
 
-class Segment(Fields):
+class Segment(Table):
     """A stretch of motion."""
+
+    MAKE: ClassVar = slide.Segment
 
     name: str = Field(description="approach, press, slide, lift, reach, grasp or close")
     positions: list[list[float]] = Field(description="[N][dof], rad or m")
@@ -53,3 +49,6 @@ class SlidePlanFile(PlanFields):
             require_rows(where, segment.positions, segment.object_poses, dof)
         require_unit_quaternions([self.X_WO_goal, self.X_WH_grasp])
         return self
+
+
+File = SlidePlanFile

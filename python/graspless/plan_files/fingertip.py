@@ -1,31 +1,53 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan file of kind fingertip holds."""
+"""Table of a plan file of kind fingertip."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from .. import fingertip
 from ..tasks.fingertip.model import FingertipTask
-from ..tasks.shapes import Fields, Point3
-from .joints import require_rows
-from .model import PlanFields, PoseRow, require_unit_quaternions
+from ..tasks.shapes import Point3
+from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
 
 Index = Annotated[int, Field(ge=-1)]
-Status = Literal[
-    "solved",
-    "no_location",
-    "unstable",
-    "out_of_time",
-    "interrupted",
-    "not_realized",
-]
+if TYPE_CHECKING:
+    Status = str
+else:
+    Status = Literal[tuple(fingertip.Status.__members__) + ("not_realized",)]
 
 
-class Segment(Fields):
+def _segment(**columns: Any) -> fingertip.Segment:
+    """Returns a segment from its columns: of each row, and in it of each finger."""
+    modes = fingertip.FingerMode.__members__
+    rows = []
+    for i, X_WO in enumerate(columns["object_poses"]):
+        fingers = [
+            fingertip.FingerState(
+                touches=p_OC is not None,
+                p_OC=[0.0, 0.0, 0.0] if p_OC is None else p_OC,
+                n_O=[0.0, 0.0, 1.0] if p_OC is None else columns["normals"][i][k],
+                mode=modes[columns["modes"][i][k]],
+                commanded_force=columns["commanded_forces"][i][k],
+                nominal_force_O=columns["nominal_forces"][i][k],
+            )
+            for k, p_OC in enumerate(columns["fingers"][i])
+        ]
+        numbers = {name: columns[name][i] for name in _OF_ROWS}
+        rows.append(fingertip.Row(X_WO=X_WO, fingers=fingers, **numbers))
+    return fingertip.Segment(columns["name"], columns["X_WO"], rows, columns["finger"])
+
+
+_OF_ROWS = ("stability", "compliant_stability", "nominal_margin")
+
+
+class Segment(Table):
     """A stretch with the fingers where they are, or one regrasp: N rows, n fingers."""
+
+    MAKE: ClassVar = _segment
 
     name: str = Field(description="slide, turn, tumble or regrasp")
     finger: Index = Field(description="regrasp: who moves, from 0; else -1")
@@ -74,8 +96,11 @@ class Segment(Fields):
         require_unit_quaternions([*self.X_WO, *self.object_poses])
 
 
-class JointSegment(Fields):
+class JointSegment(Table):
     """A stretch of joint motion."""
+
+    MAKE: ClassVar = fingertip.JointSegment
+    ATTRIBUTES: ClassVar = {"object_poses": "X_WO"}
 
     name: str = Field(description="approach, touch, slide, turn, tumble, release, reach or retreat")
     plan_segment: Index = Field(description="which of `segments` it carries out, or -1")
@@ -86,8 +111,10 @@ class JointSegment(Fields):
     object_poses: list[PoseRow] = Field(description="[N][7], x y z qw qx qy qz in the world")
 
 
-class Realization(Fields):
+class Realization(Table):
     """Joint paths that carry the fingertips, or where that is impossible."""
+
+    MAKE: ClassVar = fingertip.Realization
 
     found: bool
     reason: str = Field(description="which segment, row and finger fails, and why")
@@ -105,15 +132,19 @@ class Realization(Fields):
             require_rows(where, segment.positions, segment.object_poses, dof)
 
 
-class Relaxation(Fields):
+class Relaxation(Table):
     """The least change of one field that helps."""
+
+    MAKE: ClassVar = fingertip.Relaxation
 
     field: str
     value: float
 
 
-class Weakest(Fields):
+class Weakest(Table):
     """Where the stability is least."""
+
+    MAKE: ClassVar = fingertip.Weakest
 
     segment: Index
     row: Index
@@ -151,3 +182,6 @@ class FingertipPlanFile(PlanFields):
         if self.realization is not None:
             self.realization.check()
         return self
+
+
+File = FingertipPlanFile

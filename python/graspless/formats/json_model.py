@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from ..plans.model import PoseRow
+from ..plan_files.table import PoseRow
 from ..tasks.shapes import Fields, Point3
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan file of kind chain holds."""
+"""Table of a plan file of kind chain: its stages are whole plan files."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from pydantic import Discriminator, Field, model_validator
 
 from ..tasks.chain.model import ChainTask
 from ..tasks.shapes import Fields
-from .carry_model import CarryPlanFile
-from .clasp_model import ClaspPlanFile
-from .fingertip_model import FingertipPlanFile
-from .model import PlanFields, PoseRow, require_unit_quaternions
-from .slide_model import SlidePlanFile
+from .carry import CarryPlanFile
+from .clasp import ClaspPlanFile
+from .fingertip import FingertipPlanFile
+from .slide import SlidePlanFile
+from .table import PlanFields, PoseRow, require_unit_quaternions
 
 StagePlan = Annotated[
     SlidePlanFile | FingertipPlanFile | ClaspPlanFile | CarryPlanFile, Discriminator("kind")
@@ -65,3 +65,6 @@ class ChainPlanFile(PlanFields):
             raise ValueError(what)
         require_unit_quaternions([join.X_WO for join in self.joins])
         return self
+
+
+File = ChainPlanFile

@@ -12,12 +12,12 @@ import numpy as np
 from .. import frames
 from ..errors import TaskError
 from ..tasks.chain import start_at
-from .chain_state import begins, corners, ends, join
+from .state import begins, corners, ends, join
 
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..tasks.chain import Stage
-    from .chain import Plan
+    from . import Plan
 
 SAME_JOINTS = 1e-9  # [rad or m]
 SAME_POSE = 1e-6  # [m, rad]; a slide lays its object flat
@@ -28,13 +28,13 @@ def check_joins(plan: Plan) -> list[str]:
     stages, asked = plan.stages, plan.task.problem.stages
     if [stage.name for stage in asked] != plan.names:
         return ["plan: the stages are not those of the task"]
-    if len(plan.fields.joins) != len(stages) - 1:
+    if len(plan.joins) != len(stages) - 1:
         return ["plan: there is not one join between each two stages"]
     faults = []
     for k, (before, stage) in enumerate(pairwise(stages), start=1):
         where = f"stage {k} '{plan.names[k]}'"
         faults += [f"{where}: {fault}" for fault in _continuity(before, stage)]
-        if join(before) != plan.fields.joins[k - 1].model_dump(mode="json"):
+        if join(before) != plan.joins[k - 1].model_dump(mode="json"):
             faults.append(f"{where}: the join before it is not what the stage before it left")
     for k, stage in enumerate(stages):
         wrong = _wrong_task(stage, asked[k], stages[k - 1] if k else None)
@@ -104,7 +104,7 @@ def _apart(X_A: Matrix, X_B: Matrix) -> float:
 
 def _check_contents(plan: Plan) -> list[str]:
     """Whether the list of all segments is that of the stages."""
-    listed = [(s.name, s.stage, s.segment) for s in plan.fields.segments]
+    listed = [(s.name, s.stage, s.segment) for s in plan.contents]
     found = [
         (segment.name, k, i)
         for k, stage in enumerate(plan.stages)

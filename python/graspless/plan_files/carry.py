@@ -1,23 +1,27 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan file of kind carry holds."""
+"""Table of a plan file of kind carry."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from .. import carry
 from ..tasks.carry.model import CarryTask
-from ..tasks.shapes import Fields
-from .joints import require_rows
-from .model import PlanFields, PoseRow
+from .table import PlanFields, PoseRow, Table, require_rows
 
-Status = Literal["solved", "start_in_collision", "not_found", "interrupted"]
+if TYPE_CHECKING:
+    Status = str
+else:
+    Status = Literal[tuple(carry.Status.__members__)]
 
 
-class Segment(Fields):
+class Segment(Table):
     """A stretch of motion."""
+
+    MAKE: ClassVar = carry.Segment
 
     name: str = Field(description="carry")
     positions: list[list[float]] = Field(description="[N][dof], rad or m")
@@ -42,3 +46,6 @@ class CarryPlanFile(PlanFields):
             where = f"segment '{segment.name}'"
             require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
         return self
+
+
+File = CarryPlanFile

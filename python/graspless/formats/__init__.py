@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import files
-from ..errors import TaskError
+from ..errors import TaskError, missing
 from ..simulation import require_mujoco
 from ..timing import time
 
 if TYPE_CHECKING:
-    from ..plans import Plan
+    from .._plan import Plan
     from ..robot import Robot
     from ..timing import Trajectory
 
@@ -48,6 +48,7 @@ def export(
     *,
     rate: float | None = None,
     robot: Robot | None = None,
+    group: str | None = None,
     **limits: Any,
 ) -> Trajectory:
     """Times a plan and writes it for other programs.
@@ -65,6 +66,9 @@ def export(
         Moments a second. Default 100.
     robot : Robot, optional
         As in `time`.
+    group : str, optional
+        Group of the SRDF, such as arm or hand: only its joints are written, for a controller of
+        their own. Default: all joints. Not of `mujoco`.
     **limits
         As in `time`: max_velocity, max_acceleration, contact_speed, pause, fingers.
 
@@ -82,7 +86,7 @@ def export(
     writer = _writer(to)
     files.check_writable(path)
     _check_ending(path, to)
-    trajectory = time(plan, robot, rate=rate, **limits)
+    trajectory = _timed(plan, to, group, robot=robot, rate=rate, **limits)
     writer.write(trajectory, path)
     return trajectory
 
@@ -93,14 +97,23 @@ def text(
     *,
     rate: float | None = None,
     robot: Robot | None = None,
+    group: str | None = None,
     **limits: Any,
 ) -> tuple[Trajectory, str]:
     """What `export` would write, of a format that is text: a trajectory, and the file's content."""
     if to == "mcap":
         raise TaskError(f"to: {to}: is not text: should have a file")
     writer: Any = _writer(to)
-    trajectory = time(plan, robot, rate=rate, **limits)
+    trajectory = _timed(plan, to, group, robot=robot, rate=rate, **limits)
     return trajectory, writer.text(trajectory)
+
+
+def _timed(plan: Plan | str | Path, to: str, group: str | None, **settings: Any) -> Trajectory:
+    """The plan in time, of all joints or of those of a group."""
+    if group is not None and to == "mujoco":
+        raise TaskError(f"group: {group}: mujoco holds the whole robot")
+    trajectory = time(plan, **settings)
+    return trajectory if group is None else trajectory.of_group(group)
 
 
 def _check_ending(path: str | Path, to: str) -> None:
@@ -122,7 +135,7 @@ def _writer(to: str) -> Format:
         writer: Format = importlib.import_module(f".{to}", __name__)
     except ImportError as error:
         extra = {"mcap": "ros", "mujoco": "sim"}.get(to, "timing")
-        raise TaskError(f"needs {error.name or error}: pip install 'graspless[{extra}]'") from None
+        raise missing(error, extra) from None
     return writer
 
 

@@ -23,9 +23,9 @@ def contacts(trajectory: Trajectory) -> Matrix:
         count = max((s.fingers.shape[1] for s in trajectory.segments if len(s)), default=0)
     points = np.full((len(trajectory), count, 3), np.nan)
     if count:
+        fingers = [segment.fingers for segment in trajectory.segments]
         for k, (i, row) in enumerate(zip(trajectory.segment_index, trajectory.rows, strict=True)):
-            segment = trajectory.segments[i]
-            p_O = segment.fingers[int(np.clip(np.rint(row), 0, len(segment) - 1))]
+            p_O = fingers[i][int(np.clip(np.rint(row), 0, len(fingers[i]) - 1))]
             X_WO = trajectory.object_poses[k]
             points[k] = p_O @ X_WO[:3, :3].T + X_WO[:3, 3]
     return points

@@ -15,8 +15,8 @@ from ..simulation.shapes import add_plane
 from .mujoco_shapes import add_shape
 
 if TYPE_CHECKING:
+    from .._plan import Plan
     from ..frames import Matrix
-    from ..plans import Plan
 
 TABLE = "table"
 _SAME = 1e-6  # planes so near are one [m]

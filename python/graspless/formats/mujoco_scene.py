@@ -24,8 +24,8 @@ from .mujoco_surroundings import add_surroundings
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from .._plan import Plan
     from ..frames import Matrix
-    from ..plans import Plan
     from ..robot import Robot
     from ..tasks import Task
     from ..timing import Trajectory

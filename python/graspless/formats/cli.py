@@ -21,7 +21,7 @@ FLAGS = {
     "max_acceleration": "--acceleration",
     "contact_speed": "--contact-speed",
 }  # the others are called as in Python
-FIELD = rf"^(to|rate|fingers)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
+FIELD = rf"^(to|rate|fingers|group)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -39,6 +39,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         required=True,
         help="file to write; mcap: FILE.mcap or a new folder; the others: - for stdout",
+    )
+    parser.add_argument(
+        "--group", metavar="NAME", help="only the joints of a group of the SRDF: arm, hand"
     )
     for flag, what in (
         ("--velocity", "velocity limit [rad/s, m/s]; the limits of the URDF hold as well"),
@@ -100,6 +103,7 @@ def _run(options: argparse.Namespace) -> int:
         "max_acceleration": _limits("--acceleration", options.acceleration),
         "contact_speed": options.contact_speed,
         "fingers": options.fingers,
+        "group": options.group,
     }
     plan, to_stdout = checked_plan(options), options.output == "-"
     with _naming_flags(), progress.waiting("timing and writing"):
@@ -112,6 +116,9 @@ def _run(options: argparse.Namespace) -> int:
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
     print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)
+    if trajectory.start:
+        joints = ", ".join(f"{name} {value:.4f}" for name, value in trajectory.start.items())
+        print(f"  the robot must stand at the first point: {joints}", file=told)
     return FOUND
 
 

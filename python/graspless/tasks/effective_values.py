@@ -10,12 +10,13 @@ from typing import Any
 def in_force(fields: Any, built: Any) -> Any:
     """The fields with the values of what was built from them."""
     names = type(fields).model_fields
-    return type(fields)(**{name: _plain(getattr(built, name)) for name in names})
+    return type(fields)(**{name: plain(getattr(built, name)) for name in names})
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """Returns a value of the core in plain types."""
     if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
+        return [plain(item) for item in value]
     if hasattr(value, "tolist"):
         return value.tolist()
     return getattr(value, "name", value)

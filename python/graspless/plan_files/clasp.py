@@ -1,32 +1,29 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan file of kind clasp holds."""
+"""Table of a plan file of kind clasp."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from .. import clasp, geometry
 from ..tasks.clasp.model import ClaspTask
-from ..tasks.shapes import Fields, NotNegative, Point3
-from .joints import require_rows
-from .model import PlanFields, PoseRow
+from ..tasks.shapes import NotNegative, Point3
+from .table import PlanFields, PoseRow, Table, require_rows
 
-Status = Literal[
-    "solved",
-    "start_in_collision",
-    "no_reliable_hole",
-    "no_target_in_reach",
-    "not_found",
-    "not_secure",
-    "interrupted",
-]
+if TYPE_CHECKING:
+    Status = str
+else:
+    Status = Literal[tuple(clasp.Status.__members__)]
 Index = Annotated[int, Field(ge=0)]
 
 
-class Segment(Fields):
+class Segment(Table):
     """A stretch of motion."""
+
+    MAKE: ClassVar = clasp.Segment
 
     name: str = Field(description="reach or close")
     positions: list[list[float]] = Field(description="[N][dof], rad or m")
@@ -38,15 +35,19 @@ class Segment(Fields):
     )
 
 
-class Target(Fields):
+class Target(Table):
     """Where the loop is clasped."""
+
+    MAKE: ClassVar = geometry.ClaspTarget
 
     point: Point3 = Field(description="in the object frame [m]")
     tangent: Point3 = Field(description="of the loop there, unit, in the object frame")
 
 
-class Stability(Fields):
+class Stability(Table):
     """What the stability test says of the last row."""
+
+    MAKE: ClassVar = clasp.Stability
 
     secure: bool
     escapes: Index = Field(description="sequences of moves in which the loop came free")
@@ -54,8 +55,11 @@ class Stability(Fields):
     checks: Index = Field(description="poses looked at")
 
 
-class Tree(Fields):
+class Tree(Table):
     """The tree that led to the clasp."""
+
+    MAKE: ClassVar = clasp.Tree
+    ATTRIBUTES: ClassVar = {"points": "p_W"}
 
     points: list[Point3] = Field(description="[N] centre of the hand's curves in the world [m]")
     parents: list[Index] = Field(description="[N] index of a node's parent; its own for the root")
@@ -103,3 +107,6 @@ class ClaspPlanFile(PlanFields):
         if self.status == "solved" and None in found:
             raise ValueError("a plan that is solved has loop, target and stability")
         return self
+
+
+File = ClaspPlanFile

@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The task file of a problem that was made in Python."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames
+from ..errors import TaskError
+from ..kinds import part
+from .effective_values import in_force, plain
+from .meshes import checksums
+from .robots import robot_meshes
+from .source import Source
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..frames import Matrix
+    from . import Task
+
+SAME = 1e-9  # [m, rad, N]; poses are written as quaternions
+
+
+def stated(task: Task) -> Any:
+    """Returns the fields of a task that was made of a problem.
+
+    Raises
+    ------
+    TaskError
+        A task file cannot state the problem; names the part that it would change.
+    """
+    kind = part("tasks", task.kind)
+    if not hasattr(kind, "state"):
+        raise TaskError(f"a problem of kind {task.kind} comes from a task file alone")
+    document = {"kind": task.kind, **kind.state(task.problem, task.arm)}
+    source = Source("problem", document)
+    fields = source.validate(kind.Fields)
+    rebuilt, _ = kind.build(fields, source, source)
+    if wrong := difference(task.problem, rebuilt, "problem"):
+        raise TaskError(f"{wrong}: no task file can state it, so it cannot be saved or pickled")
+    update = kind.in_force(fields, task.problem, task.options)
+    update["budget"] = in_force(fields.budget, task.budget)
+    if getattr(fields, "robot", None) is not None:
+        update["files"] = checksums(robot_meshes(fields.robot))
+    return fields.model_copy(update=update)
+
+
+def robot_fields(robot: Any, q_home: Matrix) -> dict[str, Any]:
+    """Returns the robot of a task file: its URDF and SRDF, where it stands, and its joints."""
+    if not hasattr(robot, "urdf"):
+        what = "its URDF text is not kept: read the task from a file to save its plan"
+        raise TaskError(f"problem.robot: {robot.name}: {what}")
+    directory = str(Path(robot.directory).resolve()) if robot.directory else None
+    return {
+        "urdf_text": robot.urdf,
+        "srdf_text": robot.srdf or None,
+        "packages": dict(robot.packages),
+        "directory": directory,
+        "pose": pose_fields(robot.X_WB),
+        "home": np.asarray(q_home).tolist(),
+    }
+
+
+def pose_fields(X: Matrix) -> dict[str, Any]:
+    """Returns a pose as task files write it."""
+    row = frames.to_row(X)
+    return {"position": row[:3], "quaternion": row[3:]}
+
+
+def obstacle_fields(obstacles: Sequence[Any]) -> list[dict[str, Any]]:
+    """Returns obstacles, each of one shape or of several."""
+    return [
+        {"name": body.name, "pose": pose_fields(body.X_WB)} | _shapes(body.shapes)
+        for body in obstacles
+    ]
+
+
+def part_fields(shapes: Sequence[Any]) -> list[dict[str, Any]]:
+    """Returns shapes, each with its pose in the frame of the body."""
+    return [_shape(placed.shape) | {"pose": pose_fields(placed.X_BG)} for placed in shapes]
+
+
+def struct_fields(struct: Any, names: Sequence[str]) -> dict[str, Any]:
+    """Returns members of a struct of the core in plain types; what is infinite is left out."""
+    values = {name: plain(getattr(struct, name)) for name in names}
+    return {name: value for name, value in values.items() if value != np.inf}
+
+
+def _shapes(shapes: Sequence[Any]) -> dict[str, Any]:
+    if len(shapes) == 1 and np.array_equal(shapes[0].X_BG, np.eye(4)):
+        return _shape(shapes[0].shape)
+    return {"parts": part_fields(shapes)}
+
+
+def _shape(shape: Any) -> dict[str, Any]:
+    kind = type(shape).__name__
+    if kind == "Box":
+        return {"box": plain(shape.size)}
+    if kind == "Sphere":
+        return {"sphere": {"radius": shape.radius}}
+    if kind == "Capsule":
+        return {"capsule": {"radius": shape.radius, "length": shape.length}}
+    if kind == "Mesh":
+        return {"vertices": plain(shape.vertices), "triangles": plain(shape.triangles)}
+    return {"convex": plain(shape.vertices)}
+
+
+def difference(a: Any, b: Any, place: str) -> str | None:
+    """Returns the first place where two values of the core differ, or None."""
+    if isinstance(a, np.ndarray):
+        same = a.shape == np.shape(b) and np.allclose(a, b, rtol=1e-9, atol=SAME, equal_nan=True)
+        return None if same else place
+    if isinstance(a, float):
+        return None if np.isclose(a, b, rtol=1e-9, atol=SAME, equal_nan=True) else place
+    if isinstance(a, dict):
+        return _first(a, b, place, a) if a.keys() == b.keys() else place
+    if isinstance(a, (list, tuple)):
+        return _first(a, b, place, range(len(a))) if len(a) == len(b) else place
+    if isinstance(a, (str, int, set, Enum, type(None))):
+        return None if a == b else place
+    if type(a) is not type(b):
+        return place
+    names = [name for name, value in vars(type(a)).items() if isinstance(value, property)]
+    for name in names:
+        if name != "directory" and (
+            wrong := difference(getattr(a, name), getattr(b, name), f"{place}.{name}")
+        ):
+            return wrong
+    return None
+
+
+def _first(a: Any, b: Any, place: str, keys: Any) -> str | None:
+    found = (difference(a[key], b[key], f"{place}[{key!r}]") for key in keys)
+    return next((wrong for wrong in found if wrong), None)

@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks the types of every example and of every block of Python in the README, as users would."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).parents[1]
+
+
+def sources() -> dict[str, str]:
+    """Text of each script, notebook and block, by a name that may be a module's."""
+    found = {f"example_{path.stem}": path.read_text() for path in ROOT.glob("examples/*.py")}
+    for path in ROOT.glob("examples/*.ipynb"):
+        cells = json.loads(path.read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        found[f"notebook_{path.stem}"] = "\n\n".join(code) + "\n"
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    return found | {f"readme_{k}": block for k, block in enumerate(blocks)}
+
+
+def main() -> int:
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in sources().items():
+            pathlib.Path(folder, f"{name}.py").write_text(text)
+        # A block of the README may use what the text around it names.
+        quiet = ["--disable-error-code=name-defined", "--no-error-summary"]
+        command = [sys.executable, "-m", "mypy", "--config-file", "pyproject.toml", *quiet, folder]
+        return subprocess.run(command, cwd=ROOT, check=False).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())
