@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every planner shares: the budget of a query."""
+"""What every planner shares: the budget of a query, and the description of an option."""
 
 from ._core.planning import (
     Budget,
+    Field,
 )
 
 __all__ = [
     "Budget",
+    "Field",
 ]

@@ -4,27 +4,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
-
-from pydantic import Field
-
-from .shapes import Fields, Positive
+from .. import planning
+from .options import described_by
+from .shapes import Fields
 from .source import Source, at
 
-if TYPE_CHECKING:
-    from .. import planning
 
-
+@described_by(planning.Budget)
 class Budget(Fields):
     """Time and randomness: graspless.planning.Budget."""
 
-    seconds: Positive | None = Field(default=None, description="wall clock [s]")
-    iterations: Annotated[int, Field(ge=0, lt=2**63)] | None = None
-    seed: Annotated[int, Field(ge=0, lt=2**64)] | None = None
-
 
 def build_budget(budget: Budget, source: Source) -> planning.Budget:
-    from .. import planning
-
     with at(source, "budget"):
         return planning.Budget(**budget.model_dump(exclude_none=True))

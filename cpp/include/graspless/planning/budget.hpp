@@ -9,25 +9,34 @@
 #include <limits>
 
 #include "graspless/export.hpp"
+#include "graspless/planning/fields.hpp"
 
 namespace graspless::planning {
 
-/// All randomness and time of a query. The same seed and iterations give the same plan, bit by bit,
-/// provided the clock does not end the search first.
+/// All time and randomness of a query; fields() describes them. The same seed and iterations give
+/// the same plan, bit by bit, provided the clock does not end the search first.
 struct Budget {
-  double seconds = 10;                                                 ///< wall clock [s]
-  std::int64_t iterations = std::numeric_limits<std::int64_t>::max();  ///< rounds of the main loop
+  double seconds = 10;
+  std::int64_t iterations = std::numeric_limits<std::int64_t>::max();
   std::uint64_t seed = 1;
-  /// Ends the query when it returns true; asked at once and then at most every 10 ms, from the
+  /// Ends the query when it returns true. Called at once and then at most every 10 ms, from the
   /// thread that plans.
   std::function<bool()> interrupted;
 };
 
+constexpr auto fields(const Budget&) {
+  return std::make_tuple(
+      Field{"seconds", &Budget::seconds, "s", "Wall-clock time.",
+            Range::left_open(0, std::numeric_limits<double>::infinity())},
+      Field{"iterations", &Budget::iterations, "",
+            "Iterations of the planner's main loop. Default: no limit.", Range::not_negative()},
+      Field{"seed", &Budget::seed, "", "Seed of all random numbers.", Range::not_negative()});
+}
+
 /// Spends a budget: the clock of one query.
 class GRASPLESS_API Clock {
  public:
-  /// Throws std::invalid_argument when seconds is not positive (infinity is allowed) or iterations
-  /// negative.
+  /// Throws std::invalid_argument when a field of the budget is out of its range.
   explicit Clock(const Budget& budget);
 
   bool spend();   ///< takes one iteration; false when nothing is left
