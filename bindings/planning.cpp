@@ -53,8 +53,7 @@ void bind_planning(py::module_ m) {
            "The same seed and iterations give the same plan, bit by bit, unless the clock ends the "
            "search first.")
       .def_readonly("seconds", &StoppableBudget::seconds, doc_of("seconds").c_str())
-      .def_readonly("iterations", &StoppableBudget::iterations,
-                    doc_of("iterations").c_str())
+      .def_readonly("iterations", &StoppableBudget::iterations, doc_of("iterations").c_str())
       .def_readonly("seed", &StoppableBudget::seed, doc_of("seed").c_str())
       .def_static("fields", &descriptions<planning::Budget>,
                   "Returns name, unit, range, text and source of every field.")

@@ -16,6 +16,8 @@ using planning::Path;
 
 namespace {
 
+constexpr int kPruningRounds = 60;  // costs little beside the search
+
 /// The randomised path pruning of Section IV-D. Both ends stay where they are.
 Path pruned(Query& query, Path path) {
   std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>> refused;  // are drawn again and again
@@ -28,7 +30,7 @@ Path pruned(Query& query, Path path) {
     refused.push_back(pair);
     return std::nullopt;
   };
-  return planning::shortcut(std::move(path), straight, query.options.shortcut_rounds, query.rng);
+  return planning::shortcut(std::move(path), straight, kPruningRounds, query.rng);
 }
 
 Segment segment(const std::string& name, const Path& path, Tasks& tasks) {

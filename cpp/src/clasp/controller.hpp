@@ -16,7 +16,7 @@ namespace graspless::clasp {
 /// what the linking asks, before the pseudo-inverses, so that no part of a motion is asked of a
 /// joint that will not do it. Pseudo-inverses are damped. A curve that is not linked asks nothing.
 /// The direction to the target counts less the nearer the target is. The hand waits on its way
-/// while it is misaligned (Options::patience). A joint that would leave its limits is left out and
+/// while it is misaligned. A joint that would leave its limits is left out and
 /// the others asked anew.
 class Controller {
  public:

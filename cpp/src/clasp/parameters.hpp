@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "graspless/clasp/clasp.hpp"
 
 /// What the options leave open, derived from hand and object (the paper's future work).
@@ -27,8 +25,5 @@ double finger_radius(const robot::Robot& robot, const Hand& hand);
 
 /// The options with every zero replaced, for one loop.
 Options derived(const Options& options, const Problem& problem, int loop);
-
-/// n of the first tree, the second, ...; the last for all further ones.
-std::vector<int> pre_expansion_schedule(const Options& options);
 
 }  // namespace graspless::clasp

@@ -18,14 +18,14 @@ std::string to_string(const Range& range) {
 }
 
 void require_in_range(const std::string& name, double value, const Range& range,
-                      const std::string& unit) {
+                      const std::string& unit, const std::string& text) {
   if (range.contains(value) || to_string(range).empty()) return;
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(10);
-  text << name << " must lie in " << to_string(range) << (unit.empty() ? "" : " ") << unit
-       << ", not " << value;
-  throw std::invalid_argument(text.str());
+  std::ostringstream message;
+  message.imbue(std::locale::classic());
+  message.precision(10);
+  message << name << " must lie in " << to_string(range) << (unit.empty() ? "" : " ") << unit
+          << ", not " << value << ". " << text;
+  throw std::invalid_argument(message.str());
 }
 
 }  // namespace graspless::planning

@@ -47,11 +47,11 @@ BandProjection ContactSpace::make_projection() {
   BandProjection::Bands bands{BandProjection::Values(3), BandProjection::Values(3),
                               BandProjection::Values(3)};
   bands.lower << top_ - options_.max_depth, std::sin(options_.pitch - tolerance),
-      -options_.roll_tolerance / 2;
+      -kRollTolerance / 2;
   bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance),
-      options_.roll_tolerance / 2;
-  bands.slack << options_.height_tolerance,
-      play * std::cos(options_.pitch + options_.pitch_tolerance), options_.roll_tolerance / 2;
+      kRollTolerance / 2;
+  bands.slack << kHeightTolerance, play * std::cos(options_.pitch + options_.pitch_tolerance),
+      kRollTolerance / 2;
   constexpr double kBetweenSamples =
       0.9;  // between two checked configurations a row may go a little further
   bands.slack *= kBetweenSamples;

@@ -8,6 +8,7 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/slide/slide.hpp"
 
+#include "slide/contact.hpp"
 #include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
@@ -114,7 +115,7 @@ void validate(const Problem& problem, const Options& options) {
   if (problem.hand.finger_model == FingerModel::none) return;
   const double L = problem.hand.flexure_length;
   const double bent = std::sin(options.pitch - options.pitch_tolerance) -
-                      (options.max_depth + options.height_tolerance) / L;
+                      (options.max_depth + kHeightTolerance) / L;
   require(
       bent > 0, "options.max_depth", options.max_depth,
       "would bend a finger with hand.flexure_length " + std::to_string(L) + " flat at this pitch");

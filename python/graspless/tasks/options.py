@@ -35,14 +35,15 @@ def described_by(
             for field in core.fields()
         }
         fields |= {name: _constant(value) for name, value in (constants or {}).items()}
-        made: Any = create_model(
+        create: Any = create_model
+        made: type[Model] = create(
             model.__name__,
             __base__=model.__bases__,
             __module__=model.__module__,
             __doc__=model.__doc__,
             **fields,
         )
-        return made  # type: ignore[no-any-return]
+        return made
 
     return described
 
@@ -52,7 +53,7 @@ def _optional(field: Any, default: Any) -> tuple[Any, Any]:
     if hasattr(kind, "__members__"):
         names: Any = Literal
         kind = names[tuple(kind.__members__)]
-    text = f"{field.text} [{field.unit}]" if field.unit else field.text
+    text = f"{field.text[:-1]} [{field.unit}]." if field.unit else field.text
     return Annotated[kind, Field(**field.bounds)] | None, Field(default=None, description=text)
 
 

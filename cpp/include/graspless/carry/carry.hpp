@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -46,6 +47,7 @@ GRASPLESS_API void validate(const Problem& problem);
 
 enum class Status { solved, start_in_collision, not_found, interrupted };
 
+/// Table of the values: name and text.
 constexpr auto choices(Status) {
   using planning::Choice;
   return std::array{
@@ -73,6 +75,7 @@ struct Statistics {
   std::map<std::string, std::int64_t> refusals;
 };
 
+/// Table of the members: name, unit, text, range and source.
 constexpr auto fields(const Statistics&) {
   using planning::Field;
   return std::make_tuple(

@@ -17,15 +17,18 @@ struct Options {
   double resolution = 0.01;
 };
 
+/// Table of the members: name, unit, text, range and source.
 constexpr auto fields(const Options&) {
   using planning::Field, planning::Range;
   return std::make_tuple(
       Field{"step", &Options::step, "m", "Distance between checked poses along the path.",
             Range::closed(1e-4, 0.1)},
       Field{"tolerance", &Options::tolerance, "m",
-            "Largest distance of the object's origin from the straight path.", Range::closed(1e-5, 0.05)},
+            "Largest distance of the object's origin from the straight path.",
+            Range::closed(1e-5, 0.05)},
       Field{"angle_tolerance", &Options::angle_tolerance, "rad",
-            "Largest rotation of the object away from the planned attitude.", Range::closed(1e-4, 0.5)},
+            "Largest rotation of the object away from the planned attitude.",
+            Range::closed(1e-4, 0.5)},
       Field{"max_twist", &Options::max_twist, "rad",
             "Largest rotation of hand and object about the direction of the path, also at its end. "
             "0: none.",

@@ -8,6 +8,7 @@
 
 #include "graspless/clasp/problem.hpp"
 #include "graspless/export.hpp"
+#include "graspless/planning/fields.hpp"
 
 namespace graspless::clasp {
 
@@ -16,15 +17,38 @@ namespace graspless::clasp {
 /// but a link that is a concave mesh is filled to its hull, which errs the other way.
 struct StabilityOptions {
   int sequences = 10;
-  int moves = 500;             ///< a sequence: translations and rotations in turn
-  double step = 0.002;         ///< of a translation between tests [m]
-  double turn = 0.01;          ///< of a rotation about the hand's centre between tests [rad]
-  double penetration = 0.003;  ///< that does not count as a hit [m]
-  /// Every point of the loop farther from the hand's centre than this has escaped [m]; 0: half the
-  /// length of the longest of the hand's curves, which no hand can reach farther.
+  int moves = 500;
+  double step = 0.002;
+  double turn = 0.01;
+  double penetration = 0.003;
   double escape_distance = 0;
   std::uint64_t seed = 1;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const StabilityOptions&) {
+  using planning::Field, planning::Range;
+  using Options = StabilityOptions;
+  return std::make_tuple(
+      Field{"sequences", &Options::sequences, "",
+            "Number of sequences of random moves, each starting from the clasp.",
+            Range::closed(1, 1000)},
+      Field{"moves", &Options::moves, "",
+            "Number of moves in a sequence: translations and rotations in turn.",
+            Range::closed(1, 10000)},
+      Field{"step", &Options::step, "m", "Length of a translation between two collision tests.",
+            Range::closed(1e-4, 0.1)},
+      Field{"turn", &Options::turn, "rad",
+            "Angle of a rotation about the hand's centre between two collision tests.",
+            Range::closed(1e-3, 1)},
+      Field{"penetration", &Options::penetration, "m",
+            "Depth of penetration that does not count as a collision.", Range::closed(0, 0.05)},
+      Field{"escape_distance", &Options::escape_distance, "m",
+            "The object has escaped when every point of the loop is farther than this from the "
+            "hand's centre. 0: half the length of the longest finger curve, the reach of any hand.",
+            Range::closed(0, 10)},
+      Field{"seed", &Options::seed, "", "Seed of the random moves.", Range::not_negative()});
+}
 
 /// Throws std::invalid_argument that names the option, its value and what it may be.
 GRASPLESS_API void validate(const StabilityOptions& options);

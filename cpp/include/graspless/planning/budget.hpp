@@ -24,6 +24,7 @@ struct Budget {
   std::function<bool()> interrupted;
 };
 
+/// Table of the members: name, unit, text, range and source.
 constexpr auto fields(const Budget&) {
   return std::make_tuple(
       Field{"seconds", &Budget::seconds, "s", "Wall-clock time.",

@@ -23,8 +23,12 @@ struct Range {
 
   static constexpr Range closed(double lower, double upper) { return {lower, upper, false, false}; }
   static constexpr Range open(double lower, double upper) { return {lower, upper, true, true}; }
-  static constexpr Range left_open(double lower, double upper) { return {lower, upper, true, false}; }
-  static constexpr Range right_open(double lower, double upper) { return {lower, upper, false, true}; }
+  static constexpr Range left_open(double lower, double upper) {
+    return {lower, upper, true, false};
+  }
+  static constexpr Range right_open(double lower, double upper) {
+    return {lower, upper, false, true};
+  }
   static constexpr Range positive() { return {0}; }
   static constexpr Range not_negative() { return right_open(0, Range{}.upper); }
 
@@ -42,14 +46,16 @@ template <class Struct, class Value>
 struct Field {
   const char* name;
   Value Struct::*member;
-  const char* unit;    ///< "m"; empty for counts, ratios and text
-  const char* text;    ///< one sentence or two
-  Range range = {};    ///< of numbers
+  const char* unit;         ///< "m"; empty for counts, ratios and text
+  const char* text;         ///< one sentence or two
+  Range range = {};         ///< of numbers
   const char* source = "";  ///< section or equation of the planner's paper; empty: not from there
 };
+/// @cond
 template <class Struct, class Value>
 Field(const char*, Value Struct::*, const char*, const char*, Range = {}, const char* = "")
     -> Field<Struct, Value>;
+/// @endcond
 
 /// Description of one value of an enum.
 template <class Enum>
@@ -58,8 +64,10 @@ struct Choice {
   const char* name;
   const char* text;
 };
+/// @cond
 template <class Enum>
 Choice(Enum, const char*, const char*) -> Choice<Enum>;
+/// @endcond
 
 /// Name of an enum's value in its table of choices().
 template <class Enum>
@@ -70,18 +78,19 @@ std::string name_of(Enum value) {
   return "unknown";
 }
 
-/// Throws std::invalid_argument unless the value lies in the range.
+/// Throws std::invalid_argument with all of this unless the value lies in the range.
 GRASPLESS_API void require_in_range(const std::string& name, double value, const Range& range,
-                                    const std::string& unit);
+                                    const std::string& unit, const std::string& text);
 
-/// Throws std::invalid_argument that names the first member outside its range, with `prefix` in
-/// front, its value and the range.
+/// Throws std::invalid_argument about the first member outside its range: its name after `prefix`,
+/// range, value and text.
 template <class Struct>
 void require_in_range(const std::string& prefix, const Struct& values) {
   const auto require = [&](const auto& field) {
     const auto& value = values.*field.member;
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
-      require_in_range(prefix + field.name, static_cast<double>(value), field.range, field.unit);
+      require_in_range(prefix + field.name, static_cast<double>(value), field.range, field.unit,
+                       field.text);
     }
   };
   std::apply([&](const auto&... field) { (require(field), ...); }, fields(values));

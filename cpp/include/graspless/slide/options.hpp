@@ -11,6 +11,7 @@ namespace graspless::slide {
 
 enum class Search { paper, fast };
 
+/// Table of the values: name and text.
 constexpr auto choices(Search) {
   using planning::Choice;
   return std::array{
@@ -26,8 +27,6 @@ struct Options {
   double pitch_tolerance = 0.1;
   double min_depth = 0.005;
   double max_depth = 0.025;
-  double height_tolerance = 5e-4;
-  double roll_tolerance = 1e-3;
   double root_scale = 100;
   double min_overhang = 0.02;
   double com_margin = 0.010;
@@ -37,9 +36,9 @@ struct Options {
   double grasp_approach = 0.06;
   double range = 0.1;
   double resolution = 0.01;
-  bool shortcut = true;
 };
 
+/// Table of the members: name, unit, text, range and source.
 constexpr auto fields(const Options&) {
   using planning::Field, planning::Range;
   return std::make_tuple(
@@ -57,10 +56,6 @@ constexpr auto fields(const Options&) {
             "Largest depth of the commanded fingertip below the object's top face. At least "
             "min_depth.",
             Range::right_open(0, 0.1), "Delta_Z^+"},
-      Field{"height_tolerance", &Options::height_tolerance, "m",
-            "Numerical slack of the depth between two rows.", Range::left_open(0, 0.005)},
-      Field{"roll_tolerance", &Options::roll_tolerance, "rad",
-            "Largest tilt of the line contact out of the surface.", Range::left_open(0, 0.1)},
       Field{"root_scale", &Options::root_scale, "",
             "Scale of the number of roots: larger values add roots more often.", Range::positive(),
             "N*, Eq. (5)"},
@@ -89,8 +84,7 @@ constexpr auto fields(const Options&) {
             Range::left_open(0, 1)},
       Field{"resolution", &Options::resolution, "rad",
             "Largest joint step between checked configurations. check() uses 0.01.",
-            Range::left_open(0, 0.01)},
-      Field{"shortcut", &Options::shortcut, "", "Shorten slides that came from a tree."});
+            Range::left_open(0, 0.01)});
 }
 
 /// Throws std::invalid_argument that names the option, its value and its range.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -28,6 +29,7 @@ enum class Status {
   interrupted,
 };
 
+/// Table of the values: name and text.
 constexpr auto choices(Status) {
   using planning::Choice;
   return std::array{
@@ -67,6 +69,7 @@ struct Statistics {
   std::map<std::string, std::int64_t> refusals;
 };
 
+/// Table of the members: name, unit, text, range and source.
 constexpr auto fields(const Statistics&) {
   using planning::Field;
   return std::make_tuple(

@@ -121,7 +121,11 @@ class Support(Fields):
         return self
 
 
-@described_by(slide.Options)
+# Former options and their values: plan files name them.
+_CONSTANTS = {"height_tolerance": 5e-4, "roll_tolerance": 1e-3, "shortcut": True}
+
+
+@described_by(slide.Options, _CONSTANTS)
 class Options(Fields):
     """Options of the search: docs/reference/options.md."""
 
