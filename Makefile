@@ -24,10 +24,12 @@ docs:  ## the documentation site, in build/docs; a warning or a broken link is a
 	@tools/install docs,all
 	@tools/docs
 
-stubs:  ## the *.pyi of both extensions
+stubs:  ## what is made from the extensions: *.pyi, the schemas, the page of options
 	@tools/install test
 	@tools/install-bench
 	.venv/bin/python tools/stubs.py .
+	.venv/bin/python tools/schema.py
+	.venv/bin/python tools/options_page.py
 
 bench-install:  ## the command `graspless bench`: the papers' experiments, and the planners to compare with
 	@tools/install view,sim,batch

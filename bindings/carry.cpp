@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/carry/carry.hpp"
 
-#include <pybind11/native_enum.h>
-
 #include "conversions.hpp"
+#include "fields.hpp"
 #include "planning.hpp"
 #include "segments.hpp"
 
@@ -74,41 +73,7 @@ void bind_problem(py::module_& m) {
       });
 }
 
-void bind_options(py::module_& m) {
-  py::class_<Options> options(m, "Options", "How to search.");
-  bind_fields(
-      options, "Any field by keyword; the others keep their defaults.",
-      Field{"step", &Options::step, "Along the way, between poses looked at [m]."},
-      Field{"tolerance", &Options::tolerance,
-            "How far the object's origin may leave the straight way [m]."},
-      Field{"angle_tolerance", &Options::angle_tolerance,
-            "How far the object may turn off it [rad]."},
-      Field{"max_twist", &Options::max_twist,
-            "How far hand and object may turn about the line of the way, at its end too [rad]."},
-      Field{"contact_depth", &Options::contact_depth,
-            "How far the object may reach into what it rests on [m]."},
-      Field{"resolution", &Options::resolution,
-            "Largest joint step between checked configurations [rad]."});
-}
-
-void bind_statistics(py::module_& m) {
-  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_statistics_fields(
-      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-      Field{"iterations", &Statistics::iterations, "Steps tried."},
-      Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
-      Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
-      Field{"refusals", &Statistics::refusals, "Why steps failed, and how often; a copy."});
-}
-
 void bind_plan(py::module_& m) {
-  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
-      .value("solved", Status::solved, "A plan was found.")
-      .value("start_in_collision", Status::start_in_collision,
-             "Something touches where the robot stands.")
-      .value("not_found", Status::not_found, "The arm cannot go all the way.")
-      .value("interrupted", Status::interrupted, "Stopped from outside.")
-      .finalize();
   py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
@@ -130,9 +95,10 @@ void bind_plan(py::module_& m) {
 
 void bind_carry(py::module_ m) {
   bind_problem(m);
-  bind_options(m);
+  bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_motion_segment<Segment>(m, "carry.");
-  bind_statistics(m);
+  bind_statistics_struct<Statistics>(m);
+  bind_choices<Status>(m, "Status", "How a query ended.");
   bind_plan(m);
   bind_front_door<Problem, Options, Plan>(
       m,

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/clasp/clasp.hpp"
 
-#include <pybind11/native_enum.h>
-
 #include "graspless/clasp/sample_objects.hpp"
 
 #include "conversions.hpp"
+#include "fields.hpp"
 #include "planning.hpp"
 
 namespace graspless::bindings {
@@ -235,25 +234,10 @@ ValueError
 }
 
 void bind_stability(py::module_& m) {
-  py::class_<StabilityOptions> options(
+  bind_options_struct<StabilityOptions>(
       m, "StabilityOptions",
       "Options of the stability test (Stork, Pokorny, Kragic 2013, Section V-A).\n\n"
       "The hand does not move. The object makes random moves, each until it hits the hand.");
-  bind_fields(
-      options, "Any field by keyword; the others keep their defaults.",
-      Field{"sequences", &StabilityOptions::sequences,
-            "Number of random sequences, each from the clasp; in [1, 1000]."},
-      Field{"moves", &StabilityOptions::moves,
-            "Moves per sequence, translations and rotations in turn; in [1, 10000]."},
-      Field{"step", &StabilityOptions::step, "Step of a translation [m], in [1e-4, 0.1]."},
-      Field{"turn", &StabilityOptions::turn,
-            "Step of a rotation about the hand's centre [rad], in [1e-3, 1]."},
-      Field{"penetration", &StabilityOptions::penetration,
-            "Penetration depth that does not count as a hit [m], in [0, 0.05]."},
-      Field{"escape_distance", &StabilityOptions::escape_distance,
-            "The loop has escaped when all its points are farther than this from the hand's centre "
-            "[m], in [0, 10].\n0: half the length of the longest finger curve."},
-      Field{"seed", &StabilityOptions::seed, "Seed of the random moves."});
   py::class_<Stability> found(m, "Stability", "Result of the stability test.");
   bind_fields(
       found, "Any field by keyword; the others keep their defaults.",
@@ -261,51 +245,6 @@ void bind_stability(py::module_& m) {
       Field{"escapes", &Stability::escapes, "Number of sequences in which the loop escaped."},
       Field{"margin", &Stability::margin, "1: the object cannot move; 0 or less: it escaped."},
       Field{"checks", &Stability::checks, "Number of poses checked."});
-}
-
-void bind_options(py::module_& m) {
-  py::class_<Options> options(m, "Options",
-                              "How to search. Zero means: derived from object and hand.");
-  bind_fields(
-      options, "Any field by keyword; the others keep their defaults.",
-      Field{
-          "min_linking", &Options::min_linking,
-          "Virtual linking that every finger curve must reach before the hand closes, and keep, in "
-          "(0, 1). 0: the hand closes as soon as every curve is linked, and closed must come half "
-          "way from its open state to what it reaches around a bar as thick as the loop's "
-          "handle; Plan.min_linking has it."},
-      Field{"targets", &Options::targets,
-            "Clasp targets a loop; 0: one every half width of the hand, from 4 to 64."},
-      Field{"pre_expansions", &Options::pre_expansions,
-            "n: random extensions before a tree is connected to targets; 0: 20 for the first tree, "
-            "50, 100, then 200."},
-      Field{"random_probability", &Options::random_probability, "P of Algorithm 1."},
-      Field{"restart_cycles", &Options::restart_cycles,
-            "Cycles before a tree is given up; 0: never."},
-      Field{"dt", &Options::dt, "Delta_t of Algorithm 4."},
-      Field{"max_step", &Options::max_step, "LIMIT-STEP-SIZE: of any joint [rad]."},
-      Field{"blend_distance", &Options::blend_distance, "Where GAIN is a half [m]."},
-      Field{"blend_slope", &Options::blend_slope, "Of GAIN there [1/m]."},
-      Field{"position_damping", &Options::position_damping, "Of the pseudo-inverse [m]."},
-      Field{"alignment_damping", &Options::alignment_damping, "Of the pseudo-inverse."},
-      Field{"linking_damping", &Options::linking_damping, "Of the pseudo-inverse."},
-      Field{
-          "patience", &Options::patience,
-          "How much the hand waits on its way while it is misaligned; 0: not at all, as the paper "
-          "has it."},
-      Field{"linking_weight", &Options::linking_weight,
-            "Of the linking in the nearest-neighbour distance [m]."},
-      Field{"exploring_step", &Options::exploring_step,
-            "Longest step of TS-EXTEND, of any joint [rad]."},
-      Field{"max_connect_steps", &Options::max_connect_steps, "Control steps of one connection."},
-      Field{"attract", &Options::attract,
-            "Attract an open hand by the open curves' Gauss integral while it is not linked."},
-      Field{"resolution", &Options::resolution,
-            "Largest joint step between checked configurations [rad]."},
-      Field{"shortcut_rounds", &Options::shortcut_rounds, "Of randomised path pruning."},
-      Field{"stability", &Options::stability, "Of the stability test; a copy."},
-      Field{"must_be_secure", &Options::must_be_secure,
-            "Take a clasp only if it passes the stability test; else the search goes on."});
 }
 
 void bind_segment(py::module_& m) {
@@ -366,38 +305,7 @@ void bind_tree(py::module_& m) {
       });
 }
 
-void bind_statistics(py::module_& m) {
-  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_statistics_fields(
-      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-      Field{"stability_seconds", &Statistics::stability_seconds,
-            "Of these, in stability tests [s]."},
-      Field{"cycles", &Statistics::cycles,
-            "Of Algorithm 1 after the pre-expansions, over all trees."},
-      Field{"nodes", &Statistics::nodes, "Over all trees."},
-      Field{"restarts", &Statistics::restarts, "Trees given up."},
-      Field{"control_steps", &Statistics::control_steps, "Of Algorithm 4."},
-      Field{"collision_checks", &Statistics::collision_checks, "Configurations looked at."},
-      Field{"fcl_checks", &Statistics::fcl_checks,
-            "Link against object by FCL: what the clearance left open."},
-      Field{"stability_tests", &Statistics::stability_tests, "Clasps tried to be pulled apart."},
-      Field{"refusals", &Statistics::refusals,
-            "Why targets, connections and clasps failed, and how often; a copy."});
-}
-
 void bind_plan(py::module_& m) {
-  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
-      .value("solved", Status::solved, "A plan was found.")
-      .value("start_in_collision", Status::start_in_collision,
-             "The robot at q_start touches something.")
-      .value("no_reliable_hole", Status::no_reliable_hole, "The cloud shows no hole to clasp.")
-      .value("no_target_in_reach", Status::no_target_in_reach,
-             "Every target is farther away than the arm is long.")
-      .value("not_found", Status::not_found, "No motion led to a clasp in time.")
-      .value("not_secure", Status::not_secure,
-             "Clasps were found in time, and none passed the stability test.")
-      .value("interrupted", Status::interrupted, "Stopped from outside.")
-      .finalize();
   py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
@@ -473,10 +381,11 @@ void bind_clasp(py::module_ m) {
   bind_object(m);
   bind_problem(m);
   bind_stability(m);
-  bind_options(m);
+  bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_segment(m);
   bind_tree(m);
-  bind_statistics(m);
+  bind_statistics_struct<Statistics>(m);
+  bind_choices<Status>(m, "Status", "How a query ended.");
   bind_plan(m);
   bind_planner(m);
 }

@@ -93,16 +93,16 @@ template <class Struct, class Value>
 struct Field {
   const char* name;
   Value Struct::*member;
-  const char* doc;
+  std::string doc;
 };
 template <class Struct, class Value>
-Field(const char*, Value Struct::*, const char*) -> Field<Struct, Value>;
+Field(const char*, Value Struct::*, std::string) -> Field<Struct, Value>;
 
 template <class Struct, class Value>
 void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
   using Type = Python<Value>;
   if constexpr (std::is_same_v<typename Type::Given, Value>) {
-    cls.def_readwrite(field.name, field.member, field.doc);
+    cls.def_readwrite(field.name, field.member, field.doc.c_str());
   } else {
     cls.def_property(
         field.name,
@@ -110,7 +110,7 @@ void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
         [field](Struct& self, const typename Type::Given& value) {
           self.*(field.member) = Type::from(value, field.name);
         },
-        field.doc);
+        field.doc.c_str());
   }
 }
 
@@ -122,7 +122,7 @@ void bind_field(py::class_<Struct>& cls, const Field<Struct, std::vector<Item>>&
   cls.def_property(
       field.name, [member](const Struct& self) { return Tuple(py::tuple(py::cast(self.*member))); },
       [member](Struct& self, std::vector<Item> value) { self.*member = std::move(value); },
-      field.doc);
+      field.doc.c_str());
 }
 
 /// How many members an aggregate has: the most initializers it takes.

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/fingertip/fingertip.hpp"
 
-#include <pybind11/native_enum.h>
-
 #include "graspless/realize/realize.hpp"
 
 #include "conversions.hpp"
+#include "fields.hpp"
 #include "planning.hpp"
 
 namespace graspless::bindings {
@@ -287,40 +286,6 @@ void bind_problem(py::module_& m) {
       });
 }
 
-void bind_options(py::module_& m) {
-  py::native_enum<Search>(m, "Search", "enum.Enum",
-                          "Which search finds the plan; all find the "
-                          "same cost.")
-      .value("dijkstra", Search::dijkstra, "Uniform cost over the whole graph.")
-      .value("paper", Search::paper, "A* with the paper's heuristic, corrected.")
-      .value("fast", Search::fast, "Lazy best-first search with bounds.")
-      .finalize();
-  py::class_<Options> options(m, "Options",
-                              "How to search. The paper's values where it gives one.");
-  bind_fields(
-      options, "Any field by keyword; the others keep their defaults.",
-      Field{"search", &Options::search, "Which search finds the plan."},
-      Field{"locations_per_side", &Options::locations_per_side,
-            "Fingertip locations along each side of a face's rectangle."},
-      Field{"location_spacing", &Options::location_spacing,
-            "Instead: distance between locations [m]; 0 takes locations_per_side."},
-      Field{"cone_edges", &Options::cone_edges, "Edges of a friction cone."},
-      Field{"samples_per_arc", &Options::samples_per_arc, "Instants that are looked at in an arc."},
-      Field{"min_stability", &Options::min_stability, "z_min [N]."},
-      Field{"regrasp_cost", &Options::regrasp_cost, "X_regr [m]."},
-      Field{"stability_weight", &Options::stability_weight, "X_stab [N]."},
-      Field{"disturbance_directions", &Options::disturbance_directions,
-            "(N, 6) the disturbances l_i, forces first, in scaled wrench space."},
-      Field{"compliance", &Options::compliance, "Springs at the contacts, of the second index."},
-      Field{"max_regrasps", &Options::max_regrasps, "At most so many."},
-      Field{"threads", &Options::threads, "How many may work."},
-      Field{"max_memory", &Options::max_memory,
-            "Searches that would need more are refused "
-            "[bytes]."},
-      Field{"explain", &Options::explain,
-            "On failure: find which single relaxation helps, by bisection."});
-}
-
 void bind_rows(py::module_& m) {
   py::class_<FingerState> finger(m, "FingerState", "A finger at one instant.");
   bind_fields(finger, "Any field by keyword; the others keep their defaults.",
@@ -367,20 +332,7 @@ void bind_rows(py::module_& m) {
 }
 
 void bind_statistics(py::module_& m) {
-  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_statistics_fields(
-      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-      Field{"locations", &Statistics::locations, "Places where a fingertip may press."},
-      Field{"z_evaluations", &Statistics::z_evaluations, "Of Problem (6)."},
-      Field{"bounded_tests", &Statistics::bounded_tests, "Of Problem (5)."},
-      Field{"pivots", &Statistics::pivots, "Of the simplex."},
-      Field{"ill_conditioned", &Statistics::ill_conditioned,
-            "Problems (5) and (6) with ill-conditioned contacts, solved by the reference engine."},
-      Field{"nodes", &Statistics::nodes, "Opened by the search."},
-      Field{"supports", &Statistics::supports, "Wrench functionals used as bounds."},
-      Field{"candidates", &Statistics::candidates, "Motions of the object tried (Goal)."},
-      Field{"memory", &Statistics::memory, "Of the search's tables, at most [bytes]."});
-
+  bind_statistics_struct<Statistics>(m);
   py::class_<Relaxation> relaxation(m, "Relaxation", "What a failed search says of the way out.");
   bind_fields(relaxation, "Any field by keyword; the others keep their defaults.",
               Field{"field", &Relaxation::field,
@@ -389,13 +341,7 @@ void bind_statistics(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
-      .value("solved", Status::solved, "A plan was found.")
-      .value("no_location", Status::no_location, "No placement of the fingers is clear.")
-      .value("unstable", Status::unstable, "No placement carries the object all the way.")
-      .value("out_of_time", Status::out_of_time, "Nothing found in time, nothing excluded.")
-      .value("interrupted", Status::interrupted, "Stopped from outside.")
-      .finalize();
+  bind_choices<Status>(m, "Status", "How a query ended.");
   py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
@@ -427,18 +373,7 @@ void bind_realization(py::module_& m) {
       Field{"fingertips", &Carrier::fingertips,
             "Frames at the centres of the spheres, one a finger."},
       Field{"links", &Carrier::links, "Of each fingertip: links that may touch the object."});
-  py::class_<RealizeOptions> options(m, "RealizeOptions", "How to find joint paths.");
-  bind_fields(
-      options, "Any field by keyword; the others keep their defaults.",
-      Field{"approach", &RealizeOptions::approach,
-            "A finger leaves and comes to the surface along its normal [m]."},
-      Field{"resolution", &RealizeOptions::resolution,
-            "Largest joint step between checked configurations [rad]."},
-      Field{"max_jump", &RealizeOptions::max_jump, "Largest joint step between rows [rad]."},
-      Field{"position_tolerance", &RealizeOptions::position_tolerance, "Of fingertips [m]."},
-      Field{"restarts", &RealizeOptions::restarts, "Rounds of configurations to start from."},
-      Field{"solutions", &RealizeOptions::solutions,
-            "Found, of which the one with the least scrub is kept."});
+  bind_options_struct<RealizeOptions>(m, "RealizeOptions", "Options of realize().");
 
   py::class_<JointSegment>(m, "JointSegment", "A stretch of joint motion.")
       .def(py::init([](const std::string& name, const Array& positions, const Array& X_WO,
@@ -546,7 +481,8 @@ void bind_fingertip(py::module_ m) {
   bind_surroundings(m);
   bind_motion(m);
   bind_problem(m);
-  bind_options(m);
+  bind_choices<Search>(m, "Search", "Search algorithms. All find the same cost.");
+  bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_rows(m);
   bind_statistics(m);
   bind_plan(m);

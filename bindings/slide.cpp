@@ -7,6 +7,7 @@
 #include "graspless/slide/torsion.hpp"
 
 #include "conversions.hpp"
+#include "fields.hpp"
 #include "planning.hpp"
 #include "segments.hpp"
 
@@ -208,61 +209,6 @@ void bind_problem(py::module_& m) {
       });
 }
 
-void bind_options(py::module_& m) {
-  py::native_enum<Search>(m, "Search", "enum.Enum", "Search algorithm that finds the slide.")
-      .value("paper", Search::paper, "Algorithm 1 as written.")
-      .value("fast", Search::fast,
-             "The same, with goals drawn to fit a start and connected directly first.")
-      .finalize();
-  py::class_<Options> options(m, "Options",
-                              "How to search. The paper's values where it gives one.");
-  bind_fields(
-      options, "Any field by keyword; the others keep their defaults.",
-      Field{"search", &Options::search, "Which search finds the slide."},
-      Field{"pitch", &Options::pitch, "Between the finger and the surface [rad]."},
-      Field{"pitch_tolerance", &Options::pitch_tolerance, "How far the pitch may stray [rad]."},
-      Field{"min_depth", &Options::min_depth,
-            "Least press of the commanded tip below the top face [m]."},
-      Field{"max_depth", &Options::max_depth, "Deepest press below the top face [m]."},
-      Field{"height_tolerance", &Options::height_tolerance,
-            "Numerical play of the depth band [m]."},
-      Field{"roll_tolerance", &Options::roll_tolerance,
-            "Tilt of the line contact out of the surface [rad]."},
-      Field{"root_scale", &Options::root_scale, "Larger adds roots more freely."},
-      Field{"min_overhang", &Options::min_overhang,
-            "How far the object must stick out to be grasped [m]."},
-      Field{"com_margin", &Options::com_margin,
-            "How far the centre of mass stays inside the edge [m]."},
-      Field{"tip_margin", &Options::tip_margin,
-            "How far the effective tip stays inside the edge [m]."},
-      Field{"rim_margin", &Options::rim_margin,
-            "How far the contact stays inside the object's outline [m]."},
-      Field{"lift_height", &Options::lift_height,
-            "Clearance above the object before reaching for it [m]."},
-      Field{"grasp_approach", &Options::grasp_approach, "Straight final motion of the hand [m]."},
-      Field{"range", &Options::range, "Longest step of the trees, Euclidean in the joints [rad]."},
-      Field{"resolution", &Options::resolution,
-            "Largest joint step between checked configurations [rad]."},
-      Field{"shortcut", &Options::shortcut,
-            "Whether to shorten the motions that came from a tree."});
-}
-
-void bind_statistics(py::module_& m) {
-  py::class_<Statistics> statistics(m, "Statistics", "What the search did.");
-  bind_statistics_fields(
-      statistics, Field{"seconds", &Statistics::seconds, "Wall clock [s]."},
-      Field{"iterations", &Statistics::iterations, "Rounds of the main loop."},
-      Field{"nodes", &Statistics::nodes, "In both forests."},
-      Field{"start_roots", &Statistics::start_roots, "Start contacts tried as roots."},
-      Field{"goal_roots", &Statistics::goal_roots, "Goal contacts tried as roots."},
-      Field{"collision_checks", &Statistics::collision_checks, "Configurations checked."},
-      Field{"projections", &Statistics::projections, "Onto the contact constraint."},
-      Field{"ik_calls", &Statistics::ik_calls, "Inverse kinematics solved."},
-      Field{"pairs", &Statistics::pairs, "Start-goal pairs validated."},
-      Field{"refusals", &Statistics::refusals,
-            "Why roots and pairs were refused, and how often; a copy."});
-}
-
 void bind_turning(py::module_& m) {
   py::class_<Turning> turning_class(
       m, "Turning", "Turn rates of a plan's slide, per distance that the object moves.");
@@ -279,17 +225,6 @@ void bind_turning(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::native_enum<Status>(m, "Status", "enum.Enum", "How a query ended.")
-      .value("solved", Status::solved, "A plan was found.")
-      .value("start_in_collision", Status::start_in_collision,
-             "The robot at home touches something.")
-      .value("no_start_root", Status::no_start_root, "No configuration presses on the object.")
-      .value("no_goal_root", Status::no_goal_root, "No configuration presses near an edge.")
-      .value("no_valid_pair", Status::no_valid_pair,
-             "Starts and goals were found, but no pair was valid.")
-      .value("not_connected", Status::not_connected, "No valid pair could be connected in time.")
-      .value("interrupted", Status::interrupted, "Stopped from outside.")
-      .finalize();
   py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
@@ -323,9 +258,11 @@ void bind_slide(py::module_ m) {
   bind_support(m);
   bind_hand(m);
   bind_problem(m);
-  bind_options(m);
+  bind_choices<Search>(m, "Search", "Search algorithms.");
+  bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_motion_segment<Segment>(m, "approach, press, slide, lift, reach, grasp or close.");
-  bind_statistics(m);
+  bind_statistics_struct<Statistics>(m);
+  bind_choices<Status>(m, "Status", "How a query ended.");
   bind_plan(m);
   bind_turning(m);
   bind_front_door<Problem, Options, Plan>(

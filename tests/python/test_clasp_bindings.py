@@ -24,7 +24,7 @@ def plan():
 
 def test_structs_take_their_fields_as_keywords():
     options = clasp.Options(targets=9, stability=clasp.StabilityOptions(moves=100))
-    assert (options.targets, options.random_probability) == (9, 0.1)
+    assert (options.targets, options.resolution) == (9, 0.01)
     assert options.stability.moves == 100
     assert "targets=9" in repr(options)
     tip = clasp.CurveNode(link="finger", p_L=[0, 0, 0.05])
@@ -86,7 +86,7 @@ def test_sample_objects():
             ),
             "reach.*2 positions",
         ),
-        (lambda: clasp.plan(problem(), clasp.Options(max_step=-1)), "max_step"),
+        (lambda: clasp.plan(problem(), clasp.Options(targets=-1)), "targets"),
         (lambda: clasp.test_stability(problem(), np.zeros(12), 7), "loop"),
         (lambda: clasp.test_stability(problem(), np.zeros(3), 0), r"q has shape \(3,\)"),
     ],

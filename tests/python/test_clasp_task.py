@@ -134,7 +134,7 @@ FAULTS = [
     (more("obstacles: [{name: palm, box: [1, 1, 1]}]"), 7, r"obstacles\[0\]: .*palm.*taken"),
     (more("options: {min_linking: 1.0}"), 7, r"options.min_linking: 1.0: should be less than 1"),
     (more("options: {targets: -1}"), 7, r"options.targets: -1: should be greater"),
-    (more("options: {dt: 0}"), 7, r"options.dt: 0: should be greater than 0"),
+    (more("options: {dt: 1}"), 7, r"options.dt: 1: is no longer an option; it is always 0.5"),
     (more("options: {search: fast}"), 7, r"options.search: unknown field"),
     (more("options: {stability: {moves: 0}}"), 7, r"stability.moves: 0: should be greater"),
     (more("hand: {arm: arm}"), 7, r"hand.frame: missing"),
@@ -260,7 +260,7 @@ def test_plan_file_holds_the_task_whole(write, tmp_path):
     np.testing.assert_array_equal(again.problem.object.points, task.problem.object.points)
     assert [f.name for f in again.problem.hand.fingers] == ["finger_1", "finger_2"]
     assert again.to_dict() == document
-    assert document["options"]["dt"] == clasp.Options().dt
+    assert document["options"]["resolution"] == clasp.Options().resolution
     assert document["options"]["stability"]["moves"] == clasp.StabilityOptions().moves
     assert document["object"]["loops"]["min_ratio"] == 1.2
     assert document["hand"]["closed"] == "closed"

@@ -75,7 +75,7 @@ FAULTS = [
     (("seed: 3", "seed: -3"), 13, r"budget.seed: -3: should be greater than or equal to 0"),
     (more("options: {search: best}"), 13, r"options.search: best: .*'paper'"),
     (more("options: {range: -0.1}"), 13, r"options.range: -0.1: .*greater"),
-    (more("options: {range: 7}"), 13, r"options.range: 7: must lie in"),
+    (more("options: {range: 7}"), 13, r"options.range: 7: should be less than or equal to 1"),
     (more("options:\n  min_depth: 0.03\n  max_depth: 0.01"), 14, r"options.min_depth: 0.03: "),
     (more("options:\n  min_depth: 0.03"), 14, r"options.min_depth: 0.03: .*max_depth 0.025"),
     (more("hand: {fingertip: thumb}"), 13, r"hand.fingertip: thumb: .*left_fingertip"),
@@ -413,13 +413,9 @@ def test_changes_of_the_search(write):
         task.with_changes(seconds=-1)
 
 
-@pytest.mark.parametrize(
-    ("fields", "core"),
-    [(model.Options, slide.Options()), (model.Hand, slide.Hand())],
-)
-def test_fields_are_those_of_the_core(fields, core):
-    public = {name for name in dir(core) if not name.startswith("_")}
-    assert set(fields.model_fields) == public
+def test_fields_of_a_hand_are_those_of_the_core():
+    public = {name for name in dir(slide.Hand()) if not name.startswith("_")}
+    assert set(model.Hand.model_fields) == public
 
 
 angles = st.floats(-math.pi, math.pi)

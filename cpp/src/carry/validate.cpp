@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/carry/carry.hpp"
@@ -63,39 +62,8 @@ void validate(const Problem& problem) {
   check_goal(problem);
 }
 
-void validate(const Options& options) {
-  const auto require = [](bool good, const char* field, double value, const char* what) {
-    if (good) return;
-    std::ostringstream text;
-    text << "options." << field << " is " << value << "; it " << what;
-    throw std::invalid_argument(text.str());
-  };
-  const Options& o = options;
-  require(o.step >= 1e-4 && o.step <= 0.1, "step", o.step, "must lie in [0.0001, 0.1] m");
-  require(o.tolerance >= 1e-5 && o.tolerance <= 0.05, "tolerance", o.tolerance,
-          "must lie in [0.00001, 0.05] m");
-  require(o.angle_tolerance >= 1e-4 && o.angle_tolerance <= 0.5, "angle_tolerance",
-          o.angle_tolerance, "must lie in [0.0001, 0.5] rad");
-  require(o.max_twist >= 0 && o.max_twist <= 3.2, "max_twist", o.max_twist,
-          "must lie in [0, 3.2] rad");
-  require(o.contact_depth > 0 && o.contact_depth <= 0.02, "contact_depth", o.contact_depth,
-          "must lie in (0, 0.02] m");
-  require(o.resolution > 0 && o.resolution <= 0.01, "resolution", o.resolution,
-          "must lie in (0, 0.01], the step of check()");
-}
+void validate(const Options& options) { planning::require_in_range("options.", options); }
 
-std::string to_string(Status status) {
-  switch (status) {
-    case Status::solved:
-      return "solved";
-    case Status::start_in_collision:
-      return "start_in_collision";
-    case Status::not_found:
-      return "not_found";
-    case Status::interrupted:
-      return "interrupted";
-  }
-  return "unknown";
-}
+std::string to_string(Status status) { return planning::name_of(status); }
 
 }  // namespace graspless::carry

@@ -16,6 +16,8 @@ using planning::Path;
 
 namespace {
 
+constexpr int kPruningRounds = 60;  // costs little beside the search
+
 /// Randomised path pruning of Section IV-D. Keeps both ends.
 Path pruned(Query& query, Path path) {
   std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>
@@ -29,7 +31,7 @@ Path pruned(Query& query, Path path) {
     refused.push_back(pair);
     return std::nullopt;
   };
-  return planning::shortcut(std::move(path), straight, query.options.shortcut_rounds, query.rng);
+  return planning::shortcut(std::move(path), straight, kPruningRounds, query.rng);
 }
 
 Segment segment(const std::string& name, const Path& path, TaskSpace& task_space) {

@@ -156,13 +156,7 @@ Options derived(const Options& options, const Problem& problem, int loop) {
     const double spacing = half_width(problem.robot, problem.hand);
     o.targets = static_cast<int>(std::clamp(std::ceil(of.length / spacing), 4.0, 64.0));
   }
-  if (o.pre_expansions == 0) o.pre_expansions = pre_expansion_schedule(o).front();
   return o;
-}
-
-std::vector<int> pre_expansion_schedule(const Options& options) {
-  if (options.pre_expansions > 0) return {options.pre_expansions};
-  return {20, 50, 100, 200};
 }
 
 }  // namespace graspless::clasp

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "graspless/clasp/clasp.hpp"
 
 /// Parameters derived from hand and object where the options leave them open. The paper names this
@@ -28,8 +26,5 @@ double finger_radius(const robot::Robot& robot, const Hand& hand);
 
 /// Returns the options with every 0 replaced by its value for one loop.
 Options derived(const Options& options, const Problem& problem, int loop);
-
-/// Number of pre-expansions of each tree in turn. The last applies to all further trees.
-std::vector<int> pre_expansion_schedule(const Options& options);
 
 }  // namespace graspless::clasp

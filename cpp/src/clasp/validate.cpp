@@ -60,4 +60,11 @@ void validate(const Problem& problem) {
   check_pull(problem);
 }
 
+void validate(const Options& options) {
+  planning::require_in_range("options.", options);
+  validate(options.stability);
+}
+
+std::string to_string(Status status) { return planning::name_of(status); }
+
 }  // namespace graspless::clasp

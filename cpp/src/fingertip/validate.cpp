@@ -92,27 +92,12 @@ void validate(const Problem& problem) {
 }
 
 void validate(const Options& o) {
-  require(o.location_spacing >= 0 && std::isfinite(o.location_spacing), "options.location_spacing",
-          o.location_spacing, "must be positive, or 0 to take locations_per_side");
-  require(o.locations_per_side >= 1 && o.locations_per_side <= 10000, "options.locations_per_side",
-          o.locations_per_side, "must be 1 to 10000");
-  require(o.cone_edges >= 3 && o.cone_edges <= 64, "options.cone_edges", o.cone_edges,
-          "must be 3 to 64");
-  require(o.samples_per_arc >= 1 && o.samples_per_arc <= 1000, "options.samples_per_arc",
-          o.samples_per_arc, "must be 1 to 1000");
-  require_moderate("options.min_stability", o.min_stability);
-  require_positive("options.regrasp_cost", o.regrasp_cost);
-  require(o.stability_weight >= 0 && std::isfinite(o.stability_weight), "options.stability_weight",
-          o.stability_weight, "must not be negative, and finite");
+  planning::require_in_range("options.", o);
   require_positive("options.compliance.environment_normal", o.compliance.environment_normal);
   require_positive("options.compliance.environment_tangential",
                    o.compliance.environment_tangential);
   require_positive("options.compliance.finger_normal", o.compliance.finger_normal);
   require_positive("options.compliance.finger_tangential", o.compliance.finger_tangential);
-  require(o.max_regrasps >= 0 && o.max_regrasps <= 1000, "options.max_regrasps", o.max_regrasps,
-          "must be 0 to 1000");
-  require(o.threads >= 1 && o.threads <= 256, "options.threads", o.threads, "must be 1 to 256");
-  require(o.max_memory > 0, "options.max_memory", o.max_memory, "must be positive");
   mechanics::StabilitySolver positively_spanning(o.disturbance_directions);
 }
 
@@ -131,20 +116,6 @@ void validate(const Problem& problem, const Options& options) {
   throw std::invalid_argument(text.str());
 }
 
-std::string to_string(Status status) {
-  switch (status) {
-    case Status::solved:
-      return "solved";
-    case Status::no_location:
-      return "no_location";
-    case Status::unstable:
-      return "unstable";
-    case Status::out_of_time:
-      return "out_of_time";
-    case Status::interrupted:
-      return "interrupted";
-  }
-  return "unknown";
-}
+std::string to_string(Status status) { return planning::name_of(status); }
 
 }  // namespace graspless::fingertip

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/budget.hpp"
 
-#include <stdexcept>
-#include <string>
-
 namespace graspless::planning {
 namespace {
 
@@ -13,14 +10,7 @@ constexpr std::chrono::milliseconds kPollInterval{10};
 }  // namespace
 
 Clock::Clock(const Budget& budget) : budget_(budget), start_(Steady::now()), next_poll_(start_) {
-  if (!(budget.seconds > 0)) {
-    throw std::invalid_argument("budget.seconds must be positive, not " +
-                                std::to_string(budget.seconds));
-  }
-  if (budget.iterations < 0) {
-    throw std::invalid_argument("budget.iterations must not be negative, not " +
-                                std::to_string(budget.iterations));
-  }
+  require_in_range("budget.", budget);
 }
 
 bool Clock::spend() {

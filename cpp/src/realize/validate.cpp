@@ -10,21 +10,6 @@
 namespace graspless::fingertip {
 namespace {
 
-void require_positive(const std::string& field, double value) {
-  if (value > 0 && std::isfinite(value)) return;
-  throw std::invalid_argument("realize options: " + field + " must be positive, not " +
-                              std::to_string(value));
-}
-
-void check_options(const RealizeOptions& options) {
-  require_positive("approach", options.approach);
-  require_positive("resolution", options.resolution);
-  require_positive("max_jump", options.max_jump);
-  require_positive("position_tolerance", options.position_tolerance);
-  require_positive("restarts", options.restarts);
-  require_positive("solutions", options.solutions);
-}
-
 void check_fingertip(const robot::Robot& robot, const std::string& field, const std::string& link) {
   if ((robot.reach(robot.frame(link)).array() > 0).any()) return;
   throw std::invalid_argument(field + " '" + link + "' is not moved by any joint of the robot");
@@ -89,7 +74,7 @@ void check_segment(const Plan& plan, std::size_t k, std::size_t fingers) {
 void validate_realization(const Problem& problem, const Plan& plan, const robot::Robot& robot,
                           const Carrier& carrier, const RealizeOptions& options) {
   validate(problem);
-  check_options(options);
+  planning::require_in_range("options.", options);
   if (!plan) throw std::invalid_argument("plan is not solved: " + plan.reason);
   if (plan.segments.empty()) throw std::invalid_argument("plan.segments must not be empty");
   check_carrier(carrier, robot, problem.fingers.count);

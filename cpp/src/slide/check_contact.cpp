@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slide/contact.hpp"
 #include "slide/examination.hpp"
 
 namespace graspless::slide {
@@ -62,7 +63,7 @@ void Examination::check_pressing(const Segment& segment) {
   const Finger pressed = finger(press ? segment.positions.back() : segment.positions.front());
   scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
     const Finger now = finger(q);
-    if (now.depth > options_.max_depth + options_.height_tolerance) {
+    if (now.depth > options_.max_depth + kHeightTolerance) {
       fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
     }
     if (now.depth <= 0) return;
@@ -125,7 +126,7 @@ void Examination::check_slide() {
 
 void Examination::check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q) {
   const Finger now = finger(q);
-  const double play = options_.height_tolerance + kRound;
+  const double play = kHeightTolerance + kRound;
   if (!(now.depth >= options_.min_depth - play && now.depth <= options_.max_depth + play)) {
     fault(slide, row, "depth " + figure(now.depth) + " m is outside its band");
   }
@@ -142,7 +143,7 @@ void Examination::check_touching_row(const Segment& segment, std::size_t row, co
   if (!(std::abs(now.pitch - options_.pitch) <= options_.pitch_tolerance + kRound)) {
     fault(segment, row, "pitch " + figure(now.pitch) + " rad is outside its band");
   }
-  if (!(std::abs(now.roll) <= options_.roll_tolerance + kRound)) {
+  if (!(std::abs(now.roll) <= kRollTolerance + kRound)) {
     fault(segment, row, "roll " + figure(now.roll) + " rad exceeds its tolerance");
   }
   if (!now.other_finger_up) fault(segment, row, "the other finger points down");

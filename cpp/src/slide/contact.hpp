@@ -16,6 +16,12 @@ namespace graspless::slide {
 /// A pose in the plane of S.
 using Planar = Eigen::Isometry2d;
 
+/// Tolerances that the search keeps and check() allows. A straight motion between two projected
+/// configurations 0.1 rad apart leaves the surface by a few tenths of a millimetre; both are far
+/// below what a pad gives way.
+inline constexpr double kHeightTolerance = 5e-4;  ///< of the depth [m]
+inline constexpr double kRollTolerance = 1e-3;    ///< tilt of the line contact [rad]
+
 /// The fingertip as commanded.
 struct Tip {
   Eigen::Vector2d position;  ///< of the frame's origin, in S [m]

@@ -64,11 +64,11 @@ BandProjection ContactSpace::make_projection() {
   BandProjection::Bands bands{BandProjection::Values(3), BandProjection::Values(3),
                               BandProjection::Values(3)};
   bands.lower << top_ - options_.max_depth, std::sin(options_.pitch - tolerance),
-      -options_.roll_tolerance / 2;
+      -kRollTolerance / 2;
   bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance),
-      options_.roll_tolerance / 2;
-  bands.slack << options_.height_tolerance,
-      play * std::cos(options_.pitch + options_.pitch_tolerance), options_.roll_tolerance / 2;
+      kRollTolerance / 2;
+  bands.slack << kHeightTolerance,
+      play * std::cos(options_.pitch + options_.pitch_tolerance), kRollTolerance / 2;
   // Between two checked configurations a value may exceed its band a little more.
   constexpr double kBetweenSamples = 0.9;
   bands.slack *= kBetweenSamples;

@@ -126,8 +126,7 @@ bool Motions::stands_still(const Path& press, const Planar& contact) {
     const Planar now = query_.contact.effective_tip_at(middle);
     if ((now.translation() - contact.translation()).norm() > kStill) return false;
     if ((now.linear() - contact.linear()).col(0).norm() > kTurn) return false;
-    if (std::abs(query_.contact.tip_at(middle).roll) > 0.9 * query_.options.roll_tolerance)
-      return false;
+    if (std::abs(query_.contact.tip_at(middle).roll) > 0.9 * kRollTolerance) return false;
   }
   return true;
 }

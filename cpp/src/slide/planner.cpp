@@ -71,7 +71,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
       ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     planning::Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
-    if (options.shortcut && is_detour(slide)) slide = shortened(query, std::move(slide));
+    if (is_detour(slide)) slide = shortened(query, std::move(slide));
     assemble(query, motions, slide, plan);
   } else {
     plan.status = status_of(status, query, *search.planner);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "slide/contact.hpp"
+
 namespace graspless::slide {
 namespace {
 
@@ -54,8 +56,8 @@ void Replay::add_surroundings() {
 
 void Replay::allow_press(const Options& options) {
   constexpr double kRoundOff = 1e-4;
-  const double deepest = options.max_depth + finger_below_tip(problem_, options) +
-                         options.height_tolerance + kRoundOff;
+  const double deepest =
+      options.max_depth + finger_below_tip(problem_, options) + kHeightTolerance + kRoundOff;
   const Eigen::Vector3d normal_W = problem_.support.normal_W();
   for (const std::string& link : problem_.hand.sliding_finger) {
     const int body = replay_.body_of(link);

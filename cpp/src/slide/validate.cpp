@@ -8,6 +8,7 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/slide/slide.hpp"
 
+#include "slide/contact.hpp"
 #include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
@@ -100,33 +101,12 @@ void validate(const Problem& problem) {
 }
 
 void validate(const Options& o) {
+  planning::require_in_range("options.", o);
   const double half_pi = std::acos(0.0);
-  require(o.pitch > 0 && o.pitch < half_pi, "options.pitch", o.pitch,
-          "must lie between 0 and pi/2");
-  require(o.pitch_tolerance > 0 && o.pitch - o.pitch_tolerance > 0 &&
-              o.pitch + o.pitch_tolerance < half_pi,
-          "options.pitch_tolerance", o.pitch_tolerance,
-          "must be positive and keep the pitch within (0, pi/2)");
-  require(o.min_depth >= 0, "options.min_depth", o.min_depth, "must not be negative");
+  require(o.pitch - o.pitch_tolerance > 0 && o.pitch + o.pitch_tolerance < half_pi,
+          "options.pitch_tolerance", o.pitch_tolerance, "must keep the pitch within (0, pi/2)");
   require(o.max_depth >= o.min_depth, "options.max_depth", o.max_depth,
           "must be at least min_depth = " + std::to_string(o.min_depth));
-  require(o.max_depth < 0.1, "options.max_depth", o.max_depth, "must be below 0.1 m");
-  require(o.height_tolerance > 0 && o.height_tolerance <= 0.005, "options.height_tolerance",
-          o.height_tolerance, "must lie in (0, 0.005] m");
-  require(o.roll_tolerance > 0 && o.roll_tolerance <= 0.1, "options.roll_tolerance",
-          o.roll_tolerance, "must lie in (0, 0.1] rad");
-  require(o.root_scale > 0, "options.root_scale", o.root_scale, "must be positive");
-  require(o.min_overhang > 0, "options.min_overhang", o.min_overhang, "must be positive");
-  require(o.com_margin >= 0, "options.com_margin", o.com_margin, "must not be negative");
-  require(o.tip_margin >= 0, "options.tip_margin", o.tip_margin, "must not be negative");
-  require(o.rim_margin >= 0, "options.rim_margin", o.rim_margin, "must not be negative");
-  require(o.lift_height > 0 && o.lift_height <= 1, "options.lift_height", o.lift_height,
-          "must lie in (0, 1] m");
-  require(o.grasp_approach > 0 && o.grasp_approach <= 1, "options.grasp_approach", o.grasp_approach,
-          "must lie in (0, 1] m");
-  require(o.range > 0 && o.range <= 1, "options.range", o.range, "must lie in (0, 1]");
-  require(o.resolution > 0 && o.resolution <= 0.01, "options.resolution", o.resolution,
-          "must lie in (0, 0.01], the step of check()");
 }
 
 void validate(const Problem& problem, const Options& options) {
@@ -135,30 +115,12 @@ void validate(const Problem& problem, const Options& options) {
   if (problem.hand.finger_model == FingerModel::none) return;
   const double L = problem.hand.flexure_length;
   const double bent = std::sin(options.pitch - options.pitch_tolerance) -
-                      (options.max_depth + options.height_tolerance) / L;
+                      (options.max_depth + kHeightTolerance) / L;
   require(
       bent > 0, "options.max_depth", options.max_depth,
       "would bend a finger with hand.flexure_length " + std::to_string(L) + " flat at this pitch");
 }
 
-std::string to_string(Status status) {
-  switch (status) {
-    case Status::solved:
-      return "solved";
-    case Status::start_in_collision:
-      return "start_in_collision";
-    case Status::no_start_root:
-      return "no_start_root";
-    case Status::no_goal_root:
-      return "no_goal_root";
-    case Status::no_valid_pair:
-      return "no_valid_pair";
-    case Status::not_connected:
-      return "not_connected";
-    case Status::interrupted:
-      return "interrupted";
-  }
-  return "unknown";
-}
+std::string to_string(Status status) { return planning::name_of(status); }
 
 }  // namespace graspless::slide

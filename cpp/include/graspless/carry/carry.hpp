@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "graspless/carry/options.hpp"
 #include "graspless/collision/obstacle.hpp"
 #include "graspless/export.hpp"
 #include "graspless/planning/budget.hpp"
@@ -44,26 +46,18 @@ struct Problem {
 /// Throws std::invalid_argument that names the field, its value and what is allowed.
 GRASPLESS_API void validate(const Problem& problem);
 
-/// How to search.
-struct Options {
-  double step = 0.005;            ///< along the way, between poses of the object looked at [m]
-  double tolerance = 5e-4;        ///< how far O may leave the straight way [m]
-  double angle_tolerance = 2e-3;  ///< how far the object may turn off it [rad]
-  double max_twist = 0;           ///< how far hand and object may turn about the way,
-                                  ///< at its end too [rad]
-  double contact_depth = 1e-3;    ///< how far the object may reach into what it rests on [m]
-  double resolution = 0.01;       ///< largest joint step between checked configurations [rad]
-};
+enum class Status { solved, start_in_collision, not_found, interrupted };
 
-/// Throws std::invalid_argument that names the field, its value and what it may be.
-GRASPLESS_API void validate(const Options& options);
-
-enum class Status {
-  solved,
-  start_in_collision,  ///< where it stands, something touches
-  not_found,           ///< the arm cannot go all the way
-  interrupted,
-};
+/// Table of the values: name and text.
+constexpr auto choices(Status) {
+  using planning::Choice;
+  return std::array{
+      Choice{Status::solved, "solved", "A plan was found."},
+      Choice{Status::start_in_collision, "start_in_collision",
+             "The robot touches something in its start configuration."},
+      Choice{Status::not_found, "not_found", "The arm cannot follow the whole path."},
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+}
 GRASPLESS_API std::string to_string(Status status);
 
 /// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
@@ -73,14 +67,26 @@ struct Segment {
   std::vector<Eigen::Isometry3d> object_poses;  ///< X_WO at each row
 };
 
-/// What the search did.
+/// Counters of the search; fields() describes them.
 struct Statistics {
   double seconds = 0;
-  std::int64_t iterations = 0;  ///< configurations gone on from
+  std::int64_t iterations = 0;
   std::int64_t ik_calls = 0;
-  std::int64_t collision_checks = 0;             ///< configurations tested in full
-  std::map<std::string, std::int64_t> refusals;  ///< why steps failed
+  std::int64_t collision_checks = 0;
+  std::map<std::string, std::int64_t> refusals;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Statistics&) {
+  using planning::Field;
+  return std::make_tuple(
+      Field{"seconds", &Statistics::seconds, "s", "Wall-clock time."},
+      Field{"iterations", &Statistics::iterations, "", "Configurations expanded by the search."},
+      Field{"ik_calls", &Statistics::ik_calls, "", "Calls of the inverse kinematics."},
+      Field{"collision_checks", &Statistics::collision_checks, "",
+            "Configurations checked against every body."},
+      Field{"refusals", &Statistics::refusals, "", "Number of rejected steps by reason."});
+}
 
 /// Result of plan(): a motion, or the reason why there is none.
 struct Plan {

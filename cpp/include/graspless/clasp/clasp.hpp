@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "graspless/clasp/options.hpp"
 #include "graspless/clasp/problem.hpp"
 #include "graspless/clasp/stability.hpp"
 #include "graspless/export.hpp"
@@ -14,53 +16,32 @@
 
 namespace graspless::clasp {
 
-/// How to search. Zero means: derived from object and hand.
-struct Options {
-  /// Virtual linking that every finger curve must reach before the hand closes, and keep, in (0,
-  /// 1). 0: the hand closes as soon as every curve is linked, and closed must come half way from
-  /// its open state to what it reaches around a bar as thick as the loop's handle.
-  double min_linking = 0;
-  /// Clasp targets a loop; 0: one every half width of the hand, from 4 to 64.
-  int targets = 0;
-  /// n: random extensions before a tree is connected to targets; 0: 20 for the first tree, 50, 100,
-  /// then 200.
-  int pre_expansions = 0;
-  double random_probability = 0.1;  ///< P
-  int restart_cycles = 5;           ///< cycles before a tree is given up; 0: never
-  // TS-CONTROL, Algorithm 4
-  double dt = 0.5;                ///< Delta_t
-  double max_step = 0.12;         ///< LIMIT-STEP-SIZE: of any joint [rad]
-  double blend_distance = 0.02;   ///< where GAIN is a half [m]
-  double blend_slope = 120;       ///< of GAIN there [1/m]
-  double position_damping = 0.2;  ///< of the pseudo-inverses [m]
-  double alignment_damping = 0.1;
-  double linking_damping = 0.02;
-  /// How much the hand waits on its way while it is misaligned; 0: not at all, as the paper has it.
-  double patience = 20;
-  double linking_weight = 0.3;   ///< of the linking in the nearest-neighbour distance [m]
-  double exploring_step = 0.35;  ///< longest step of TS-EXTEND, of any joint [rad]
-  int max_connect_steps = 150;   ///< control steps of one connection
-  /// Attract an open hand by the open curves' Gauss integral while it is not linked.
-  bool attract = false;
-  double resolution = 0.01;  ///< largest joint step between checked configurations [rad]
-  int shortcut_rounds = 60;  ///< of randomised path pruning
-  StabilityOptions stability;
-  /// Take a clasp only if it passes the stability test; else the search goes on.
-  bool must_be_secure = true;
-};
-
-/// Throws std::invalid_argument that names the field, its value and what it may be.
-GRASPLESS_API void validate(const Options& options);
-
 enum class Status {
   solved,
-  start_in_collision,  ///< the robot at q_start touches something
-  no_reliable_hole,    ///< the cloud shows no hole to clasp: see Object::loops().betti
-  no_target_in_reach,  ///< every target is farther away than the arm is long
-  not_found,           ///< no motion led to a clasp in time
-  not_secure,          ///< clasps were found in time, and none passed the stability test
+  start_in_collision,
+  no_reliable_hole,
+  no_target_in_reach,
+  not_found,
+  not_secure,
   interrupted,
 };
+
+/// Table of the values: name and text.
+constexpr auto choices(Status) {
+  using planning::Choice;
+  return std::array{
+      Choice{Status::solved, "solved", "A plan was found."},
+      Choice{Status::start_in_collision, "start_in_collision",
+             "The robot touches something in its start configuration."},
+      Choice{Status::no_reliable_hole, "no_reliable_hole",
+             "The point cloud shows no hole to clasp. Object.loops has its Betti numbers."},
+      Choice{Status::no_target_in_reach, "no_target_in_reach",
+             "Every target is farther away than the arm is long."},
+      Choice{Status::not_found, "not_found", "No motion to a clasp was found within the budget."},
+      Choice{Status::not_secure, "not_secure",
+             "Clasps were found within the budget, and none passed the stability test."},
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+}
 GRASPLESS_API std::string to_string(Status status);
 
 /// Part of a motion: consecutive rows of `positions` differ by at most 0.05 rad in any joint.
@@ -78,19 +59,44 @@ struct Tree {
   std::vector<int> path;     ///< nodes from the root to the clasp
 };
 
-/// What the search did.
+/// Counters of the search; fields() describes them.
 struct Statistics {
   double seconds = 0;
-  double stability_seconds = 0;  ///< of these, in stability tests
-  std::int64_t cycles = 0;       ///< of Algorithm 1 after the pre-expansions, over all trees
-  std::int64_t nodes = 0;        ///< over all trees
-  std::int64_t restarts = 0;     ///< trees given up
+  double stability_seconds = 0;
+  std::int64_t cycles = 0;
+  std::int64_t nodes = 0;
+  std::int64_t restarts = 0;
   std::int64_t control_steps = 0;
-  std::int64_t collision_checks = 0;  ///< configurations looked at
-  std::int64_t fcl_checks = 0;        ///< link against object by FCL: what the clearance left open
+  std::int64_t collision_checks = 0;
+  std::int64_t fcl_checks = 0;
   std::int64_t stability_tests = 0;
-  std::map<std::string, std::int64_t> refusals;  ///< why targets, connections and clasps failed
+  std::map<std::string, std::int64_t> refusals;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Statistics&) {
+  using planning::Field;
+  return std::make_tuple(
+      Field{"seconds", &Statistics::seconds, "s", "Wall-clock time."},
+      Field{"stability_seconds", &Statistics::stability_seconds, "s",
+            "Part of the wall-clock time that was spent in stability tests."},
+      Field{"cycles", &Statistics::cycles, "",
+            "Cycles of Algorithm 1 after the pre-expansions, over all trees."},
+      Field{"nodes", &Statistics::nodes, "", "Nodes of all trees."},
+      Field{"restarts", &Statistics::restarts, "", "Number of trees given up."},
+      Field{"control_steps",
+            &Statistics::control_steps,
+            "",
+            "Steps of TS-CONTROL.",
+            {},
+            "Algorithm 4"},
+      Field{"collision_checks", &Statistics::collision_checks, "", "Configurations checked."},
+      Field{"fcl_checks", &Statistics::fcl_checks, "",
+            "Checks of a link against the object by FCL, where the clearance left it open."},
+      Field{"stability_tests", &Statistics::stability_tests, "", "Stability tests run."},
+      Field{"refusals", &Statistics::refusals, "",
+            "Number of rejected targets, connections and clasps by reason."});
+}
 
 /// Result of plan(): a motion that clasps the object, or the reason for failure.
 struct Plan {

@@ -8,6 +8,7 @@
 
 #include "graspless/clasp/problem.hpp"
 #include "graspless/export.hpp"
+#include "graspless/planning/fields.hpp"
 
 namespace graspless::clasp {
 
@@ -16,18 +17,41 @@ namespace graspless::clasp {
 /// paper, so the test errs towards escape. But a link with a concave mesh is filled to its convex
 /// hull, which errs the other way.
 struct StabilityOptions {
-  int sequences = 10;   ///< random sequences, each from the clasp; in [1, 1000]
-  int moves = 500;      ///< moves per sequence, translations and rotations in turn; in [1, 10000]
-  double step = 0.002;  ///< step of a translation [m], in [1e-4, 0.1]
-  double turn = 0.01;   ///< step of a rotation about the hand's centre [rad], in [1e-3, 1]
-  double penetration = 0.003;  ///< depth that does not count as a hit [m], in [0, 0.05]
-  /// The loop has escaped when all its points are farther than this from the hand's centre [m], in
-  /// [0, 10]. 0: half the length of the longest finger curve, because no hand reaches farther.
+  int sequences = 10;
+  int moves = 500;
+  double step = 0.002;
+  double turn = 0.01;
+  double penetration = 0.003;
   double escape_distance = 0;
   std::uint64_t seed = 1;  ///< of the random moves
 };
 
-/// Throws std::invalid_argument that names the option, its value and the allowed range.
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const StabilityOptions&) {
+  using planning::Field, planning::Range;
+  using Options = StabilityOptions;
+  return std::make_tuple(
+      Field{"sequences", &Options::sequences, "",
+            "Number of sequences of random moves, each starting from the clasp.",
+            Range::closed(1, 1000)},
+      Field{"moves", &Options::moves, "",
+            "Number of moves in a sequence: translations and rotations in turn.",
+            Range::closed(1, 10000)},
+      Field{"step", &Options::step, "m", "Length of a translation between two collision tests.",
+            Range::closed(1e-4, 0.1)},
+      Field{"turn", &Options::turn, "rad",
+            "Angle of a rotation about the hand's centre between two collision tests.",
+            Range::closed(1e-3, 1)},
+      Field{"penetration", &Options::penetration, "m",
+            "Depth of penetration that does not count as a collision.", Range::closed(0, 0.05)},
+      Field{"escape_distance", &Options::escape_distance, "m",
+            "The object has escaped when every point of the loop is farther than this from the "
+            "hand's centre. 0: half the length of the longest finger curve, the reach of any hand.",
+            Range::closed(0, 10)},
+      Field{"seed", &Options::seed, "", "Seed of the random moves.", Range::not_negative()});
+}
+
+/// Throws std::invalid_argument that names the option, its value and what it may be.
 GRASPLESS_API void validate(const StabilityOptions& options);
 
 /// Result of the stability test.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "graspless/export.hpp"
+#include "graspless/fingertip/options.hpp"
 #include "graspless/fingertip/problem.hpp"
 #include "graspless/mechanics/equilibrium.hpp"
 #include "graspless/mechanics/stability.hpp"
@@ -18,45 +20,25 @@ namespace graspless::fingertip {
 
 using mechanics::FingerMode;
 
-enum class Search {
-  dijkstra,  ///< uniform cost over the manipulation-feasibility graph
-  paper,     ///< A* with the heuristic (11), corrected where it is not admissible
-  fast,      ///< lazy best-first search over finger placements, bounded by support functions
-};
-
-/// How to search. The paper's values where it gives one.
-struct Options {
-  Search search = Search::fast;  ///< all find the same cost
-  /// Fingertip locations along each side of a face's rectangle, cell-centred; the paper's 7 x 7.
-  int locations_per_side = 7;
-  /// Instead: distance between locations [m]; 0 takes locations_per_side.
-  double location_spacing = 0;
-  int cone_edges = 6;              ///< s
-  int samples_per_arc = 3;         ///< P
-  double min_stability = 0.5;      ///< z_min [N]
-  double regrasp_cost = 100;       ///< X_regr [m]
-  double stability_weight = 0.01;  ///< X_stab [N]
-  /// l_i, 6 x N.
-  mechanics::Matrix6Xd disturbance_directions = mechanics::disturbance_directions();
-  mechanics::Compliance compliance;
-  int max_regrasps = 8;
-  int threads = 1;
-  double max_memory = 4e9;  ///< refuse searches that would need more [bytes]
-  /// On failure: find which single relaxation helps (mu, f_max, z_min), by bisection.
-  bool explain = true;
-};
-
-GRASPLESS_API void validate(const Options& options);
-/// Both, and that the search fits into max_memory. What plan() and check() begin with.
+/// Validates both, and that the search fits into max_memory. plan() and check() begin with this.
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
-enum class Status {
-  solved,
-  no_location,  ///< geometry: no placement of the fingers is clear of floor, walls and each other
-  unstable,     ///< geometry allows placements, but none carries the object all the way
-  out_of_time,  ///< nothing found in time or within the search's bounds, and nothing excluded
-  interrupted,
-};
+enum class Status { solved, no_location, unstable, out_of_time, interrupted };
+
+/// Table of the values: name and text.
+constexpr auto choices(Status) {
+  using planning::Choice;
+  return std::array{
+      Choice{Status::solved, "solved", "A plan was found."},
+      Choice{Status::no_location, "no_location",
+             "No placement of the fingers is clear of floor, walls and each other."},
+      Choice{Status::unstable, "unstable",
+             "Clear placements exist, but none carries the object all the way."},
+      Choice{Status::out_of_time, "out_of_time",
+             "Nothing was found within the budget or the bounds of the search, and nothing was "
+             "excluded."},
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+}
 GRASPLESS_API std::string to_string(Status status);
 
 /// A finger at one instant.
@@ -92,19 +74,49 @@ struct Segment {
   int finger = -1;  ///< regrasp: who moves; it goes to where the next segment has it
 };
 
-/// What the search did.
+/// Counters of the search; fields() describes them.
 struct Statistics {
   double seconds = 0;
   std::int64_t locations = 0;
-  std::int64_t z_evaluations = 0;  ///< of Problem (6), each one with all its directions
-  std::int64_t bounded_tests = 0;  ///< of Problem (5)
+  std::int64_t z_evaluations = 0;
+  std::int64_t bounded_tests = 0;
   std::int64_t pivots = 0;
-  std::int64_t ill_conditioned = 0;  ///< of both, solved by mechanics::Engine::reference
-  std::int64_t nodes = 0;       ///< opened by the search
-  std::int64_t supports = 0;    ///< wrench functionals used as bounds
-  std::int64_t candidates = 0;  ///< motions of the object tried (Goal)
-  std::int64_t memory = 0;      ///< of the search's tables, at most [bytes]
+  std::int64_t ill_conditioned = 0;
+  std::int64_t nodes = 0;
+  std::int64_t supports = 0;
+  std::int64_t candidates = 0;
+  std::int64_t memory = 0;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Statistics&) {
+  using planning::Field;
+  return std::make_tuple(
+      Field{"seconds", &Statistics::seconds, "s", "Wall-clock time."},
+      Field{"locations", &Statistics::locations, "", "Fingertip locations on the object."},
+      Field{"z_evaluations",
+            &Statistics::z_evaluations,
+            "",
+            "Evaluations of the stability, each over all directions.",
+            {},
+            "Problem (6)"},
+      Field{"bounded_tests",
+            &Statistics::bounded_tests,
+            "",
+            "Tests whether internal forces are bounded.",
+            {},
+            "Problem (5)"},
+      Field{"pivots", &Statistics::pivots, "", "Pivots of the simplex method."},
+      Field{"ill_conditioned", &Statistics::ill_conditioned, "",
+            "Problems (5) and (6) with ill-conditioned contacts, solved by the reference engine."},
+      Field{"nodes", &Statistics::nodes, "",
+            "Nodes expanded by the search; for the fast search of a path, placements considered."},
+      Field{"supports", &Statistics::supports, "",
+            "Wrench functionals that bound the stability from above."},
+      Field{"candidates", &Statistics::candidates, "",
+            "Motions of the object tried on the way to a Goal."},
+      Field{"memory", &Statistics::memory, "bytes", "Largest memory of the search's tables."});
+}
 
 /// What a failed search says of the way out.
 struct Relaxation {

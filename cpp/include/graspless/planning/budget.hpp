@@ -9,25 +9,35 @@
 #include <limits>
 
 #include "graspless/export.hpp"
+#include "graspless/planning/fields.hpp"
 
 namespace graspless::planning {
 
-/// Limits of a query in time and iterations, and its random seed. The same seed and iterations give
-/// the same plan, bit by bit, unless time runs out first.
+/// All time and randomness of a query; fields() describes them. The same seed and iterations give
+/// the same plan, bit by bit, provided the clock does not end the search first.
 struct Budget {
-  double seconds = 10;                                                 ///< wall clock [s]
-  std::int64_t iterations = std::numeric_limits<std::int64_t>::max();  ///< rounds of the main loop
+  double seconds = 10;
+  std::int64_t iterations = std::numeric_limits<std::int64_t>::max();
   std::uint64_t seed = 1;
-  /// Ends the query once it returns true. Called at the start and then at most every 10 ms, from
-  /// the thread that plans.
+  /// Ends the query when it returns true. Called at once and then at most every 10 ms, from the
+  /// thread that plans.
   std::function<bool()> interrupted;
 };
 
-/// The clock of one query; counts what it has used of its budget.
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Budget&) {
+  return std::make_tuple(
+      Field{"seconds", &Budget::seconds, "s", "Wall-clock time.",
+            Range::left_open(0, std::numeric_limits<double>::infinity())},
+      Field{"iterations", &Budget::iterations, "",
+            "Iterations of the planner's main loop. Default: no limit.", Range::not_negative()},
+      Field{"seed", &Budget::seed, "", "Seed of all random numbers.", Range::not_negative()});
+}
+
+/// Spends a budget: the clock of one query.
 class GRASPLESS_API Clock {
  public:
-  /// Throws std::invalid_argument unless seconds is positive (infinity is allowed) and iterations
-  /// is not negative.
+  /// Throws std::invalid_argument when a field of the budget is out of its range.
   explicit Clock(const Budget& budget);
 
   bool spend();   ///< counts one iteration; false if the budget is used up

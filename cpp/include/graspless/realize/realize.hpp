@@ -8,6 +8,7 @@
 #include "graspless/export.hpp"
 #include "graspless/fingertip/fingertip.hpp"
 #include "graspless/planning/budget.hpp"
+#include "graspless/planning/fields.hpp"
 #include "graspless/robot/robot.hpp"
 
 namespace graspless::fingertip {
@@ -20,16 +21,38 @@ struct Carrier {
   std::vector<std::vector<std::string>> links = {{"left_finger"}, {"right_finger"}};
 };
 
+/// Options of realize(); fields() describes them.
 struct RealizeOptions {
-  /// A finger leaves and comes to the surface along its normal; less where the hand does not open
-  /// so far (a half, a quarter, an eighth) [m].
   double approach = 0.03;
-  double resolution = 0.01;          ///< largest joint step between checked configurations [rad]
-  double max_jump = 0.05;            ///< largest joint step between rows [rad or m]
-  double position_tolerance = 1e-4;  ///< of fingertips, at rows and between them [m]
-  int restarts = 40;                 ///< rounds of configurations to start from
-  int solutions = 8;                 ///< found, of which the one with the least scrub is kept
+  double resolution = 0.01;
+  double max_jump = 0.05;
+  double position_tolerance = 1e-4;
+  int restarts = 40;
+  int solutions = 8;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const RealizeOptions&) {
+  using planning::Field, planning::Range;
+  using Options = RealizeOptions;
+  return std::make_tuple(
+      Field{"approach", &Options::approach, "m",
+            "Distance over which a finger approaches and leaves the surface along its normal. "
+            "Where the hand does not open so far, a half, a quarter or an eighth of it.",
+            Range::positive()},
+      Field{"resolution", &Options::resolution, "rad",
+            "Largest joint step between checked configurations.", Range::positive()},
+      Field{"max_jump", &Options::max_jump, "rad or m", "Largest joint step between two rows.",
+            Range::positive()},
+      Field{"position_tolerance", &Options::position_tolerance, "m",
+            "Largest distance of a fingertip from its planned position, at rows and between them.",
+            Range::positive()},
+      Field{"restarts", &Options::restarts, "",
+            "Number of rounds of initial configurations to search from.", Range::closed(1, 1e6)},
+      Field{"solutions", &Options::solutions, "",
+            "Number of solutions to find; the one with the least scrub is kept.",
+            Range::closed(1, 1e6)});
+}
 
 /// A stretch of joint motion; rows follow each other by at most max_jump in any joint.
 struct JointSegment {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -9,69 +10,42 @@
 
 #include "graspless/export.hpp"
 #include "graspless/planning/budget.hpp"
+#include "graspless/slide/options.hpp"
 #include "graspless/slide/problem.hpp"
 
 namespace graspless::slide {
 
-enum class Search {
-  paper,  ///< Algorithm 1 as written
-  fast,   ///< the same, with goals drawn to fit a start and connected directly first
-};
-
-/// How to search. The paper's values where it gives one.
-struct Options {
-  Search search = Search::fast;
-  /// beta_0: the angle between the finger and the surface [rad].
-  double pitch = 0.7853981633974483;
-  /// Delta_beta: how far the pitch may stray while sliding [rad].
-  double pitch_tolerance = 0.1;
-  /// Delta_Z^-: least press of the commanded tip below the object's top face [m].
-  double min_depth = 0.005;
-  /// Delta_Z^+: deepest press of the commanded tip below the object's top face [m].
-  double max_depth = 0.025;
-  /// Numerical play of the depth band, for the motions between rows [m].
-  double height_tolerance = 5e-4;
-  /// Tilt of the line contact out of the surface [rad].
-  double roll_tolerance = 1e-3;
-  /// N* in Eq. (5): larger adds roots more freely.
-  double root_scale = 100;
-  /// u*: how far the object must stick out to be grasped [m].
-  double min_overhang = 0.02;
-  /// How far the centre of mass stays inside the edge [m]. In simulation the lift tipped some
-  /// objects at 2 mm and none at 10 mm; the paper asks for no margin.
-  double com_margin = 0.010;
-  /// How far the effective tip stays inside the edge [m].
-  double tip_margin = 0.010;
-  /// How far the contact stays inside the object's outline at the start [m]; at most half of the
-  /// farthest that a contact point can be. In simulation a pad that pressed on a rim lost it.
-  double rim_margin = 0.005;
-  /// Clearance above the object before the hand comes round for it [m].
-  double lift_height = 0.08;
-  /// Length of the hand's straight final motion [m].
-  double grasp_approach = 0.06;
-  /// Longest step of ConstrainedExtend, Euclidean in the joints [rad].
-  double range = 0.1;
-  /// Largest joint step between checked configurations [rad].
-  double resolution = 0.01;
-  /// Whether to shorten a slide that came from a tree.
-  bool shortcut = true;
-};
-
-/// Throws std::invalid_argument that names the field, its value and what is allowed.
-GRASPLESS_API void validate(const Options& options);
 /// Validates both, and also that the finger can bend as deep as options.max_depth. Called by plan()
 /// and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
 enum class Status {
   solved,
-  start_in_collision,  ///< the robot at home touches something
-  no_start_root,       ///< no configuration presses on the object
-  no_goal_root,        ///< no configuration presses near an edge
-  no_valid_pair,       ///< starts and goals were connected, or drawn, but no pair was valid
-  not_connected,       ///< no valid pair could be connected in time
+  start_in_collision,
+  no_start_root,
+  no_goal_root,
+  no_valid_pair,
+  not_connected,
   interrupted,
 };
+
+/// Table of the values: name and text.
+constexpr auto choices(Status) {
+  using planning::Choice;
+  return std::array{
+      Choice{Status::solved, "solved", "A plan was found."},
+      Choice{Status::start_in_collision, "start_in_collision",
+             "The robot touches something in its home configuration."},
+      Choice{Status::no_start_root, "no_start_root",
+             "No configuration that presses on the object was found."},
+      Choice{Status::no_goal_root, "no_goal_root",
+             "No configuration that presses near an edge was found."},
+      Choice{Status::no_valid_pair, "no_valid_pair",
+             "Starts and goals were found, but no pair of them was valid."},
+      Choice{Status::not_connected, "not_connected",
+             "No valid pair was connected within the budget."},
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+}
 GRASPLESS_API std::string to_string(Status status);
 
 /// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
@@ -81,24 +55,39 @@ struct Segment {
   std::vector<Eigen::Isometry3d> object_poses;  ///< X_WO at each row
 };
 
-/// What the search did.
+/// Counters of the search; fields() describes them.
 struct Statistics {
   double seconds = 0;
   std::int64_t iterations = 0;
-  std::int64_t nodes = 0;        ///< in both forests
-  std::int64_t start_roots = 0;  ///< N_s
-  std::int64_t goal_roots = 0;   ///< N_g
-  /// Configurations tested in full; those of a motion that only some pairs were looked at are not
-  /// counted.
+  std::int64_t nodes = 0;
+  std::int64_t start_roots = 0;
+  std::int64_t goal_roots = 0;
   std::int64_t collision_checks = 0;
   std::int64_t projections = 0;
   std::int64_t ik_calls = 0;
-  std::int64_t pairs = 0;  ///< start-goal pairs validated
-  /// Why roots and pairs were refused: "start: reach", "start: collision", "start: home", "goal:
-  /// reach", "goal: collision", "pair: overhang", "pair: center of mass", "pair: grasp reach",
-  /// "pair: grasp motion", ...
+  std::int64_t pairs = 0;
   std::map<std::string, std::int64_t> refusals;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Statistics&) {
+  using planning::Field;
+  return std::make_tuple(
+      Field{"seconds", &Statistics::seconds, "s", "Wall-clock time."},
+      Field{"iterations", &Statistics::iterations, "", "Iterations of Algorithm 1."},
+      Field{"nodes", &Statistics::nodes, "", "Nodes in both forests."},
+      Field{"start_roots", &Statistics::start_roots, "", "Roots of the start forest.", {}, "N_s"},
+      Field{"goal_roots", &Statistics::goal_roots, "", "Roots of the goal forest.", {}, "N_g"},
+      Field{"collision_checks", &Statistics::collision_checks, "",
+            "Configurations checked against every body."},
+      Field{"projections", &Statistics::projections, "",
+            "Projections of a configuration onto the contact constraint."},
+      Field{"ik_calls", &Statistics::ik_calls, "", "Calls of the inverse kinematics."},
+      Field{"pairs", &Statistics::pairs, "", "Start-goal pairs validated."},
+      Field{"refusals", &Statistics::refusals, "",
+            "Number of rejected roots and pairs by reason, such as \"start: reach\", \"goal: "
+            "collision\" or \"pair: overhang\"."});
+}
 
 /// Result of plan(): a motion, or the reason why there is none.
 struct Plan {

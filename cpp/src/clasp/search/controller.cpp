@@ -12,6 +12,18 @@ using Eigen::VectorXd;
 
 namespace {
 
+// Parameters of Algorithm 4. They balance the three tasks against each other: nobody tunes one of
+// them alone, and no object or hand so far needed other values.
+constexpr double kTimeStep = 0.5;         // Delta_t
+constexpr double kBlendDistance = 0.02;   // where GAIN is a half [m]
+constexpr double kBlendSlope = 120;       // of GAIN there [1/m]
+constexpr double kPositionDamping = 0.2;  // of the pseudo-inverses [m]
+constexpr double kAlignmentDamping = 0.1;
+constexpr double kLinkingDamping = 0.02;
+// Slows the hand down while it is misaligned, because a hand that arrives so collides. The paper
+// has no such term (0).
+constexpr double kPatience = 20;
+
 constexpr double kMinStep = 2e-4;  // shorter steps make no node [rad]
 constexpr double kAtLimit = 1e-9;  // distance from a limit that counts as reached [rad]
 constexpr int kMaxRounds = 4;      // of excluding joints at their limits
@@ -32,9 +44,9 @@ Controller::Controller(TaskSpace& task_space, const robot::Robot& robot, const H
       upper_(robot.upper()),
       arm_gains_(gains_of(robot, hand.arm)),
       hand_gains_(gains_of(robot, hand.hand)),
-      position_(make_task(options.position_damping, 3)),
-      alignment_(make_task(options.alignment_damping, 2)),
-      linking_(make_task(options.linking_damping, task_space.kinematics().num_curves())),
+      position_(make_task(kPositionDamping, 3)),
+      alignment_(make_task(kAlignmentDamping, 2)),
+      linking_(make_task(kLinkingDamping, task_space.kinematics().num_curves())),
       q_dot_arm_(robot.dof()),
       q_dot_hand_(robot.dof()),
       q_dot_(robot.dof()) {}
@@ -48,8 +60,7 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
   task_space_.alignment_jacobian(alignment_.J);                        // 6
   linking_.u = x_target[3] - task_space_.linking_of_curves().array();  // 7, 8
   task_space_.linking_jacobian(linking_.J);                            // 9
-  const double fade =
-      1 / (1 + std::pow(options_.blend_distance / task_space_.target_distance(), 2));
+  const double fade = 1 / (1 + std::pow(kBlendDistance / task_space_.target_distance(), 2));
   alignment_.u[1] *= fade;
   alignment_.J.row(1) *= fade;
   if (options_.attract) task_space_.attract(linking_.u, linking_.J);
@@ -58,10 +69,10 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
   linking_.J.array().rowwise() *= hand_gains_.array();
   blend_ = gain(position_.u.norm());  // 12
   const double misalignment = alignment_.u.maxCoeff();
-  position_.u /= 1 + options_.patience * misalignment * misalignment;
+  position_.u /= 1 + kPatience * misalignment * misalignment;
   solve();  // 10, 11, 13, 14
   for (int round = 1; round < kMaxRounds && exclude_blocked(q); ++round) solve();
-  q_dot_ *= options_.dt;  // 15
+  q_dot_ *= kTimeStep;  // 15
   const double longest = q_dot_.cwiseAbs().maxCoeff();
   if (longest > max_step) q_dot_ *= max_step / longest;
   q_new = (q + q_dot_).cwiseMax(lower_).cwiseMin(upper_);
@@ -70,7 +81,7 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
 
 /// GAIN of line 12: 1 far from the target, 0 near it.
 double Controller::gain(double distance) const {
-  return 1 / (1 + std::exp(-options_.blend_slope * (distance - options_.blend_distance)));
+  return 1 / (1 + std::exp(-kBlendSlope * (distance - kBlendDistance)));
 }
 
 void Controller::solve() {

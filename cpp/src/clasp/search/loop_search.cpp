@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/search/loop_search.hpp"
 
+#include <array>
+
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
 
@@ -15,6 +17,16 @@ namespace ob = ompl::base;
 using planning::vector;
 
 namespace {
+
+// Parameters of Algorithm 1 and 2 that suit every hand and object so far.
+constexpr double kRandomProbability = 0.1;                 // P
+constexpr std::array kPreExpansions = {20, 50, 100, 200};  // n of the first tree, the second, ...
+constexpr int kRestartCycles = 5;                          // before a tree is given up
+constexpr int kMaxConnectSteps = 150;                      // of one connection
+constexpr double kMaxStep = 0.12;                          // LIMIT-STEP-SIZE, of any joint [rad]
+constexpr double kExploringStep = 0.35;                    // of TS-EXTEND, of any joint [rad]
+// Of the linking in the nearest-neighbour distance: linked once weighs as much as 0.3 m [m].
+constexpr double kLinkingWeight = 0.3;
 
 constexpr int kStall = 12;       // control steps without progress that end tighten()
 constexpr double kMargin = 0.3;  // of the box of random samples around hand and object [m]
@@ -71,17 +83,16 @@ void LoopSearch::make_space(const Eigen::VectorXd& q_start) {
 }
 
 void LoopSearch::make_planner() {
-  const Options& options = task_.options;
   planner_ = std::make_shared<planning::TaskSpaceRRT>(si_);
   planner_->setProblemDefinition(problem_);
   planner_->set_seed(query_.rng());
-  planner_->set_random_probability(options.random_probability);
-  planner_->set_pre_expansion_schedule(pre_expansion_schedule(query_.options));
-  planner_->set_restart_cycles(options.restart_cycles);
-  planner_->set_max_connect_steps(options.max_connect_steps);
+  planner_->set_random_probability(kRandomProbability);
+  planner_->set_pre_expansion_schedule({kPreExpansions.begin(), kPreExpansions.end()});
+  planner_->set_restart_cycles(kRestartCycles);
+  planner_->set_max_connect_steps(kMaxConnectSteps);
   planner_->set_max_iterations(1);
   Eigen::VectorXd weights(5);
-  weights << 1, 1, 1, options.linking_weight, 0;
+  weights << 1, 1, 1, kLinkingWeight, 0;
   planner_->set_weights(weights);
   std::vector<Eigen::VectorXd> goals;
   for (const geometry::ClaspTarget& target : task_.targets_W) {
@@ -95,8 +106,7 @@ void LoopSearch::make_planner() {
       [this, q_new = Eigen::VectorXd(dof_)](const ob::State* q, const Eigen::VectorXd&,
                                             const Eigen::VectorXd& x_target, bool is_exploring,
                                             ob::State* new_state) mutable {
-        const Options& o = task_.options;
-        const double step = is_exploring ? o.exploring_step : o.max_step;
+        const double step = is_exploring ? kExploringStep : kMaxStep;
         if (!controller_.step(vector(q, dof_), x_target.head<4>(), step, q_new)) {
           query_.refuse("control: stalled");
           return false;
@@ -148,12 +158,12 @@ void LoopSearch::tighten(planning::Path& path) {
   Eigen::VectorXd q_new(dof_);
   double least = 1e9;
   int stalled = 0;
-  for (int i = 0; i < task_.options.max_connect_steps && stalled < kStall; ++i) {
-    if (!controller_.step(path.back(), goal, task_.options.max_step, q_new)) return;
+  for (int i = 0; i < kMaxConnectSteps && stalled < kStall; ++i) {
+    if (!controller_.step(path.back(), goal, kMaxStep, q_new)) return;
     const Eigen::VectorXd x = project(q_new);
     if (x[4] == 0 || !query_.is_motion_free(path.back(), q_new)) return;
     Eigen::Vector4d left = x.head<4>() - goal;
-    left[3] *= task_.options.linking_weight;
+    left[3] *= kLinkingWeight;
     stalled = left.norm() < least - 1e-4 ? 0 : stalled + 1;
     least = std::min(least, left.norm());
     path.push_back(q_new);

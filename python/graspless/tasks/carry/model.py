@@ -11,11 +11,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from ... import carry
 from ..budget import Budget
 from ..clasp.model import Object as ClaspObject
 from ..obstacles import Obstacles
+from ..options import described_by
 from ..robots import Robot
-from ..shapes import Fields, NotNegative, Point3, Pose, Positive, Shape, Size3
+from ..shapes import Fields, Point3, Pose, Positive, Shape, Size3
 from ..slide.model import Object as SlideObject
 from ..slide.model import Support
 
@@ -57,19 +59,9 @@ class Line(Fields):
         return self
 
 
+@described_by(carry.Options)
 class Options(Fields):
-    """How to search: graspless.carry.Options has the defaults and the reasons."""
-
-    step: Positive | None = Field(default=None, description="along the way [m]")
-    tolerance: Positive | None = Field(default=None, description="off the straight way [m]")
-    angle_tolerance: Positive | None = Field(default=None, description="[rad]")
-    max_twist: NotNegative | None = Field(
-        default=None, description="how far the hand may turn about the way [rad]"
-    )
-    contact_depth: Positive | None = Field(
-        default=None, description="how far the object may reach into what it rests on [m]"
-    )
-    resolution: Positive | None = Field(default=None, description="[rad]")
+    """Options of the search: docs/reference/options.md."""
 
 
 class CarryTask(Fields):

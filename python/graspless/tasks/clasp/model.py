@@ -13,8 +13,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from ... import clasp
 from ..budget import Budget
 from ..obstacles import Obstacles
+from ..options import described_by
 from ..robots import Robot
 from ..shapes import Fields, MeshFile, NotNegative, Point3, Pose, Positive
 from .hand import Hand
@@ -101,52 +103,36 @@ class Clasp(Fields):
     )
 
 
+@described_by(clasp.StabilityOptions)
 class Stability(Fields):
-    """The stability test: graspless.clasp.StabilityOptions."""
-
-    sequences: Count | None = None
-    moves: Count | None = Field(default=None, description="a sequence")
-    step: Positive | None = Field(default=None, description="of a translation [m]")
-    turn: Positive | None = Field(default=None, description="of a rotation [rad]")
-    penetration: NotNegative | None = Field(default=None, description="that is no hit [m]")
-    escape_distance: NotNegative | None = Field(
-        default=None, description="[m]; 0: from the hand's size"
-    )
-    seed: Seed | None = None
+    """Options of the stability test: docs/reference/options.md."""
 
 
+# Former options and their values: plan files name them.
+_CONSTANTS = {
+    "pre_expansions": 0,
+    "random_probability": 0.1,
+    "restart_cycles": 5,
+    "dt": 0.5,
+    "max_step": 0.12,
+    "blend_distance": 0.02,
+    "blend_slope": 120.0,
+    "position_damping": 0.2,
+    "alignment_damping": 0.1,
+    "linking_damping": 0.02,
+    "patience": 20.0,
+    "linking_weight": 0.3,
+    "exploring_step": 0.35,
+    "max_connect_steps": 150,
+    "shortcut_rounds": 60,
+}
+
+
+@described_by(clasp.Options, _CONSTANTS)
 class Options(Fields):
-    """How to search: graspless.clasp.Options has the defaults and the reasons."""
+    """Options of the search: docs/reference/options.md."""
 
-    min_linking: Annotated[float, Field(ge=0, lt=1)] | None = Field(
-        default=None, description="before the hand closes; 0: from hand and loop"
-    )
-    targets: CountOrZero | None = Field(default=None, description="a loop; 0: from its length")
-    pre_expansions: CountOrZero | None = Field(default=None, description="n; 0: as needed")
-    random_probability: Annotated[float, Field(ge=0, le=1)] | None = Field(
-        default=None, description="P"
-    )
-    restart_cycles: CountOrZero | None = Field(
-        default=None, description="before a tree is given up; 0: never"
-    )
-    dt: Positive | None = None
-    max_step: Positive | None = Field(default=None, description="of any joint [rad]")
-    blend_distance: Positive | None = Field(default=None, description="[m]")
-    blend_slope: Positive | None = Field(default=None, description="[1/m]")
-    position_damping: Positive | None = Field(default=None, description="[m]")
-    alignment_damping: Positive | None = None
-    linking_damping: Positive | None = None
-    patience: NotNegative | None = Field(
-        default=None, description="how much a misaligned hand waits; 0: not at all"
-    )
-    linking_weight: Positive | None = Field(default=None, description="[m]")
-    exploring_step: Positive | None = Field(default=None, description="of any joint [rad]")
-    max_connect_steps: Count | None = None
-    attract: bool | None = None
-    resolution: Positive | None = Field(default=None, description="[rad]")
-    shortcut_rounds: CountOrZero | None = None
     stability: Stability = Stability()
-    must_be_secure: bool | None = None
 
 
 def _kind_of_hand(value: Any) -> str:

@@ -12,10 +12,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
+from ... import fingertip
 from ..budget import Budget
 from ..obstacles import Obstacles
+from ..options import described_by
 from ..robots import Robot
-from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3, Triangle
+from ..shapes import Fields, MeshFile, Point3, Positive, Size3, Triangle
 from .motion import Motion
 
 Count = Annotated[int, Field(ge=1)]
@@ -132,29 +134,14 @@ class Compliance(Fields):
     finger_tangential: Positive | None = None
 
 
+@described_by(fingertip.Options)
 class Options(Fields):
-    """How to search: graspless.fingertip.Options has the defaults and the reasons."""
+    """Options of the search: docs/reference/options.md."""
 
-    search: Literal["dijkstra", "paper", "fast"] | None = None
-    locations_per_side: Count | None = Field(default=None, description="of a face's rectangle")
-    location_spacing: NotNegative | None = Field(
-        default=None, description="instead: distance between locations [m]"
-    )
-    cone_edges: Annotated[int, Field(ge=3)] | None = None
-    samples_per_arc: Count | None = None
-    min_stability: Positive | None = Field(default=None, description="z_min [N]")
-    regrasp_cost: NotNegative | None = Field(default=None, description="X_regr [m]")
-    stability_weight: NotNegative | None = Field(default=None, description="X_stab [N]")
     disturbance_directions: list[Direction] | None = Field(
         default=None, description="[N][6]; default: the paper's 76"
     )
     compliance: Compliance = Compliance()
-    max_regrasps: Annotated[int, Field(ge=0)] | None = None
-    threads: Count | None = None
-    max_memory: Positive | None = Field(default=None, description="[bytes]")
-    explain: bool | None = Field(
-        default=None, description="on failure: which single relaxation helps"
-    )
 
 
 class Carrier(Fields):
@@ -168,19 +155,9 @@ class Carrier(Fields):
     )
 
 
+@described_by(fingertip.RealizeOptions)
 class Realize(Fields):
-    """How to find joint paths: graspless.fingertip.RealizeOptions."""
-
-    approach: Positive | None = Field(
-        default=None, description="how far a finger leaves the surface along its normal [m]"
-    )
-    resolution: Positive | None = Field(default=None, description="[rad]")
-    max_jump: Positive | None = Field(default=None, description="between rows [rad]")
-    position_tolerance: Positive | None = Field(default=None, description="of fingertips [m]")
-    restarts: Count | None = None
-    solutions: Count | None = Field(
-        default=None, description="found, of which the one with the least scrub is kept"
-    )
+    """Options of the joint paths: docs/reference/options.md."""
 
 
 class FingertipTask(Fields):

@@ -9,13 +9,14 @@ their checksums.
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from ... import slide
 from ..budget import Budget
 from ..obstacles import Obstacles
+from ..options import described_by
 from ..robots import Robot
 from ..shapes import (
     Circle,
@@ -120,28 +121,13 @@ class Support(Fields):
         return self
 
 
-class Options(Fields):
-    """How to search: graspless.slide.Options has the defaults and the reasons."""
+# Former options and their values: plan files name them.
+_CONSTANTS = {"height_tolerance": 5e-4, "roll_tolerance": 1e-3, "shortcut": True}
 
-    search: Literal["paper", "fast"] | None = None
-    pitch: Annotated[float, Field(gt=0, lt=math.pi / 2)] | None = Field(
-        default=None, description="[rad]"
-    )
-    pitch_tolerance: NotNegative | None = Field(default=None, description="[rad]")
-    min_depth: NotNegative | None = Field(default=None, description="[m]")
-    max_depth: NotNegative | None = Field(default=None, description="[m]")
-    height_tolerance: Positive | None = Field(default=None, description="[m]")
-    roll_tolerance: Positive | None = Field(default=None, description="[rad]")
-    root_scale: Positive | None = None
-    min_overhang: NotNegative | None = Field(default=None, description="[m]")
-    com_margin: NotNegative | None = Field(default=None, description="[m]")
-    tip_margin: NotNegative | None = Field(default=None, description="[m]")
-    rim_margin: NotNegative | None = Field(default=None, description="[m]")
-    lift_height: Positive | None = Field(default=None, description="[m]")
-    grasp_approach: Positive | None = Field(default=None, description="[m]")
-    range: Positive | None = Field(default=None, description="[rad]")
-    resolution: Positive | None = Field(default=None, description="[rad]")
-    shortcut: bool | None = None
+
+@described_by(slide.Options, _CONSTANTS)
+class Options(Fields):
+    """Options of the search: docs/reference/options.md."""
 
 
 class SlideTask(Fields):

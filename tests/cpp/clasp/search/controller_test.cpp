@@ -20,6 +20,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+constexpr int kSteps = 150;            // as the search takes at most
+constexpr double kLargestStep = 0.12;  // of any joint [rad]
+
 /// A robot at home with its hand open, a ring 0.15 m ahead of it, and what drives it there.
 class ControllerOf : public testing::TestWithParam<std::string> {
  protected:
@@ -67,8 +70,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, ControllerOf, testing::ValuesIn(robots_with_han
 TEST_P(ControllerOf, ClaspsWhatNothingObstructs) {
   for (int trial = 0; trial < 8; ++trial) {
     VectorXd q = start(0.3), q_new;
-    for (int i = 0; i < options_.max_connect_steps; ++i) {
-      if (!controller_.step(q, goal(1), options_.max_step, q_new)) break;
+    for (int i = 0; i < kSteps; ++i) {
+      if (!controller_.step(q, goal(1), kLargestStep, q_new)) break;
       q = q_new;
     }
     tasks_.project(q);
@@ -95,7 +98,7 @@ TEST_P(ControllerOf, StepsAreNoLongerThanAllowedAndWithinTheLimits) {
 
 TEST_P(ControllerOf, AnOpenHandWaits) {
   VectorXd q = start(0.2), q_new;
-  ASSERT_TRUE(controller_.step(q, goal(1), options_.max_step, q_new));
+  ASSERT_TRUE(controller_.step(q, goal(1), kLargestStep, q_new));
   EXPECT_FALSE(tasks_.is_linked());
   EXPECT_EQ(hand(q), hand(q_new));
   EXPECT_NE(q, q_new);
@@ -147,7 +150,7 @@ TEST_P(ControllerOf, StopsWhereThereIsNothingToDo) {
   VectorXd q = home_, q_new;
   bool goes = true;
   for (int i = 0; i < 400 && goes; ++i) {
-    goes = controller_.step(q, goal(0), options_.max_step, q_new);
+    goes = controller_.step(q, goal(0), kLargestStep, q_new);
     q = q_new;
   }
   EXPECT_FALSE(goes);
@@ -158,8 +161,8 @@ TEST_P(ControllerOf, RepeatsItselfToTheBit) {
   Controller again(tasks, robot_.robot, robot_.hand, options_);
   VectorXd q = start(0.3), q_new, q_again;
   for (int i = 0; i < 40; ++i) {
-    controller_.step(q, goal(1), options_.max_step, q_new);
-    again.step(q, goal(1), options_.max_step, q_again);
+    controller_.step(q, goal(1), kLargestStep, q_new);
+    again.step(q, goal(1), kLargestStep, q_again);
     ASSERT_EQ(q_new, q_again);
     q = q_new;
   }

@@ -91,23 +91,22 @@ TEST(TestStability, RefusesNonsense) {
   expect_refused([&] { run(-1); }, "loop");
   expect_refused([&] { test_stability(problem, VectorXd::Zero(3), 0); }, "q");
   options.sequences = 0;
-  expect_refused([&] { run(0); }, "stability.sequences must be in [1, 1000], not 0");
+  expect_refused([&] { run(0); }, "stability.sequences must lie in [1, 1000], not 0");
   options = {};
   options.turn = std::nan("");
-  expect_refused([&] { run(0); }, "stability.turn must be in [0.001, 1] rad");
+  expect_refused([&] { run(0); }, "stability.turn must lie in [0.001, 1] rad");
   options = {};
   options.penetration = -1;
   expect_refused([&] { run(0); }, "stability.penetration");
   options = {};
   options.moves = 1000000000;
-  expect_refused([&] { run(0); }, "stability.moves must be in [1, 10000], not 1000000000");
+  expect_refused([&] { run(0); }, "stability.moves must lie in [1, 10000], not 1000000000");
   options = {};
   options.step = 1e-300;
-  expect_refused([&] { run(0); }, "stability.step must be in [0.0001, 0.1] m, not 1e-300");
+  expect_refused([&] { run(0); }, "stability.step must lie in [0.0001, 0.1] m, not 1e-300");
   options = {};
   options.escape_distance = 1e300;
-  expect_refused([&] { run(0); },
-                 "stability.escape_distance must be 0 or at most 10 m, not 1e+300");
+  expect_refused([&] { run(0); }, "stability.escape_distance must lie in [0, 10] m, not 1e+300");
 }
 
 /// Balls within the links, and none looks out.

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include "graspless/export.hpp"
+
+/// Tables of options, statistics and status values. Every such struct has beside it one function
+/// fields(), every enum one function choices(). Validation, bindings, task files and the reference
+/// page docs/reference/options.md are made from these tables.
+namespace graspless::planning {
+
+/// Interval of allowed values; by default, every number.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_is_open = true;
+  bool upper_is_open = true;
+
+  static constexpr Range closed(double lower, double upper) { return {lower, upper, false, false}; }
+  static constexpr Range open(double lower, double upper) { return {lower, upper, true, true}; }
+  static constexpr Range left_open(double lower, double upper) {
+    return {lower, upper, true, false};
+  }
+  static constexpr Range right_open(double lower, double upper) {
+    return {lower, upper, false, true};
+  }
+  static constexpr Range positive() { return {0}; }
+  static constexpr Range not_negative() { return right_open(0, Range{}.upper); }
+
+  constexpr bool contains(double value) const {
+    return (lower_is_open ? value > lower : value >= lower) &&
+           (upper_is_open ? value < upper : value <= upper);
+  }
+};
+
+/// "(0, 0.02]"; empty for every number.
+GRASPLESS_API std::string to_string(const Range& range);
+
+/// Description of one member of a struct.
+template <class Struct, class Value>
+struct Field {
+  const char* name;
+  Value Struct::*member;
+  const char* unit;         ///< "m"; empty for counts, ratios and text
+  const char* text;         ///< one sentence or two
+  Range range = {};         ///< of numbers
+  const char* source = "";  ///< section or equation of the planner's paper; empty: not from there
+};
+/// @cond
+template <class Struct, class Value>
+Field(const char*, Value Struct::*, const char*, const char*, Range = {}, const char* = "")
+    -> Field<Struct, Value>;
+/// @endcond
+
+/// Description of one value of an enum.
+template <class Enum>
+struct Choice {
+  Enum value;
+  const char* name;
+  const char* text;
+};
+/// @cond
+template <class Enum>
+Choice(Enum, const char*, const char*) -> Choice<Enum>;
+/// @endcond
+
+/// Name of an enum's value in its table of choices().
+template <class Enum>
+std::string name_of(Enum value) {
+  for (const auto& choice : choices(Enum{})) {
+    if (choice.value == value) return choice.name;
+  }
+  return "unknown";
+}
+
+/// Throws std::invalid_argument with all of this unless the value lies in the range.
+GRASPLESS_API void require_in_range(const std::string& name, double value, const Range& range,
+                                    const std::string& unit, const std::string& text);
+
+/// Throws std::invalid_argument about the first member outside its range: its name after `prefix`,
+/// range, value and text.
+template <class Struct>
+void require_in_range(const std::string& prefix, const Struct& values) {
+  const auto require = [&](const auto& field) {
+    const auto& value = values.*field.member;
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+      require_in_range(prefix + field.name, static_cast<double>(value), field.range, field.unit,
+                       field.text);
+    }
+  };
+  std::apply([&](const auto&... field) { (require(field), ...); }, fields(values));
+}
+
+}  // namespace graspless::planning

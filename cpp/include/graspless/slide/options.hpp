@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "graspless/export.hpp"
+#include "graspless/planning/fields.hpp"
+
+namespace graspless::slide {
+
+enum class Search { paper, fast };
+
+/// Table of the values: name and text.
+constexpr auto choices(Search) {
+  using planning::Choice;
+  return std::array{
+      Choice{Search::paper, "paper", "Algorithm 1 as written."},
+      Choice{Search::fast, "fast",
+             "Algorithm 1 with goals sampled to fit a start and connected to it directly first."}};
+}
+
+/// Options of the search; fields() describes them. Defaults are the paper's where it gives one.
+struct Options {
+  Search search = Search::fast;
+  double pitch = 0.7853981633974483;
+  double pitch_tolerance = 0.1;
+  double min_depth = 0.005;
+  double max_depth = 0.025;
+  double root_scale = 100;
+  double min_overhang = 0.02;
+  double com_margin = 0.010;
+  double tip_margin = 0.010;
+  double rim_margin = 0.005;
+  double lift_height = 0.08;
+  double grasp_approach = 0.06;
+  double range = 0.1;
+  double resolution = 0.01;
+};
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Options&) {
+  using planning::Field, planning::Range;
+  return std::make_tuple(
+      Field{"search", &Options::search, "", "Search algorithm."},
+      Field{"pitch", &Options::pitch, "rad", "Angle between the finger and the surface.",
+            Range::open(0, 1.5707963267948966), "beta_0"},
+      Field{"pitch_tolerance", &Options::pitch_tolerance, "rad",
+            "Largest deviation from the pitch while the object slides. The pitch must stay within "
+            "(0, pi/2).",
+            Range::open(0, 0.7853981633974483), "Delta_beta"},
+      Field{"min_depth", &Options::min_depth, "m",
+            "Least depth of the commanded fingertip below the object's top face.",
+            Range::right_open(0, 0.1), "Delta_Z^-"},
+      Field{"max_depth", &Options::max_depth, "m",
+            "Largest depth of the commanded fingertip below the object's top face. At least "
+            "min_depth.",
+            Range::right_open(0, 0.1), "Delta_Z^+"},
+      Field{"root_scale", &Options::root_scale, "",
+            "Scale of the number of roots: larger values add roots more often.", Range::positive(),
+            "N*, Eq. (5)"},
+      Field{"min_overhang", &Options::min_overhang, "m",
+            "Least length of the object beyond the edge that the hand can grasp.",
+            Range::positive(), "u*"},
+      Field{"com_margin", &Options::com_margin, "m",
+            "Least distance of the centre of mass from the edge, on the support. In simulation the "
+            "lift tipped some objects at 2 mm and none at 10 mm; the paper uses 0.",
+            Range::not_negative()},
+      Field{"tip_margin", &Options::tip_margin, "m",
+            "Least distance of the fingertip's contact from the edge, on the support.",
+            Range::not_negative()},
+      Field{"rim_margin", &Options::rim_margin, "m",
+            "Least distance of the contact from the object's outline at the start, at most half of "
+            "the largest that the object allows. In simulation a pad that pressed on a rim lost "
+            "the object.",
+            Range::not_negative()},
+      Field{"lift_height", &Options::lift_height, "m",
+            "Clearance above the object before the hand moves around to grasp it.",
+            Range::left_open(0, 1)},
+      Field{"grasp_approach", &Options::grasp_approach, "m",
+            "Length of the hand's straight final motion.", Range::left_open(0, 1)},
+      Field{"range", &Options::range, "rad",
+            "Longest step of ConstrainedExtend, as the Euclidean norm over the joints.",
+            Range::left_open(0, 1)},
+      Field{"resolution", &Options::resolution, "rad",
+            "Largest joint step between checked configurations. check() uses 0.01.",
+            Range::left_open(0, 0.01)});
+}
+
+/// Throws std::invalid_argument that names the option, its value and its range.
+GRASPLESS_API void validate(const Options& options);
+
+}  // namespace graspless::slide
