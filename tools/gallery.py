@@ -87,10 +87,13 @@ def summary_of(name: str) -> str:
 
 
 def summary(plan: graspless.Plan) -> str:
-    """Returns the summary of a plan without times of computation and the last counters."""
-    lines = "\n".join(report.as_text(plan).splitlines()[:-1])
-    lines = re.sub(r"solved in [^,]*,", "solved in ...,", lines)
-    return re.sub(r"[\d.]+ ms\b", "... ms", lines)
+    """Returns the summary of a plan without times and counters of the search."""
+    lines = [
+        re.sub(r"solved in [^,]*,", "solved in ...,", line)
+        for line in report.as_text(plan).splitlines()
+        if not line.strip().startswith("search:")
+    ]
+    return "\n".join(lines)
 
 
 def picture(name: str) -> tuple[Image.Image, str]:
