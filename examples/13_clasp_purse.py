@@ -17,6 +17,7 @@ X_WO[:3, 3] = 0.62, 0.05, 0.0
 problem = clasp.Problem(arm, hand, purse, X_WO, arm.state("home"))
 plan = clasp.plan(problem)
 assert plan, plan.reason
+assert plan.stability  # of every clasp that was found
 assert clasp.check(problem, plan) == []
 
 for segment in plan.segments:
@@ -25,4 +26,4 @@ for segment in plan.segments:
     print(f"{linking[0].min():.2f} to {linking[-1].min():.2f}")
 print(f"secure: {plan.stability.secure}, margin {plan.stability.margin:.2f}")
 for finger, value in zip(hand.fingers, plan.segments[-1].virtual_linking[-1], strict=True):
-    print(f"{finger.name}: {value:.2f} linked, {plan.min_linking:.2f} asked")
+    print(f"{finger.name}: {value:.2f} linked, at least {plan.min_linking:.2f} needed")

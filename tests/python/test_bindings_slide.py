@@ -71,7 +71,7 @@ def test_objects_from_outline_and_cloud():
         (lambda: Segment("slide", np.zeros((2, 8)), [np.eye(4)]), "slide.*2 positions but 1"),
         (lambda: Segment("slide", np.zeros(8), [np.eye(4)]), r"positions has shape \(8,\)"),
         (lambda: slide.center_of_mass([[0, 0, 0]], [1, 2]), "mass"),
-        (lambda: slide.validate(Options(min_depth=0.5)), "max_depth.*min_depth"),
+        (lambda: slide.validate(Options(min_depth=0.05)), "max_depth.*min_depth"),
         (lambda: Budget(seconds=0), "seconds"),
         (lambda: Budget(seconds=float("nan")), "seconds"),
         (lambda: Budget(iterations=-1), "iterations"),

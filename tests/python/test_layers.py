@@ -64,7 +64,7 @@ def is_use(node, name):
 
 
 def test_what_simulations_share_with_planners_is_listed():
-    page = (ROOT / "docs" / "architecture.md").read_text()
+    page = (ROOT / "docs" / "internals" / "physics.md").read_text()
     head = "## What the physics engine shares with the planners\n"
     listed = page.split(head)[1].split("\n## ")[0]
     package = ROOT / "python" / "graspless"

@@ -129,7 +129,7 @@ def test_what_cannot_be_simulated_is_refused():
 def test_an_older_mujoco_is_told(monkeypatch, tmp_path):
     plan = graspless.plan(graspless.load_task(_data.directory("examples") / "06_push_block.yaml"))
     monkeypatch.setattr(mujoco, "__version__", "3.3.0")
-    words = r"needs mujoco>=4.0, 3.3.0 is installed: pip install 'graspless\[sim\]'"
+    words = r"needs mujoco>=4.0, 3.3.0 is installed: .*pip install '.*\[sim\]'"
     with pytest.raises(TaskError, match=words):
         graspless.simulate(plan)
     with pytest.raises(TaskError, match=words):

@@ -147,7 +147,7 @@ def test_an_obstacle_that_the_plan_does_not_know_is_hit(plan, shape, tmp_path):
     for name, at in {"in the way": place, "aside": place + [0, 3.0, 0]}.items():
         post = f"{{name: post, {shape}, pose: {{position: {at.tolist()}}}}}"
         there = copy.copy(plan)
-        there.__dict__["task"] = read_task(f"{PURSE}obstacles: [{post}]\n", "post.yaml")
+        there._task = read_task(f"{PURSE}obstacles: [{post}]\n", "post.yaml")
         settings = dataclasses.replace(SHORT, sequences=1, seconds=0.2)
         found[name] = run(there, Variation(), settings=settings).failures
     assert found["aside"] == ()

@@ -67,8 +67,8 @@ BandProjection ContactSpace::make_projection() {
       -kRollTolerance / 2;
   bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance),
       kRollTolerance / 2;
-  bands.slack << kHeightTolerance,
-      play * std::cos(options_.pitch + options_.pitch_tolerance), kRollTolerance / 2;
+  bands.slack << kHeightTolerance, play * std::cos(options_.pitch + options_.pitch_tolerance),
+      kRollTolerance / 2;
   // Between two checked configurations a value may exceed its band a little more.
   constexpr double kBetweenSamples = 0.9;
   bands.slack *= kBetweenSamples;

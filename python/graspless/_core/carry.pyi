@@ -65,8 +65,13 @@ class Problem:
         """
 class Options:
     """
-    How to search.
+    Options of the search.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -76,7 +81,9 @@ class Options:
     @property
     def angle_tolerance(self) -> float:
         """
-        How far the object may turn off it [rad].
+        Largest rotation of the object away from the planned attitude.
+        
+        Unit: rad. Range: [0.0001, 0.5]. Default: 0.002.
         """
     @angle_tolerance.setter
     def angle_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -84,7 +91,9 @@ class Options:
     @property
     def contact_depth(self) -> float:
         """
-        How far the object may reach into what it rests on [m].
+        Largest penetration of the object into the obstacles that it rests on.
+        
+        Unit: m. Range: (0, 0.02]. Default: 0.001.
         """
     @contact_depth.setter
     def contact_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -92,7 +101,9 @@ class Options:
     @property
     def max_twist(self) -> float:
         """
-        How far hand and object may turn about the line of the way, at its end too [rad].
+        Largest rotation of hand and object about the direction of the path, also at its end. 0: none.
+        
+        Unit: rad. Range: [0, 3.2]. Default: 0.0.
         """
     @max_twist.setter
     def max_twist(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -100,7 +111,9 @@ class Options:
     @property
     def resolution(self) -> float:
         """
-        Largest joint step between checked configurations [rad].
+        Largest joint step between checked configurations. check() uses 0.01.
+        
+        Unit: rad. Range: (0, 0.01]. Default: 0.01.
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -108,7 +121,9 @@ class Options:
     @property
     def step(self) -> float:
         """
-        Along the way, between poses looked at [m].
+        Distance between checked poses along the path.
+        
+        Unit: m. Range: [0.0001, 0.1]. Default: 0.005.
         """
     @step.setter
     def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -116,7 +131,9 @@ class Options:
     @property
     def tolerance(self) -> float:
         """
-        How far the object's origin may leave the straight way [m].
+        Largest distance of the object's origin from the straight path.
+        
+        Unit: m. Range: [1e-05, 0.05]. Default: 0.0005.
         """
     @tolerance.setter
     def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -152,8 +169,13 @@ class Segment:
         """
 class Statistics:
     """
-    What the search did.
+    Counters of the search.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, iterations: typing.SupportsInt | typing.SupportsIndex = 0, ik_calls: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
         """
         Any field by keyword; the others are zero.
@@ -167,7 +189,7 @@ class Statistics:
     @property
     def collision_checks(self) -> int:
         """
-        Configurations checked.
+        Configurations checked against every body.
         """
     @collision_checks.setter
     def collision_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -175,7 +197,7 @@ class Statistics:
     @property
     def ik_calls(self) -> int:
         """
-        Inverse kinematics solved.
+        Calls of the inverse kinematics.
         """
     @ik_calls.setter
     def ik_calls(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -183,7 +205,7 @@ class Statistics:
     @property
     def iterations(self) -> int:
         """
-        Steps tried.
+        Configurations expanded by the search.
         """
     @iterations.setter
     def iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -191,7 +213,7 @@ class Statistics:
     @property
     def refusals(self) -> dict[str, int]:
         """
-        Why steps failed, and how often; a copy.
+        Number of rejected steps by reason.
         """
     @refusals.setter
     def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:
@@ -199,7 +221,9 @@ class Statistics:
     @property
     def seconds(self) -> float:
         """
-        Wall clock [s].
+        Wall-clock time.
+        
+        Unit: s.
         """
     @seconds.setter
     def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

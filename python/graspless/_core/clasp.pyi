@@ -290,6 +290,11 @@ class StabilityOptions:
     
     The hand does not move. The object makes random moves, each until it hits the hand.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, sequences: typing.SupportsInt | typing.SupportsIndex = 10, moves: typing.SupportsInt | typing.SupportsIndex = 500, step: typing.SupportsFloat | typing.SupportsIndex = 0.002, turn: typing.SupportsFloat | typing.SupportsIndex = 0.01, penetration: typing.SupportsFloat | typing.SupportsIndex = 0.003, escape_distance: typing.SupportsFloat | typing.SupportsIndex = 0.0, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -299,8 +304,9 @@ class StabilityOptions:
     @property
     def escape_distance(self) -> float:
         """
-        The loop has escaped when all its points are farther than this from the hand's centre [m], in [0, 10].
-        0: half the length of the longest finger curve.
+        The object has escaped when every point of the loop is farther than this from the hand's centre. 0: half the length of the longest finger curve, the reach of any hand.
+        
+        Unit: m. Range: [0, 10]. Default: 0.0.
         """
     @escape_distance.setter
     def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -308,7 +314,9 @@ class StabilityOptions:
     @property
     def moves(self) -> int:
         """
-        Moves per sequence, translations and rotations in turn; in [1, 10000].
+        Number of moves in a sequence: translations and rotations in turn.
+        
+        Range: [1, 10000]. Default: 500.
         """
     @moves.setter
     def moves(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -316,7 +324,9 @@ class StabilityOptions:
     @property
     def penetration(self) -> float:
         """
-        Penetration depth that does not count as a hit [m], in [0, 0.05].
+        Depth of penetration that does not count as a collision.
+        
+        Unit: m. Range: [0, 0.05]. Default: 0.003.
         """
     @penetration.setter
     def penetration(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -325,6 +335,8 @@ class StabilityOptions:
     def seed(self) -> int:
         """
         Seed of the random moves.
+        
+        Range: [0, inf). Default: 1.
         """
     @seed.setter
     def seed(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -332,7 +344,9 @@ class StabilityOptions:
     @property
     def sequences(self) -> int:
         """
-        Number of random sequences, each from the clasp; in [1, 1000].
+        Number of sequences of random moves, each starting from the clasp.
+        
+        Range: [1, 1000]. Default: 10.
         """
     @sequences.setter
     def sequences(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -340,7 +354,9 @@ class StabilityOptions:
     @property
     def step(self) -> float:
         """
-        Step of a translation [m], in [1e-4, 0.1].
+        Length of a translation between two collision tests.
+        
+        Unit: m. Range: [0.0001, 0.1]. Default: 0.002.
         """
     @step.setter
     def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -348,7 +364,9 @@ class StabilityOptions:
     @property
     def turn(self) -> float:
         """
-        Step of a rotation about the hand's centre [rad], in [1e-3, 1].
+        Angle of a rotation about the hand's centre between two collision tests.
+        
+        Unit: rad. Range: [0.001, 1]. Default: 0.01.
         """
     @turn.setter
     def turn(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -397,98 +415,35 @@ class Stability:
         ...
 class Options:
     """
-    How to search. Zero means: derived from object and hand.
+    Options of the search.
     """
-    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, pre_expansions: typing.SupportsInt | typing.SupportsIndex = 0, random_probability: typing.SupportsFloat | typing.SupportsIndex = 0.1, restart_cycles: typing.SupportsInt | typing.SupportsIndex = 5, dt: typing.SupportsFloat | typing.SupportsIndex = 0.5, max_step: typing.SupportsFloat | typing.SupportsIndex = 0.12, blend_distance: typing.SupportsFloat | typing.SupportsIndex = 0.02, blend_slope: typing.SupportsFloat | typing.SupportsIndex = 120.0, position_damping: typing.SupportsFloat | typing.SupportsIndex = 0.2, alignment_damping: typing.SupportsFloat | typing.SupportsIndex = 0.1, linking_damping: typing.SupportsFloat | typing.SupportsIndex = 0.02, patience: typing.SupportsFloat | typing.SupportsIndex = 20.0, linking_weight: typing.SupportsFloat | typing.SupportsIndex = 0.3, exploring_step: typing.SupportsFloat | typing.SupportsIndex = 0.35, max_connect_steps: typing.SupportsInt | typing.SupportsIndex = 150, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, shortcut_rounds: typing.SupportsInt | typing.SupportsIndex = 60, stability: StabilityOptions = ..., must_be_secure: bool = True) -> None:
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
+    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, stability: StabilityOptions = ..., must_be_secure: bool = True) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
     def __repr__(self) -> str:
         ...
     @property
-    def alignment_damping(self) -> float:
-        """
-        Of the pseudo-inverse.
-        """
-    @alignment_damping.setter
-    def alignment_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
     def attract(self) -> bool:
         """
-        Attract an open hand by the open curves' Gauss integral while it is not linked.
+        Attract an open hand by the Gauss integral of the open curves while it is not linked.
+        
+        Default: False.
         """
     @attract.setter
     def attract(self, arg0: bool) -> None:
         ...
     @property
-    def blend_distance(self) -> float:
-        """
-        Where GAIN is a half [m].
-        """
-    @blend_distance.setter
-    def blend_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def blend_slope(self) -> float:
-        """
-        Of GAIN there [1/m].
-        """
-    @blend_slope.setter
-    def blend_slope(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def dt(self) -> float:
-        """
-        Delta_t of Algorithm 4.
-        """
-    @dt.setter
-    def dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def exploring_step(self) -> float:
-        """
-        Longest step of TS-EXTEND, of any joint [rad].
-        """
-    @exploring_step.setter
-    def exploring_step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def linking_damping(self) -> float:
-        """
-        Of the pseudo-inverse.
-        """
-    @linking_damping.setter
-    def linking_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def linking_weight(self) -> float:
-        """
-        Of the linking in the nearest-neighbour distance [m].
-        """
-    @linking_weight.setter
-    def linking_weight(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def max_connect_steps(self) -> int:
-        """
-        Control steps of one connection.
-        """
-    @max_connect_steps.setter
-    def max_connect_steps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def max_step(self) -> float:
-        """
-        LIMIT-STEP-SIZE: of any joint [rad].
-        """
-    @max_step.setter
-    def max_step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
     def min_linking(self) -> float:
         """
-        Virtual linking that every finger curve must reach before the hand closes, and keep, in (0, 1). 0: the hand closes as soon as every curve is linked, and closed must come half way from its open state to what it reaches around a bar as thick as the loop's handle; Plan.min_linking has it.
+        Virtual linking in (0, 1) that every finger curve must reach before the hand closes, and must keep. 0: the hand closes as soon as every curve is linked, and the closed hand must come half way from its open state to what it reaches around a bar as thick as the loop's handle. The plan reports the value used.
+        
+        Range: [0, 1). Default: 0.0.
         """
     @min_linking.setter
     def min_linking(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -496,71 +451,29 @@ class Options:
     @property
     def must_be_secure(self) -> bool:
         """
-        Take a clasp only if it passes the stability test; else the search goes on.
+        Accept a clasp only if it passes the stability test; otherwise the search continues.
+        
+        Default: True.
         """
     @must_be_secure.setter
     def must_be_secure(self, arg0: bool) -> None:
         ...
     @property
-    def patience(self) -> float:
-        """
-        How much the hand waits on its way while it is misaligned; 0: not at all, as the paper has it.
-        """
-    @patience.setter
-    def patience(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def position_damping(self) -> float:
-        """
-        Of the pseudo-inverse [m].
-        """
-    @position_damping.setter
-    def position_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def pre_expansions(self) -> int:
-        """
-        n: random extensions before a tree is connected to targets; 0: 20 for the first tree, 50, 100, then 200.
-        """
-    @pre_expansions.setter
-    def pre_expansions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def random_probability(self) -> float:
-        """
-        P of Algorithm 1.
-        """
-    @random_probability.setter
-    def random_probability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
     def resolution(self) -> float:
         """
-        Largest joint step between checked configurations [rad].
+        Largest joint step between checked configurations. At most 0.01, the step of check().
+        
+        Unit: rad. Range: [0.0001, 0.01]. Default: 0.01.
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def restart_cycles(self) -> int:
-        """
-        Cycles before a tree is given up; 0: never.
-        """
-    @restart_cycles.setter
-    def restart_cycles(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def shortcut_rounds(self) -> int:
-        """
-        Of randomised path pruning.
-        """
-    @shortcut_rounds.setter
-    def shortcut_rounds(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    @property
     def stability(self) -> StabilityOptions:
         """
-        Of the stability test; a copy.
+        Options of the stability test.
+        
+        Paper: Section V-A.
         """
     @stability.setter
     def stability(self, arg0: StabilityOptions) -> None:
@@ -568,7 +481,9 @@ class Options:
     @property
     def targets(self) -> int:
         """
-        Clasp targets a loop; 0: one every half width of the hand, from 4 to 64.
+        Number of clasp targets on a loop. 0: one every half width of the hand, from 4 to 64.
+        
+        Range: [0, 10000]. Default: 0.
         """
     @targets.setter
     def targets(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -633,8 +548,13 @@ class Tree:
         """
 class Statistics:
     """
-    What the search did.
+    Counters of the search.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, stability_seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, cycles: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, restarts: typing.SupportsInt | typing.SupportsIndex = 0, control_steps: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, fcl_checks: typing.SupportsInt | typing.SupportsIndex = 0, stability_tests: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
         """
         Any field by keyword; the others are zero.
@@ -648,7 +568,7 @@ class Statistics:
     @property
     def collision_checks(self) -> int:
         """
-        Configurations looked at.
+        Configurations checked.
         """
     @collision_checks.setter
     def collision_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -656,7 +576,9 @@ class Statistics:
     @property
     def control_steps(self) -> int:
         """
-        Of Algorithm 4.
+        Steps of TS-CONTROL.
+        
+        Paper: Algorithm 4.
         """
     @control_steps.setter
     def control_steps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -664,7 +586,7 @@ class Statistics:
     @property
     def cycles(self) -> int:
         """
-        Of Algorithm 1 after the pre-expansions, over all trees.
+        Cycles of Algorithm 1 after the pre-expansions, over all trees.
         """
     @cycles.setter
     def cycles(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -672,7 +594,7 @@ class Statistics:
     @property
     def fcl_checks(self) -> int:
         """
-        Link against object by FCL: what the clearance left open.
+        Checks of a link against the object by FCL, where the clearance left it open.
         """
     @fcl_checks.setter
     def fcl_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -680,7 +602,7 @@ class Statistics:
     @property
     def nodes(self) -> int:
         """
-        Over all trees.
+        Nodes of all trees.
         """
     @nodes.setter
     def nodes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -688,7 +610,7 @@ class Statistics:
     @property
     def refusals(self) -> dict[str, int]:
         """
-        Why targets, connections and clasps failed, and how often; a copy.
+        Number of rejected targets, connections and clasps by reason.
         """
     @refusals.setter
     def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:
@@ -696,7 +618,7 @@ class Statistics:
     @property
     def restarts(self) -> int:
         """
-        Trees given up.
+        Number of trees given up.
         """
     @restarts.setter
     def restarts(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -704,7 +626,9 @@ class Statistics:
     @property
     def seconds(self) -> float:
         """
-        Wall clock [s].
+        Wall-clock time.
+        
+        Unit: s.
         """
     @seconds.setter
     def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -712,7 +636,9 @@ class Statistics:
     @property
     def stability_seconds(self) -> float:
         """
-        Of these, in stability tests [s].
+        Part of the wall-clock time that was spent in stability tests.
+        
+        Unit: s.
         """
     @stability_seconds.setter
     def stability_seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -720,7 +646,7 @@ class Statistics:
     @property
     def stability_tests(self) -> int:
         """
-        Clasps tried to be pulled apart.
+        Stability tests run.
         """
     @stability_tests.setter
     def stability_tests(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:

@@ -365,15 +365,20 @@ class Problem:
         """
 class Search(enum.Enum):
     """
-    Which search finds the plan; all find the same cost.
+    Search algorithms. All find the same cost.
     """
     dijkstra = ...
     fast = ...
     paper = ...
 class Options:
     """
-    How to search. The paper's values where it gives one.
+    Options of the search.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, search: Search = Search.fast, locations_per_side: typing.SupportsInt | typing.SupportsIndex = 7, location_spacing: typing.SupportsFloat | typing.SupportsIndex = 0.0, cone_edges: typing.SupportsInt | typing.SupportsIndex = 6, samples_per_arc: typing.SupportsInt | typing.SupportsIndex = 3, min_stability: typing.SupportsFloat | typing.SupportsIndex = 0.5, regrasp_cost: typing.SupportsFloat | typing.SupportsIndex = 100.0, stability_weight: typing.SupportsFloat | typing.SupportsIndex = 0.01, disturbance_directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., compliance: graspless._core.mechanics.Compliance = ..., max_regrasps: typing.SupportsInt | typing.SupportsIndex = 8, threads: typing.SupportsInt | typing.SupportsIndex = 1, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0, explain: bool = True) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -383,7 +388,7 @@ class Options:
     @property
     def compliance(self) -> graspless._core.mechanics.Compliance:
         """
-        Springs at the contacts, of the second index.
+        Springs at the contacts, for nominal forces and compliant_stability.
         """
     @compliance.setter
     def compliance(self, arg0: graspless._core.mechanics.Compliance) -> None:
@@ -391,7 +396,9 @@ class Options:
     @property
     def cone_edges(self) -> int:
         """
-        Edges of a friction cone.
+        Number of edges of a friction cone.
+        
+        Range: [3, 64]. Default: 6. Paper: s.
         """
     @cone_edges.setter
     def cone_edges(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -399,7 +406,9 @@ class Options:
     @property
     def disturbance_directions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 6]"]:
         """
-        (N, 6) the disturbances l_i, forces first, in scaled wrench space.
+        Directions of the disturbances in scaled wrench space, forces first: a column each in C++, a row each in Python. They must positively span that space.
+        
+        Paper: l_i.
         """
     @disturbance_directions.setter
     def disturbance_directions(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -407,7 +416,9 @@ class Options:
     @property
     def explain(self) -> bool:
         """
-        On failure: find which single relaxation helps, by bisection.
+        On failure, find by bisection which single relaxation of friction, force limit or min_stability helps.
+        
+        Default: True.
         """
     @explain.setter
     def explain(self, arg0: bool) -> None:
@@ -415,7 +426,9 @@ class Options:
     @property
     def location_spacing(self) -> float:
         """
-        Instead: distance between locations [m]; 0 takes locations_per_side.
+        Distance between locations, instead of locations_per_side. 0: use locations_per_side.
+        
+        Unit: m. Range: [0, inf). Default: 0.0.
         """
     @location_spacing.setter
     def location_spacing(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -423,7 +436,9 @@ class Options:
     @property
     def locations_per_side(self) -> int:
         """
-        Fingertip locations along each side of a face's rectangle.
+        Number of fingertip locations along each side of a face's rectangle, centred in cells.
+        
+        Range: [1, 10000]. Default: 7.
         """
     @locations_per_side.setter
     def locations_per_side(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -431,7 +446,9 @@ class Options:
     @property
     def max_memory(self) -> float:
         """
-        Searches that would need more are refused [bytes].
+        Largest memory of the search's tables; a larger search is refused.
+        
+        Unit: bytes. Range: (0, inf]. Default: 4000000000.0.
         """
     @max_memory.setter
     def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -439,7 +456,9 @@ class Options:
     @property
     def max_regrasps(self) -> int:
         """
-        At most so many.
+        Maximum number of regrasps.
+        
+        Range: [0, 1000]. Default: 8.
         """
     @max_regrasps.setter
     def max_regrasps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -447,7 +466,9 @@ class Options:
     @property
     def min_stability(self) -> float:
         """
-        z_min [N].
+        Least disturbance that every instant must withstand.
+        
+        Unit: N. Range: (0, 1e+09]. Default: 0.5. Paper: z_min.
         """
     @min_stability.setter
     def min_stability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -455,7 +476,9 @@ class Options:
     @property
     def regrasp_cost(self) -> float:
         """
-        X_regr [m].
+        Cost of one regrasp, as a displacement of the object.
+        
+        Unit: m. Range: (0, inf). Default: 100.0. Paper: X_regr, Eq. (10).
         """
     @regrasp_cost.setter
     def regrasp_cost(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -463,7 +486,9 @@ class Options:
     @property
     def samples_per_arc(self) -> int:
         """
-        Instants that are looked at in an arc.
+        Number of instants checked between two poses of the object.
+        
+        Range: [1, 1000]. Default: 3. Paper: P.
         """
     @samples_per_arc.setter
     def samples_per_arc(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -471,7 +496,7 @@ class Options:
     @property
     def search(self) -> Search:
         """
-        Which search finds the plan.
+        Search algorithm. All find the same cost.
         """
     @search.setter
     def search(self, arg0: Search) -> None:
@@ -479,7 +504,9 @@ class Options:
     @property
     def stability_weight(self) -> float:
         """
-        X_stab [N].
+        Weight of stability in the cost of a motion: its displacement times 1 + stability_weight / stability. 0: displacement alone.
+        
+        Unit: N. Range: [0, inf). Default: 0.01. Paper: X_stab, Eq. (9).
         """
     @stability_weight.setter
     def stability_weight(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -487,7 +514,9 @@ class Options:
     @property
     def threads(self) -> int:
         """
-        How many may work.
+        Number of threads.
+        
+        Range: [1, 256]. Default: 1.
         """
     @threads.setter
     def threads(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -636,8 +665,13 @@ class Segment:
         """
 class Statistics:
     """
-    What the search did.
+    Counters of the search.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, locations: typing.SupportsInt | typing.SupportsIndex = 0, z_evaluations: typing.SupportsInt | typing.SupportsIndex = 0, bounded_tests: typing.SupportsInt | typing.SupportsIndex = 0, pivots: typing.SupportsInt | typing.SupportsIndex = 0, ill_conditioned: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, supports: typing.SupportsInt | typing.SupportsIndex = 0, candidates: typing.SupportsInt | typing.SupportsIndex = 0, memory: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
         """
         Any field by keyword; the others are zero.
@@ -651,7 +685,9 @@ class Statistics:
     @property
     def bounded_tests(self) -> int:
         """
-        Of Problem (5).
+        Tests whether internal forces are bounded.
+        
+        Paper: Problem (5).
         """
     @bounded_tests.setter
     def bounded_tests(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -659,7 +695,7 @@ class Statistics:
     @property
     def candidates(self) -> int:
         """
-        Motions of the object tried (Goal).
+        Motions of the object tried on the way to a Goal.
         """
     @candidates.setter
     def candidates(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -675,7 +711,7 @@ class Statistics:
     @property
     def locations(self) -> int:
         """
-        Places where a fingertip may press.
+        Fingertip locations on the object.
         """
     @locations.setter
     def locations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -683,7 +719,9 @@ class Statistics:
     @property
     def memory(self) -> int:
         """
-        Of the search's tables, at most [bytes].
+        Largest memory of the search's tables.
+        
+        Unit: bytes.
         """
     @memory.setter
     def memory(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -691,7 +729,7 @@ class Statistics:
     @property
     def nodes(self) -> int:
         """
-        Opened by the search.
+        Nodes expanded by the search; for the fast search of a path, placements considered.
         """
     @nodes.setter
     def nodes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -699,7 +737,7 @@ class Statistics:
     @property
     def pivots(self) -> int:
         """
-        Of the simplex.
+        Pivots of the simplex method.
         """
     @pivots.setter
     def pivots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -707,7 +745,9 @@ class Statistics:
     @property
     def seconds(self) -> float:
         """
-        Wall clock [s].
+        Wall-clock time.
+        
+        Unit: s.
         """
     @seconds.setter
     def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -715,7 +755,7 @@ class Statistics:
     @property
     def supports(self) -> int:
         """
-        Wrench functionals used as bounds.
+        Wrench functionals that bound the stability from above.
         """
     @supports.setter
     def supports(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -723,7 +763,9 @@ class Statistics:
     @property
     def z_evaluations(self) -> int:
         """
-        Of Problem (6).
+        Evaluations of the stability, each over all directions.
+        
+        Paper: Problem (6).
         """
     @z_evaluations.setter
     def z_evaluations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -901,8 +943,13 @@ class Carrier:
         ...
 class RealizeOptions:
     """
-    How to find joint paths.
+    Options of realize().
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, approach: typing.SupportsFloat | typing.SupportsIndex = 0.03, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_jump: typing.SupportsFloat | typing.SupportsIndex = 0.05, position_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0001, restarts: typing.SupportsInt | typing.SupportsIndex = 40, solutions: typing.SupportsInt | typing.SupportsIndex = 8) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -912,7 +959,9 @@ class RealizeOptions:
     @property
     def approach(self) -> float:
         """
-        A finger leaves and comes to the surface along its normal [m].
+        Distance over which a finger approaches and leaves the surface along its normal. Where the hand does not open so far, a half, a quarter or an eighth of it.
+        
+        Unit: m. Range: (0, inf). Default: 0.03.
         """
     @approach.setter
     def approach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -920,7 +969,9 @@ class RealizeOptions:
     @property
     def max_jump(self) -> float:
         """
-        Largest joint step between rows [rad].
+        Largest joint step between two rows.
+        
+        Unit: rad or m. Range: (0, inf). Default: 0.05.
         """
     @max_jump.setter
     def max_jump(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -928,7 +979,9 @@ class RealizeOptions:
     @property
     def position_tolerance(self) -> float:
         """
-        Of fingertips [m].
+        Largest distance of a fingertip from its planned position, at rows and between them.
+        
+        Unit: m. Range: (0, inf). Default: 0.0001.
         """
     @position_tolerance.setter
     def position_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -936,7 +989,9 @@ class RealizeOptions:
     @property
     def resolution(self) -> float:
         """
-        Largest joint step between checked configurations [rad].
+        Largest joint step between checked configurations.
+        
+        Unit: rad. Range: (0, inf). Default: 0.01.
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -944,7 +999,9 @@ class RealizeOptions:
     @property
     def restarts(self) -> int:
         """
-        Rounds of configurations to start from.
+        Number of rounds of initial configurations to search from.
+        
+        Range: [1, 1e+06]. Default: 40.
         """
     @restarts.setter
     def restarts(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -952,7 +1009,9 @@ class RealizeOptions:
     @property
     def solutions(self) -> int:
         """
-        Found, of which the one with the least scrub is kept.
+        Number of solutions to find; the one with the least scrub is kept.
+        
+        Range: [1, 1e+06]. Default: 8.
         """
     @solutions.setter
     def solutions(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:

@@ -3,18 +3,57 @@ What every planner shares: the budget of a query.
 """
 from __future__ import annotations
 import typing
-__all__: list[str] = ['Budget']
+__all__: list[str] = ['Budget', 'Field']
+class Field:
+    """
+    Description of an option or of a counter.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def bounds(self) -> dict[str, typing.Any]:
+        """
+        Bounds of a number under the names gt, ge, lt and le.
+        """
+    @property
+    def name(self) -> str:
+        """
+        Name of the attribute.
+        """
+    @property
+    def range(self) -> str:
+        """
+        Interval of a number; may be empty.
+        """
+    @property
+    def source(self) -> str:
+        """
+        Symbol, section or equation of the planner's paper; may be empty.
+        """
+    @property
+    def text(self) -> str:
+        """
+        What it is, in a sentence or two.
+        """
+    @property
+    def unit(self) -> str:
+        """
+        Unit, such as "m"; may be empty.
+        """
 class Budget:
     """
     Limits of a query in time and iterations, and its random seed.
     """
+    @staticmethod
+    def fields() -> list[Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 10.0, iterations: typing.SupportsInt | typing.SupportsIndex | None = None, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
-        seconds: wall-clock limit [s], may be inf. iterations: limit on rounds of the main loop, None for no limit. seed: of all random numbers.
+        seconds: wall clock [s], may be inf. iterations: rounds of the main loop, None for no limit.
         
-        The same seed and iterations give the same plan, bit by bit, unless time runs out first.
-        
-        Raises ValueError unless seconds is positive and iterations is not negative.
+        The same seed and iterations give the same plan, bit by bit, unless the clock ends the search first.
         """
     def __repr__(self) -> str:
         ...
@@ -38,12 +77,12 @@ class Budget:
     @property
     def iterations(self) -> int | None:
         """
-        Limit on rounds of the main loop; None for no limit.
+        Iterations of the planner's main loop. Default: no limit.
         """
     @property
     def seconds(self) -> float:
         """
-        Wall-clock limit [s].
+        Wall-clock time.
         """
     @property
     def seed(self) -> int:

@@ -89,6 +89,11 @@ class Robot:
         (4, 4) pose of the root link in the world.
         """
     @property
+    def directory(self) -> str:
+        """
+        Folder that relative mesh paths start from.
+        """
+    @property
     def dof(self) -> int:
         """
         Number of independent joints.
@@ -134,9 +139,19 @@ class Robot:
         Name in the URDF.
         """
     @property
+    def packages(self) -> dict[str, str]:
+        """
+        Folders that package://NAME/ points to; a copy.
+        """
+    @property
     def shapes(self) -> list[tuple[int, graspless._core.geometry.PlacedShape]]:
         """
         Collision shapes: pairs of a link's index and a shape placed in the link's frame.
+        """
+    @property
+    def srdf(self) -> str:
+        """
+        SRDF text that the robot was read with; empty: none.
         """
     @property
     def state_names(self) -> list[str]:
@@ -147,6 +162,11 @@ class Robot:
     def upper(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         (dof,) upper limits [rad or m]; a continuous joint has pi.
+        """
+    @property
+    def urdf(self) -> str:
+        """
+        URDF text that the robot was read from.
         """
 class Ik:
     """

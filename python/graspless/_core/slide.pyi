@@ -296,15 +296,20 @@ class Problem:
         """
 class Search(enum.Enum):
     """
-    Search algorithm that finds the slide.
+    Search algorithms.
     """
     fast = ...
     paper = ...
 class Options:
     """
-    How to search. The paper's values where it gives one.
+    Options of the search.
     """
-    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, height_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, roll_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.001, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, shortcut: bool = True) -> None:
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -313,7 +318,9 @@ class Options:
     @property
     def com_margin(self) -> float:
         """
-        How far the centre of mass stays inside the edge [m].
+        Least distance of the centre of mass from the edge, on the support. In simulation the lift tipped some objects at 2 mm and none at 10 mm; the paper uses 0.
+        
+        Unit: m. Range: [0, inf). Default: 0.01.
         """
     @com_margin.setter
     def com_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -321,23 +328,19 @@ class Options:
     @property
     def grasp_approach(self) -> float:
         """
-        Straight final motion of the hand [m].
+        Length of the hand's straight final motion.
+        
+        Unit: m. Range: (0, 1]. Default: 0.06.
         """
     @grasp_approach.setter
     def grasp_approach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def height_tolerance(self) -> float:
-        """
-        Numerical play of the depth band [m].
-        """
-    @height_tolerance.setter
-    def height_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
     def lift_height(self) -> float:
         """
-        Clearance above the object before reaching for it [m].
+        Clearance above the object before the hand moves around to grasp it.
+        
+        Unit: m. Range: (0, 1]. Default: 0.08.
         """
     @lift_height.setter
     def lift_height(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -345,7 +348,9 @@ class Options:
     @property
     def max_depth(self) -> float:
         """
-        Deepest press below the top face [m].
+        Largest depth of the commanded fingertip below the object's top face. At least min_depth.
+        
+        Unit: m. Range: [0, 0.1). Default: 0.025. Paper: Delta_Z^+.
         """
     @max_depth.setter
     def max_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -353,7 +358,9 @@ class Options:
     @property
     def min_depth(self) -> float:
         """
-        Least press of the commanded tip below the top face [m].
+        Least depth of the commanded fingertip below the object's top face.
+        
+        Unit: m. Range: [0, 0.1). Default: 0.005. Paper: Delta_Z^-.
         """
     @min_depth.setter
     def min_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -361,7 +368,9 @@ class Options:
     @property
     def min_overhang(self) -> float:
         """
-        How far the object must stick out to be grasped [m].
+        Least length of the object beyond the edge that the hand can grasp.
+        
+        Unit: m. Range: (0, inf). Default: 0.02. Paper: u*.
         """
     @min_overhang.setter
     def min_overhang(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -369,7 +378,9 @@ class Options:
     @property
     def pitch(self) -> float:
         """
-        Between the finger and the surface [rad].
+        Angle between the finger and the surface.
+        
+        Unit: rad. Range: (0, 1.5708). Default: 0.7853981633974483. Paper: beta_0.
         """
     @pitch.setter
     def pitch(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -377,7 +388,9 @@ class Options:
     @property
     def pitch_tolerance(self) -> float:
         """
-        How far the pitch may stray [rad].
+        Largest deviation from the pitch while the object slides. The pitch must stay within (0, pi/2).
+        
+        Unit: rad. Range: (0, 0.785398). Default: 0.1. Paper: Delta_beta.
         """
     @pitch_tolerance.setter
     def pitch_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -385,7 +398,9 @@ class Options:
     @property
     def range(self) -> float:
         """
-        Longest step of the trees, Euclidean in the joints [rad].
+        Longest step of ConstrainedExtend, as the Euclidean norm over the joints.
+        
+        Unit: rad. Range: (0, 1]. Default: 0.1.
         """
     @range.setter
     def range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -393,7 +408,9 @@ class Options:
     @property
     def resolution(self) -> float:
         """
-        Largest joint step between checked configurations [rad].
+        Largest joint step between checked configurations. check() uses 0.01.
+        
+        Unit: rad. Range: (0, 0.01]. Default: 0.01.
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -401,23 +418,19 @@ class Options:
     @property
     def rim_margin(self) -> float:
         """
-        How far the contact stays inside the object's outline [m].
+        Least distance of the contact from the object's outline at the start, at most half of the largest that the object allows. In simulation a pad that pressed on a rim lost the object.
+        
+        Unit: m. Range: [0, inf). Default: 0.005.
         """
     @rim_margin.setter
     def rim_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def roll_tolerance(self) -> float:
-        """
-        Tilt of the line contact out of the surface [rad].
-        """
-    @roll_tolerance.setter
-    def roll_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
     def root_scale(self) -> float:
         """
-        Larger adds roots more freely.
+        Scale of the number of roots: larger values add roots more often.
+        
+        Range: (0, inf). Default: 100.0. Paper: N*, Eq. (5).
         """
     @root_scale.setter
     def root_scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -425,23 +438,17 @@ class Options:
     @property
     def search(self) -> Search:
         """
-        Which search finds the slide.
+        Search algorithm.
         """
     @search.setter
     def search(self, arg0: Search) -> None:
         ...
     @property
-    def shortcut(self) -> bool:
-        """
-        Whether to shorten the motions that came from a tree.
-        """
-    @shortcut.setter
-    def shortcut(self, arg0: bool) -> None:
-        ...
-    @property
     def tip_margin(self) -> float:
         """
-        How far the effective tip stays inside the edge [m].
+        Least distance of the fingertip's contact from the edge, on the support.
+        
+        Unit: m. Range: [0, inf). Default: 0.01.
         """
     @tip_margin.setter
     def tip_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -477,8 +484,13 @@ class Segment:
         """
 class Statistics:
     """
-    What the search did.
+    Counters of the search.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, iterations: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, start_roots: typing.SupportsInt | typing.SupportsIndex = 0, goal_roots: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, projections: typing.SupportsInt | typing.SupportsIndex = 0, ik_calls: typing.SupportsInt | typing.SupportsIndex = 0, pairs: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
         """
         Any field by keyword; the others are zero.
@@ -492,7 +504,7 @@ class Statistics:
     @property
     def collision_checks(self) -> int:
         """
-        Configurations checked.
+        Configurations checked against every body.
         """
     @collision_checks.setter
     def collision_checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -500,7 +512,9 @@ class Statistics:
     @property
     def goal_roots(self) -> int:
         """
-        Goal contacts tried as roots.
+        Roots of the goal forest.
+        
+        Paper: N_g.
         """
     @goal_roots.setter
     def goal_roots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -508,7 +522,7 @@ class Statistics:
     @property
     def ik_calls(self) -> int:
         """
-        Inverse kinematics solved.
+        Calls of the inverse kinematics.
         """
     @ik_calls.setter
     def ik_calls(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -516,7 +530,7 @@ class Statistics:
     @property
     def iterations(self) -> int:
         """
-        Rounds of the main loop.
+        Iterations of Algorithm 1.
         """
     @iterations.setter
     def iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -524,7 +538,7 @@ class Statistics:
     @property
     def nodes(self) -> int:
         """
-        In both forests.
+        Nodes in both forests.
         """
     @nodes.setter
     def nodes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -540,7 +554,7 @@ class Statistics:
     @property
     def projections(self) -> int:
         """
-        Onto the contact constraint.
+        Projections of a configuration onto the contact constraint.
         """
     @projections.setter
     def projections(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -548,7 +562,7 @@ class Statistics:
     @property
     def refusals(self) -> dict[str, int]:
         """
-        Why roots and pairs were refused, and how often; a copy.
+        Number of rejected roots and pairs by reason, such as "start: reach", "goal: collision" or "pair: overhang".
         """
     @refusals.setter
     def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:
@@ -556,7 +570,9 @@ class Statistics:
     @property
     def seconds(self) -> float:
         """
-        Wall clock [s].
+        Wall-clock time.
+        
+        Unit: s.
         """
     @seconds.setter
     def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -564,7 +580,9 @@ class Statistics:
     @property
     def start_roots(self) -> int:
         """
-        Start contacts tried as roots.
+        Roots of the start forest.
+        
+        Paper: N_s.
         """
     @start_roots.setter
     def start_roots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:

@@ -209,7 +209,7 @@ TEST(ClaspPlan, RefusesBadOptionsByName) {
   refuses([](Options& o) { o.targets = -1; }, "options.targets");
   refuses([](Options& o) { o.resolution = 0.02; }, "options.resolution");
   refuses([](Options& o) { o.targets = 1 << 30; }, "options.targets must lie in [0, 10000]");
-  refuses([](Options& o) { o.resolution = 1e-12; }, "at most the step of check(), not 1e-12");
+  refuses([](Options& o) { o.resolution = 1e-12; }, "must lie in [0.0001, 0.01] rad, not 1e-12");
 }
 
 }  // namespace

@@ -162,7 +162,8 @@ TEST(FingertipValidate, RefusesBadGoals) {
 TEST(FingertipValidate, RefusesBadOptions) {
   expect_options_refused([](Options& o) { o.locations_per_side = 0; }, "locations_per_side");
   expect_options_refused([](Options& o) { o.location_spacing = kNan; }, "location_spacing");
-  expect_options_refused([](Options& o) { o.cone_edges = 2; }, "options.cone_edges must lie in [3, 64], not 2");
+  expect_options_refused([](Options& o) { o.cone_edges = 2; },
+                         "options.cone_edges must lie in [3, 64], not 2");
   expect_options_refused([](Options& o) { o.samples_per_arc = 0; }, "samples_per_arc");
   expect_options_refused([](Options& o) { o.min_stability = 0; }, "min_stability");
   expect_options_refused([](Options& o) { o.regrasp_cost = -1; }, "regrasp_cost");

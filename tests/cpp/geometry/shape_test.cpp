@@ -60,7 +60,7 @@ TEST(Validate, RefusesAHullWithoutVolume) {
   EXPECT_NE(complaint_about(Convex{Eigen::Matrix3Xd::Ones(3, 5)}), "");
   EXPECT_NE(complaint_about(Convex{Eigen::Matrix3Xd(3, 0)}), "");
   flat(0, 7) = kInf;
-  EXPECT_NE(complaint_about(Convex{flat}).find("column 7"), std::string::npos);
+  EXPECT_NE(complaint_about(Convex{flat}).find("point 7"), std::string::npos);
 }
 
 TEST(Validate, RefusesWrongIndices) {

@@ -222,7 +222,7 @@ TEST(TaskSpaceRRT, RefusesABadSetupByName) {
   refuses([](auto& p) { p.set_projection(nullptr); }, "set_projection()");
   refuses([](auto& p) { p.set_controller(nullptr); }, "set_controller()");
   refuses([](auto& p) { p.set_random_task(nullptr); }, "set_random_task()");
-  refuses([](auto& p) { p.set_tolerance(nullptr); }, "no set_tolerance(), and no goal");
+  refuses([](auto& p) { p.set_tolerance(nullptr); }, "needs set_tolerance() or a goal");
   refuses([](auto& p) { p.set_targets({}); }, "no target");
   refuses(
       [&](auto& p) {

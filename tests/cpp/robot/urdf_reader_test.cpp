@@ -84,7 +84,7 @@ TEST(UrdfReader, RefusesJointsThatCannotBe) {
   EXPECT_CONTAINS(refused(links({"a", "b"}) +
                           "<joint name='j' type='continuous'><parent link='a'/><child link='b'/>"
                           "<axis xyz='0 0 0'/></joint>"),
-                  "joint 'j': its axis has no direction");
+                  "joint 'j': its axis must not be zero");
   EXPECT_CONTAINS(two(kLimit + "<origin xyz='0 0'/>"), "0 0");
 }
 

@@ -308,7 +308,7 @@ TEST(Object, RefusesWhatIsNotThinOrNotThere) {
   expect_refused([&] { Object::from_polygon("brick", geometry::square(.1), .08); }, "not thin");
   expect_refused([&] { Object::from_polygon("film", geometry::square(.1), 0); }, "thickness");
   expect_refused([&] { Object::from_polygon("hall", geometry::square(100), .001); },
-                 "spacing 0.006 m would make 2.77778e+08 points of 100 x 100 m");
+                 "spacing 0.006 m gives 2.77778e+08 points on 100 x 100 m");
   expect_refused([&] { objects()[0].with_com({1, 0, 0}); }, "com");
   expect_refused([&] { objects()[0].with_mass(-1); }, "mass");
   expect_refused([&] { objects()[0].scaled(0); }, "scale");

@@ -69,7 +69,7 @@ def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) 
     """Fields with every value that was in force; where 0 is given, the planner derives it."""
     loops = _in_force(fields.object.loops, problem.object.loop_options)
     stability = _in_force(fields.options.stability, options.stability)
-    names = [name for name in type(fields.options).model_fields if name != "stability"]
+    names = [field.name for field in type(options).fields() if field.name != "stability"]
     values = {name: getattr(options, name) for name in names}
     return {
         "hand": hand_in_force(problem.hand),

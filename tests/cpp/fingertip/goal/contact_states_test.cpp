@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/goal/contact_states.hpp"
+
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
-
-#include "fingertip/goal/contact_states.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -16,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-
 TEST(Compliant, TwoPointsDoNotHoldATurnAboutTheirLine) {
   Equilibrium nominal;
   nominal.contact_forces_O.resize(3, 0);

@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-
 /// What is left of balance, in O about the centre of mass.
 Vector6d residual(const ContactSet& set, const Equilibrium& equilibrium) {
   Vector6d sum = set.known_wrench_O;

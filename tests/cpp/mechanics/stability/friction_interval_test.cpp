@@ -14,7 +14,6 @@
 namespace graspless::mechanics {
 namespace {
 
-
 ContactSet with_friction(ContactSet set, double environment, double fingers) {
   for (Contact& contact : set.contacts) contact.friction = environment;
   for (Finger& finger : set.fingers) finger.friction = fingers;

@@ -14,7 +14,6 @@
 namespace graspless::mechanics {
 namespace {
 
-
 Stability reference(const ContactSet& set, const std::vector<FingerMode>& modes,
                     const Matrix6Xd& directions = disturbance_directions()) {
   return max_stability(set, modes, directions, Engine::reference);
