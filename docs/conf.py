@@ -52,5 +52,9 @@ nitpick_ignore_regex = [
     ("cpp:identifier", r"(Eigen|ompl|std|robot|collision)(::.*)?"),
     ("cpp:identifier", r"(Obstacle|FrictionInterval|FingerMode|\w+6d|Model|Data)(::\w+)?"),
     ("py:.*", r"(?!graspless\.).*"),
+    (
+        "py:class",
+        r"graspless\._plan\.AnyPlan|graspless\.tasks\.\w+T",
+    ),  # what all plans share; type variables
 ]
 suppress_warnings = ["ref.python"]  # of a name that several classes have as a property

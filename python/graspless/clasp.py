@@ -70,7 +70,7 @@ class Segment(_core.Segment):
     object_poses : array [N, 4, 4]
         X_WO at each row: the object stands still.
     virtual_linking : array [N, curves]
-        |VLk| of every finger curve with the loop that is clasped.
+        Absolute virtual linking of every finger curve with the loop that is clasped.
     """
 
     def __init__(

@@ -82,7 +82,7 @@ def test_path_of_the_tree_leads_from_its_root(plan):
 
 def test_file_says_every_value_in_force(document):
     options = document["task"]["options"]
-    assert options["restart_cycles"] == clasp.Options().restart_cycles
+    assert options["resolution"] == clasp.Options().resolution
     assert options["stability"]["moves"] == clasp.StabilityOptions().moves
     assert document["task"]["robot"]["urdf_text"].startswith("<?xml")
     assert len(document["task"]["object"]["points"]) == 2000

@@ -95,7 +95,7 @@ def test_replay_has_loops_cloud_tree_and_tells_the_linking(plan, tmp_path):
     assert {"/object", "/cloud", "/loops/loop 0", "/target", "/curves", "/tree"} <= named
     ends = "  ".join(f"{value:.2f}" for value in linking(plan)[-1])
     told = [m["updates"]["text"] for _, m in messages if "text" in m.get("updates", {})]
-    assert told[-1] == f"close: linking {ends}"
+    assert told[-1] == f"close: virtual linking {ends}"
     shown = film(plan)
     robot = plan.task.problem.robot
     palm = shown.link_poses[-1, robot.frame(plan.task.problem.hand.frame), :3, 3]

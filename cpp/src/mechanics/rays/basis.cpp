@@ -14,6 +14,7 @@ constexpr double kZeroPrice =
     1e-11;  // |rho . a_j| / |rho| below which column j counts as in the facet
 constexpr double kNoPrice = 1e-13;       // below this a column is in the facet beyond doubt
 constexpr double kIllConditioned = 1e5;  // condition from which 1e-9 cannot be guaranteed
+constexpr double kMagnifying = 1e3;      // condition from which prices near zero can matter
 constexpr double kSmallPivot =
     1e-8;  // price of an artificial column's row below which no column replaces it
 constexpr double kWrongSign = 0.05;  // weight of a pivot that makes a coefficient negative
@@ -84,7 +85,8 @@ bool RayBasis::complete(const Vector& target) {
     const double most = toward < 0 ? 0 : -price(rho, toward);
     if (against < 0 && toward < 0) {
       const double noise = -kNoPrice * std::sqrt(squared(rho));
-      is_doubtful_ = least_price(rho, noise) >= 0 || least_price(row(r), noise) >= 0;
+      is_doubtful_ = condition_exceeds(kMagnifying) &&
+                     (least_price(rho, noise) >= 0 || least_price(row(r), noise) >= 0);
       return false;
     }
     const bool up = values[ix(r)] >= 0 ? most >= kWrongSign * least : kWrongSign * most > least;
@@ -116,10 +118,12 @@ int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
 
 /// Returns true if some column of the basis nearly is a combination of the others: 1 / |row r| is
 /// the distance of column r from their span.
-bool RayBasis::is_ill_conditioned() const {
+bool RayBasis::condition_exceeds(double limit) const {
   const double nearest = *std::min_element(per_square_.begin(), per_square_.begin() + rows_);
-  return nearest * kIllConditioned * kIllConditioned < columns_->longest() * columns_->longest();
+  return nearest * limit * limit < columns_->longest() * columns_->longest();
 }
+
+bool RayBasis::is_ill_conditioned() const { return condition_exceeds(kIllConditioned); }
 
 /// Returns the column that turns most against row r, by Bland's rule the first that does, or -1 if
 /// none does.
@@ -130,7 +134,7 @@ int RayBasis::entering(int r, bool bland) {
   if (!bland) {
     const int q = least_price(rho, -kNoPrice * length);
     if (q < 0 || price(rho, q) < below) return q;
-    is_doubtful_ = true;
+    if (condition_exceeds(kMagnifying)) is_doubtful_ = true;
     return -1;
   }
   for (int j = 0; j < columns_->count(); ++j) {

@@ -71,6 +71,7 @@ class RayBasis {
 
  private:
   Vector row(int r) const;
+  bool condition_exceeds(double limit) const;
   bool is_ill_conditioned() const;
   int leaving(const Vector& target, double tolerance, bool bland);
   int entering(int r, bool bland);
