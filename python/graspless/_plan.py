@@ -150,6 +150,14 @@ class AnyPlan:
         return cls._planner.Status[name]
 
     @classmethod
+    def _planned(cls: type[Self], problem: Any, options: Any, budget: Any) -> Self:
+        """Plans a problem made in Python; None stands for default options and budget."""
+        from .tasks import Task
+
+        task: Task[Any, Any, Any] = Task.of(problem, options, budget)
+        return cls._search(task, task.budget)
+
+    @classmethod
     def _search(cls: type[Self], task: Any, budget: planning.Budget) -> Self:
         """Plans; `budget` instead of the task's."""
         return cls._of(cls._planner.plan(task.problem, task.options, budget), task)

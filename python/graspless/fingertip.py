@@ -299,10 +299,7 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     ValueError
         A bad problem or bad options; names the field, its value and what is allowed.
     """
-    from .tasks import Task
-
-    task = Task.of(problem, options, budget)
-    return Plan._search(task, task.budget)
+    return Plan._planned(problem, options, budget)
 
 
 __all__ = [

@@ -105,21 +105,6 @@ def carry_problem():
     return carry.Problem(arm, "grasp", held, X_WG, q)
 
 
-def is_stated(kind):
-    """Whether a problem of this kind can be written: a robot must keep its URDF."""
-    return kind == "fingertip" or hasattr(robot.Robot, "urdf")
-
-
-@pytest.fixture
-def stated(plan):
-    """A plan whose task can be written; of others, that they say why not is all there is."""
-    if not is_stated(plan.kind):
-        with pytest.raises(TaskError, match=r"problem.robot: .*URDF text is not kept"):
-            plan.to_json()
-        pytest.skip("its robot does not keep its URDF")
-    return plan
-
-
 @pytest.fixture(scope="module", params=list(MODULES))
 def problem(request, card_problem):
     make = {
@@ -150,8 +135,7 @@ def test_a_problem_is_planned_by_its_kind(problem, plan):
     assert all(isinstance(segment, module.Segment) for segment in plan.segments)
 
 
-def test_a_plan_of_a_problem_is_saved_and_loaded(stated, tmp_path):
-    plan = stated
+def test_a_plan_of_a_problem_is_saved_and_loaded(plan, tmp_path):
     plan.save(tmp_path / "plan.json")
     again = graspless.load_plan(tmp_path / "plan.json")
     assert again == plan
@@ -169,8 +153,7 @@ def test_the_planner_s_own_function_gives_the_same_plan(problem, plan):
         np.testing.assert_array_equal(mine.object_poses, theirs.object_poses)
 
 
-def test_plans_and_tasks_are_pickled_copied_and_compared(stated):
-    plan = stated
+def test_plans_and_tasks_are_pickled_copied_and_compared(plan):
     for made in (pickle.loads(pickle.dumps(plan)), copy.copy(plan), copy.deepcopy(plan)):
         assert made is not plan
         assert made == plan
@@ -183,8 +166,7 @@ def test_plans_and_tasks_are_pickled_copied_and_compared(stated):
     assert json.loads(other.to_json())["reason"] == "another"
 
 
-def test_plans_cross_processes(stated):
-    plan = stated
+def test_plans_cross_processes(plan):
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         assert pool.apply(graspless.check, [plan]) == []
 
@@ -215,7 +197,6 @@ def test_the_kind_of_a_task_file_can_be_demanded():
         graspless.load_task(path, "clasp")
 
 
-@pytest.mark.skipif(not is_stated("carry"), reason="robots do not keep their URDF")
 def test_what_no_task_file_can_state_is_told(tmp_path):
     tilted = np.eye(4)
     tilted[:3, :3] = [[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]]
@@ -255,8 +236,7 @@ def test_a_plan_of_a_problem_is_timed_simulated_exported_and_drawn(card_problem,
     html = plan._repr_html_()
     assert html.startswith("<pre>solved in")
     assert "data:image/png;base64," in html
-    if is_stated("slide"):
-        assert graspless.simulate(plan, trials=1).trials
+    assert graspless.simulate(plan, trials=1).trials
 
 
 def test_replays_open_in_the_browser(monkeypatch):

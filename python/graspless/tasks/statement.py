@@ -53,9 +53,6 @@ def stated(task: Task) -> Any:
 
 def robot_fields(robot: Any, q_home: Matrix) -> dict[str, Any]:
     """Returns the robot of a task file: its URDF and SRDF, where it stands, and its joints."""
-    if not hasattr(robot, "urdf"):
-        what = "its URDF text is not kept: read the task from a file to save its plan"
-        raise TaskError(f"problem.robot: {robot.name}: {what}")
     directory = str(Path(robot.directory).resolve()) if robot.directory else None
     return {
         "urdf_text": robot.urdf,
