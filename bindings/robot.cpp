@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "graspless/robot/ik.hpp"
-#include "graspless/robot/source.hpp"
 
 #include "conversions.hpp"
 
@@ -82,15 +81,15 @@ void bind_tables(py::class_<Robot>& cls) {
       .def_property_readonly(
           "X_WB", [](const Robot& self) { return from_pose(self.X_WB()); },
           "(4, 4) pose of the root link in the world.")
-      .def_property_readonly("urdf", &robot::urdf_of, "URDF text that the robot was read from.")
+      .def_property_readonly("urdf", &Robot::urdf, "URDF text that the robot was read from.")
       .def_property_readonly(
-          "srdf", [](const Robot& self) { return robot::options_of(self).srdf; },
+          "srdf", [](const Robot& self) { return self.options().srdf; },
           "SRDF text that the robot was read with; empty: none.")
       .def_property_readonly(
-          "packages", [](const Robot& self) { return robot::options_of(self).packages; },
+          "packages", [](const Robot& self) { return self.options().packages; },
           "Folders that package://NAME/ points to; a copy.")
       .def_property_readonly(
-          "directory", [](const Robot& self) { return robot::options_of(self).directory; },
+          "directory", [](const Robot& self) { return self.options().directory; },
           "Folder that relative mesh paths start from.")
       .def_property_readonly("frame_names", &Robot::frame_names,
                              "All links, in the order of forward().")

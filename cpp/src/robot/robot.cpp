@@ -6,8 +6,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "graspless/robot/source.hpp"
-
 #include "robot/model.hpp"
 #include "robot/names.hpp"
 
@@ -97,6 +95,10 @@ Robot Robot::from_urdf_file(const std::string& path, Options options) {
 Robot Robot::from_urdf_file(const std::string& path) { return from_urdf_file(path, Options{}); }
 
 const std::string& Robot::name() const { return model_->name; }
+
+const std::string& Robot::urdf() const { return model_->urdf; }
+
+const Robot::Options& Robot::options() const { return model_->options; }
 int Robot::dof() const { return static_cast<int>(model_->joint_names.size()); }
 const std::vector<std::string>& Robot::joint_names() const { return model_->joint_names; }
 const VectorXd& Robot::lower() const { return model_->lower; }
@@ -203,10 +205,6 @@ bool Robot::is_within(const VectorXd& q, double tolerance) const {
   return (q.array() >= model_->lower.array() - tolerance).all() &&
          (q.array() <= model_->upper.array() + tolerance).all();
 }
-
-const std::string& urdf_of(const Robot& robot) { return robot.model().urdf; }
-
-const Robot::Options& options_of(const Robot& robot) { return robot.model().options; }
 
 void require_configuration(const Robot& robot, const VectorXd& q, const std::string& field) {
   if (q.size() != robot.dof()) {

@@ -52,7 +52,9 @@ class GRASPLESS_API Robot {
   static Robot from_urdf_file(const std::string& path);
 
   const std::string& name() const;
-  int dof() const;  ///< number of independent joints
+  const std::string& urdf() const;  ///< text that the robot was read from
+  const Options& options() const;   ///< SRDF, packages, folder and pose that it was read with
+  int dof() const;                  ///< number of independent joints
   const std::vector<std::string>& joint_names() const;
   const Eigen::VectorXd& lower() const;         ///< [rad or m]; a continuous joint has -pi
   const Eigen::VectorXd& upper() const;         ///< [rad or m]; a continuous joint has pi
