@@ -60,15 +60,17 @@ def from_quaternion(wxyz: ArrayLike) -> Matrix:
 
 
 def to_quaternion(X_AB: ArrayLike) -> Matrix:
-    """Returns the unit quaternion (w, x, y, z), w >= 0, of the rotation of a pose [4, 4]."""
-    R = np.asarray(X_AB, dtype=float)[:3, :3]
+    """Returns the unit quaternions [..., 4] (w, x, y, z), w >= 0, of poses [..., 4, 4]."""
+    R = np.asarray(X_AB, dtype=float)[..., :3, :3]
     # Bar-Itzhack: the eigenvector of the largest eigenvalue, good for every angle.
-    K = np.empty((4, 4))
-    K[1:, 1:] = R + R.T - np.trace(R) * np.eye(3)
-    K[0, 1:] = K[1:, 0] = [R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]
-    K[0, 0] = np.trace(R)
-    wxyz: Matrix = np.linalg.eigh(K)[1][:, -1]
-    return wxyz if wxyz[np.flatnonzero(np.abs(wxyz) > 1e-12)[0]] > 0 else -wxyz
+    K = np.empty((*R.shape[:-2], 4, 4))
+    K[..., 0, 0] = trace = R[..., 0, 0] + R[..., 1, 1] + R[..., 2, 2]
+    K[..., 1:, 1:] = R + R.swapaxes(-1, -2) - trace[..., None, None] * np.eye(3)
+    for i, (j, k) in enumerate([(2, 1), (0, 2), (1, 0)], start=1):
+        K[..., 0, i] = K[..., i, 0] = R[..., j, k] - R[..., k, j]
+    wxyz: Matrix = np.linalg.eigh(K)[1][..., -1]
+    first = np.argmax(np.abs(wxyz) > 1e-12, axis=-1)[..., None]  # w unless it is 0
+    return np.where(np.take_along_axis(wxyz, first, axis=-1) > 0, wxyz, -wxyz)
 
 
 def to_row(X_AB: ArrayLike) -> list[float]:
@@ -116,8 +118,7 @@ def places(poses: Matrix) -> tuple[Matrix, Matrix]:
     """Returns positions [N, 3] and unit quaternions [N, 4] of poses [N, 4, 4]."""
     same = (poses[1:] == poses[:-1]).all(axis=(1, 2))  # an object mostly stands still
     new = np.concatenate([[True], ~same]) if len(poses) else np.zeros(0, dtype=bool)
-    quaternions = np.array([to_quaternion(X) for X in poses[new]]).reshape(-1, 4)
-    return poses[:, :3, 3], quaternions[np.cumsum(new) - 1]
+    return poses[:, :3, 3], to_quaternion(poses[new])[np.cumsum(new) - 1]
 
 
 def mixed(
