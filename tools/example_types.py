@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import json
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).parents[1]
+from blocks import ROOT, blocks
 
 
 def sources() -> dict[str, str]:
@@ -22,8 +21,8 @@ def sources() -> dict[str, str]:
         cells = json.loads(path.read_text())["cells"]
         code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
         found[f"notebook_{path.stem}"] = "\n\n".join(code) + "\n"
-    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
-    return found | {f"readme_{k}": block for k, block in enumerate(blocks)}
+    readme = [block for block in blocks(ROOT / "README.md") if block.language == "python"]
+    return found | {f"readme_{block.line}": block.text for block in readme}
 
 
 def main() -> int:

@@ -19,6 +19,7 @@ from pydantic import BaseModel, Discriminator, Field, TypeAdapter
 
 from .. import frames
 from ..kinds import KINDS, part
+from ..tasks.effective_values import plain
 from ..tasks.shapes import Fields
 
 if TYPE_CHECKING:
@@ -98,14 +99,10 @@ def _plain(name: str, value: Any, annotation: Any) -> Any:
 
 
 def _numbers(value: Any) -> Any:
-    if isinstance(value, np.ndarray):
-        numbers = value.tolist()
-        if value.ndim == 3:  # points; those of a finger that is off the object are NaN
-            return [[None if p[0] != p[0] else p for p in row] for row in numbers]
-        return numbers
-    if isinstance(value, (list, tuple)):
-        return [_numbers(item) for item in value]
-    return getattr(value, "name", value)
+    if isinstance(value, np.ndarray) and value.ndim == 3:
+        # Points; those of a finger that is off the object are NaN.
+        return [[None if p[0] != p[0] else p for p in row] for row in value.tolist()]
+    return plain(value)
 
 
 def _built(name: str, value: Any, annotation: Any) -> Any:
