@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the plans of all kinds share: their task, their file, their pictures."""
+"""Base of the plans of all kinds: their task, their file, their pictures."""
 
 from __future__ import annotations
 

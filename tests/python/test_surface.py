@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user of Python meets: one plan type per kind, from a task file or from a problem."""
+"""The Python surface: one plan type per kind, from a task file or from a problem."""
 
 import copy
 import json

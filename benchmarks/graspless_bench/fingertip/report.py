@@ -40,7 +40,7 @@ def as_result(grid: str, run: Run, load: Sequence[float]) -> Row:
 
 
 def as_text(result: Row) -> str:
-    """What the command prints."""
+    """Returns the text that the command prints."""
     where = result["machine"]
     lines = [
         "" if result["complete"] else "INTERRUPTED: these are partial results",

@@ -43,7 +43,7 @@ equal_to_names(Status)
 
 @dataclass
 class Statistics:
-    """What the search did."""
+    """Counters of the search."""
 
     seconds: float = 0.0
     planned_stages: int = 0
@@ -174,7 +174,7 @@ def _ended(name: str, stages: list[Any]) -> enum.Enum:
 
 @dataclass
 class _Found:
-    """What the planners have found."""
+    """Plans found so far."""
 
     stages: list[Any] = field(default_factory=list)
     status: str = "solved"
@@ -187,7 +187,7 @@ class _Found:
         return False
 
     def may_do_better(self) -> bool:
-        """Whether another start may help: a stage could not go on from what others found."""
+        """True if another start may help: a stage could not continue from those before it."""
         ended = ("solved", "interrupted", "out_of_time")
         first_failed = len(self.stages) == 1 and not self.stages[0]
         return self.status not in ended and not first_failed

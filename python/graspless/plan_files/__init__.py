@@ -104,7 +104,7 @@ def _parsed(text: str, file: str) -> dict[str, Any]:
 
 
 def _is_task(text: str) -> bool:
-    """Whether text that is no JSON is a task."""
+    """Returns True if text that is not JSON is a task."""
     if text.lstrip().startswith("{"):  # a plan that was cut short would be slow to read as YAML
         return False
     try:

@@ -52,7 +52,7 @@ class Spread:
     timestep: float = 0.25  # of its value
 
 
-# Of fingertip plans: friction by 10 %, the positions of the fingers by 0.1 mm, no mass.
+# For fingertip plans: friction by 10 %, the positions of the fingers by 0.1 mm, no mass.
 FINGERTIP_SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0)
 
 

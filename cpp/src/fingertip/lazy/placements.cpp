@@ -55,7 +55,7 @@ class Enumeration {
     return true;
   }
 
-  // Whether the sums with `missing` more fingers at their best reach what is needed.
+  // Returns true if the sums with `missing` more fingers at their best reach what is needed.
   bool extend(int depth, int location, int missing) {
     if (used_ == 0) return true;
     const float* h = bounds_.block(instants_.front(), location);

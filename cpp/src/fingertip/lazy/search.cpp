@@ -109,7 +109,7 @@ class LazySearch {
     push(entry);
   }
 
-  /// Of all that is left: the queue, and what waits for stabilities.
+  /// Least cost of the queue and of the entries that wait for stabilities.
   double least_cost() const {
     double least = queue_.empty() ? kInfinity : queue_.top().cost;
     for (const auto* waiting : {&waiting_, &last_waiting_}) {

@@ -55,7 +55,7 @@ class Grid {
         return static_cast<int>(std::lround((value - lower_[i]) / step_[i]));
       };
       index[i] = at(values[i]);
-      // Of the yaws that are the same, the one on the lattice.
+      // Several yaws are the same turn: take the one on the lattice.
       for (int turns = -3; i == 2 && turns <= 3; ++turns) {
         const int other = at(yaw + turns * kTurn);
         if (other >= 0 && other < counts_[2]) index[2] = other;

@@ -30,8 +30,8 @@ struct Open {
   double f, g;
   std::uint64_t code;
   std::uint64_t parent;  // if g is a bound; else kNone, and the table knows
-  // Of equal f the node farther on, which ends the search sooner; of those the older code, so that
-  // runs repeat.
+  // Ties in f go to the node with the larger cost so far, which ends the search sooner, then to the
+  // lower code, so that runs repeat.
   bool operator<(const Open& other) const {
     if (f != other.f) return f > other.f;
     if (g != other.g) return g < other.g;

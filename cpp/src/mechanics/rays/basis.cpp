@@ -116,8 +116,8 @@ int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
   return first;
 }
 
-/// Returns true if some column of the basis nearly is a combination of the others: 1 / |row r| is
-/// the distance of column r from their span.
+/// Compares the longest wrench with the distance of a column of the basis from the span of the
+/// others, which is 1 / |row r| for column r.
 bool RayBasis::condition_exceeds(double limit) const {
   const double nearest = *std::min_element(per_square_.begin(), per_square_.begin() + rows_);
   return nearest * limit * limit < columns_->longest() * columns_->longest();

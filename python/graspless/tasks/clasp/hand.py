@@ -121,7 +121,7 @@ def hand_in_force(hand: clasp.Hand) -> Hand:
 def _unit(direction: list[float]) -> np.ndarray:
     vector = np.array(direction, dtype=float)
     length = float(np.linalg.norm(vector))
-    # What was normalised once stays as it is, so that a plan file reads as it was written.
+    # A unit vector stays as it is, so that a plan file reads as it was written.
     return vector if abs(length - 1) < 1e-12 else np.asarray(vector / length)
 
 
