@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Compiles each folder of a target's sources as one translation unit: Eigen, CGAL and pybind11 are parsed and
-# instantiated once a folder, a third of the time. A file with compile options of its own stays alone.
+# instantiated once a folder. A file with compile options of its own stays alone.
 function(graspless_unity target)
   if(NOT GRASPLESS_UNITY)
     return()
