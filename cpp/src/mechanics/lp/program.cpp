@@ -21,6 +21,7 @@ constexpr double kRounding = 1e-12;
 constexpr double kSharpError = 1e-13;  // error below which nothing is refined
 constexpr double kGoodError = 1e-10;   // error below which no other method is tried
 constexpr double kBadError = 1e-6;     // error above which there is no answer
+constexpr double kSharpTolerance = 1e-11;
 constexpr int kMagnifications = 3;
 
 void validate_bounds(const std::vector<double>& lower, const std::vector<double>& upper,
@@ -116,6 +117,14 @@ LpSolution solve_lp(const LinearProgram& lp) {
     const auto solution = solve_by(method, lp);
     if (solution && error(*solution) < error(best)) best = *solution;
     if (error(best) <= kGoodError) break;
+  }
+  if (best.status == LpStatus::infeasible) {
+    // The dual method also says so of programs that are feasible within its tolerance only. A
+    // vertex that the primal method finds proves the opposite.
+    const auto vertex = solve_by(GlpkMethod{false, kSharpTolerance}, lp);
+    if (vertex && vertex->status == LpStatus::optimal && error(*vertex) <= kGoodError) {
+      best = *vertex;
+    }
   }
   if (error(best) > kBadError) {
     throw std::runtime_error(

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kZeroPrice =
     1e-11;  // |rho . a_j| / |rho| below which column j counts as in the facet
-constexpr double kNoPrice = 1e-13;       // below this a column is in the facet beyond doubt
-constexpr double kIllConditioned = 1e5;  // condition from which 1e-9 cannot be guaranteed
-constexpr double kMagnifying = 1e3;      // condition from which prices near zero can matter
+constexpr double kNoPrice = 1e-14;       // below this a column is in the facet beyond doubt
+constexpr double kIllConditioned = 1e6;  // condition from which 1e-9 cannot be guaranteed
+constexpr double kMagnified = 1e-8;      // price times condition from which a price matters
 constexpr double kSmallPivot =
     1e-8;  // price of an artificial column's row below which no column replaces it
 constexpr double kWrongSign = 0.05;  // weight of a pivot that makes a coefficient negative
@@ -85,8 +85,7 @@ bool RayBasis::complete(const Vector& target) {
     const double most = toward < 0 ? 0 : -price(rho, toward);
     if (against < 0 && toward < 0) {
       const double noise = -kNoPrice * std::sqrt(squared(rho));
-      is_doubtful_ = condition_exceeds(kMagnifying) &&
-                     (least_price(rho, noise) >= 0 || least_price(row(r), noise) >= 0);
+      is_doubtful_ = least_price(rho, noise) >= 0 || least_price(row(r), noise) >= 0;
       return false;
     }
     const bool up = values[ix(r)] >= 0 ? most >= kWrongSign * least : kWrongSign * most > least;
@@ -133,8 +132,9 @@ int RayBasis::entering(int r, bool bland) {
   const double below = -kZeroPrice * length;
   if (!bland) {
     const int q = least_price(rho, -kNoPrice * length);
-    if (q < 0 || price(rho, q) < below) return q;
-    if (condition_exceeds(kMagnifying)) is_doubtful_ = true;
+    const double least = q < 0 ? 0 : price(rho, q);
+    if (least < below) return q;
+    if (least < 0 && condition_exceeds(kMagnified * length / -least)) is_doubtful_ = true;
     return -1;
   }
   for (int j = 0; j < columns_->count(); ++j) {

@@ -55,6 +55,8 @@ class RayBasis {
   bool complete(const Vector& target);
   /// Continues from the last basis with new columns. Returns false if they are dependent.
   bool resume(const Columns& columns);
+  /// Makes the next resume() fail.
+  void forget() { columns_ = nullptr; }
 
   enum class Outcome { reached, facet };
   /// Pivots until the basis carries the target with coefficients >= 0 (to `tolerance`, a distance

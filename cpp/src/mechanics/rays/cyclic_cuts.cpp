@@ -193,6 +193,15 @@ CyclicCuts::Result CyclicCuts::finish() const {
 CyclicCuts::Result CyclicCuts::solve(const std::vector<const EnvironmentWrenches*>& environments,
                                      const std::vector<const FingerWrenches*>& fingers,
                                      ForceMask force, double needed) {
+  const Result result = attempt(environments, fingers, force, needed);
+  if (!result.is_doubtful) return result;
+  for (Environment& environment : environments_) environment.basis.forget();
+  return attempt(environments, fingers, force, needed);
+}
+
+CyclicCuts::Result CyclicCuts::attempt(const std::vector<const EnvironmentWrenches*>& environments,
+                                       const std::vector<const FingerWrenches*>& fingers,
+                                       ForceMask force, double needed) {
   if (!prepare(environments, fingers, force)) {
     Result none;
     none.is_doubtful = is_doubtful();

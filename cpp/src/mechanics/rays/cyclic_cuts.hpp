@@ -23,6 +23,7 @@ class CyclicCuts {
     std::array<double, kMaxFingers> f_com{};  ///< of all fingers
     bool is_doubtful = false;                 ///< z and f_com may be rounding errors
   };
+  /// Continues from the last bases; begins anew if rounding errors may have decided then.
   Result solve(const std::vector<const EnvironmentWrenches*>& environments,
                const std::vector<const FingerWrenches*>& fingers, ForceMask force, double needed);
   /// Directions along which (1 + 1e-9) z or z + 1e-9 is out of reach. Call after solve(), unless
@@ -37,6 +38,8 @@ class CyclicCuts {
   std::int64_t pivots() const;
 
  private:
+  Result attempt(const std::vector<const EnvironmentWrenches*>& environments,
+                 const std::vector<const FingerWrenches*>& fingers, ForceMask force, double needed);
   bool prepare(const std::vector<const EnvironmentWrenches*>& environments,
                const std::vector<const FingerWrenches*>& fingers, ForceMask force);
   RayBasis::Vector target(std::size_t environment, int direction, double z) const;

@@ -19,7 +19,7 @@ using kernels::kLanes;
 constexpr int kGuesses = 2;
 constexpr int kMaxSteps = 1000;
 constexpr double kNone = 1e-14;  // weight that counts as 0
-constexpr double kHeld = 1e-5;   // fraction of kTouch within which the hull contains 0 beyond doubt
+constexpr double kHeld = 1e-3;   // fraction of kTouch within which the hull contains 0 beyond doubt
 
 }  // namespace
 

@@ -17,6 +17,7 @@ constexpr double kBinding = 1e-9;
 constexpr double kNoWeight = 1e-12;      // weight of a generator that counts as none
 constexpr double kEvenRows = 1e-3;       // ratio of singular values that GLPK handles well
 constexpr double kDependentRow = 1e-13;  // ratio below which rows are dependent
+constexpr double kUnbalanced = 1e-12;    // wrench, relative to the largest, that may be rounding
 
 bool is_forced(ForceMask force, std::size_t finger) { return (force >> finger & 1U) != 0; }
 
@@ -262,7 +263,9 @@ bool Reference::internal_force_is_bounded(ForceMask force) const {
       }
     }
     LinearProgram lp;
-    const int balance = add_balance_rows(&lp, Eigen::VectorXd::Zero(evened.rows()));
+    const double rounding = evened.size() == 0 ? 0 : kUnbalanced * evened.cwiseAbs().maxCoeff();
+    const auto balance = static_cast<int>(lp.num_rows());
+    for (Eigen::Index i = 0; i < evened.rows(); ++i) lp.add_row(-rounding, rounding);
     lp.set_block(balance, add_coefficients(&lp, evened, 1, 1), evened);
     if (solve_lp(lp).objective >= 0.5) return false;
   }
