@@ -98,10 +98,10 @@ void bind_statistics_struct(py::module_& m) {
   bind_descriptions(bound);
 }
 
-/// Binds an enum with the text of each value as its docstring.
+/// Binds an enum with the text of each value as its docstring. Its members equal their names.
 template <class Enum>
 void bind_choices(py::module_& m, const char* name, const char* doc) {
-  py::native_enum<Enum> bound(m, name, "enum.Enum", doc);
+  py::native_enum<Enum> bound(m, name, "graspless._named.Named", doc);
   for (const auto& choice : choices(Enum{})) bound.value(choice.name, choice.value, choice.text);
   bound.finalize();
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/slide/slide.hpp"
 
-#include <pybind11/native_enum.h>
 
 #include "graspless/slide/torsion.hpp"
 
@@ -133,38 +132,11 @@ void bind_support(py::module_& m) {
 }
 
 void bind_hand(py::module_& m) {
-  py::native_enum<FingerModel>(
-      m, "FingerModel", "enum.Enum",
-      "Model of how the sliding finger yields when it presses on the object.")
-      .value("none", FingerModel::none,
-             "Rigid: the contact is at the commanded tip, as in the paper.")
-      .value("flexure", FingerModel::flexure,
-             "Bends about one flexure: the contact moves ahead of the commanded tip.")
-      .finalize();
-  py::class_<Hand> hand(m, "Hand",
-                        "Description of the hand: links, frames, groups and states of the robot, "
-                        "and its sliding pad.");
-  bind_fields(
-      hand, "Sets any field by keyword; the others keep their defaults.",
-      Field{"arm", &Hand::arm, "Group of joints that carry the hand, base to wrist."},
-      Field{"fingertip", &Hand::fingertip,
-            "Frame F: X along the line contact, Z out of the tip, Y to the other finger."},
-      Field{"sliding_finger", &Hand::sliding_finger,
-            "Links that may press into object and support."},
-      Field{"fingers", &Hand::fingers, "Links that close on the object."},
-      Field{"grasp_frame", &Hand::grasp_frame,
-            "Frame H: origin between the open tips, Z out of the hand, Y from finger to finger."},
-      Field{"open", &Hand::open, "State of the hand's joints while it slides and reaches."},
-      Field{"closed", &Hand::closed,
-            "State that the hand closes towards, until it touches the object."},
-      Field{"finger_model", &Hand::finger_model,
-            "Model of how the sliding finger yields when it presses on the object."},
-      Field{"flexure_length", &Hand::flexure_length, "Distance from the flexure to the tip [m]."},
-      Field{"tip_radius", &Hand::tip_radius, "Radius of the pad that rolls on the object [m]."},
-      Field{"flexure_stiffness", &Hand::flexure_stiffness, "Stiffness of the flexure [Nm/rad]."},
-      Field{"pad_width", &Hand::pad_width, "Length of the line contact [m]."},
-      Field{"pad_friction", &Hand::pad_friction,
-            "Coefficient of friction between pad and object."});
+  bind_choices<FingerModel>(
+      m, "FingerModel", "Model of how the sliding finger yields when it presses on the object.");
+  bind_options_struct<Hand>(m, "Hand",
+                            "Description of the hand: links, frames, groups and states of the "
+                            "robot, and its sliding pad.");
 }
 
 void bind_problem(py::module_& m) {

@@ -17,13 +17,13 @@ HEAD = """# Options, statistics and status
 
 Made by `make stubs` from the tables in the C++ headers: change those, not this page. Task files
 name the options under `options`, those of the budget under `budget`, and those of joint paths
-under `realize`. Symbols and equations are those of the planner's paper
+under `realize`, those of the hand under `hand`. Symbols and equations are those of the planner's paper
 ([notation](../notation.md)).
 """
 
 SECTIONS = [
     ("Budget", "Time and randomness of every query.", planning, ["Budget"]),
-    ("Slide", "Hang, Morgan and Dollar 2019.", slide, ["Options", "Statistics"]),
+    ("Slide", "Hang, Morgan and Dollar 2019.", slide, ["Hand", "Options", "Statistics"]),
     (
         "Clasp",
         "Stork, Pokorny and Kragic 2013.",
@@ -46,7 +46,7 @@ def text() -> str:
     for title, source, room, structs in SECTIONS:
         parts.append(f"## {title}\n\n{source}\n")
         parts += [_struct(getattr(room, name)) for name in structs]
-        enums = [getattr(room, name, None) for name in ("Search", "Status")]
+        enums = [getattr(room, name, None) for name in ("FingerModel", "Search", "Status")]
         parts += [_choices(found) for found in enums if found is not None]
     return "\n".join(parts)
 
@@ -90,6 +90,10 @@ def _shown(value: Any) -> str:
         return "any" if math.isinf(value) else f"{value:.6g}"
     if hasattr(value, "shape"):
         return " x ".join(str(size) for size in value.shape)
+    if isinstance(value, str):
+        return value
+    if isinstance(value, tuple):
+        return f"[{', '.join(value)}]"
     if value is None or isinstance(value, int):
         return "no limit" if value is None else str(value)
     return f"`{type(value).__name__}()`"

@@ -16,7 +16,6 @@ from ._core.carry import (
     check,
     validate,
 )
-from ._named import equal_to_names
 from ._plan import AnyPlan
 from .collision import Obstacle
 
@@ -25,8 +24,6 @@ if TYPE_CHECKING:
     from .planning import Budget
 
     Task = tasks.Task[Problem, Options, "Plan"]
-
-equal_to_names(Status)
 
 
 class Plan(AnyPlan, _core.Plan):

@@ -42,7 +42,6 @@ from ._core.clasp import (
     test_stability,
     validate,
 )
-from ._named import equal_to_names
 from ._plan import AnyPlan, of_solved, own_segments
 from .collision import Obstacle
 
@@ -54,8 +53,6 @@ if TYPE_CHECKING:
     from .planning import Budget
 
     Task = tasks.Task[Problem, Options, "Plan"]
-
-equal_to_names(Status)
 
 
 class Segment(_core.Segment):

@@ -15,7 +15,6 @@
 
 from __future__ import annotations
 
-import enum
 import math
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
@@ -51,8 +50,7 @@ from ._core.fingertip import (
     validate,
 )
 from ._core.mechanics import Compliance, FingerMode
-from ._named import equal_to_names
-from ._plan import AnyPlan, of_solved, own_segments
+from ._plan import AnyPlan, own_segments
 from .collision import Obstacle
 
 Motion = Path | Lattice | Goal
@@ -65,16 +63,6 @@ if TYPE_CHECKING:
     from .planning import Budget
 
     Task = tasks.Task[Problem, Options, "Plan"]
-
-
-class NotRealized(enum.Enum):
-    """Status of a plan that is solved, but whose robot cannot carry the fingertips."""
-
-    not_realized = -1
-
-
-equal_to_names(Status)
-equal_to_names(NotRealized)
 
 
 class Segment(_core.Segment):
@@ -158,6 +146,9 @@ class JointSegment(_core.JointSegment):
         return self.X_WO
 
 
+_FOUND = (Status.solved, Status.not_realized)
+
+
 class Weakest(NamedTuple):
     """Place of the least stability in a plan."""
 
@@ -180,17 +171,14 @@ class Plan(AnyPlan, _core.Plan):
         def task(self) -> Task: ...
 
         segments: tuple[Segment, ...]  # type: ignore[override]
-        status: Status | NotRealized  # type: ignore[assignment]
         cost: float | None  # type: ignore[assignment]
         lower_bound: float | None  # type: ignore[assignment]
     else:
         segments = own_segments(_core.Plan)
-        cost = of_solved(_core.Plan, "cost")
-
-        status = property(
-            lambda self: self.__dict__.get("_status") or _core.Plan.status.fget(self),
-            lambda self, status: self._end(status),
-            doc=_core.Plan.status.__doc__,
+        cost = property(
+            lambda self: _core.Plan.cost.fget(self) if self.status in _FOUND else None,
+            _core.Plan.cost.fset,
+            doc="Cost by Eqs. (9) and (10) [m]; None without a plan of the fingertips.",
         )
         lower_bound = property(
             lambda self: _finite(_core.Plan.lower_bound.fget(self)),
@@ -200,20 +188,6 @@ class Plan(AnyPlan, _core.Plan):
 
     realization: Realization | None = None
     """Joint paths of a task with a robot, or why there are none."""
-
-    def __bool__(self) -> bool:
-        return self.status is Status.solved
-
-    def _end(self, status: Status | NotRealized) -> None:
-        """Sets the status; a plan that is not realized is solved to the core."""
-        self.__dict__["_status"] = status if isinstance(status, NotRealized) else None
-        core = Status.solved if isinstance(status, NotRealized) else status
-        base: Any = _core.Plan.status
-        base.__set__(self, core)
-
-    @classmethod
-    def _status(cls, name: str) -> Status | NotRealized:
-        return NotRealized[name] if name in NotRealized.__members__ else Status[name]
 
     @property
     def weakest(self) -> Weakest | None:
@@ -260,7 +234,7 @@ class Plan(AnyPlan, _core.Plan):
         )
         if paths:
             return cls._of(found, task, realization=paths)
-        status = NotRealized.not_realized
+        status = Status.not_realized
         return cls._of(found, task, realization=paths, status=status, reason=paths.reason)
 
     def _faults(self) -> list[str]:
@@ -313,7 +287,6 @@ __all__ = [
     "JointSegment",
     "Lattice",
     "Motion",
-    "NotRealized",
     "Object",
     "Obstacle",
     "Options",

@@ -48,14 +48,20 @@ def from_rpy(rpy: Sequence[float]) -> Matrix:
 
 
 def from_quaternion(wxyz: ArrayLike) -> Matrix:
-    """Returns the 4 x 4 rotation of a quaternion (w, x, y, z), which is normalised first."""
-    w, x, y, z = np.asarray(wxyz, dtype=float) / np.linalg.norm(wxyz)
-    X_AB = np.eye(4)
-    X_AB[:3, :3] = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
+    """Returns the rotations [..., 4, 4] of quaternions [..., 4] (w, x, y, z), normalised first."""
+    q = np.asarray(wxyz, dtype=float)
+    w, x, y, z = np.moveaxis(q / np.linalg.norm(q, axis=-1, keepdims=True), -1, 0)
+    X_AB = np.zeros((*q.shape[:-1], 4, 4))
+    X_AB[..., 3, 3] = 1.0
+    X_AB[..., 0, 0] = 1 - 2 * (y * y + z * z)
+    X_AB[..., 0, 1] = 2 * (x * y - z * w)
+    X_AB[..., 0, 2] = 2 * (x * z + y * w)
+    X_AB[..., 1, 0] = 2 * (x * y + z * w)
+    X_AB[..., 1, 1] = 1 - 2 * (x * x + z * z)
+    X_AB[..., 1, 2] = 2 * (y * z - x * w)
+    X_AB[..., 2, 0] = 2 * (x * z - y * w)
+    X_AB[..., 2, 1] = 2 * (y * z + x * w)
+    X_AB[..., 2, 2] = 1 - 2 * (x * x + y * y)
     return X_AB
 
 
@@ -81,21 +87,22 @@ def to_row(X_AB: ArrayLike) -> list[float]:
 
 def from_row(row: Sequence[float]) -> Matrix:
     """Returns the 4 x 4 pose of a row of `to_row`."""
-    return translation(row[:3]) @ from_quaternion(row[3:])
+    X_AB: Matrix = from_rows([row])[0]
+    return X_AB
 
 
 def to_rows(poses: ArrayLike) -> list[list[float]]:
-    """Poses [N, 4, 4] as plan files write them: a row of seven numbers each."""
+    """Returns the rows of poses [N, 4, 4] in plan files, of seven numbers each."""
     points, quaternions = places(np.asarray(poses, dtype=float).reshape(-1, 4, 4))
     rows: list[list[float]] = np.hstack([points, quaternions]).tolist()
     return rows
 
 
 def from_rows(rows: Sequence[Sequence[float]]) -> Matrix:
-    """The poses [N, 4, 4] of `to_rows`' rows."""
-    poses = np.empty((len(rows), 4, 4))
-    for i, row in enumerate(rows):  # an object mostly stands still
-        poses[i] = poses[i - 1] if i and row == rows[i - 1] else from_row(row)
+    """Returns the poses [N, 4, 4] of the rows of `to_rows`."""
+    given = np.asarray(rows, dtype=float).reshape(-1, 7)
+    poses = from_quaternion(given[:, 3:])
+    poses[:, :3, 3] = given[:, :3]
     return poses
 
 
@@ -131,16 +138,6 @@ def mixed(
     points, quaternions = given
     a, b = quaternions[before], quaternions[after]
     b = np.where(np.einsum("ij,ij->i", a, b)[:, None] < 0, -b, b)
-    w, x, y, z = _unit((1 - t)[:, None] * a + t[:, None] * b).T
-    X = np.zeros((len(t), 4, 4))
+    X = from_quaternion((1 - t)[:, None] * a + t[:, None] * b)
     X[:, :3, 3] = (1 - t)[:, None] * points[before] + t[:, None] * points[after]
-    X[:, 3, 3] = 1.0
-    X[:, 0, :3] = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], 1)
-    X[:, 1, :3] = np.stack([2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)], 1)
-    X[:, 2, :3] = np.stack([2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)], 1)
     return X
-
-
-def _unit(quaternions: Matrix) -> Matrix:
-    unit: Matrix = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
-    return unit

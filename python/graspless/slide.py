@@ -24,7 +24,6 @@ from ._core.slide import (
     turning,
     validate,
 )
-from ._named import equal_to_names
 from ._plan import AnyPlan
 from .collision import Obstacle
 
@@ -33,8 +32,6 @@ if TYPE_CHECKING:
     from .planning import Budget
 
     Task = tasks.Task[Problem, Options, "Plan"]
-
-equal_to_names(Status)
 
 
 class Plan(AnyPlan, _core.Plan):

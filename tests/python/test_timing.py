@@ -229,7 +229,7 @@ def test_bare_fingertips_of_a_plan_with_an_arm():
 def test_bare_fingertips_of_a_plan_that_its_arm_cannot_carry_out():
     plan = planned("carried")
     refused = copy.copy(plan)
-    refused.status = fingertip.NotRealized.not_realized
+    refused.status = fingertip.Status.not_realized
     with pytest.raises(TaskError, match="not_realized, not solved"):
         graspless.time(refused)
     bare = graspless.time(refused, fingers=True)

@@ -52,16 +52,7 @@ void check_hand(const Hand& hand, const robot::Robot& robot) {
   check_carried(hand, robot, "grasp_frame", hand.grasp_frame);
   check_links(robot, "sliding_finger", hand.sliding_finger);
   check_links(robot, "fingers", hand.fingers);
-  require(hand.flexure_length > 0 && hand.flexure_length <= 1, "hand.flexure_length",
-          hand.flexure_length, "must lie in (0, 1] m");
-  require(hand.tip_radius >= 0 && hand.tip_radius <= 0.1, "hand.tip_radius", hand.tip_radius,
-          "must lie in [0, 0.1] m");
-  require(hand.flexure_stiffness > 0 && hand.flexure_stiffness <= 1000, "hand.flexure_stiffness",
-          hand.flexure_stiffness, "must lie in (0, 1000] Nm/rad");
-  require(hand.pad_width > 0 && hand.pad_width <= 0.2, "hand.pad_width", hand.pad_width,
-          "must lie in (0, 0.2] m");
-  require(hand.pad_friction > 0 && hand.pad_friction <= 10, "hand.pad_friction", hand.pad_friction,
-          "must lie in (0, 10]");
+  planning::require_in_range("hand.", hand);
 }
 
 void check_obstacles(const Problem& problem) {

@@ -3,10 +3,10 @@ Take what the hand holds along a straight way.
 """
 from __future__ import annotations
 import collections.abc
-import enum
 import graspless._core.collision
 import graspless._core.planning
 import graspless._core.robot
+import graspless._named
 import numpy
 import numpy.typing
 import typing
@@ -228,7 +228,7 @@ class Statistics:
     @seconds.setter
     def seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
-class Status(enum.Enum):
+class Status(graspless._named.Named):
     """
     How a query ended.
     """

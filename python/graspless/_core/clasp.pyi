@@ -3,11 +3,11 @@ Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic).
 """
 from __future__ import annotations
 import collections.abc
-import enum
 import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.planning
 import graspless._core.robot
+import graspless._named
 import numpy
 import numpy.typing
 import typing
@@ -651,7 +651,7 @@ class Statistics:
     @stability_tests.setter
     def stability_tests(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
-class Status(enum.Enum):
+class Status(graspless._named.Named):
     """
     How a query ended.
     """

@@ -3,13 +3,13 @@ Push, slide and tumble an object with bare fingertips (Maeda, Arai).
 """
 from __future__ import annotations
 import collections.abc
-import enum
 import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.mechanics
 import graspless._core.planning
 import graspless._core.robot
 import graspless._core.slide
+import graspless._named
 import numpy
 import numpy.typing
 import typing
@@ -363,7 +363,7 @@ class Problem:
         """
         The floor first, then walls.
         """
-class Search(enum.Enum):
+class Search(graspless._named.Named):
     """
     Search algorithms. All find the same cost.
     """
@@ -796,12 +796,13 @@ class Relaxation:
     @value.setter
     def value(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
-class Status(enum.Enum):
+class Status(graspless._named.Named):
     """
     How a query ended.
     """
     interrupted = ...
     no_location = ...
+    not_realized = ...
     out_of_time = ...
     solved = ...
     unstable = ...

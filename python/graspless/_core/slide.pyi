@@ -3,11 +3,11 @@ Slide a thin object to the edge of its support and grasp it.
 """
 from __future__ import annotations
 import collections.abc
-import enum
 import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.planning
 import graspless._core.robot
+import graspless._named
 import numpy
 import numpy.typing
 import typing
@@ -129,7 +129,7 @@ class Support:
         """
         Thickness of the table top [m].
         """
-class FingerModel(enum.Enum):
+class FingerModel(graspless._named.Named):
     """
     Model of how the sliding finger yields when it presses on the object.
     """
@@ -139,9 +139,14 @@ class Hand:
     """
     Description of the hand: links, frames, groups and states of the robot, and its sliding pad.
     """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005, flexure_stiffness: typing.SupportsFloat | typing.SupportsIndex = 4.6, pad_width: typing.SupportsFloat | typing.SupportsIndex = 0.032, pad_friction: typing.SupportsFloat | typing.SupportsIndex = 1.16) -> None:
         """
-        Sets any field by keyword; the others keep their defaults.
+        Any field by keyword; the others keep their defaults.
         """
     def __repr__(self) -> str:
         ...
@@ -180,7 +185,7 @@ class Hand:
     @property
     def fingertip(self) -> str:
         """
-        Frame F: X along the line contact, Z out of the tip, Y to the other finger.
+        Frame F: X along the line contact, Z out of the tip, Y towards the other finger.
         """
     @fingertip.setter
     def fingertip(self, arg0: str) -> None:
@@ -188,7 +193,9 @@ class Hand:
     @property
     def flexure_length(self) -> float:
         """
-        Distance from the flexure to the tip [m].
+        Distance from the flexure to the tip.
+        
+        Unit: m. Range: (0, 1]. Default: 0.11.
         """
     @flexure_length.setter
     def flexure_length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -196,7 +203,9 @@ class Hand:
     @property
     def flexure_stiffness(self) -> float:
         """
-        Stiffness of the flexure [Nm/rad].
+        Stiffness of the flexure.
+        
+        Unit: Nm/rad. Range: (0, 1000]. Default: 4.6.
         """
     @flexure_stiffness.setter
     def flexure_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -221,6 +230,8 @@ class Hand:
     def pad_friction(self) -> float:
         """
         Coefficient of friction between pad and object.
+        
+        Range: (0, 10]. Default: 1.16.
         """
     @pad_friction.setter
     def pad_friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -228,7 +239,9 @@ class Hand:
     @property
     def pad_width(self) -> float:
         """
-        Length of the line contact [m].
+        Length of the line contact.
+        
+        Unit: m. Range: (0, 0.2]. Default: 0.032.
         """
     @pad_width.setter
     def pad_width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -244,7 +257,9 @@ class Hand:
     @property
     def tip_radius(self) -> float:
         """
-        Radius of the pad that rolls on the object [m].
+        Radius of the pad that rolls on the object.
+        
+        Unit: m. Range: (0, 0.1]. Default: 0.005.
         """
     @tip_radius.setter
     def tip_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -294,7 +309,7 @@ class Problem:
         """
         Surface that the object lies on.
         """
-class Search(enum.Enum):
+class Search(graspless._named.Named):
     """
     Search algorithms.
     """
@@ -587,7 +602,7 @@ class Statistics:
     @start_roots.setter
     def start_roots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
-class Status(enum.Enum):
+class Status(graspless._named.Named):
     """
     How a query ended.
     """

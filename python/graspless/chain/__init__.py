@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 
-from .._named import equal_to_names
+from .._named import Named
 from .._plan import AnyPlan
 from ..errors import TaskError
 from ..kinds import plan_type
@@ -30,15 +30,12 @@ if TYPE_CHECKING:
     Task = tasks.Task[Problem, Options, "Plan"]
 
 
-class Status(enum.Enum):
+class Status(Named):
     """How a chain ended: as its first stage that was not solved, or by itself."""
 
     solved = 0
     not_joined = 1
     out_of_time = 2
-
-
-equal_to_names(Status)
 
 
 @dataclass

@@ -17,7 +17,7 @@ Index = Annotated[int, Field(ge=-1)]
 if TYPE_CHECKING:
     Status = str
 else:
-    Status = Literal[tuple(fingertip.Status.__members__) + ("not_realized",)]
+    Status = Literal[tuple(fingertip.Status.__members__)]
 
 
 def _segment(**columns: Any) -> fingertip.Segment:

@@ -10,7 +10,7 @@ an attribute of the plan, and an argument of its constructor, of the same name (
 
 from __future__ import annotations
 
-from functools import reduce
+from functools import cache, reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, get_args, get_origin
 
@@ -131,6 +131,7 @@ def _is_pose(name: str) -> bool:
     return name.startswith("X_") or name == "object_poses"
 
 
+@cache
 def _is_list(annotation: Any, of: Any = None) -> bool:
     """True of list[...]; with `of`, of a list of such."""
     if get_origin(annotation) is not list:
@@ -140,6 +141,7 @@ def _is_list(annotation: Any, of: Any = None) -> bool:
     return of is None or get_origin(item) is of
 
 
+@cache
 def _table_in(annotation: Any) -> type[Table] | None:
     if isinstance(annotation, type) and issubclass(annotation, Table):
         return annotation

@@ -50,6 +50,8 @@ def described_by(
 
 def _optional(field: Any, default: Any) -> tuple[Any, Any]:
     kind: Any = type(next(iter(field.bounds.values()), default))
+    if kind is tuple:
+        kind = list[str]
     if hasattr(kind, "__members__"):
         names: Any = Literal
         kind = names[tuple(kind.__members__)]

@@ -23,7 +23,8 @@ using mechanics::FingerMode;
 /// Validates both, and that the search fits into max_memory. plan() and check() begin with this.
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
-enum class Status { solved, no_location, unstable, out_of_time, interrupted };
+/// plan() ends with all but not_realized, which is for callers of realize().
+enum class Status { solved, no_location, unstable, out_of_time, interrupted, not_realized };
 
 /// Table of the values: name and text.
 constexpr auto choices(Status) {
@@ -37,7 +38,9 @@ constexpr auto choices(Status) {
       Choice{Status::out_of_time, "out_of_time",
              "Nothing was found within the budget or the bounds of the search, and nothing was "
              "excluded."},
-      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
+      Choice{Status::not_realized, "not_realized",
+             "The fingertips have a plan, but the robot of the task cannot carry it out."}};
 }
 GRASPLESS_API std::string to_string(Status status);
 

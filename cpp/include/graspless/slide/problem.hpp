@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -13,6 +15,7 @@
 #include "graspless/geometry/band.hpp"
 #include "graspless/geometry/polygon.hpp"
 #include "graspless/geometry/shape.hpp"
+#include "graspless/planning/fields.hpp"
 #include "graspless/robot/robot.hpp"
 
 namespace graspless::slide {
@@ -103,31 +106,64 @@ class GRASPLESS_API Support {
 };
 
 /// Model of how the sliding finger yields when it presses on the object.
-enum class FingerModel {
-  none,     ///< rigid: the contact is at the commanded tip, as in the paper
-  flexure,  ///< bends about one flexure: the contact moves ahead of the commanded tip
+enum class FingerModel { none, flexure };
+
+/// Table of the values: name and text.
+constexpr auto choices(FingerModel) {
+  using planning::Choice;
+  return std::array{Choice{FingerModel::none, "none",
+                           "Rigid: the contact is at the commanded tip, as in the paper."},
+                    Choice{FingerModel::flexure, "flexure",
+                           "Bends about one flexure: the contact moves ahead of the commanded "
+                           "tip."}};
+}
+
+/// Description of the hand: names from the robot's URDF and SRDF, and the pad that slides. fields()
+/// describes them. The default stiffness presses with 9 N at a depth of 15 mm.
+struct Hand {
+  std::string arm = "arm";
+  std::string fingertip = "left_fingertip";
+  std::vector<std::string> sliding_finger = {"left_finger"};
+  std::vector<std::string> fingers = {"left_finger", "right_finger"};
+  std::string grasp_frame = "grasp";
+  std::string open = "open";
+  std::string closed = "closed";
+  FingerModel finger_model = FingerModel::flexure;
+  double flexure_length = 0.11;
+  double tip_radius = 0.005;
+  double flexure_stiffness = 4.6;
+  double pad_width = 0.032;
+  double pad_friction = 1.16;
 };
 
-/// Description of the hand: names from the robot's URDF and SRDF, and the pad that slides.
-struct Hand {
-  std::string arm = "arm";                   ///< group of joints that carry the hand, base to wrist
-  std::string fingertip = "left_fingertip";  ///< frame F: X along the line contact, Z out of the
-                                             ///< tip, Y towards the other finger
-  std::vector<std::string> sliding_finger = {
-      "left_finger"};  ///< links that may press into object and support
-  std::vector<std::string> fingers = {"left_finger",
-                                      "right_finger"};  ///< links that close on the object
-  std::string grasp_frame = "grasp";  ///< frame H: origin between the open tips, Z out of the hand,
-                                      ///< Y from finger to finger
-  std::string open = "open";          ///< state of the hand's joints while it slides and reaches
-  std::string closed = "closed";      ///< state that it closes towards, until it touches the object
-  FingerModel finger_model = FingerModel::flexure;
-  double flexure_length = 0.11;    ///< distance from the flexure to the tip [m]
-  double tip_radius = 0.005;       ///< radius of the pad that rolls on the object [m]
-  double flexure_stiffness = 4.6;  ///< [Nm/rad]; the default presses with 9 N at a depth of 15 mm
-  double pad_width = 0.032;        ///< length of the line contact [m]
-  double pad_friction = 1.16;      ///< coefficient of friction between pad and object
-};
+/// Table of the members: name, unit, text and range.
+inline auto fields(const Hand&) {
+  using planning::Field, planning::Range;
+  return std::make_tuple(
+      Field{"arm", &Hand::arm, "", "Group of joints that carry the hand, base to wrist."},
+      Field{"fingertip", &Hand::fingertip, "",
+            "Frame F: X along the line contact, Z out of the tip, Y towards the other finger."},
+      Field{"sliding_finger", &Hand::sliding_finger, "",
+            "Links that may press into object and support."},
+      Field{"fingers", &Hand::fingers, "", "Links that close on the object."},
+      Field{"grasp_frame", &Hand::grasp_frame, "",
+            "Frame H: origin between the open tips, Z out of the hand, Y from finger to finger."},
+      Field{"open", &Hand::open, "", "State of the hand's joints while it slides and reaches."},
+      Field{"closed", &Hand::closed, "",
+            "State that the hand closes towards, until it touches the object."},
+      Field{"finger_model", &Hand::finger_model, "",
+            "Model of how the sliding finger yields when it presses on the object."},
+      Field{"flexure_length", &Hand::flexure_length, "m", "Distance from the flexure to the tip.",
+            Range::left_open(0, 1)},
+      Field{"tip_radius", &Hand::tip_radius, "m", "Radius of the pad that rolls on the object.",
+            Range::left_open(0, 0.1)},
+      Field{"flexure_stiffness", &Hand::flexure_stiffness, "Nm/rad", "Stiffness of the flexure.",
+            Range::left_open(0, 1000)},
+      Field{"pad_width", &Hand::pad_width, "m", "Length of the line contact.",
+            Range::left_open(0, 0.2)},
+      Field{"pad_friction", &Hand::pad_friction, "",
+            "Coefficient of friction between pad and object.", Range::left_open(0, 10)});
+}
 
 using collision::Obstacle;  // neither the arm nor the sliding object may touch one
 

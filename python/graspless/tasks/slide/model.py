@@ -35,22 +35,9 @@ def _kind_of_hand(value: Any) -> str:
     return "file" if isinstance(value, str) else "fields"
 
 
+@described_by(slide.Hand)
 class Hand(Fields):
-    """Names of the robot's parts, and how the finger gives way: graspless.slide.Hand."""
-
-    arm: str | None = Field(default=None, description="group of joints that carry the hand")
-    fingertip: str | None = Field(default=None, description="frame F of the sliding finger")
-    sliding_finger: list[str] | None = Field(default=None, description="links that may press")
-    fingers: list[str] | None = Field(default=None, description="links that close on the object")
-    grasp_frame: str | None = Field(default=None, description="frame H between the open tips")
-    open: str | None = Field(default=None, description="state of the hand while it slides")
-    closed: str | None = Field(default=None, description="state towards which it closes")
-    finger_model: Literal["none", "flexure"] | None = None
-    flexure_length: Positive | None = Field(default=None, description="flexure to tip [m]")
-    tip_radius: Positive | None = Field(default=None, description="of the rolling pad [m]")
-    flexure_stiffness: Positive | None = Field(default=None, description="[Nm/rad]")
-    pad_width: Positive | None = Field(default=None, description="of the line contact [m]")
-    pad_friction: Positive | None = Field(default=None, description="of the pad on the object")
+    """Names of the robot's parts, and how the finger gives way: docs/reference/options.md."""
 
 
 class PointMass(Fields):
