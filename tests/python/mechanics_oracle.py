@@ -99,8 +99,9 @@ def solve(c, A, b, lower, upper=None):
     """linprog's answer to: minimise c x, A x = b, lower <= x <= upper."""
     bounds = np.array([lower, np.full(len(c), np.inf) if upper is None else upper], float).T
     A, b, c = A.astype(float), np.asarray(b, float), np.asarray(c, float)
-    for method, presolve in [("highs-ds", True), ("highs-ds", False), ("highs-ipm", True)]:
-        options = {"presolve": presolve, **TIGHT}
+    methods = [("highs-ds", True, TIGHT), ("highs-ds", False, TIGHT), ("highs-ipm", True, TIGHT)]
+    for method, presolve, tolerances in [*methods, ("highs-ds", False, {})]:
+        options = {"presolve": presolve, **tolerances}
         answer = linprog(c, None, None, A, b, bounds, method, options=options)
         if answer.status in (0, 2, 3):
             return answer

@@ -36,7 +36,7 @@ def difference(a, b, forces):
 
 
 def compare(seed, kind, engines=tuple(Engine)):
-    """Differences of z by engine, and z; that of (5) must be none."""
+    """Differences of z by engine, z, and the forces at play; that of (5) must be none."""
     rng = np.random.default_rng(seed)
     contact_set, modes = sets.contact_set(rng, kind)
     l = directions(rng)  # noqa: E741
@@ -51,13 +51,13 @@ def compare(seed, kind, engines=tuple(Engine)):
         found[engine.name] = difference(z, problem.z(), forces)
         if found[engine.name] > 0.01 * AGREE:  # HiGHS alone is not sharper than that
             found[engine.name] = difference(z, problem.z(refine=True), forces)
-    return found, problem.z()
+    return found, problem.z(), forces
 
 
 @pytest.mark.parametrize("kind", [*sets.KINDS, *sets.HARD])
 def test_engines_agree_with_highs(kind):
     for seed in range(4):
-        found, _ = compare((seed, len(kind)), kind)
+        found, *_ = compare((seed, len(kind)), kind)
         assert max(found.values()) < AGREE, (seed, found)
 
 
@@ -66,7 +66,7 @@ def test_engines_agree_with_highs(kind):
 @pytest.mark.parametrize("index", [156, 4139, 4670, 6901, 11710, 25246, 25894, 28259, 30467, 32134])
 def test_engines_agree_on_sets_found_by_search(index):
     kinds = [*sets.KINDS, *sets.HARD]
-    found, _ = compare((5, index), kinds[index % len(kinds)])
+    found, *_ = compare((5, index), kinds[index % len(kinds)])
     assert max(found.values()) < AGREE
 
 
@@ -103,14 +103,19 @@ def test_best_modes_agree_with_max_stability(friction):
 
 
 def run_many(kinds, seed, count):
-    """Compares `count` sets of these kinds; prints a table, returns those that differ."""
+    """Compares `count` sets of these kinds; prints a table, returns those that differ.
+
+    Contacts within 1e-6 of a line may withstand less than 1e-9 of the forces at play, and GLPK is not
+    sharper than that. So a set differs if z does by 1e-9 of the larger of z and these forces, and the
+    table counts those that differ by 1e-9 of z, or of a thousandth of the forces where z is less.
+    """
     worst = collections.defaultdict(lambda: collections.defaultdict(float))
     counts = collections.defaultdict(collections.Counter)
-    wrong = []
+    wrong, small = [], 0
     for i in range(count):
         kind = kinds[i % len(kinds)]
         try:
-            found, z = compare((seed, i), kind)
+            found, z, forces = compare((seed, i), kind)
         except (AssertionError, RuntimeError) as error:
             wrong.append((i, kind, f"{type(error).__name__}: {error}"))
             continue
@@ -118,13 +123,16 @@ def run_many(kinds, seed, count):
         for name, value in found.items():
             worst[kind][name] = max(worst[kind][name], value)
         if max(found.values()) >= AGREE:
-            wrong.append((i, kind, found))
+            small += 1
+            if max(found.values()) * max(z, 1e-3 * forces) >= AGREE * max(z, forces):
+                wrong.append((i, kind, found))
     print(f"\n{'kind':24}{'stable':>8}{'none':>8}{'unbounded':>10}{'fast':>12}{'reference':>12}")
     for kind in kinds:
         row = [counts[kind][name] for name in ("stable", "none", "unbounded")]
         print(f"{kind:24}{row[0]:8}{row[1]:8}{row[2]:10}", end="")
         print("".join(f"{worst[kind][engine.name]:12.1e}" for engine in Engine))
-    print(f"{len(wrong)} of {count} differ by {AGREE} or more", *wrong[:20], sep="\n")
+    print(f"{small} of {count} differ by {AGREE} of z or of a thousandth of the forces")
+    print(f"{len(wrong)} differ by {AGREE} of z or of the forces, or failed", *wrong[:20], sep="\n")
     return wrong
 
 
