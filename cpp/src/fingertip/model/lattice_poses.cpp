@@ -126,7 +126,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
   }
   for (int pose = 0; pose < grid.num_poses(); ++pose) {
     X_WO_.push_back(grid.X_WO(pose));
-    first_motion_.push_back(grid.yaw(pose) * kMoves);
+    turns_.push_back(grid.yaw(pose));
     for (int move = 0; move < kMoves; ++move) next_.push_back(grid.next(pose, move));
   }
   for (int yaw = 0; yaw < grid.num_yaws(); ++yaw) {

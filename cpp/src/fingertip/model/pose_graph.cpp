@@ -77,7 +77,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& 
     const bool is_last = i + 1 == X_WO_.size();
     const mechanics::Vector6d& twist = twist_O_[i - (is_last ? 1 : 0)];
     rest_.push_back(add_at(instants, resting_state(X_WO_[i], twist), i, "at"));
-    first_motion_.push_back(static_cast<int>(i));
+    turns_.push_back(static_cast<int>(i));
     kinds_of_.push_back(is_last ? -1 : static_cast<int>(i));
     next_.push_back(is_last ? -1 : static_cast<int>(i) + 1);
   }

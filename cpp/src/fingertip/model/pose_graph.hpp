@@ -41,6 +41,8 @@ class PoseGraph {
   Eigen::Vector3d center_W(int pose, int location) const {  // of the fingertip's sphere
     return X_WO(pose) * locations[location].center_O;
   }
+  /// Number of the object's orientation, counted from 0 over ascending poses: a yaw of a lattice.
+  int turn(int pose) const { return turns_[ix(pose)]; }
   /// The pose that a move leads to, or comes from; -1: there is none.
   int next(int pose, int move) const { return next_[arc(pose, move)]; }
   int previous(int pose, int move) const {  // by the opposite step in a lattice
@@ -48,7 +50,7 @@ class PoseGraph {
   }
 
   /// Motions of arcs: each is a body twist over the whole arc.
-  int motion(int pose, int move) const { return first_motion_[ix(pose)] + move; }
+  int motion(int pose, int move) const { return turn(pose) * num_moves_ + move; }
   int num_motions() const { return static_cast<int>(twist_O_.size()); }
   const mechanics::Vector6d& twist_O(int motion) const { return twist_O_[ix(motion)]; }
   /// Displacement of a sphere's centre in one P-th of an arc [m].
@@ -104,7 +106,7 @@ class PoseGraph {
   int num_moves_ = 1, start_ = 0, goal_ = 0;
   std::vector<Eigen::Isometry3d> X_WO_;       // poses
   std::vector<int> next_;                     // poses x moves
-  std::vector<int> first_motion_;             // poses
+  std::vector<int> turns_;                    // poses
   std::vector<mechanics::Vector6d> twist_O_;  // motions
   std::vector<double> displacements_;         // motions x locations
   mutable Clearance clearance_;

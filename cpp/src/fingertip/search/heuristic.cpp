@@ -27,21 +27,33 @@ RemainingDistance::RemainingDistance(const PoseGraph& graph)
     while (same < l && (in_plan(same) - in_plan(l)).norm() > kSamePoint) ++same;
     table_of_.push_back(same);
   }
+  for (int pose = 0; pose < graph.num_poses(); ++pose) {
+    origins_W_.push_back(graph.X_WO(pose).translation());
+    if (ix(graph.turn(pose)) == pose_of_turn_.size()) pose_of_turn_.push_back(pose);
+  }
 }
 
 std::vector<double> RemainingDistance::search(int location, double limit) {
-  const Eigen::Vector3d center_O = graph_.locations[location].center_O;
-  const Eigen::Vector3d start_W = graph_.X_WO(graph_.start()) * center_O;
+  std::vector<Eigen::Vector3d> centers_W;  // turns: about the object's origin
+  for (const int pose : pose_of_turn_) {
+    centers_W.push_back(graph_.X_WO(pose).linear() * graph_.locations[location].center_O);
+  }
+  const Eigen::Vector3d start_W = graph_.center_W(graph_.start(), location);
   std::vector<double> arcs;  // motions
   for (int motion = 0; motion < graph_.num_motions(); ++motion) {
     arcs.push_back(graph_.options.samples_per_arc * graph_.displacement(motion, location));
   }
   std::vector<double> distances(ix(graph_.num_poses()), kInfinity);
   const auto push = [&](int pose, double distance) {
-    if (distance >= distances[ix(pose)]) return;
-    const double straight = (graph_.X_WO(pose) * center_O - start_W).norm() * kSlack;
-    if (distance + straight >= limit) return;
-    distances[ix(pose)] = distance;
+    double& known = distances[ix(pose)];
+    if (distance >= known) return;
+    // What was below the limit before is so at a smaller distance.
+    if (known == kInfinity) {
+      const Eigen::Vector3d center_W = centers_W[ix(graph_.turn(pose))] + origins_W_[ix(pose)];
+      const double straight = (center_W - start_W).norm() * kSlack;
+      if (distance + straight >= limit) return;
+    }
+    known = distance;
     heap_.push_back({distance, pose});
     std::push_heap(heap_.begin(), heap_.end());
   };

@@ -40,6 +40,8 @@ class RemainingDistance {
   const PoseGraph& graph_;
   std::vector<int> table_of_;  // locations
   std::vector<std::vector<double>> tables_;
+  std::vector<int> pose_of_turn_;           // turns: the first pose turned so
+  std::vector<Eigen::Vector3d> origins_W_;  // poses: of O, apart from X_WO for the cache's sake
   std::vector<Entry> heap_;
 };
 
