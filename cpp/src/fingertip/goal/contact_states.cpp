@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "fingertip/model/faces.hpp"
+#include "fingertip/model/mesh.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace graspless::fingertip {

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where fingertips may press: placements as sets of locations, and the locations that the sphere
-// can reach.
+// Where fingertips may press: a cell-centred grid of points on each face, those that the sphere can
+// reach, and placements as sets of them.
 #include "fingertip/model/locations.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 #include "graspless/collision/world.hpp"
 
@@ -59,6 +62,85 @@ std::vector<mechanics::FingerWrenches> wrenches_of(const std::vector<Location>& 
   return wrenches;
 }
 
+constexpr double kEdge = 1e-9;  // points this near to a triangle lie in it, by the object's size
+
+/// A face laid out in its grid axes.
+struct Rectangle {
+  Eigen::Vector2d lower, size;
+};
+
+Eigen::Vector2d in_face(const Face& face, const Eigen::Vector3d& p_O) {
+  return {face.first_O.dot(p_O), face.second_O.dot(p_O)};
+}
+
+Rectangle bounds(const Face& face, const geometry::Mesh& mesh) {
+  Eigen::AlignedBox2d box;
+  for (const int t : face.triangles) {
+    for (int k = 0; k < 3; ++k) box.extend(in_face(face, mesh.vertices.col(mesh.triangles(k, t))));
+  }
+  return {box.min(), box.sizes()};
+}
+
+/// Cells along a side of this length [m].
+double num_cells(double length, const Options& options) {
+  if (options.location_spacing <= 0) return options.locations_per_side;
+  return std::max(1.0, std::ceil(length / options.location_spacing - 1e-9));
+}
+
+bool is_inside(const Eigen::Vector2d& p, const std::array<Eigen::Vector2d, 3>& corners,
+               double tolerance) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d side = corners[(k + 1) % 3] - corners[k];
+    const Eigen::Vector2d to_p = p - corners[k];
+    // The grid axes are right-handed about the inward normal: seen so, triangles run clockwise.
+    if (side.y() * to_p.x() - side.x() * to_p.y() < -tolerance * side.norm()) return false;
+  }
+  return true;
+}
+
+bool is_inside(const Eigen::Vector2d& p, const Face& face, const geometry::Mesh& mesh,
+               double tolerance) {
+  for (const int t : face.triangles) {
+    std::array<Eigen::Vector2d, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+      corners[static_cast<std::size_t>(k)] = in_face(face, mesh.vertices.col(mesh.triangles(k, t)));
+    }
+    if (is_inside(p, corners, tolerance)) return true;
+  }
+  return false;
+}
+
+/// Where locations are already, in cells as wide as they must be apart. Curved meshes have more
+/// faces than their surface has room for locations.
+class Taken {
+ public:
+  explicit Taken(double apart) : apart_(apart) {}
+
+  /// Takes a place, unless one near by and facing alike is taken.
+  bool take(const Location& location) {
+    if (apart_ <= 0) return true;
+    const Eigen::Vector3i cell = (location.p_OC / apart_).array().floor().cast<int>();
+    for (int i = 0; i < 27; ++i) {
+      const auto near =
+          cells_.find(key(cell + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1)));
+      if (near == cells_.end()) continue;
+      for (const Location& other : near->second) {
+        const bool is_near = (other.p_OC - location.p_OC).norm() < apart_;
+        if (is_near && other.n_O.dot(location.n_O) > kAlike) return false;
+      }
+    }
+    cells_[key(cell)].push_back(location);
+    return true;
+  }
+
+ private:
+  static constexpr double kAlike = 0.9;  // cosine between normals
+  using Key = std::array<int, 3>;
+  static Key key(const Eigen::Vector3i& cell) { return {cell.x(), cell.y(), cell.z()}; }
+  double apart_;
+  std::map<Key, std::vector<Location>> cells_;
+};
+
 }  // namespace
 
 int num_fingers(const Placement& placement) {
@@ -95,6 +177,38 @@ Locations::Locations(const Object& object, const Fingers& fingers, const Options
 bool Locations::are_apart(int a, int b) const {
   const double distance2 = ((*this)[a].center_O - (*this)[b].center_O).squaredNorm();
   return distance2 >= min_distance2_ && distance2 <= max_distance2_;
+}
+
+double num_grid_points(const Object& object, const Options& options) {
+  double count = 0;
+  for (const Face& face : object.faces()) {
+    const Rectangle r = bounds(face, object.mesh());
+    count += num_cells(r.size.x(), options) * num_cells(r.size.y(), options);
+  }
+  return count;
+}
+
+std::vector<Location> grid_locations(const Object& object, double radius, const Options& options) {
+  std::vector<Location> all;
+  Taken taken(options.location_spacing / 2);
+  for (std::size_t f = 0; f < object.faces().size(); ++f) {
+    const Face& face = object.faces()[f];
+    const Rectangle r = bounds(face, object.mesh());
+    const double columns = num_cells(r.size.x(), options), rows = num_cells(r.size.y(), options);
+    for (int i = 0; i < columns; ++i) {
+      for (int j = 0; j < rows; ++j) {
+        const Eigen::Vector2d p = r.lower + Eigen::Vector2d((i + 0.5) / columns * r.size.x(),
+                                                            (j + 0.5) / rows * r.size.y());
+        if (!is_inside(p, face, object.mesh(), kEdge * object.size())) continue;
+        const Eigen::Vector3d p_O =
+            p.x() * face.first_O + p.y() * face.second_O + face.offset * face.n_O;
+        const Location location{p_O, face.n_O, face.first_O, p_O - radius * face.n_O,
+                                static_cast<int>(f)};
+        if (taken.take(location)) all.push_back(location);
+      }
+    }
+  }
+  return all;
 }
 
 }  // namespace graspless::fingertip

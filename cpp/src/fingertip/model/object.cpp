@@ -10,8 +10,7 @@
 
 #include "graspless/mechanics/contact.hpp"
 
-#include "fingertip/model/closed_mesh.hpp"
-#include "fingertip/model/faces.hpp"
+#include "fingertip/model/mesh.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace graspless::fingertip {

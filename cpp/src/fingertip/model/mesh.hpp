@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "graspless/fingertip/object.hpp"
 #include "graspless/geometry/shape.hpp"
 
 namespace graspless::fingertip {
@@ -22,5 +24,9 @@ struct MassProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center [m^5]
 };
 MassProperties mass_properties(const geometry::Mesh& mesh);
+
+/// The flat parts of a closed outward mesh: neighbouring triangles in one plane, to a small part of
+/// `size` [m]. In the order of their first triangles.
+std::vector<Face> find_faces(const geometry::Mesh& mesh, double size);
 
 }  // namespace graspless::fingertip
