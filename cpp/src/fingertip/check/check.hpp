@@ -3,18 +3,20 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "graspless/fingertip/fingertip.hpp"
-
-#include "fingertip/check/instant.hpp"
+#include "graspless/mechanics/equilibrium.hpp"
+#include "graspless/mechanics/friction_interval.hpp"
+#include "graspless/mechanics/stability.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
-/// and the contract in fingertip.hpp, so that a mistake in the search's cannot hide here. Of this
+/// and the contract in fingertip.hpp, so that a mistake of the search cannot hide here. Of this
 /// room only public types and validate() are used. Shared with the planner: the public functions of
 /// mechanics (contact_patches, internal_force_is_bounded with the reference engine,
-/// compliant_equilibrium, compliant_stability, holds_over_friction) and with_round_cones, collision
+/// compliant_equilibrium, compliant_stability, holds_over_friction), with_round_cones, collision
 /// and geometry.
 namespace graspless::fingertip::checking {
 
@@ -22,17 +24,48 @@ using Faults = std::vector<std::string>;
 using Poses = std::vector<Eigen::Isometry3d>;
 using mechanics::Vector6d;
 
-// check_motion.cpp
+// instant.cpp: Eqs. (1) to (6) written out as small linear programs, one a question
+
+/// Contacts and the fingers that touch, with the modes and forces that a plan gives them.
+struct Instant {
+  mechanics::ContactSet set;  // friction at the lower ends
+  std::vector<mechanics::FingerMode> modes;
+  Eigen::VectorXd commanded_forces;
+};
+
+/// Whether two instants are the same but for rounding.
+bool is_near(const Instant& a, const Instant& b, double length, double force);
+
+/// The same contacts under other coefficients of friction.
+mechanics::ContactSet with_friction(mechanics::ContactSet set, double slide, double stick,
+                                    double fingers);
+
+/// Problem (6) with f_com fixed: the least over the directions l_d of the largest z with z l_d in
+/// balance; 0 without an equilibrium.
+double stability_at(const Instant& instant, const mechanics::Matrix6Xd& directions);
+
+/// How well given finger forces balance an instant: the largest t such that some contact forces
+/// complete them to an equilibrium (residual at most `tolerance` [N, scaled]) with every cone
+/// coefficient, fingers' too, at least t. Nothing when there is none with t >= 0, nearly.
+std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
+                                double tolerance);
+
+/// What was found out about an instant.
+struct Verdict {
+  Instant instant;
+  double stability = 0;  // the least at the ends of the environment's friction
+  double compliant_stability = 0;
+  bool is_bounded = false;  // Problem (5)
+  mechanics::FrictionVerdict over_friction;
+};
+
+// motion.cpp: where the object goes
+
 /// The body twist, linear part first, that carries X_WA to X_WB in unit time.
 Vector6d screw_between(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB);
 /// Where a body twist carries X_WA in the time t.
 Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WA, const Vector6d& twist_O, double t);
 bool is_rigid(const Eigen::Isometry3d& X);
-
-// check_surface.cpp
-/// Whether a point lies on a mesh's surface (to `tolerance` [m]) where the inward normal is n_O.
-bool is_on_surface(const geometry::Mesh& mesh, const Eigen::Vector3d& p_O,
-                   const Eigen::Vector3d& n_O, double tolerance);
 
 /// One plan under examination.
 class Examination {
@@ -60,7 +93,7 @@ class Examination {
   void check_weakest();
   double arc_cost(std::size_t segment, std::size_t arc) const;  // Eq. (9)
 
-  // check_motion.cpp: where the object goes
+  // motion.cpp: where the object goes
   void check_chain();
   void check_rows(std::size_t segment);
   void check_names(std::size_t segment);
@@ -75,7 +108,7 @@ class Examination {
   Vector6d arc_twist(std::size_t segment, std::size_t arc) const;
   Eigen::Isometry3d row_pose(std::size_t segment, std::size_t row) const;
 
-  // check_fingers.cpp: where the fingers are, and what they and the object must not touch
+  // fingers.cpp: where the fingers are, and what they and the object must not touch
   void check_fingers();
   void check_contact(std::size_t segment, std::size_t row, std::size_t finger);
   Eigen::Vector3d center(const FingerState& finger) const;  // of the sphere, in O
@@ -89,7 +122,7 @@ class Examination {
                    const Eigen::Isometry3d& X_WO);
   double bulge(std::size_t segment, std::size_t arc) const;
 
-  // check_mechanics.cpp: what holds the object
+  // mechanics.cpp: what holds the object
   void check_mechanics(std::size_t segment, std::size_t row);
   std::string find_instant(std::size_t segment, std::size_t row, Instant& instant) const;
   const Verdict& judged(const Instant& instant);

@@ -1,8 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// check(): where the fingers are on the object, and that they stay there but for regrasps.
+// check(): where the fingers are on the object, that they stay there but for regrasps, and what
+// fingertips and object must not touch. Distances of centres tell about planes and other fingers,
+// FCL about object and obstacles.
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
+
+#include "graspless/collision/world.hpp"
 
 #include "fingertip/check/check.hpp"
 
@@ -11,6 +18,46 @@ namespace {
 
 bool is_same_contact(const FingerState& a, const FingerState& b, double length) {
   return (a.p_OC - b.p_OC).norm() <= length && (a.n_O - b.n_O).norm() <= 1e-9;
+}
+
+double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                           const Eigen::Vector3d& b) {
+  const Eigen::Vector3d ab = b - a;
+  const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (a + t * ab - p).norm();
+}
+
+/// From a point to a triangle with the unit normal n: straight down where the foot falls inside,
+/// else to the nearest side.
+double distance_to_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d (&corner)[3],
+                            const Eigen::Vector3d& n) {
+  bool inside = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d &a = corner[i], &b = corner[(i + 1) % 3];
+    inside = inside && (b - a).cross(p - a).dot(n) >= 0;
+    nearest = std::min(nearest, distance_to_segment(p, a, b));
+  }
+  return inside ? std::abs(n.dot(p - corner[0])) : nearest;
+}
+
+// Of a sphere's radius: left out of FCL's tests, where just touching counts as touching.
+constexpr double kSkin = 1e-3;
+
+/// True if a point lies on a mesh's surface (to `tolerance` [m]) where the inward normal is n_O.
+bool is_on_surface(const geometry::Mesh& mesh, const Eigen::Vector3d& p_O,
+                   const Eigen::Vector3d& n_O, double tolerance) {
+  constexpr double kSameNormal = 1e-6;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Eigen::Vector3i corners = mesh.triangles.col(t);
+    const Eigen::Vector3d corner[3] = {mesh.vertices.col(corners[0]), mesh.vertices.col(corners[1]),
+                                       mesh.vertices.col(corners[2])};
+    const Eigen::Vector3d n =
+        (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();  // outward
+    if ((n + n_O).norm() > kSameNormal) continue;
+    if (distance_to_triangle(p_O, corner, n) <= tolerance) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -45,6 +92,137 @@ void Examination::check_contact(std::size_t s, std::size_t r, std::size_t i) {
   const std::string who = "finger " + std::to_string(i);
   if (is_on_surface(problem_.object.mesh(), finger.p_OC, finger.n_O, same_length_)) return;
   fault(place(s, r), who + ": contact: not on the object's surface with that normal into it");
+}
+
+/// Object, obstacles and spheres of one radius.
+struct Examination::World {
+  World(const Problem& problem, double radius) {
+    object = world.add_body("the object", problem.object.solid());
+    for (const Obstacle& obstacle : problem.obstacles) {
+      const int body = world.add_body("obstacle '" + obstacle.name + "'", obstacle.shapes);
+      world.set_pose(body, obstacle.X_WB);
+      world.add_pair(object, body);
+    }
+    for (int i = 0; i < problem.fingers.count; ++i) {
+      const geometry::PlacedShape sphere{geometry::Sphere{radius}, Eigen::Isometry3d::Identity()};
+      const int finger = world.add_body("finger " + std::to_string(i), {sphere});
+      for (int body = 0; body < finger - i; ++body) world.add_pair(body, finger);
+      fingers.push_back(finger);
+    }
+  }
+  collision::World world;
+  int object;
+  std::vector<int> fingers;
+};
+
+/// How far a sphere's way leaves the chord between an arc's two poses, at most.
+double Examination::bulge(std::size_t s, std::size_t arc) const {
+  const Vector6d twist = arc_twist(s, arc);
+  double most = 0;
+  for (const FingerState& finger : segment(s).rows[0].fingers) {
+    const Eigen::Vector3d way = twist.head<3>() + twist.tail<3>().cross(center(finger));
+    most = std::max(most, way.norm() * twist.tail<3>().norm() / 8);
+  }
+  return most;
+}
+
+void Examination::check_clearances() {
+  World at_poses(problem_, (1 - kSkin) * problem_.fingers.radius);
+  for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
+    for (std::size_t k = 0; k < segment(s).X_WO.size(); ++k) {
+      const std::string where = place(s) + ", pose " + std::to_string(k);
+      check_spheres(where, segment(s).rows[0]);
+      check_planes(where, segment(s).rows[0], segment(s).X_WO[k], 0);
+      check_world(at_poses, where, segment(s).rows[0], segment(s).X_WO[k]);
+    }
+    if (s > 0 && is_regrasp(s) && is_regrasp(s - 1)) check_between_regrasps(at_poses, s);
+  }
+  check_arcs();
+}
+
+/// Clear at two poses, a sphere may still graze a flat side in between, by the bulge of its way.
+void Examination::check_arcs() {
+  const double skin = kSkin * problem_.fingers.radius;
+  const auto parts = static_cast<std::size_t>(options_.samples_per_arc);
+  std::map<double, World> worlds;  // by what is left out of the radius, in whole skins
+  for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
+    for (std::size_t r = 0; r < segment(s).rows.size() && !is_regrasp(s); ++r) {
+      const double slack = bulge(s, r / parts);
+      const double skins = std::min(1 + std::ceil(slack / skin - 1e-6), 1 / kSkin - 1);
+      World& world =
+          worlds.try_emplace(skins, problem_, problem_.fingers.radius - skins * skin).first->second;
+      check_planes(place(s, r), segment(s).rows[r], row_pose(s, r), slack);
+      check_world(world, place(s, r), segment(s).rows[r], row_pose(s, r));
+    }
+  }
+}
+
+/// Two regrasps at one pose: in between all fingers are on the object, the first one to move at its
+/// new place and the second at its old one.
+void Examination::check_between_regrasps(World& world, std::size_t s) {
+  const auto first = static_cast<std::size_t>(segment(s - 1).finger);
+  const auto second = static_cast<std::size_t>(segment(s).finger);
+  const std::string where = place(s) + ", before it";
+  if (first == second) {
+    return fault(where, "finger " + std::to_string(first) + " regrasps twice on end");
+  }
+  Row between = segment(s).rows[0];
+  between.fingers[second] = segment(s - 1).rows[0].fingers[second];
+  check_spheres(where, between);
+  check_planes(where, between, segment(s).X_WO[0], 0);
+  check_world(world, where, between, segment(s).X_WO[0]);
+}
+
+/// Fingertips above the planes, but for `slack` [m].
+void Examination::check_planes(const std::string& where, const Row& row,
+                               const Eigen::Isometry3d& X_WO, double slack) {
+  for (std::size_t i = 0; i < row.fingers.size(); ++i) {
+    if (!row.fingers[i].touches) continue;
+    const Eigen::Vector3d center_W = X_WO * center(row.fingers[i]);
+    for (const Plane& plane : problem_.planes) {
+      const double depth =
+          problem_.fingers.radius - (plane.n_W.normalized().dot(center_W) - plane.offset);
+      if (depth <= slack + same_length_) continue;
+      fault(where, "finger " + std::to_string(i) + " reaches " + figure(depth) + " m into plane '" +
+                       plane.name + "'");
+    }
+  }
+}
+
+/// Fingertips apart from each other, but not too far.
+void Examination::check_spheres(const std::string& where, const Row& row) {
+  const double radius = problem_.fingers.radius;
+  for (std::size_t i = 0; i < row.fingers.size(); ++i) {
+    const std::string who = "finger " + std::to_string(i);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!row.fingers[i].touches || !row.fingers[j].touches) continue;
+      const double apart = (center(row.fingers[i]) - center(row.fingers[j])).norm();
+      if (apart < 2 * radius - same_length_) {
+        fault(where, who + " overlaps finger " + std::to_string(j));
+      }
+      if (apart > problem_.fingers.max_span + same_length_) {
+        fault(where, who + " is " + figure(apart) + " m from finger " + std::to_string(j) +
+                         ", more than fingers.max_span");
+      }
+    }
+  }
+}
+
+void Examination::check_world(World& world, const std::string& where, const Row& row,
+                              const Eigen::Isometry3d& X_WO) {
+  world.world.set_pose(world.object, X_WO);
+  for (std::size_t i = 0; i < row.fingers.size(); ++i) {
+    const Eigen::Vector3d center_O = center(row.fingers[i]);
+    world.world.set_pose(world.fingers[i], X_WO * Eigen::Translation3d(center_O));
+  }
+  const auto is_lifted = [&](int body) {
+    const int finger = body - world.fingers[0];
+    return finger >= 0 && !row.fingers[static_cast<std::size_t>(finger)].touches;
+  };
+  for (const auto& [a, b] : world.world.all_collisions()) {
+    if (is_lifted(a) || is_lifted(b)) continue;
+    fault(where, world.world.name(b) + " touches " + world.world.name(a));
+  }
 }
 
 }  // namespace graspless::fingertip::checking

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fingertip/check/instant.hpp"
-
 #include <algorithm>
 
+#include "fingertip/check/check.hpp"
 #include "mechanics/lp/program.hpp"
 
 namespace graspless::fingertip::checking {

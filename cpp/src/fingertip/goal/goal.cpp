@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From pose to pose with any face down: contact states first, then the search of each path.
+// From pose to pose with any face down: contact states first, then the cheapest plan over the paths
+// that they allow.
 #include "fingertip/goal/goal.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "fingertip/goal/contact_states.hpp"
-#include "fingertip/goal/paths.hpp"
-#include "fingertip/goal/search.hpp"
+#include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -62,6 +66,19 @@ void admit_truncation(Plan& plan) {
   if (plan.status != Status::interrupted) plan.status = Status::out_of_time;
 }
 
+// When regrasps are needed, paths that could be cheaper by less than this part are left out.
+constexpr double kGap = 1e-3;
+
+/// Whether the object's hull goes into a plane at this pose; which one.
+std::string plane_entered(const Problem& problem, const Eigen::Isometry3d& X_WO) {
+  const Eigen::Matrix3Xd corners_W = X_WO * problem.object.hull();
+  for (const Plane& plane : problem.planes) {
+    const double height = (plane.n_W.transpose() * corners_W).minCoeff() - plane.offset;
+    if (height < -kContactTolerance * problem.object.size()) return plane.name;
+  }
+  return "";
+}
+
 }  // namespace
 
 Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock) {
@@ -89,6 +106,176 @@ Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock)
   Plan plan = search.plan();
   if (is_truncated) admit_truncation(plan);
   return plan;
+}
+
+GoalSearch::GoalSearch(SearchContext& context, planning::Clock& clock)
+    : context_(context),
+      clock_(clock),
+      clearance_(context.problem),
+      floor_problem_(context.problem),
+      lower_bound_(kInfinity),
+      best_cost_(kInfinity) {
+  floor_problem_.planes.resize(1);
+  floor_problem_.obstacles.clear();
+}
+
+void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
+  sequences_.push_back({tumbles, false, {}});
+  if (tumbles.X_WO.size() < 2) sequences_.back().needs_regrasp = false;
+  for (const Path& path : paths) {
+    const std::string complaint = fault(path);
+    if (complaint.empty()) {
+      const Bounds least = bounds(path);
+      const double bound = std::min(least.whole, least.pieces + context_.options.regrasp_cost);
+      const int sequence = static_cast<int>(sequences_.size()) - 1;
+      candidates_.push_back({path, bound, least.pieces, least.most, sequence});
+    } else if (fault_.empty()) {
+      fault_ = complaint;
+    }
+  }
+}
+
+/// What the object runs into.
+std::string GoalSearch::fault(const Path& path) {
+  const int P = context_.options.samples_per_arc;
+  for (std::size_t i = 0; i < path.X_WO.size(); ++i) {
+    const bool is_last = i + 1 == path.X_WO.size();
+    const auto twist_O = is_last ? mechanics::Vector6d(mechanics::Vector6d::Zero())
+                                 : screw_between(path.X_WO[i], path.X_WO[i + 1]);
+    for (int j = 0; j < (is_last ? 1 : 1 + P); ++j) {
+      const Eigen::Isometry3d X_WO =
+          j == 0 ? path.X_WO[i] : along_screw(path.X_WO[i], twist_O, (j - 0.5) / P);
+      const std::string plane = plane_entered(context_.problem, X_WO);
+      if (!plane.empty()) return "the object would enter plane '" + plane + "'";
+      const std::string obstacle = clearance_.obstacle_at(X_WO);
+      if (!obstacle.empty()) return "the object would touch '" + obstacle + "'";
+    }
+  }
+  return "";
+}
+
+/// Without regrasps some location goes all the way; with them each arc has its own, at least.
+GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
+  std::vector<double> whole(static_cast<std::size_t>(context_.locations.size()), 0.0);
+  Bounds bounds{kInfinity, 0, 0};
+  for (std::size_t i = 0; i + 1 < path.X_WO.size(); ++i) {
+    const auto twist_O = screw_between(path.X_WO[i], path.X_WO[i + 1]);
+    double least = kInfinity, most = 0;
+    for (int l = 0; l < context_.locations.size(); ++l) {
+      const double moved = sphere_speed(twist_O, context_.locations[l]);
+      whole[static_cast<std::size_t>(l)] += moved;
+      least = std::min(least, moved);
+      most = std::max(most, moved);
+    }
+    bounds.pieces += least;
+    bounds.most += most;
+  }
+  const Options& options = context_.options;
+  bounds.most *= (1 + options.stability_weight / options.min_stability) * (1 + 1e-9);
+  for (const double moved : whole) bounds.whole = std::min(bounds.whole, moved);
+  return bounds;
+}
+
+bool GoalSearch::run() {
+  std::stable_sort(candidates_.begin(), candidates_.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
+  // Most of the work goes into regrasps: first all paths without, then with one, then the rest.
+  const double X_regr = context_.options.regrasp_cost;
+  for (const double limit : {X_regr, 2 * X_regr, kInfinity}) {
+    for (Candidate& candidate : candidates_) {
+      const double near = limit > X_regr ? best_cost_ * (1 - kGap) : best_cost_;
+      if (clock_.is_out()) break;
+      if (candidate.bound < std::min(limit, near)) look_at(candidate, std::min(limit, best_cost_));
+    }
+    if (best_cost_ < kInfinity) break;
+  }
+  for (const Candidate& candidate : candidates_) {
+    lower_bound_ = std::min(lower_bound_, candidate.bound);
+  }
+  candidates_.clear();
+  return best_cost_ < kInfinity || clock_.is_out();
+}
+
+/// Whether the tumbles alone, on a floor without walls, cannot be done with one placement: then no
+/// path over these edges can.
+bool GoalSearch::needs_regrasp(Sequence& sequence) {
+  if (!sequence.failed) return false;
+  if (!sequence.needs_regrasp) {
+    if (!on_floor_) on_floor_ = std::make_unique<SearchContext>(floor_problem_, context_.options);
+    const PoseGraph graph(floor_problem_, sequence.tumbles, on_floor_->locations,
+                          on_floor_->instants, context_.options);
+    const Route route =
+        search(graph, *on_floor_, clock_, statistics_, context_.options.regrasp_cost);
+    sequence.needs_regrasp = route.is_complete && !route.found;
+  }
+  return *sequence.needs_regrasp;
+}
+
+void GoalSearch::look_at(Candidate& candidate, double limit) {
+  const double X_regr = context_.options.regrasp_cost;
+  Sequence& sequence = sequences_[static_cast<std::size_t>(candidate.sequence)];
+  // Then what a route costs says how many regrasps it has.
+  const bool regrasps_rule = candidate.most < X_regr;
+  if (limit <= X_regr && regrasps_rule && needs_regrasp(sequence)) {
+    candidate.bound = std::max(candidate.bound, X_regr + candidate.pieces);
+    return;
+  }
+  ++statistics_.candidates;
+  std::optional<PoseGraph> graph;
+  try {
+    graph.emplace(context_.problem, candidate.path, context_.locations, context_.instants,
+                  context_.options);
+  } catch (const std::invalid_argument& error) {
+    candidate.bound = kInfinity;
+    if (fault_.empty()) fault_ = error.what();  // contacts that points cannot stand for
+    return;
+  }
+  const Route route = search(*graph, context_, clock_, statistics_, limit);
+  candidate.bound = std::max(candidate.bound, route.lower_bound);
+  if (route.is_complete && !route.found) {
+    // Nothing below the limit: as many regrasps as that has room for, and one more.
+    sequence.failed = true;
+    const double regrasps = std::floor(limit / X_regr) * X_regr;
+    candidate.bound =
+        std::max({candidate.bound, limit, regrasps_rule ? regrasps + candidate.pieces : 0.0});
+  }
+  if (!route.found || route.cost >= best_cost_) return;
+  best_cost_ = route.cost;
+  best_ = stages_of(*graph, route);
+}
+
+Plan GoalSearch::plan() {
+  Plan plan;
+  plan.statistics = statistics_;
+  if (on_floor_) count(*on_floor_, clock_, plan.statistics);
+  if (best_cost_ < kInfinity) {
+    plan.status = Status::solved;
+    assemble(best_, context_.locations, context_.instants, context_.evaluators.front(), plan);
+    plan.lower_bound = std::min(lower_bound_, plan.cost);
+  } else {
+    fail(plan);
+  }
+  return plan;
+}
+
+void GoalSearch::fail(Plan& plan) const {
+  plan.lower_bound = lower_bound_;
+  if (clock_.was_interrupted()) {
+    plan.status = Status::interrupted;
+    plan.reason = "interrupted";
+  } else if (lower_bound_ < kInfinity) {
+    plan.status = Status::out_of_time;
+    plan.reason = "nothing found in time over " + std::to_string(statistics_.candidates) +
+                  " motions of the object";
+  } else if (statistics_.candidates == 0) {
+    plan.status = Status::no_location;
+    plan.limit = "geometry";
+    plan.reason = "no motion of the object is free: " + fault_;
+  } else {
+    plan.status = Status::unstable;
+    plan.reason = "none of " + std::to_string(statistics_.candidates) +
+                  " motions of the object can be carried out by the fingers";
+  }
 }
 
 }  // namespace graspless::fingertip

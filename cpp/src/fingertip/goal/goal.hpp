@@ -2,6 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graspless/fingertip/fingertip.hpp"
+
+#include "fingertip/assemble.hpp"
+#include "fingertip/goal/contact_states.hpp"
+#include "fingertip/model/clearance.hpp"
 #include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
@@ -14,5 +24,73 @@ namespace graspless::fingertip {
 /// less than a thousandth are left out: lower_bound is that much below the cost then. Throws
 /// std::invalid_argument when the object does not stand on the floor by itself at start or goal.
 Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock);
+
+/// The object's paths from start to goal that tumble over these edges, with slides and turns
+/// before, between and after them where the object stands by itself.
+///
+/// Motions on the floor act on a pose from the left and tumbles from the right, so they commute:
+/// whatever the order, all slides and turns together make the same motion of the floor,
+/// X_WO_goal (X_WO_start tumbles)^-1, one turn and one slide. The paths differ in when each comes:
+/// every pair of times, either order at one time, and both at once as a turn about the pole of the
+/// motion.
+std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const ContactStates& states,
+                             int start_face, const TumbleSequence& tumbles);
+
+/// The tumbles one after the other, without slides and turns.
+Path tumbles_alone(const Goal& goal, const TumbleSequence& tumbles);
+
+/// Searches several paths of one object for the cheapest plan. What they share (locations,
+/// instants, stabilities) is worked out once.
+class GoalSearch {
+ public:
+  GoalSearch(SearchContext& context, planning::Clock& clock);
+
+  /// Paths to be looked at by run(), but those on which the object hits something. All tumble over
+  /// the same edges; `tumbles` does nothing else (one pose: there are none).
+  void add(const std::vector<Path>& paths, const Path& tumbles);
+  /// Searches the paths added: without regrasps by ascending lower bound until that reaches the
+  /// best cost; when that fails, with regrasps until it comes near. Whether the search is over: a
+  /// plan is there, or time is out.
+  bool run();
+  /// The best plan, or why there is none.
+  Plan plan();
+
+ private:
+  struct Candidate {
+    Path path;
+    double bound;   // of the cost [m]
+    double pieces;  // of the displacement, with any number of regrasps [m]
+    double most;    // that (9) can come to over all arcs [m]
+    int sequence;
+  };
+  /// What paths over the same edges share.
+  struct Sequence {
+    Path tumbles;
+    bool failed = false;  // some path of it, without regrasps
+    std::optional<bool> needs_regrasp;
+  };
+  struct Bounds {
+    double whole, pieces;  // of the displacement without and with regrasps [m]
+    double most;           // of the cost by (9)
+  };
+  Bounds bounds(const Path& path) const;
+  std::string fault(const Path& path);
+  bool needs_regrasp(Sequence& sequence);
+  void look_at(Candidate& candidate, double limit);
+  void fail(Plan& plan) const;
+
+  SearchContext& context_;
+  planning::Clock& clock_;
+  Clearance clearance_;
+  Problem floor_problem_;  // without walls and obstacles
+  std::unique_ptr<SearchContext> on_floor_;
+  Statistics statistics_;
+  std::vector<Candidate> candidates_;  // not yet searched
+  std::vector<Sequence> sequences_;
+  std::string fault_;   // of a path that was refused
+  double lower_bound_;  // over paths searched or passed over
+  double best_cost_;
+  std::vector<Stage> best_;
+};
 
 }  // namespace graspless::fingertip

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Where to slide and turn an object on its way over given edges.
-#include "fingertip/goal/paths.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fingertip/goal/goal.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fingertip/lazy/sums.hpp"
+#include "fingertip/lazy/bounds.hpp"
 
 namespace graspless::fingertip {
 namespace {

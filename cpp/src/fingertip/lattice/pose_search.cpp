@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A* over the object's poses with the fingers at one placement.
-#include "fingertip/lattice/pose_search.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fingertip/lattice/search.hpp"
 
 namespace graspless::fingertip {
 namespace {

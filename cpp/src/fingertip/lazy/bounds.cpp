@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "fingertip/lazy/sums.hpp"
 #include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fingertip/lazy/dp_table.hpp"
-#include "fingertip/lazy/placements.hpp"
+#include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
 

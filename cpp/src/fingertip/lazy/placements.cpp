@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // All placements that the bounds allow, finger by finger, and first bounds from a few of them.
-#include "fingertip/lazy/placements.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
 

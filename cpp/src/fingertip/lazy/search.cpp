@@ -13,7 +13,6 @@
 #include <queue>
 #include <tuple>
 
-#include "fingertip/lazy/placements.hpp"
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {

@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "fingertip/lazy/placements.hpp"
-
 namespace graspless::fingertip {
 
 LazyState::LazyState(const PoseGraph& graph_in, std::vector<Evaluator>& evaluators,

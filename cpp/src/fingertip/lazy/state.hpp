@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "fingertip/lazy/bounds.hpp"
 #include "fingertip/lazy/candidates.hpp"
 #include "fingertip/lazy/evaluator_pool.hpp"
 #include "fingertip/lazy/hubs.hpp"
+#include "fingertip/lazy/state.hpp"
 #include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
@@ -55,5 +57,22 @@ Route best_solved(LazyState& lazy);
 /// The cheapest route with at most `max_regrasps`, by dynamic programming over poses, regrasps and
 /// placements, solving what is open on the best one until nothing is.
 Route search_many_regrasps(LazyState& lazy, int max_regrasps);
+
+/// Calls found(placement) for all placements on these locations (ascending) for which the bounds at
+/// these instants allow min_stability, in lexicographic order, until it returns false.
+void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, int count,
+                        const std::vector<int>& locations, const std::vector<int>& instants,
+                        const std::function<bool(const Placement&)>& found);
+
+/// Solves a few placements at the instants, until their functionals exclude nearly all placements
+/// that can be excluded.
+void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
+                 const std::vector<int>& instants);
+
+/// Opens all placements that the bounds allow at the instants.
+void open_all(LazyState& lazy, const std::vector<int>& locations, const std::vector<int>& instants);
+
+/// Locations clear at all poses from `first` to `last`.
+std::vector<int> clear_locations(const PoseGraph& graph, int first, int last);
 
 }  // namespace graspless::fingertip

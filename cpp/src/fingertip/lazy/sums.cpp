@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The innermost loops of bounds, eight numbers at a time.
-#include "fingertip/lazy/sums.hpp"
-
 #include <algorithm>
 #include <cstring>
 
+#include "fingertip/lazy/bounds.hpp"
 #include "geometry/simd.hpp"
 
 namespace graspless::fingertip {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/goal/goal.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@
 #include "graspless/fingertip/fingertip.hpp"
 
 #include "complaint.hpp"
-#include "fingertip/goal/paths.hpp"
 
 namespace graspless::fingertip {
 namespace {

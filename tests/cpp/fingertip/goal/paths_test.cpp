@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fingertip/goal/paths.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "fingertip/goal/goal.hpp"
 #include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {

@@ -10,7 +10,7 @@
 
 #include "fingertip/cases.hpp"
 #include "fingertip/instance.hpp"
-#include "fingertip/lazy/placements.hpp"
+#include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
 namespace {
