@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fingertip/explain.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fingertip/explain_blocked.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -1,22 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Why a route was not found: geometry, stability or time.
+// Reasons why a route was not found: geometry, stability or time.
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "graspless/collision/world.hpp"
+
+#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
 #include "fingertip/search/heuristic.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
-/// True if `missing` more fingers fit beside `kept` at a pose.
-bool fits(const PoseGraph& graph, int pose, const Placement& kept, int first, int missing) {
+/// True if `missing` more fingers fit beside those on `chosen`, on locations among clear[from ...].
+bool fit(const Locations& locations, const std::vector<int>& clear, std::size_t from, int missing,
+         std::vector<int>& chosen) {
   if (missing == 0) return true;
-  for (int location = first; location < graph.locations.size(); ++location) {
-    if (!has_room(graph, pose, kept, location)) continue;
-    if (fits(graph, pose, with(kept, location), location + 1, missing - 1)) return true;
+  for (std::size_t i = from; i < clear.size(); ++i) {
+    const bool apart = std::all_of(chosen.begin(), chosen.end(),
+                                   [&](int other) { return locations.are_apart(clear[i], other); });
+    if (!apart) continue;
+    chosen.push_back(clear[i]);
+    if (fit(locations, clear, i + 1, missing - 1, chosen)) return true;
+    chosen.pop_back();
   }
   return false;
 }
@@ -24,7 +36,11 @@ bool fits(const PoseGraph& graph, int pose, const Placement& kept, int first, in
 /// The first pose of a path at which no placement of the fingers is feasible; -1: none.
 int first_blocked_pose(const PoseGraph& graph) {
   for (int pose = 0; pose < graph.num_poses(); ++pose) {
-    if (!fits(graph, pose, kNoFingers, 0, graph.num_fingers)) return pose;
+    std::vector<int> clear, chosen;
+    for (int l = 0; l < graph.locations.size(); ++l) {
+      if (graph.is_clear(pose, l)) clear.push_back(l);
+    }
+    if (!fit(graph.locations, clear, 0, graph.num_fingers, chosen)) return pose;
   }
   return -1;
 }
@@ -73,6 +89,39 @@ void blame_incomplete_search(const PoseGraph& graph, const Route& route, plannin
                           " regrasps was found; none is excluded";
 }
 
+using Poses = std::vector<Eigen::Isometry3d>;
+
+Poses needed_poses(const Path& path) { return path.X_WO; }
+Poses needed_poses(const Lattice& lattice) { return {lattice.X_WO_start, lattice.X_WO_goal}; }
+Poses needed_poses(const Goal& goal) { return {goal.X_WO_start, goal.X_WO_goal}; }
+
+/// Number of locations that each plane and each obstacle keeps the fingertips from.
+std::string in_the_way(const Problem& problem, const Locations& locations,
+                       const Eigen::Isometry3d& X_WO) {
+  std::ostringstream out;
+  const auto count = [&](const std::string& who, const Problem& alone) {
+    Clearance clearance(alone);
+    int blocked = 0;
+    for (int i = 0; i < locations.size(); ++i) {
+      blocked += clearance.is_clear(X_WO * locations[i].center_O) ? 0 : 1;
+    }
+    if (blocked == 0) return;
+    out << (out.tellp() > 0 ? ", " : "") << who << " blocks " << blocked;
+  };
+  Problem alone = problem;
+  alone.obstacles.clear();
+  for (const Plane& plane : problem.planes) {
+    alone.planes = {plane};
+    count("plane '" + plane.name + "'", alone);
+  }
+  alone.planes.clear();
+  for (const Obstacle& obstacle : problem.obstacles) {
+    alone.obstacles = {obstacle};
+    count("obstacle '" + obstacle.name + "'", alone);
+  }
+  return out.str();
+}
+
 }  // namespace
 
 void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,
@@ -86,6 +135,32 @@ void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock
                                     "min_stability = ") +
       std::to_string(graph.options.min_stability) + " N all the way";
   graph.is_path() ? blame_geometry_of_path(graph, plan) : blame_geometry_of_lattice(graph, plan);
+}
+
+std::optional<Blocked> find_blocked(const Problem& problem, const Options& options) {
+  const Locations locations(problem.object, problem.fingers, options);
+  const Poses poses =
+      std::visit([](const auto& motion) { return needed_poses(motion); }, problem.motion);
+  Clearance clearance(problem);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    std::vector<int> clear, chosen;
+    for (int i = 0; i < locations.size(); ++i) {
+      if (clearance.is_clear(poses[k] * locations[i].center_O)) clear.push_back(i);
+    }
+    if (fit(locations, clear, 0, problem.fingers.count, chosen)) continue;
+    std::ostringstream reason;
+    reason << "at pose " << k << " of " << poses.size() << " ";
+    if (clear.empty()) {
+      reason << "no fingertip location is clear";
+    } else {
+      reason << "only " << clear.size() << " fingertip locations are clear, with no place for "
+             << problem.fingers.count << " fingers apart";
+    }
+    reason << ": of " << locations.size() << " locations "
+           << in_the_way(problem, locations, poses[k]);
+    return Blocked{clear.empty() ? "reach of the lattice" : "geometry", reason.str()};
+  }
+  return std::nullopt;
 }
 
 }  // namespace graspless::fingertip

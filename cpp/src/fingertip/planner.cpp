@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "fingertip/assemble.hpp"
-#include "fingertip/explain.hpp"
 #include "fingertip/friction.hpp"
 #include "fingertip/goal/goal.hpp"
 #include "fingertip/lattice/search.hpp"

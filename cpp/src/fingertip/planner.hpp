@@ -3,7 +3,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
+
+#include "graspless/fingertip/fingertip.hpp"
 
 #include "fingertip/model/evaluator.hpp"
 #include "fingertip/model/pose_graph.hpp"
@@ -36,5 +40,21 @@ void count(const SearchContext& context, const planning::Clock& clock, Statistic
 /// Fills status and reason of a plan that was not found: geometry, stability or time.
 void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,
                      Plan& plan);
+
+/// A pose that the object must take and at which the fingers find no place.
+struct Blocked {
+  std::string limit;   ///< reach of the lattice: no location is clear; geometry: too few, apart
+  std::string reason;  ///< which pose, and what is in the way
+};
+
+/// The first such pose of the motion: of a path any, else start and goal.
+std::optional<Blocked> find_blocked(const Problem& problem, const Options& options);
+
+/// Says of a plan that was not found which limit blocks (`limit`, and where in `reason`) and the
+/// smallest single changes that make it solvable (`relaxations`), by planning anew with other
+/// values in what the clock has left. Changes with which one regrasp is enough come first, since
+/// more of them take long to exclude: when the clock ends meanwhile, the changes found help but may
+/// not be the smallest. The same failure and time enough give the same answer.
+void explain(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan);
 
 }  // namespace graspless::fingertip

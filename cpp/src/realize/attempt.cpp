@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "realize/reach.hpp"
+#include "realize/track.hpp"
 
 namespace graspless::fingertip {
 namespace {

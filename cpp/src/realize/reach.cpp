@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Free motions by the planners' common search; motions that hold fingers still by CBiRRT over the
 // positions of the held fingertips.
-#include "realize/reach.hpp"
-
 #include <ompl/base/goals/GoalState.h>
 
 #include "graspless/planning/forest_cbirrt.hpp"
 #include "graspless/planning/free_path.hpp"
 #include "graspless/planning/vector_states.hpp"
+
+#include "realize/track.hpp"
 
 namespace graspless::fingertip {
 namespace {

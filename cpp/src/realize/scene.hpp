@@ -9,8 +9,8 @@
 #include "graspless/fingertip/problem.hpp"
 #include "graspless/scene/scene.hpp"
 
-#include "realize/allowance.hpp"
 #include "realize/tips.hpp"
+#include "realize/validate.hpp"
 
 namespace graspless::fingertip {
 

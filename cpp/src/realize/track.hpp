@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Continuation: joint motions that carry fingertips along prescribed paths, without a jump.
+// Joint motions that carry fingertips along prescribed paths, without a jump, and those that are
+// free to choose their way.
 #pragma once
 
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "graspless/planning/budget.hpp"
+#include "graspless/planning/path.hpp"
 #include "graspless/realize/realize.hpp"
 
 #include "realize/scene.hpp"
@@ -71,5 +75,12 @@ double scrub(const Hand& hand, const JointSegment& rows, const Eigen::Matrix3Xd&
 std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q);
 
 constexpr double kIkTolerance = 1e-7;  // of fingertips at rows [m]
+
+/// Rows from one configuration to another while the object stands where the scene has it and the
+/// fingers in held.held stay at held.p_WT (none held: any free motion). Contacts are as last set.
+/// Nothing when `iterations` of the tree search found no way.
+std::optional<planning::Path> reach(Hand& hand, const TipTargets& held, const Eigen::VectorXd& from,
+                                    const Eigen::VectorXd& to, int iterations,
+                                    planning::Clock& clock, std::mt19937_64& rng);
 
 }  // namespace graspless::fingertip

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What realize() and its check() refuse.
 #pragma once
 
 #include "graspless/realize/realize.hpp"
 
 namespace graspless::fingertip {
+
+/// How deep the links of a touching fingertip may reach into the object along the contact's normal
+/// [m]: what the tolerance on positions and rounding take.
+inline double contact_allowance(double position_tolerance) { return 2 * position_tolerance + 1e-4; }
 
 /// Throws std::invalid_argument on options that are not positive, fingertips or links that the
 /// robot does not have or that no joint moves, or a plan that is not solved or has not the shape

@@ -9,7 +9,6 @@
 #include "fingertip/lazy/candidates.hpp"
 #include "fingertip/lazy/evaluator_pool.hpp"
 #include "fingertip/lazy/hubs.hpp"
-#include "fingertip/lazy/state.hpp"
 #include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "fingertip/model/pose_graph.hpp"
@@ -16,9 +18,36 @@ namespace graspless::fingertip {
 class NodeCode {
  public:
   /// Throws std::invalid_argument if there are more nodes than numbers.
-  NodeCode(int num_poses, int num_locations, int num_fingers, int num_layers);
-  std::uint64_t pack(const Node& node, int layer) const;
-  Node unpack(std::uint64_t code, int* layer) const;
+  NodeCode(int num_poses, int num_locations, int num_fingers, int num_layers)
+      : base_(static_cast<std::uint64_t>(num_locations) + 1),
+        layers_(static_cast<std::uint64_t>(num_layers)),
+        num_fingers_(num_fingers) {
+    double count = static_cast<double>(num_poses) * num_layers;
+    for (int i = 0; i < num_fingers; ++i) count *= num_locations + 1;
+    if (count < 1e19) return;
+    throw std::invalid_argument("the graph has " + std::to_string(count) +
+                                " nodes, more than can be numbered: take fewer locations");
+  }
+
+  std::uint64_t pack(const Node& node, int layer) const {
+    std::uint64_t code =
+        static_cast<std::uint64_t>(node.pose) * layers_ + static_cast<std::uint64_t>(layer);
+    for (int i = 0; i < num_fingers_; ++i) {
+      const std::int32_t location = node.placement[static_cast<std::size_t>(i)];
+      code = code * base_ + static_cast<std::uint64_t>(location + 1);
+    }
+    return code;
+  }
+
+  Node unpack(std::uint64_t code, int* layer) const {
+    Node node{0, kNoFingers};
+    for (int i = num_fingers_; i-- > 0; code /= base_) {
+      node.placement[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(code % base_) - 1;
+    }
+    *layer = static_cast<int>(code % layers_);
+    node.pose = static_cast<int>(code / layers_);
+    return node;
+  }
 
  private:
   std::uint64_t base_, layers_;
