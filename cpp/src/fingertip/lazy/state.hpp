@@ -53,6 +53,10 @@ std::vector<Node> nodes_of(const LazyState& lazy, int first, int second, int pos
 /// The cheapest route with at most one regrasp whose every sample has been solved.
 Route best_solved(LazyState& lazy);
 
+/// Lets the first evaluator know what the others have found out about the route.
+void share_stabilities(const PoseGraph& graph, const Route& route,
+                       std::vector<Evaluator>& evaluators);
+
 /// The cheapest route with at most `max_regrasps`, by dynamic programming over poses, regrasps and
 /// placements, solving what is open on the best one until nothing is.
 Route search_many_regrasps(LazyState& lazy, int max_regrasps);
