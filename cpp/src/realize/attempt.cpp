@@ -10,7 +10,7 @@
 
 #include "realize/track.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr int kBiases = 2;        // tried for a displacement, beside none
@@ -240,4 +240,4 @@ void Attempts::push_still(const std::string& name, const std::vector<Eigen::Vect
       {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), X_WO), plan_segment});
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

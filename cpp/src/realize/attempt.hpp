@@ -15,7 +15,7 @@
 
 #include "realize/track.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 
 /// How far attempts came, to tell what stands in the way: the farthest count, and of those that
 /// came equally far what happened most often.
@@ -84,4 +84,4 @@ class Attempts {
   std::vector<JointSegment> segments_;
 };
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

@@ -8,7 +8,7 @@
 #include "realize/examination.hpp"
 #include "realize/validate.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr double kSame = 1e-9;  // of joints between segments [rad]
@@ -21,10 +21,9 @@ std::string figure(double value) {
 
 }  // namespace
 
-RealizeExamination::RealizeExamination(const Problem& problem, const Plan& plan,
-                                       const robot::Robot& robot, const Carrier& carrier,
-                                       const Realization& realization,
-                                       const RealizeOptions& options)
+Examination::Examination(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+                         const Carrier& carrier, const Realization& realization,
+                         const RealizeOptions& options)
     : problem_(problem),
       plan_(plan),
       robot_(robot),
@@ -33,7 +32,7 @@ RealizeExamination::RealizeExamination(const Problem& problem, const Plan& plan,
       options_(options),
       replay_(problem, robot) {}
 
-std::vector<std::string> RealizeExamination::run() {
+std::vector<std::string> Examination::run() {
   expect_phases();
   if (!has_shape() || !assigns_fingertips()) return faults_;
   check_joints();
@@ -49,7 +48,7 @@ std::vector<std::string> RealizeExamination::run() {
 }
 
 /// From home onto the object, the plan's segments (a regrasp is three), off it and away.
-void RealizeExamination::expect_phases() {
+void Examination::expect_phases() {
   const std::size_t count = plan_.segments.front().rows.front().fingers.size();
   const std::vector<bool> none(count, false), all(count, true);
   std::vector<FingerState> places = plan_.segments.front().rows.front().fingers;
@@ -77,7 +76,7 @@ void RealizeExamination::expect_phases() {
   phases_.push_back({"retreat", -1, {X_WO}, places, none, none});
 }
 
-bool RealizeExamination::has_shape() {
+bool Examination::has_shape() {
   if (!realization_) {
     fault("realization: not found: " + realization_.reason);
     return false;
@@ -95,7 +94,7 @@ bool RealizeExamination::has_shape() {
   return faults_.empty();
 }
 
-bool RealizeExamination::has_sound_rows(const JointSegment& segment) {
+bool Examination::has_sound_rows(const JointSegment& segment) {
   if (segment.positions.empty() || segment.positions.size() != segment.X_WO.size()) {
     fault(0, "needs rows, and one object pose for each");
     return false;
@@ -109,7 +108,7 @@ bool RealizeExamination::has_sound_rows(const JointSegment& segment) {
   return true;
 }
 
-bool RealizeExamination::assigns_fingertips() {
+bool Examination::assigns_fingertips() {
   const std::size_t count = carrier_.fingertips.size();
   frame_of_finger_.assign(count, -1);
   links_of_finger_.resize(count);
@@ -127,7 +126,7 @@ bool RealizeExamination::assigns_fingertips() {
   return is_complete;
 }
 
-void RealizeExamination::check_joints() {
+void Examination::check_joints() {
   Eigen::VectorXd before = realization_.segments.front().positions.front();
   for (segment_ = 0; segment_ < realization_.segments.size(); ++segment_) {
     const auto& rows = realization_.segments[segment_].positions;
@@ -145,17 +144,21 @@ void RealizeExamination::check_joints() {
   if (away > kSame) fault("retreat: does not end where the approach began");
 }
 
-void RealizeExamination::fault(std::size_t row, const std::string& what) {
+void Examination::fault(std::size_t row, const std::string& what) {
   faults_.push_back("joint segment " + std::to_string(segment_) + " (" +
                     realization_.segments[segment_].name + "), row " + std::to_string(row) + ": " +
                     what);
 }
 
+}  // namespace graspless::realize
+
+namespace graspless::fingertip {
+
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const robot::Robot& robot,
                                const Carrier& carrier, const Realization& realization,
                                const RealizeOptions& options) {
-  validate_realization(problem, plan, robot, carrier, options);
-  return RealizeExamination(problem, plan, robot, carrier, realization, options).run();
+  realize::validate_realization(problem, plan, robot, carrier, options);
+  return realize::Examination(problem, plan, robot, carrier, realization, options).run();
 }
 
 }  // namespace graspless::fingertip

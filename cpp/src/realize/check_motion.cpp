@@ -8,7 +8,7 @@
 
 #include "realize/examination.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr double kSamePose = 1e-6;  // [m, rad]
@@ -71,7 +71,7 @@ Eigen::Isometry3d on_screw(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3
   return X_WA * X_AS;
 }
 
-void RealizeExamination::check_object(const JointSegment& segment, const Phase& phase) {
+void Examination::check_object(const JointSegment& segment, const Phase& phase) {
   if (phase.X_WO.size() == 1) return check_still(segment, phase);
   std::size_t arc = 0;  // the rows so far end within it, or at its beginning
   double before = 0;
@@ -92,7 +92,7 @@ void RealizeExamination::check_object(const JointSegment& segment, const Phase& 
     fault(segment.X_WO.size() - 1, "the object does not come to the end of the plan's motion");
 }
 
-void RealizeExamination::check_still(const JointSegment& segment, const Phase& phase) {
+void Examination::check_still(const JointSegment& segment, const Phase& phase) {
   for (std::size_t i = 0; i < segment.X_WO.size(); ++i) {
     if (!is_same(segment.X_WO[i], phase.X_WO.front()))
       return fault(i, "the object moves, or is not where the plan has it");
@@ -100,7 +100,7 @@ void RealizeExamination::check_still(const JointSegment& segment, const Phase& p
 }
 
 /// At rows and between them, at steps of at most `resolution`. One fault a row is enough.
-void RealizeExamination::check_segment(const JointSegment& segment, const Phase& phase) {
+void Examination::check_segment(const JointSegment& segment, const Phase& phase) {
   check_instant(0, segment.positions[0], segment.X_WO[0], phase);
   for (std::size_t row = 1; row < segment.positions.size(); ++row) {
     const Eigen::VectorXd& from = segment.positions[row - 1];
@@ -116,12 +116,12 @@ void RealizeExamination::check_segment(const JointSegment& segment, const Phase&
   }
 }
 
-void RealizeExamination::check_instant(std::size_t row, const Eigen::VectorXd& q,
-                                       const Eigen::Isometry3d& X_WO, const Phase& phase) {
+void Examination::check_instant(std::size_t row, const Eigen::VectorXd& q,
+                                const Eigen::Isometry3d& X_WO, const Phase& phase) {
   robot_.forward(q, X_WL_);
   check_tips(row, X_WO, phase);
   const double depth = contact_allowance(options_.position_tolerance);
-  std::vector<RealizeReplay::Allowed> allowed;
+  std::vector<Replay::Allowed> allowed;
   for (std::size_t i = 0; i < phase.places.size(); ++i) {
     if (!phase.holds[i] && !phase.moves[i]) continue;
     for (const std::string& link : links_of_finger_[i])
@@ -132,8 +132,7 @@ void RealizeExamination::check_instant(std::size_t row, const Eigen::VectorXd& q
 }
 
 /// Fingers that hold are at their places; those that move are on the line along the normal.
-void RealizeExamination::check_tips(std::size_t row, const Eigen::Isometry3d& X_WO,
-                                    const Phase& phase) {
+void Examination::check_tips(std::size_t row, const Eigen::Isometry3d& X_WO, const Phase& phase) {
   const double tolerance = options_.position_tolerance + 1e-9;
   for (std::size_t i = 0; i < phase.places.size(); ++i) {
     const Eigen::Vector3d off_O = tip_O(i, X_WO) - center_O(i, phase);
@@ -149,7 +148,7 @@ void RealizeExamination::check_tips(std::size_t row, const Eigen::Isometry3d& X_
 }
 
 /// A finger is at its place when a touch ends and a release begins.
-void RealizeExamination::check_ends(const JointSegment& segment, const Phase& phase) {
+void Examination::check_ends(const JointSegment& segment, const Phase& phase) {
   const std::size_t row = phase.name == "release" ? 0 : segment.positions.size() - 1;
   robot_.forward(segment.positions[row], X_WL_);
   for (std::size_t i = 0; i < phase.places.size(); ++i) {
@@ -161,7 +160,7 @@ void RealizeExamination::check_ends(const JointSegment& segment, const Phase& ph
 }
 
 /// Of fingers that hold: how far the point of the sphere that lies on the contact wanders.
-void RealizeExamination::check_scrub(const JointSegment& segment, const Phase& phase) {
+void Examination::check_scrub(const JointSegment& segment, const Phase& phase) {
   double worst = 0;
   for (std::size_t i = 0; i < phase.places.size(); ++i) {
     if (!phase.holds[i]) continue;
@@ -182,16 +181,16 @@ void RealizeExamination::check_scrub(const JointSegment& segment, const Phase& p
                  millimetres(worst));
 }
 
-Eigen::Vector3d RealizeExamination::tip_O(std::size_t finger, const Eigen::Isometry3d& X_WO) const {
+Eigen::Vector3d Examination::tip_O(std::size_t finger, const Eigen::Isometry3d& X_WO) const {
   const auto frame = static_cast<std::size_t>(frame_of_finger_[finger]);
   return X_WO.inverse() * X_WL_[frame].translation();
 }
 
-Eigen::Vector3d RealizeExamination::center_O(std::size_t finger, const Phase& phase) const {
+Eigen::Vector3d Examination::center_O(std::size_t finger, const Phase& phase) const {
   return phase.places[finger].p_OC - problem_.fingers.radius * phase.places[finger].n_O;
 }
 
-RealizeReplay::RealizeReplay(const Problem& problem, const robot::Robot& robot) : replay_(robot) {
+Replay::Replay(const Problem& problem, const robot::Robot& robot) : replay_(robot) {
   for (const Plane& plane : problem.planes) {
     replay_.add({plane.name, {half_space(plane, robot.X_WB().translation())}});
   }
@@ -199,9 +198,8 @@ RealizeReplay::RealizeReplay(const Problem& problem, const robot::Robot& robot) 
   object_ = replay_.add(problem.object.name(), problem.object.solid(), false);
 }
 
-std::vector<std::string> RealizeReplay::touching(const robot::Poses& X_WL,
-                                                 const Eigen::Isometry3d& X_WO,
-                                                 const std::vector<Allowed>& allowed) {
+std::vector<std::string> Replay::touching(const robot::Poses& X_WL, const Eigen::Isometry3d& X_WO,
+                                          const std::vector<Allowed>& allowed) {
   collision::World& world = replay_.world();
   world.set_pose(object_, X_WO);
   for (int body = 0; body < replay_.num_links(); ++body)
@@ -213,4 +211,4 @@ std::vector<std::string> RealizeReplay::touching(const robot::Poses& X_WL,
   return replay_.touching(X_WL);
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

@@ -3,7 +3,7 @@
 // Configurations drawn at random: first grips, and where a displacement may end.
 #include "realize/attempt.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr int kFarIterations = 80;  // of inverse kinematics from a random configuration
@@ -78,4 +78,4 @@ Bias Attempts::draw_bias(Index k, const Eigen::VectorXd& q) {
   return std::nullopt;
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

@@ -14,12 +14,12 @@
 #include "realize/validate.hpp"
 #include "scene/replay.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 
 /// The robot's links, planes, obstacles and the object as bodies of a world of its own.
-class RealizeReplay {
+class Replay {
  public:
-  RealizeReplay(const Problem& problem, const robot::Robot& robot);
+  Replay(const Problem& problem, const robot::Robot& robot);
 
   /// A link that may reach `depth` [m] into the object against the direction out_O.
   struct Allowed {
@@ -48,11 +48,11 @@ struct Phase {
 /// The pose at `s` in [0, 1] of the screw from X_WA to X_WB, by the screw's axis.
 Eigen::Isometry3d on_screw(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB, double s);
 
-class RealizeExamination {
+class Examination {
  public:
-  RealizeExamination(const Problem& problem, const Plan& plan, const robot::Robot& robot,
-                     const Carrier& carrier, const Realization& realization,
-                     const RealizeOptions& options);
+  Examination(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+              const Carrier& carrier, const Realization& realization,
+              const RealizeOptions& options);
   std::vector<std::string> run();
 
  private:
@@ -85,9 +85,9 @@ class RealizeExamination {
   std::vector<int> frame_of_finger_;
   std::vector<std::vector<std::string>> links_of_finger_;
   std::size_t segment_ = 0;
-  RealizeReplay replay_;
+  Replay replay_;
   robot::Poses X_WL_;
   std::vector<std::string> faults_;
 };
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

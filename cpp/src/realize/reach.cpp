@@ -10,11 +10,11 @@
 
 #include "realize/track.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 namespace ob = ompl::base;
-using Configurations = planning::Path;  // fingertip::Path is the object's
+using Configurations = planning::Path;
 
 constexpr double kRange = 0.25;  // longest extension while fingers are held [rad]
 constexpr int kProjections = 12;
@@ -183,4 +183,4 @@ std::optional<Configurations> reach(Hand& hand, const TipTargets& held, const Ei
   return held_path(hand, held, from, to, iterations, clock, rng);
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

@@ -11,7 +11,7 @@
 #include "realize/attempt.hpp"
 #include "realize/validate.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr double kLittle = 0.01;  // scrub, in radii, that nobody needs to improve
@@ -66,10 +66,14 @@ std::string reason(const planning::Clock& clock, bool is_out, const Misses& miss
 }
 
 }  // namespace
+}  // namespace graspless::realize
+
+namespace graspless::fingertip {
 
 Realization realize(const Problem& problem, const Plan& plan, const robot::Robot& robot,
                     const Carrier& carrier, const Eigen::VectorXd& q_home,
                     const RealizeOptions& options, const planning::Budget& budget) {
+  using namespace graspless::realize;  // the room's private names
   validate_realization(problem, plan, robot, carrier, options);
   check_home(robot, q_home);
   planning::Clock clock(budget);

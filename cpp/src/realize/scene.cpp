@@ -9,7 +9,7 @@
 
 #include "fingertip/model/screw.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 // A half-space as a box [m]: wider than any robot reaches, thick enough that none steps through.
@@ -92,11 +92,11 @@ bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd&
 bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
                                const Eigen::Isometry3d& X_WO2, double resolution) {
   const Eigen::Isometry3d X_WO1 = X_WO_;
-  const mechanics::Vector6d twist_O = screw_between(X_WO1, X_WO2);
+  const mechanics::Vector6d twist_O = fingertip::screw_between(X_WO1, X_WO2);
   const int steps = static_cast<int>(looks(span(q1, q2), resolution));
   for (int i = 1; i <= steps; ++i) {
     const double s = static_cast<double>(i) / steps;
-    place_object(along_screw(X_WO1, twist_O, s));
+    place_object(fingertip::along_screw(X_WO1, twist_O, s));
     if (!scene_.is_free(q1 + s * (q2 - q1))) return false;
   }
   return true;
@@ -107,4 +107,4 @@ std::string HandScene::collision(const Eigen::VectorXd& q) {
   return a.empty() ? "" : "'" + a + "' touches '" + b + "'";
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

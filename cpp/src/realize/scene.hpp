@@ -12,7 +12,7 @@
 #include "realize/tips.hpp"
 #include "realize/validate.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 
 class HandScene {
  public:
@@ -51,4 +51,4 @@ class HandScene {
   FingerMask touching_ = 0;
 };
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

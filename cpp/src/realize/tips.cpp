@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr double kLongestStep = 0.3;    // of a joint in one iteration [rad or m]
@@ -160,4 +160,4 @@ std::pair<double, int> TipIk::miss(const TipTargets& targets, const Eigen::Vecto
   return worst;
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

@@ -11,7 +11,7 @@
 
 #include "graspless/robot/robot.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 
 /// A set of fingers, as bits: finger i by 1 << i.
 using FingerMask = unsigned;
@@ -64,4 +64,4 @@ class TipIk {
   Jacobian J_frame_;
 };
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

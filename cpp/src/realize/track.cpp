@@ -10,7 +10,7 @@
 
 #include "fingertip/model/screw.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 constexpr int kIterations = 15;
@@ -144,7 +144,7 @@ Eigen::Isometry3d Stretch::pose(double s) const {
   if (X_WO.size() < 2) return X_WO.front();
   const int arc = std::clamp(static_cast<int>(std::floor(s)), 0, arcs() - 1);
   const auto i = static_cast<std::size_t>(arc);
-  return along_screw(X_WO[i], screw_between(X_WO[i], X_WO[i + 1]), s - arc);
+  return fingertip::along_screw(X_WO[i], fingertip::screw_between(X_WO[i], X_WO[i + 1]), s - arc);
 }
 
 TipTargets Stretch::targets(double s) const {
@@ -195,4 +195,4 @@ std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::Ve
          std::to_string(finger) + " by " + figure;
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

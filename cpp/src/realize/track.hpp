@@ -16,7 +16,7 @@
 #include "realize/scene.hpp"
 #include "realize/tips.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 
 /// Where the fingers of a plan press: column i for finger i, in O.
 struct Grip {
@@ -83,4 +83,4 @@ std::optional<planning::Path> reach(Hand& hand, const TipTargets& held, const Ei
                                     const Eigen::VectorXd& to, int iterations,
                                     planning::Clock& clock, std::mt19937_64& rng);
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace graspless::fingertip {
+namespace graspless::realize {
 namespace {
 
 void check_fingertip(const robot::Robot& robot, const std::string& field, const std::string& link) {
@@ -82,4 +82,4 @@ void validate_realization(const Problem& problem, const Plan& plan, const robot:
     check_segment(plan, k, static_cast<std::size_t>(problem.fingers.count));
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize

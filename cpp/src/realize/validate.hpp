@@ -4,7 +4,20 @@
 
 #include "graspless/realize/realize.hpp"
 
-namespace graspless::fingertip {
+namespace graspless::realize {
+
+// The plan's and the public API's types are those of fingertip.
+using fingertip::Carrier;
+using fingertip::FingerState;
+using fingertip::JointSegment;
+using fingertip::Obstacle;
+using fingertip::Plan;
+using fingertip::Plane;
+using fingertip::Problem;
+using fingertip::Realization;
+using fingertip::RealizeOptions;
+using fingertip::Row;
+using fingertip::Segment;
 
 /// How deep the links of a touching fingertip may reach into the object along the contact's normal
 /// [m]: what the tolerance on positions and rounding take.
@@ -16,4 +29,4 @@ inline double contact_allowance(double position_tolerance) { return 2 * position
 void validate_realization(const Problem& problem, const Plan& plan, const robot::Robot& robot,
                           const Carrier& carrier, const RealizeOptions& options);
 
-}  // namespace graspless::fingertip
+}  // namespace graspless::realize
