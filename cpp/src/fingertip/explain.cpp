@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kFine = 1.01;      // relaxations are found to 1 %
 constexpr double kFarthest = 1000;  // how far limits are turned at most, as a factor
-// How far coefficients of friction are turned: solvable ones may lie between others, so that each
-// of these is tried.
+// Factors tried on coefficients of friction. Solvable values may lie between others, so each factor
+// is tried.
 constexpr double kLadder[] = {1.05, 1.1, 1.2, 1.4, 1.8, 2.6, 4.2, 7.4, 13.8};
 
-/// Something that can be turned to make a problem easier.
+/// A parameter that can be changed to make a problem easier.
 struct Knob {
   std::string field, limit;
   double value;
@@ -44,7 +44,7 @@ const auto turn_stability = [](Problem&, Options& options, double factor) {
   options.min_stability *= factor;
 };
 
-/// Plans anew with knobs turned.
+/// Plans anew with other parameters.
 class Trials {
  public:
   Trials(const Problem& problem, const Options& options, planning::Clock& clock)
@@ -54,7 +54,7 @@ class Trials {
     max_regrasps_ = options.max_regrasps;
   }
 
-  /// To show that many regrasps do not help takes long; without them a trial takes milliseconds.
+  /// Excluding many regrasps takes long. Without them a trial takes milliseconds.
   void allow_regrasps(int count) { options_.max_regrasps = std::min(count, max_regrasps_); }
 
   bool solves(const std::function<void(Problem&, Options&)>& change) {
@@ -93,13 +93,13 @@ double bisect(Trials& trials, const Knob& knob, double fails, double helps) {
   return helps;
 }
 
-/// Where more always helps.
+/// The least factor that helps, where more always helps.
 std::optional<double> least_of_monotone(Trials& trials, const Knob& knob, double farthest) {
   if (!trials.solves(knob, farthest)) return std::nullopt;
   return bisect(trials, knob, 1, farthest);
 }
 
-/// Outward step by step, up and, if wanted, down.
+/// The least factor that helps, found step by step: upwards and, if wanted, downwards.
 std::optional<double> least_of_ladder(Trials& trials, const Knob& knob, bool down_too) {
   double last = 1;
   for (const double factor : kLadder) {
@@ -144,8 +144,8 @@ void sort_least_first(std::vector<Found>& found) {
   });
 }
 
-/// What single changes help, least first. Most is settled with one regrasp at most; then, in what
-/// time is left, whether less of a change is enough with more regrasps.
+/// Single changes that help, the smallest first. They are found with one regrasp at most. In the
+/// time left, smaller changes are tried with more regrasps.
 std::vector<Found> relax(const Problem& problem, const Options& options, Trials& trials) {
   trials.allow_regrasps(1);
   std::vector<Found> found = find_helpful(problem, options, trials);

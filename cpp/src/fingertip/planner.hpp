@@ -47,14 +47,14 @@ struct Blocked {
   std::string reason;  ///< which pose, and what is in the way
 };
 
-/// The first such pose of the motion: of a path any, else start and goal.
+/// The first such pose of the motion: any pose of a path, else start or goal.
 std::optional<Blocked> find_blocked(const Problem& problem, const Options& options);
 
-/// Says of a plan that was not found which limit blocks (`limit`, and where in `reason`) and the
-/// smallest single changes that make it solvable (`relaxations`), by planning anew with other
-/// values in what the clock has left. Changes with which one regrasp is enough come first, since
-/// more of them take long to exclude: when the clock ends meanwhile, the changes found help but may
-/// not be the smallest. The same failure and time enough give the same answer.
+/// Explains why no plan was found: which limit blocks (`limit`, and where in `reason`) and the
+/// smallest single changes that make the problem solvable (`relaxations`). Plans anew with other
+/// values in the time that the clock has left. Changes with which one regrasp is enough come first,
+/// since more regrasps take long to exclude. If time runs out meanwhile, the changes found help but
+/// may not be the smallest. The same failure with enough time gives the same answer.
 void explain(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan);
 
 }  // namespace graspless::fingertip

@@ -82,7 +82,8 @@ constexpr double kMaxLatticePoses = 1e9;  // they are counted by an int
   throw std::invalid_argument(where + ": " + fault);
 }
 
-/// The object touches a plane, enters none, and its contacts can be stood for by points.
+/// Refuses states in which the object touches no plane, enters one, or has contacts that points
+/// cannot represent.
 void check_state(const Problem& problem, const mechanics::BodyState& state,
                  const std::string& where) {
   const auto patches = mechanics::contact_patches(problem.object.hull(), problem.object.com(),
@@ -122,7 +123,7 @@ void check_path(const Problem& problem, Clearance& clearance, const Path& path) 
     if (twist_O.tail<3>().norm() > kMaxTurn) {
       refuse(where, "turns by more than 3 rad: take more poses");
     }
-    // Where the motion begins first: there the reason is plainest.
+    // The beginning of the motion first, where the reason is plainest.
     for (const double part : {0.0, 0.5}) {
       check_state(problem, moving_state(along_screw(X_WO[i], twist_O, part), twist_O), where);
     }
@@ -130,7 +131,7 @@ void check_path(const Problem& problem, Clearance& clearance, const Path& path) 
   }
 }
 
-/// Whether a value is one of a lattice's, and the question makes sense.
+/// Refuses axes of a lattice that make no sense or do not contain start and goal.
 void check_axis(const std::string& name, double lower, double upper, int count, double goal,
                 double period) {
   const std::string field = "motion: lattice along " + name;

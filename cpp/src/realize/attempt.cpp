@@ -28,7 +28,7 @@ Grip grip_of(const Row& row, double radius) {
   return grip;
 }
 
-/// Of each segment, a regrasp's as it ends.
+/// Grips of all segments; of a regrasp, the grip at its end.
 std::vector<Grip> grips_of(const Plan& plan, double radius) {
   std::vector<Grip> grips;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {
@@ -45,7 +45,7 @@ std::vector<Grip> grips_of(const Plan& plan, double radius) {
   return grips;
 }
 
-// A hand may not open as wide as options.approach asks: shorter ways off the surface.
+// Parts of options.approach, tried in turn: a hand may not open as wide as that asks.
 constexpr double kShorter[] = {1, 0.5, 0.25, 0.125};
 
 }  // namespace
@@ -186,7 +186,7 @@ bool Attempts::leave_for_good(const Eigen::VectorXd& q) {
   return true;
 }
 
-/// The fingers go straight off the surface, as far as the hand opens.
+/// Moves fingers straight off the surface, as far as the hand opens.
 std::optional<Attempts::Leaving> Attempts::leave(const Grip& grip, FingerMask fingers,
                                                  const Eigen::Isometry3d& X_WO,
                                                  const Eigen::VectorXd& q, int stage,

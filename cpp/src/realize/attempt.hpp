@@ -17,8 +17,8 @@
 
 namespace graspless::realize {
 
-/// How far attempts came, to tell what stands in the way: the farthest count, and of those that
-/// came equally far what happened most often.
+/// Progress of the attempts, for the reason of a failure. Only the farthest attempts count; the
+/// reason is what happened to most of them.
 class Misses {
  public:
   /// Farther is a higher stage, then more progress.

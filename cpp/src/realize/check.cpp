@@ -47,7 +47,8 @@ std::vector<std::string> Examination::run() {
   return faults_;
 }
 
-/// From home onto the object, the plan's segments (a regrasp is three), off it and away.
+/// Lists the expected phases: from home onto the object, the plan's segments (a regrasp is three),
+/// off the object and home.
 void Examination::expect_phases() {
   const std::size_t count = plan_.segments.front().rows.front().fingers.size();
   const std::vector<bool> none(count, false), all(count, true);

@@ -18,7 +18,7 @@ bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
          Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= kSamePose;
 }
 
-/// Along which part of the screw from X_WA to X_WB a pose lies, if it lies on it.
+/// Part of the screw from X_WA to X_WB at which a pose lies, if it lies on it.
 double fraction(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB,
                 const Eigen::Isometry3d& X_WO) {
   const Eigen::Isometry3d whole = X_WA.inverse() * X_WB, part = X_WA.inverse() * X_WO;
@@ -99,7 +99,8 @@ void Examination::check_still(const JointSegment& segment, const Phase& phase) {
   }
 }
 
-/// At rows and between them, at steps of at most `resolution`. One fault a row is enough.
+/// Checks rows and configurations between them, at steps of at most `resolution`. One fault a row
+/// is enough.
 void Examination::check_segment(const JointSegment& segment, const Phase& phase) {
   check_instant(0, segment.positions[0], segment.X_WO[0], phase);
   for (std::size_t row = 1; row < segment.positions.size(); ++row) {
@@ -131,7 +132,8 @@ void Examination::check_instant(std::size_t row, const Eigen::VectorXd& q,
     fault(row, pair + " touch");
 }
 
-/// Fingers that hold are at their places; those that move are on the line along the normal.
+/// Checks that fingers that hold are at their places, and that those that move are on the line
+/// along the normal.
 void Examination::check_tips(std::size_t row, const Eigen::Isometry3d& X_WO, const Phase& phase) {
   const double tolerance = options_.position_tolerance + 1e-9;
   for (std::size_t i = 0; i < phase.places.size(); ++i) {
@@ -147,7 +149,7 @@ void Examination::check_tips(std::size_t row, const Eigen::Isometry3d& X_WO, con
   }
 }
 
-/// A finger is at its place when a touch ends and a release begins.
+/// Checks that a finger is at its place when a touch ends and a release begins.
 void Examination::check_ends(const JointSegment& segment, const Phase& phase) {
   const std::size_t row = phase.name == "release" ? 0 : segment.positions.size() - 1;
   robot_.forward(segment.positions[row], X_WL_);
@@ -159,7 +161,8 @@ void Examination::check_ends(const JointSegment& segment, const Phase& phase) {
   }
 }
 
-/// Of fingers that hold: how far the point of the sphere that lies on the contact wanders.
+/// Checks the scrub: how far the sphere's point on the contact moves, for the worst finger that
+/// holds.
 void Examination::check_scrub(const JointSegment& segment, const Phase& phase) {
   double worst = 0;
   for (std::size_t i = 0; i < phase.places.size(); ++i) {

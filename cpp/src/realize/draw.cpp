@@ -12,8 +12,9 @@ constexpr int kBiasDraws = 12;      // configurations at its end tried for one o
 
 }  // namespace
 
-/// Home first, then wider and wider about it, every other one from anywhere. A configuration that
-/// touches something (crossed fingers, say) seldom leads to one that does not.
+/// Draws home first, then farther and farther about it, and every other one from anywhere. A
+/// configuration that touches something (such as crossed fingers) seldom leads to one that does
+/// not.
 Eigen::VectorXd Attempts::draw_seed(int round, int draw) {
   constexpr int kTries = 20;
   if (round == 0 && draw == 0) return q_home_;
@@ -66,7 +67,7 @@ std::optional<Eigen::VectorXd> Attempts::draw_grip(int round) {
   return std::nullopt;
 }
 
-/// A configuration at the end of displacement k to head for.
+/// Draws a configuration at the end of displacement k to head for.
 Bias Attempts::draw_bias(Index k, const Eigen::VectorXd& q) {
   for (int draw = 0; draw < kBiasDraws; ++draw) {
     Eigen::VectorXd seed = draw % 3 == 0 ? q : draw_seed(9, draw);

@@ -36,7 +36,7 @@ class Replay {
   int object_ = -1;
 };
 
-/// What a stretch of joint motion has to be.
+/// Expected properties of a segment of joint motion.
 struct Phase {
   std::string name;
   int plan_segment;

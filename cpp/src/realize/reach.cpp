@@ -71,8 +71,8 @@ class HeldSpace {
 
   bool project(Eigen::VectorXd& q) { return hand_.ik.solve(held_, kIkTolerance, kProjections, q); }
 
-  /// Rows between two configurations near each other, without the first; nothing when the way
-  /// between them leaves the manifold or touches something. The same both ways.
+  /// Rows between two configurations near each other, without the first. Empty if the motion leaves
+  /// the manifold or touches something. The same in both directions.
   std::optional<Configurations> rows(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     Configurations out;
     if (!append(a, b, kDeepest, out)) return std::nullopt;

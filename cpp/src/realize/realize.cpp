@@ -31,7 +31,7 @@ void check_home(const robot::Robot& robot, const Eigen::VectorXd& q_home) {
   }
 }
 
-/// finger_of_fingertip, every way to assign them.
+/// All values of finger_of_fingertip.
 std::vector<std::vector<int>> assignments(int fingers) {
   std::vector<int> assignment(static_cast<std::size_t>(fingers));
   std::iota(assignment.begin(), assignment.end(), 0);

@@ -19,12 +19,12 @@ double span(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) {
   return q1.size() == 0 ? 0 : (q2 - q1).lpNorm<Eigen::Infinity>();
 }
 
-/// How many looks the replay takes between two rows: the end and one half way at least.
+/// Number of checks of the replay between two rows: half way and the end at least.
 double looks(double length, double resolution) {
   return std::max(2.0, std::ceil(length / resolution - 1e-9));
 }
 
-/// A box, top face in the plane: what stands for a half-space near `p_W`.
+/// A box that represents a half-space, its top face in the plane.
 geometry::PlacedShape plane_box() {
   geometry::PlacedShape placed{geometry::Box{{kPlaneWidth, kPlaneWidth, kPlaneThickness}}};
   placed.X_BG = Eigen::Translation3d(0, 0, -kPlaneThickness / 2);

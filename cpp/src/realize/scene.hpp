@@ -20,14 +20,14 @@ class HandScene {
   HandScene(const Problem& problem, const robot::Robot& robot, std::vector<std::vector<int>> links,
             double allowance);
 
-  /// From now on the fingers in `touching` may touch the object where its surface has the normal
-  /// n_O (column i for finger i, into the object).
+  /// Allows the fingers in `touching` to touch the object where its surface has the normal n_O
+  /// (column i for finger i, into the object).
   void set_contacts(const Eigen::Matrix3Xd& n_O, FingerMask touching);
   void place_object(const Eigen::Isometry3d& X_WO);
 
   bool is_free(const Eigen::VectorXd& q) { return scene_.is_free(q); }
-  /// The straight motion of the joints while the object stands still where it was placed, at even
-  /// steps: what the replay of its rows will look at.
+  /// True if the straight motion of the joints is free while the object stands still where it was
+  /// placed. It is checked at even steps, as the replay of its rows will.
   bool is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double row_step,
                       double resolution);
   /// The same while the object moves along the screw to X_WO2, where it is left.

@@ -16,7 +16,7 @@ namespace graspless::realize {
 /// A set of fingers, as bits: finger i by 1 << i.
 using FingerMask = unsigned;
 
-/// Where fingertips must be: column i for finger i, those in `held` only.
+/// Target positions of fingertips: column i for finger i, those in `held` only.
 struct TipTargets {
   Eigen::Matrix3Xd p_WT;  // [m]
   FingerMask held = 0;
@@ -34,14 +34,14 @@ class TipIk {
   const std::string& fingertip(int finger) const;
   Eigen::Isometry3d pose(int finger, const Eigen::VectorXd& q) const;
 
-  /// Moves q to the targets by steps of least norm, the joints' limits kept. Returns whether every
-  /// fingertip came to within `tolerance` [m]; q is the best that was found all the same.
+  /// Moves q to the targets by steps of least norm, within the joints' limits. True if every
+  /// fingertip came to within `tolerance` [m]. If not, q is the best that was found.
   bool solve(const TipTargets& targets, double tolerance, int max_iterations, Eigen::VectorXd& q);
 
-  /// A step from q towards the targets that turns the held fingertips with an object, which turns
-  /// by `turn_W` [rad] meanwhile, about all but the contacts' normals (columns of n_W), as far as
-  /// their positions leave room: spheres that touch a surface in points that stay should not roll
-  /// on it.
+  /// A step from q towards the targets that turns the held fingertips with an object, as far as
+  /// their positions leave room. The object turns by `turn_W` [rad] meanwhile. Rotation about the
+  /// contacts' normals (columns of n_W) is free. Spheres whose contact points stay should not roll
+  /// on the surface.
   Eigen::VectorXd step_along(const TipTargets& targets, const Eigen::Vector3d& turn_W,
                              const Eigen::Matrix3Xd& n_W, const Eigen::VectorXd& q);
 

@@ -18,14 +18,14 @@
 
 namespace graspless::realize {
 
-/// Where the fingers of a plan press: column i for finger i, in O.
+/// Contacts of the fingers of a plan: column i for finger i, in O.
 struct Grip {
   Eigen::Matrix3Xd center_O;  // of the spheres [m]
   Eigen::Matrix3Xd n_O;       // into the object
 };
 
-/// What the held fingertips do while the object moves along screws from pose to pose: their centres
-/// go straight from from_O to to_O, in O.
+/// Motion of the held fingertips while the object moves along screws from pose to pose. Their
+/// centres go straight from from_O to to_O, in O.
 struct Stretch {
   std::vector<Eigen::Isometry3d> X_WO;  // one pose: the object stands still
   int parts = 1;                        // rows from one pose to the next, at least
@@ -39,7 +39,8 @@ struct Stretch {
   TipTargets targets(double s) const;
 };
 
-/// One assignment of the robot's fingertips to a plan's fingers, with what it takes to move them.
+/// One assignment of the robot's fingertips to a plan's fingers, with the scene and the inverse
+/// kinematics that move them.
 struct Hand {
   Hand(const Problem& problem, const robot::Robot& robot, const Carrier& carrier,
        const std::vector<int>& finger_of_fingertip, const RealizeOptions& options);
@@ -51,7 +52,7 @@ struct Hand {
   const RealizeOptions& options;
 };
 
-/// Rows as far as they came.
+/// Rows up to the first failure.
 struct Tracked {
   std::vector<Eigen::VectorXd> positions;
   std::vector<Eigen::Isometry3d> X_WO;
@@ -78,7 +79,7 @@ constexpr double kIkTolerance = 1e-7;  // of fingertips at rows [m]
 
 /// Rows from one configuration to another while the object stands where the scene has it and the
 /// fingers in held.held stay at held.p_WT (none held: any free motion). Contacts are as last set.
-/// Nothing when `iterations` of the tree search found no way.
+/// Empty if `iterations` of the tree search found no path.
 std::optional<planning::Path> reach(Hand& hand, const TipTargets& held, const Eigen::VectorXd& from,
                                     const Eigen::VectorXd& to, int iterations,
                                     planning::Clock& clock, std::mt19937_64& rng);

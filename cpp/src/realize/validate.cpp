@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What realize() and its check() refuse.
+// Validation of arguments for realize() and its check().
 #include "realize/validate.hpp"
 
 #include <cmath>

@@ -19,8 +19,8 @@ using fingertip::RealizeOptions;
 using fingertip::Row;
 using fingertip::Segment;
 
-/// How deep the links of a touching fingertip may reach into the object along the contact's normal
-/// [m]: what the tolerance on positions and rounding take.
+/// Largest depth to which the links of a touching fingertip may reach into the object along the
+/// contact's normal [m]. The tolerance on positions and rounding need as much.
 inline double contact_allowance(double position_tolerance) { return 2 * position_tolerance + 1e-4; }
 
 /// Throws std::invalid_argument on options that are not positive, fingertips or links that the

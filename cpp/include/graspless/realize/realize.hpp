@@ -13,7 +13,7 @@
 
 namespace graspless::fingertip {
 
-/// Which parts of a robot carry the fingertips.
+/// Parts of a robot that carry the fingertips.
 struct Carrier {
   /// One frame a finger of the plan, each the centre of a fingertip's sphere.
   std::vector<std::string> fingertips = {"left_tip_center", "right_tip_center"};

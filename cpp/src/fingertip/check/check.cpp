@@ -38,7 +38,8 @@ Examination::Examination(const Problem& problem, const Plan& plan, const Options
                                   problem.fingers.max_normal_force)),
       wrench_scale_(mechanics::wrench_scale(problem.object.mass(), problem.object.inertia())) {}
 
-/// What a kernel cannot decide is not proven.
+/// Runs one part of the examination. An exception is a fault: what a kernel cannot decide is not
+/// proven.
 template <typename Part>
 void Examination::attempt(const std::string& where, const Part& part) {
   try {
@@ -119,7 +120,7 @@ void Examination::check_shape(std::size_t s) {
   for (std::size_t r = 0; r < it.rows.size(); ++r) check_state(s, r);
 }
 
-/// Sizes, numbers, and what a mode allows.
+/// Checks sizes, that numbers are finite, and forces against control modes.
 void Examination::check_state(std::size_t s, std::size_t r) {
   const Row& row = segment(s).rows[r];
   if (row.fingers.size() != static_cast<std::size_t>(problem_.fingers.count)) {
@@ -143,7 +144,8 @@ void Examination::check_state(std::size_t s, std::size_t r) {
   }
 }
 
-/// Eq. (9): the way of the finger that goes farthest, dearer where the object is less stable.
+/// Cost (9): the path of the finger that goes farthest, weighted more where the object is less
+/// stable.
 double Examination::arc_cost(std::size_t s, std::size_t arc) const {
   const auto parts = static_cast<std::size_t>(options_.samples_per_arc);
   double dearest = 0;

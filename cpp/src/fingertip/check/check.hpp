@@ -33,7 +33,7 @@ struct Instant {
   Eigen::VectorXd commanded_forces;
 };
 
-/// Whether two instants are the same but for rounding.
+/// True if two instants are the same but for rounding.
 bool is_near(const Instant& a, const Instant& b, double length, double force);
 
 /// The same contacts under other coefficients of friction.
@@ -44,13 +44,13 @@ mechanics::ContactSet with_friction(mechanics::ContactSet set, double slide, dou
 /// balance; 0 without an equilibrium.
 double stability_at(const Instant& instant, const mechanics::Matrix6Xd& directions);
 
-/// How well given finger forces balance an instant: the largest t such that some contact forces
-/// complete them to an equilibrium (residual at most `tolerance` [N, scaled]) with every cone
-/// coefficient, fingers' too, at least t. Nothing when there is none with t >= 0, nearly.
+/// Margin of given finger forces: the largest t such that some contact forces complete them to an
+/// equilibrium (residual at most `tolerance` [N, scaled]) with every cone coefficient, fingers'
+/// too, at least t. Empty if there is none with t >= 0, but for the tolerance.
 std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
                                 double tolerance);
 
-/// What was found out about an instant.
+/// Results of examining an instant.
 struct Verdict {
   Instant instant;
   double stability = 0;  // the least at the ends of the environment's friction
@@ -63,7 +63,7 @@ struct Verdict {
 
 /// The body twist, linear part first, that carries X_WA to X_WB in unit time.
 Vector6d screw_between(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB);
-/// Where a body twist carries X_WA in the time t.
+/// Pose to which a body twist carries X_WA in the time t.
 Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WA, const Vector6d& twist_O, double t);
 bool is_rigid(const Eigen::Isometry3d& X);
 

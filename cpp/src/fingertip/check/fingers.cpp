@@ -27,8 +27,8 @@ double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
   return (a + t * ab - p).norm();
 }
 
-/// From a point to a triangle with the unit normal n: straight down where the foot falls inside,
-/// else to the nearest side.
+/// Distance from a point to a triangle with the unit normal n. It is measured straight down where
+/// the foot falls inside, else to the nearest side.
 double distance_to_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d (&corner)[3],
                             const Eigen::Vector3d& n) {
   bool inside = true;
@@ -41,7 +41,8 @@ double distance_to_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d (&co
   return inside ? std::abs(n.dot(p - corner[0])) : nearest;
 }
 
-// Of a sphere's radius: left out of FCL's tests, where just touching counts as touching.
+// Part of a sphere's radius that FCL's tests leave out, because FCL counts just touching as a
+// collision.
 constexpr double kSkin = 1e-3;
 
 /// True if a point lies on a mesh's surface (to `tolerance` [m]) where the inward normal is n_O.
@@ -66,7 +67,7 @@ Eigen::Vector3d Examination::center(const FingerState& finger) const {
   return finger.p_OC - problem_.fingers.radius * finger.n_O;
 }
 
-/// Walks through all rows with what each finger holds: only a regrasp lets go of it.
+/// Follows the contact of each finger through all rows. It may change in a regrasp only.
 void Examination::check_fingers() {
   const auto count = static_cast<std::size_t>(problem_.fingers.count);
   std::vector<std::optional<FingerState>> held(count);
@@ -115,7 +116,7 @@ struct Examination::World {
   std::vector<int> fingers;
 };
 
-/// How far a sphere's way leaves the chord between an arc's two poses, at most.
+/// Largest distance of a sphere's path from the chord between the two poses of an arc.
 double Examination::bulge(std::size_t s, std::size_t arc) const {
   const Vector6d twist = arc_twist(s, arc);
   double most = 0;
@@ -140,7 +141,8 @@ void Examination::check_clearances() {
   check_arcs();
 }
 
-/// Clear at two poses, a sphere may still graze a flat side in between, by the bulge of its way.
+/// A sphere that is clear at two poses may still graze a flat side in between, by the bulge of its
+/// path.
 void Examination::check_arcs() {
   const double skin = kSkin * problem_.fingers.radius;
   const auto parts = static_cast<std::size_t>(options_.samples_per_arc);
@@ -157,8 +159,8 @@ void Examination::check_arcs() {
   }
 }
 
-/// Two regrasps at one pose: in between all fingers are on the object, the first one to move at its
-/// new place and the second at its old one.
+/// Checks the grip between two regrasps at one pose. All fingers are on the object then: the first
+/// one to move is at its new place, the second at its old one.
 void Examination::check_between_regrasps(World& world, std::size_t s) {
   const auto first = static_cast<std::size_t>(segment(s - 1).finger);
   const auto second = static_cast<std::size_t>(segment(s).finger);
@@ -173,7 +175,7 @@ void Examination::check_between_regrasps(World& world, std::size_t s) {
   check_world(world, where, between, segment(s).X_WO[0]);
 }
 
-/// Fingertips above the planes, but for `slack` [m].
+/// Checks that fingertips are above the planes, or less than `slack` [m] below.
 void Examination::check_planes(const std::string& where, const Row& row,
                                const Eigen::Isometry3d& X_WO, double slack) {
   for (std::size_t i = 0; i < row.fingers.size(); ++i) {
@@ -189,7 +191,7 @@ void Examination::check_planes(const std::string& where, const Row& row,
   }
 }
 
-/// Fingertips apart from each other, but not too far.
+/// Checks that fingertips are apart from each other, but not too far.
 void Examination::check_spheres(const std::string& where, const Row& row) {
   const double radius = problem_.fingers.radius;
   for (std::size_t i = 0; i < row.fingers.size(); ++i) {

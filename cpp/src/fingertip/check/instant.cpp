@@ -31,7 +31,7 @@ bool is_near(const mechanics::Finger& a, const mechanics::Finger& b, double leng
   return is_near(a.p_OC, b.p_OC, length) && is_near(a.n_O, b.n_O, same) && a.friction == b.friction;
 }
 
-/// R^1/2 W c for unit forces c (3 x m) at a point: what each does to the object.
+/// R^1/2 W c: the wrenches of unit forces c (3 x m) at a point.
 Matrix6Xd wrenches(const mechanics::ContactSet& set, const Eigen::Vector3d& p_O,
                    const Eigen::Matrix3Xd& forces_O) {
   Matrix6Xd w(6, forces_O.cols());
@@ -42,7 +42,7 @@ Matrix6Xd wrenches(const mechanics::ContactSet& set, const Eigen::Vector3d& p_O,
   return set.wrench_scale * w;
 }
 
-/// Eq. (1): all edges of the cone, or the one against the slide.
+/// Eq. (1): all edges of the cone; of a sliding contact, the edge against the slide.
 Eigen::Matrix3Xd edges(const mechanics::Contact& contact, int count) {
   const Eigen::Vector3d t = mechanics::tangent(contact.n_O, contact.t_O);
   if (contact.mode == ContactMode::slide) {
@@ -66,7 +66,8 @@ Matrix6Xd environment(const mechanics::ContactSet& set) {
   return all;
 }
 
-/// Coefficients of at least 0, one a column of `wrenches`, in rows 0 ... 5; gives the first.
+/// Adds a coefficient of at least 0 for each column of `wrenches`, in rows 0 ... 5. Returns the
+/// first.
 int add_columns(mechanics::LinearProgram& lp, const Matrix6Xd& wrenches) {
   const auto first = static_cast<int>(lp.num_variables());
   for (Eigen::Index j = 0; j < wrenches.cols(); ++j) lp.add_variable(0, kInfinity);

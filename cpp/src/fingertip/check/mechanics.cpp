@@ -34,8 +34,8 @@ bool Examination::is_interval() const {
          problem_.fingers.friction.lower < problem_.fingers.friction.upper;
 }
 
-/// How the object stands and moves. At rest the twist only turns cones: it is that of the motion
-/// which goes on from there.
+/// Pose and twist of the object. At rest the twist only turns the friction cones, and is that of
+/// the motion that follows.
 mechanics::BodyState Examination::state(std::size_t s, std::size_t r) const {
   mechanics::BodyState state;
   state.X_WO = row_pose(s, r);
@@ -47,7 +47,7 @@ mechanics::BodyState Examination::state(std::size_t s, std::size_t r) const {
   return state;
 }
 
-/// Contacts from geometry, fingers from the plan. Gives what is wrong with them.
+/// Takes contacts from geometry and fingers from the plan. Returns what is wrong with them.
 std::string Examination::find_instant(std::size_t s, std::size_t r, Instant& instant) const {
   const Object& object = problem_.object;
   const mechanics::BodyState at = state(s, r);
@@ -74,7 +74,7 @@ std::string Examination::find_instant(std::size_t s, std::size_t r, Instant& ins
   return "";
 }
 
-/// An instant that is like none before is solved, once.
+/// Verdict on an instant. Equal instants are solved once.
 const Verdict& Examination::judged(const Instant& instant) {
   const double length = 1e-3 * same_length_, force = 1e-3 * same_force_;
   for (const Verdict& known : verdicts_) {
@@ -97,7 +97,7 @@ Verdict Examination::judge(const Instant& instant) const {
   };
   verdict.is_bounded = cannot_jam(env.lower) && (!is_interval() || cannot_jam(env.upper));
   if (is_interval()) {
-    // A wider cone only helps a contact that sticks, but turns what one that slides does.
+    // A wider cone can only help a contact that sticks. It turns the force of one that slides.
     Instant upper = instant;
     upper.set = with_friction(instant.set, env.upper, env.lower, fingers.lower);
     verdict.stability = std::min(verdict.stability, stability_at(upper, directions));
@@ -121,7 +121,7 @@ void Examination::check_mechanics(std::size_t s, std::size_t r) {
   const Row& row = segment(s).rows[r];
   const Verdict& found = judged(instant);
   if (!found.is_bounded) fault(place(s, r), "modes: the fingers can jam the object");
-  // With friction as an interval a plan may promise less than what both ends allow.
+  // Where friction is an interval, a plan may promise less than both ends allow.
   const bool short_of = is_interval() ? row.stability > found.stability * (1 + kRoundStability)
                                       : differs(row.stability, found.stability);
   if (short_of || row.stability < options_.min_stability * (1 - kRoundStability)) {
@@ -141,7 +141,7 @@ void Examination::check_mechanics(std::size_t s, std::size_t r) {
   check_nominal(s, r, instant);
 }
 
-/// The forces to feed forward: as commanded, within cones and limits, and in balance with some
+/// Checks the nominal forces: as commanded, within cones and limits, and in balance with some
 /// forces of the environment.
 void Examination::check_nominal(std::size_t s, std::size_t r, const Instant& instant) {
   const Row& row = segment(s).rows[r];

@@ -11,7 +11,8 @@ namespace graspless::fingertip::checking {
 namespace {
 
 constexpr double kSameAngle = 1e-6;  // [rad]
-// By the contract a smaller turn is none [rad], and an axis this near to upright is; to a factor 2.
+// Limits of the contract, tested to a factor of 2: smaller rotations [rad] count as none, and axes
+// nearer to upright count as upright.
 constexpr double kNoTurn = 1e-9, kUpright = 1e-6;
 constexpr double kSameAxis = 1e-3;  // of tumbles; of lengths, by the object's size
 constexpr double kTwoPi = 6.28318530717958647692;
@@ -22,7 +23,7 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
   return m;
 }
 
-/// The integral of exp(s [w]) over s from 0 to 1: what a turn makes of a body's velocity.
+/// The integral of exp(s [w]) over s from 0 to 1, which maps a body's velocity to its translation.
 Eigen::Matrix3d screw_shift(const Eigen::Vector3d& w) {
   const double angle = w.norm();
   const Eigen::Matrix3d W = cross_matrix(w);
@@ -48,11 +49,11 @@ double lattice_step(const Lattice& lattice, int axis) {
   return cells > 0 ? (lattice.upper[axis] - lattice.lower[axis]) / cells : 0;
 }
 
-/// Which value of the lattice's this is along an axis; false when it is none, to `same`.
+/// Index of a value of the lattice along an axis. False if it is none, to the tolerance `same`.
 bool lattice_index(const Lattice& lattice, int axis, double value, double same, double& index) {
   const double step = lattice_step(lattice, axis);
   double above = value - lattice.lower[axis];
-  // Of the yaws a whole turn apart, the first on the lattice.
+  // Yaws a whole turn apart are the same: take the first on the lattice.
   if (axis == 2) above -= kTwoPi * std::floor((above + same) / kTwoPi);
   index = step > 0 ? std::round(above / step) : 0;
   return std::abs(above - index * step) <= same && index >= 0 &&
@@ -87,7 +88,8 @@ bool Examination::is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b
          rotation_vector(a.linear().transpose() * b.linear()).norm() <= kSameAngle;
 }
 
-/// Each segment begins where the last one ended, and together they make the problem's motion.
+/// Checks that each segment begins where the last one ended, and that together they make the
+/// problem's motion.
 void Examination::check_chain() {
   Poses way = segment(0).X_WO;
   for (std::size_t s = 1; s < plan_.segments.size(); ++s) {
@@ -104,7 +106,8 @@ void Examination::check_chain() {
   }
 }
 
-/// Slides do not turn, turns are about the floor's normal, tumbles about another axis.
+/// Checks that slides do not turn, and that turns are about the floor's normal and tumbles about
+/// another axis.
 void Examination::check_names(std::size_t s) {
   const std::string& name = segment(s).name;
   for (std::size_t arc = 0; arc + 1 < segment(s).X_WO.size(); ++arc) {
@@ -119,7 +122,7 @@ void Examination::check_names(std::size_t s) {
   }
 }
 
-/// What a turning arc turns about: the axis's direction and moment in the world.
+/// Axis of a turning arc: moment and direction in the world.
 Vector6d Examination::axis_W(std::size_t s, std::size_t arc) const {
   const Vector6d twist_O = arc_twist(s, arc);
   const Eigen::Isometry3d& X_WO = segment(s).X_WO[arc];
@@ -130,7 +133,7 @@ Vector6d Examination::axis_W(std::size_t s, std::size_t arc) const {
   return axis / w_W.norm();
 }
 
-/// A tumble goes on, also over regrasps, as long as its axis stays.
+/// Number of tumbles. A tumble lasts as long as its axis stays the same, also over regrasps.
 int Examination::num_tumbles() const {
   int tumbles = 0;
   Vector6d last = Vector6d::Zero();
@@ -170,7 +173,7 @@ void Examination::check_motion(const Path& path, const Poses& way) {
   }
 }
 
-/// Every pose on the lattice, each a neighbour of the last.
+/// Checks that every pose is on the lattice, and a neighbour of the one before.
 void Examination::check_motion(const Lattice& lattice, const Poses& way) {
   check_ends(lattice.X_WO_start, lattice.X_WO_goal, way);
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
@@ -194,7 +197,7 @@ void Examination::check_motion(const Lattice& lattice, const Poses& way) {
   }
 }
 
-/// From start to goal in steps that are small enough.
+/// Checks that the object goes from start to goal in steps that are small enough.
 void Examination::check_motion(const Goal& goal, const Poses& way) {
   check_ends(goal.X_WO_start, goal.X_WO_goal, way);
   const int tumbles = num_tumbles();
@@ -217,7 +220,7 @@ Vector6d Examination::arc_twist(std::size_t s, std::size_t arc) const {
   return screw_between(segment(s).X_WO[arc], segment(s).X_WO[arc + 1]);
 }
 
-/// Row k P + j lies in the middle of the j-th of P parts of the motion after pose k.
+/// Pose of a row: row k P + j lies in the middle of the j-th of P parts of the motion after pose k.
 Eigen::Isometry3d Examination::row_pose(std::size_t s, std::size_t r) const {
   if (is_regrasp(s)) return segment(s).X_WO[0];
   const auto parts = static_cast<std::size_t>(options_.samples_per_arc);

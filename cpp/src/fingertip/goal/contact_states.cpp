@@ -15,7 +15,8 @@
 namespace graspless::fingertip {
 namespace {
 
-// How far within a face the centre of mass must lie to count as over it, by the object's size.
+// Least distance of the centre of mass from the edges of a face to count as over it, by the
+// object's size.
 constexpr double kTipping = 1e-6;
 
 /// The face of each triangle.
@@ -29,7 +30,7 @@ std::vector<int> face_of_triangles(const std::vector<Face>& faces, Eigen::Index 
 
 TumbleEdge edge_between(const Face& from, const Face& to, int to_index,
                         const Eigen::Vector3d& p_O) {
-  // What turns the outward normal of `to` into that of `from` brings `to` down.
+  // The rotation from the outward normal of `to` to that of `from` brings `to` down.
   const Eigen::Vector3d across = to.n_O.cross(from.n_O);
   return {to_index, p_O, across.normalized(), std::atan2(across.norm(), to.n_O.dot(from.n_O))};
 }
@@ -62,7 +63,7 @@ ContactStates::ContactStates(const Object& object) {
     if (to < 0 || to == from) continue;
     ContactState& state = all_[static_cast<std::size_t>(from)];
     const Eigen::Vector3d a = corners_O_.col(ends.first), b = corners_O_.col(ends.second);
-    // Seen from outside the face lies to the left of its edges.
+    // Seen from outside, the face lies to the left of its edges.
     const Eigen::Vector3d inward = (-state.n_O).cross((b - a).normalized());
     if (inward.dot(object.com() - a) <= kTipping * object.size()) state.is_stable = false;
     if (has_edge_to(state, to)) continue;  // an edge in pieces

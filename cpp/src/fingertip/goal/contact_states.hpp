@@ -18,7 +18,7 @@ struct TumbleEdge {
   double angle;            // [rad]
 };
 
-/// A face of the convex hull, as something to stand on.
+/// A face of the convex hull that the object may stand on.
 struct ContactState {
   Eigen::Vector3d n_O;  // into the object, unit
   double offset;        // n_O . p of its points [m]
@@ -38,7 +38,7 @@ class ContactStates {
   /// The face that lies flush on a plane, to `tolerance` [m]; -1 when none does.
   int standing(const Eigen::Isometry3d& X_WO, const Plane& plane, double tolerance) const;
 
-  /// How many tumbles it takes at least from each face to `goal`; -1 where it cannot be reached.
+  /// Least number of tumbles from each face to `goal`; -1 where it cannot be reached.
   std::vector<int> tumbles_to(int goal) const;
 
  private:
@@ -46,7 +46,7 @@ class ContactStates {
   std::vector<ContactState> all_;
 };
 
-/// A way through the states: the edges tumbled over, in order.
+/// A path through the states: the edges tumbled over, in order.
 using TumbleSequence = std::vector<const TumbleEdge*>;
 
 /// All sequences of exactly `tumbles` edges from one face to another that never go straight back,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From pose to pose with any face down: contact states first, then the cheapest plan over the paths
+// Plans to a pose with any face down: contact states first, then the cheapest plan over the paths
 // that they allow.
 #include "fingertip/goal/goal.hpp"
 
@@ -55,7 +55,8 @@ Plan out_of_reach(int needed, const Goal& goal) {
   return plan;
 }
 
-/// Says that not all sequences of tumbles were looked at, and claims nothing of the others.
+/// Adds a warning that not all sequences of tumbles were searched, and drops claims about the
+/// others.
 void admit_truncation(Plan& plan) {
   const std::string what = "only the first " + std::to_string(kMaxSequences) +
                            " ways to tumble to the goal's face were looked at";
@@ -66,10 +67,10 @@ void admit_truncation(Plan& plan) {
   if (plan.status != Status::interrupted) plan.status = Status::out_of_time;
 }
 
-// When regrasps are needed, paths that could be cheaper by less than this part are left out.
+// Part of the cost: if regrasps are needed, paths that could be cheaper by less are left out.
 constexpr double kGap = 1e-3;
 
-/// Whether the object's hull goes into a plane at this pose; which one.
+/// Name of a plane that the object's hull enters at this pose; empty: none.
 std::string plane_entered(const Problem& problem, const Eigen::Isometry3d& X_WO) {
   const Eigen::Matrix3Xd corners_W = X_WO * problem.object.hull();
   for (const Plane& plane : problem.planes) {
@@ -135,7 +136,7 @@ void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
   }
 }
 
-/// What the object runs into.
+/// Description of what the object runs into; empty: nothing.
 std::string GoalSearch::fault(const Path& path) {
   const int P = context_.options.samples_per_arc;
   for (std::size_t i = 0; i < path.X_WO.size(); ++i) {
@@ -154,7 +155,7 @@ std::string GoalSearch::fault(const Path& path) {
   return "";
 }
 
-/// Without regrasps some location goes all the way; with them each arc has its own, at least.
+/// Without regrasps some location goes all the way. With regrasps each arc may have its own.
 GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
   std::vector<double> whole(static_cast<std::size_t>(context_.locations.size()), 0.0);
   Bounds bounds{kInfinity, 0, 0};
@@ -179,7 +180,7 @@ GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
 bool GoalSearch::run() {
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
-  // Most of the work goes into regrasps: first all paths without, then with one, then the rest.
+  // Regrasps take most of the time: first all paths without, then with one, then the rest.
   const double X_regr = context_.options.regrasp_cost;
   for (const double limit : {X_regr, 2 * X_regr, kInfinity}) {
     for (Candidate& candidate : candidates_) {
@@ -196,8 +197,8 @@ bool GoalSearch::run() {
   return best_cost_ < kInfinity || clock_.is_out();
 }
 
-/// Whether the tumbles alone, on a floor without walls, cannot be done with one placement: then no
-/// path over these edges can.
+/// True if the tumbles alone, on a floor without walls, cannot be done with one placement. No path
+/// over these edges can then.
 bool GoalSearch::needs_regrasp(Sequence& sequence) {
   if (!sequence.failed) return false;
   if (!sequence.needs_regrasp) {
@@ -233,7 +234,7 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
   const Route route = search(*graph, context_, clock_, statistics_, limit);
   candidate.bound = std::max(candidate.bound, route.lower_bound);
   if (route.is_complete && !route.found) {
-    // Nothing below the limit: as many regrasps as that has room for, and one more.
+    // Nothing costs less than the limit, so a route has more regrasps than the limit has room for.
     sequence.failed = true;
     const double regrasps = std::floor(limit / X_regr) * X_regr;
     candidate.bound =

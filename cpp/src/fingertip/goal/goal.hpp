@@ -39,20 +39,20 @@ std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const Con
 /// The tumbles one after the other, without slides and turns.
 Path tumbles_alone(const Goal& goal, const TumbleSequence& tumbles);
 
-/// Searches several paths of one object for the cheapest plan. What they share (locations,
-/// instants, stabilities) is worked out once.
+/// Searches several paths of one object for the cheapest plan. Locations, instants and stabilities
+/// are computed once for all paths.
 class GoalSearch {
  public:
   GoalSearch(SearchContext& context, planning::Clock& clock);
 
-  /// Paths to be looked at by run(), but those on which the object hits something. All tumble over
-  /// the same edges; `tumbles` does nothing else (one pose: there are none).
+  /// Adds paths for run(), except those on which the object hits something. All tumble over the
+  /// same edges. `tumbles` contains these tumbles alone, or one pose if there are none.
   void add(const std::vector<Path>& paths, const Path& tumbles);
   /// Searches the paths added: without regrasps by ascending lower bound until that reaches the
-  /// best cost; when that fails, with regrasps until it comes near. Whether the search is over: a
-  /// plan is there, or time is out.
+  /// best cost; if that fails, with regrasps until it comes near. True if the search is over: there
+  /// is a plan, or time is out.
   bool run();
-  /// The best plan, or why there is none.
+  /// The best plan, or the reason why there is none.
   Plan plan();
 
  private:
@@ -63,7 +63,7 @@ class GoalSearch {
     double most;    // that (9) can come to over all arcs [m]
     int sequence;
   };
-  /// What paths over the same edges share.
+  /// Data that paths over the same edges share.
   struct Sequence {
     Path tumbles;
     bool failed = false;  // some path of it, without regrasps

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where to slide and turn an object on its way over given edges.
+// Paths over given edges, with one slide and one turn at different times.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +29,7 @@ void add_tumble(const Goal& goal, const TumbleEdge& edge, Path* path) {
          path);
 }
 
-/// When a path turns and slides: before the tumble of that number.
+/// Times at which a path turns and slides: before the tumble of that number.
 struct Schedule {
   enum class Order { turn_first, slide_first, at_once };
   double yaw;  // of the turn, right hand about the floor's normal [rad]
@@ -53,7 +53,7 @@ class PathMaker {
   bool slides_after_turn_at(std::size_t time) const {
     return slide_for(time).norm() > kNoMotion * problem_.object.size();
   }
-  /// Both ways round when half a turn is needed.
+  /// The yaw to turn by; both directions if half a turn is needed.
   std::vector<double> yaws() const {
     if (std::abs(std::abs(yaw_) - kPi) < 1e-6)
       return {yaw_, yaw_ > 0 ? yaw_ - 2 * kPi : yaw_ + 2 * kPi};
@@ -100,7 +100,7 @@ class PathMaker {
     const Eigen::Isometry3d X_WO = path->X_WO.back();
     const Eigen::Vector3d p_W = X_WO * problem_.object.com();
     const Eigen::Vector3d t_W = slide_for(time);
-    // The point that the turn leaves where it is: it sees p_W and p_W + t_W under the angle.
+    // The fixed point of the turn, which sees p_W and p_W + t_W under the angle.
     const Eigen::Vector3d pole_W = p_W + t_W / 2 + n_W_.cross(t_W) / (2 * std::tan(yaw / 2));
     const double arc = std::abs(yaw) * (pole_W - p_W).norm();
     const int count = std::max(segments(yaw, goal_.turn_step), segments(arc, goal_.slide_step));

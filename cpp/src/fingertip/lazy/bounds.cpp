@@ -24,8 +24,8 @@ constexpr double kRoundUp = 2e-6;  // of single precision, relative to the terms
 constexpr double kProgress = 0.1;  // a functional must bound by that much more elsewhere
 constexpr std::size_t kKept = 2;   // functionals kept of those of one solution
 
-/// From coefficients on (force, moment about com) in O to those on (force, moment about the origin)
-/// in W.
+/// Map from coefficients on (force, moment about com) in O to those on (force, moment about the
+/// origin) in W.
 Matrix6d functional_to_world(const Eigen::Isometry3d& X_WO, const Eigen::Vector3d& com_O) {
   const Eigen::Matrix3d R_WO = X_WO.linear();
   const Eigen::Vector3d com_W = X_WO * com_O;
@@ -123,7 +123,7 @@ void StabilityBounds::find_standing() {
 
 int StabilityBounds::used(int instant) const { return round_up(pool(instant).size); }
 
-/// Columns of a block that are new since it was last looked at.
+/// Fills the columns of a block that are new since it was last used.
 void StabilityBounds::fill(const Pool& p, int location) const {
   const auto width = static_cast<std::size_t>(width_);
   std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
@@ -179,7 +179,7 @@ bool StabilityBounds::measure(int instant, const Placement& placement, Bound& bo
   return true;
 }
 
-/// Those that bound the placement most, best first.
+/// Functionals that bound the placement most, best first.
 std::vector<StabilityBounds::Bound> StabilityBounds::best_of(
     int instant, const std::vector<Vector6d>& functionals, const Placement& placement) const {
   std::vector<Bound> found;
@@ -193,7 +193,7 @@ std::vector<StabilityBounds::Bound> StabilityBounds::best_of(
   return found;
 }
 
-/// The functional as it is at another instant; false when it is none there.
+/// Carries a functional to another instant. False if it is none there.
 bool StabilityBounds::carry(int target, Carried& carried, Bound& bound) const {
   const Pool& p = pool(target);
   const auto kind = static_cast<std::size_t>(p.standing);

@@ -22,7 +22,7 @@ float least_sum(const float* const* rows, int count, int size);
 /// are `stride` apart.
 void greatest_of_edges(const float* edges, int count, const float* y, int stride, float* h);
 
-/// The same of one functional; components of the edges are `stride` apart.
+/// The same for one functional; components of the edges are `stride` apart.
 float greatest_of_edges(const float* components, int stride, const float* y);
 
 /// For any y with y . g <= 0 for all generators g of an instant's environment,
@@ -35,11 +35,11 @@ class StabilityBounds {
  public:
   StabilityBounds(const PoseGraph& graph, const Instants& instants);
 
-  /// At least z of the placement (single precision, rounded up).
+  /// Upper bound on z of the placement (single precision, rounded up).
   float bound(int instant, const Placement& placement) const;
 
-  /// Takes functionals that were found when `placement` was solved at `instant`: to each instant
-  /// those that bound this placement by much more than what is known there.
+  /// Adds functionals that were found when `placement` was solved at `instant`. Each instant gets
+  /// those that bound this placement by much more than is known there.
   void add(int instant, const std::vector<mechanics::Vector6d>& functionals,
            const Placement& placement);
 
@@ -72,7 +72,7 @@ class StabilityBounds {
     mechanics::Vector6d y;
     double offset, value;
   };
-  /// A functional on its way to other instants.
+  /// A functional to be carried to other instants.
   struct Carried {
     Bound bound;
     mechanics::Vector6d world;

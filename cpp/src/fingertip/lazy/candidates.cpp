@@ -71,7 +71,7 @@ int Candidates::open(const Placement& placement) {
   return c;
 }
 
-/// How far the finger moves that moves farthest, in a P-th of an arc; infinite where one is not
+/// Displacement of the finger that moves farthest, in a P-th of an arc; infinite where one is not
 /// clear.
 double Candidates::displacement(int arc, const Placement& placement) const {
   double reach = 0;
@@ -81,7 +81,7 @@ double Candidates::displacement(int arc, const Placement& placement) const {
   return reach;
 }
 
-/// Without a look at the bounds: that is for when the candidate is part of a best route.
+/// Sums costs without the bounds, which are taken up when the candidate is part of a best route.
 void Candidates::add_up(int c) {
   const int arcs = graph_.num_arcs();
   double* before = &before_[sum_index(c, 0)];

@@ -24,8 +24,8 @@ class Candidates {
   Candidates(const PoseGraph& graph, const StabilityBounds& bounds);
 
   void reserve(std::size_t more);
-  /// The candidate of this placement, made when there is none; it costs its displacement alone
-  /// until refresh().
+  /// The candidate of this placement, created on first use. It costs its displacement alone until
+  /// refresh().
   int open(const Placement& placement);
   int size() const { return static_cast<int>(all_.size()); }
   const Placement& placement(int c) const { return at(c).placement; }
@@ -35,19 +35,19 @@ class Candidates {
   double after(int c, int pose) const { return after_[sum_index(c, pose)]; }
   double arc(int c, int arc) const { return arcs_[arc_index(c, arc)]; }
 
-  /// Takes up new bounds. Whether any cost has changed.
+  /// Takes up new bounds. True if any cost has changed.
   bool refresh(int c);
-  /// From now on costs of arcs between impossible ones are kept too.
+  /// Keeps costs of arcs between impossible ones too, from now on.
   void keep_inner_arcs();
 
-  /// Adds queries about the most critical samples of these arcs that are open, more each time;
-  /// returns whether any is open, asked already or not.
+  /// Adds queries about the most critical open samples of these arcs, more each time. True if any
+  /// sample is open, requested already or not.
   bool request(int c, int first_arc, int last_arc, std::vector<StabilityQuery>& queries);
-  /// Whether all samples of these arcs have been solved, and are stable.
+  /// True if all samples of these arcs have been solved and are stable.
   bool is_solved(int c, int first_arc, int last_arc) const;
   /// Adds the query about one sample, by its place in instants(), if it is open.
   void request_slot(int c, int slot, std::vector<StabilityQuery>& queries);
-  /// Takes the answer.
+  /// Records the result of a query.
   void record(const StabilityQuery& query);
 
   /// Distinct instants of the motion, in its order.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the object rests on all fingers but one, and the best ways to get there and on.
+// Placements at which the object rests on all fingers but one, and the best routes through them.
 #include "fingertip/lazy/hubs.hpp"
 
 #include <algorithm>

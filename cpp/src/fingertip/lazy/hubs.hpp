@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the object rests on all fingers but one, and the best ways to get there and on.
+// Placements at which the object rests on all fingers but one, and the best routes through them.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace graspless::fingertip {
 
-/// A hub is a pose and the fingers kept there: from each placement that contains them to it by
-/// taking one finger away, from it to each of them by putting the finger down elsewhere. Instead of
-/// an arc for each pair of placements, X_regr on the way in and nothing on the way out.
+/// A hub is a pose and the fingers kept there. Arcs lead to it from each placement that contains
+/// them, by lifting one finger, and from it to each of them, by putting the finger down elsewhere.
+/// The way in costs X_regr and the way out nothing, instead of an arc for each pair of placements.
 class Hubs {
  public:
   Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Candidates& candidates);
@@ -29,28 +29,27 @@ class Hubs {
     return members_[static_cast<std::size_t>(hub)];
   }
 
-  /// Hubs to which one goes by putting a finger down at a location and taking another away.
+  /// A hub that is reached by putting a finger down at a location and lifting another.
   struct Neighbor {
     int hub;
     std::int32_t location;
   };
   const std::vector<Neighbor>& neighbors(int hub);
 
-  /// Whether the object may rest there as far as is known.
+  /// True unless the object is known not to rest there.
   bool may_be_stable(int hub, int pose);
 
-  /// Whether it has been shown to rest there.
+  /// True if the object has been shown to rest there.
   bool is_stable(int hub, int pose) { return known(hub, slot(pose)) == Known::stable; }
 
-  /// The cheapest route with one regrasp, there, and its candidates.
+  /// The cheapest route with one regrasp, at this hub, and its candidates.
   struct Regrasp {
     double cost = std::numeric_limits<double>::infinity();
     int before = -1, after = -1;
   };
   Regrasp best(int hub, int pose);
 
-  /// Adds the query whether it rests there when that is open; returns whether it is open, asked
-  /// already or not.
+  /// Adds the query about rest there if that is open. True if it is open, requested already or not.
   bool request(int hub, int pose, std::vector<StabilityQuery>& queries);
   void record(const StabilityQuery& query);
 
