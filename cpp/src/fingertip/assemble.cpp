@@ -3,13 +3,12 @@
 //
 // From a route to a plan: which finger is where, control modes and forces of every sample, the cost
 // by its definition.
-#include "fingertip/assemble.hpp"
-
 #include <algorithm>
 #include <limits>
 
-#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/locations.hpp"
 #include "fingertip/model/screw.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "graspless/collision/world.hpp"
 
-#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
 #include "fingertip/search/heuristic.hpp"

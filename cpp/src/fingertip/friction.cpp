@@ -3,13 +3,12 @@
 //
 // Friction known as an interval, by counter-examples: a search looks at a few coefficients alone,
 // and a plan it finds is proven for all or gives another to look at.
-#include "fingertip/friction.hpp"
-
 #include <algorithm>
 #include <sstream>
 #include <vector>
 
 #include "fingertip/model/screw.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 namespace {

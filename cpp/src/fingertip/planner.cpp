@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "fingertip/assemble.hpp"
-#include "fingertip/friction.hpp"
 #include "fingertip/goal/goal.hpp"
 #include "fingertip/lattice/search.hpp"
 #include "fingertip/lazy/search.hpp"

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "graspless/fingertip/fingertip.hpp"
+#include "graspless/mechanics/friction_interval.hpp"
 
 #include "fingertip/model/evaluator.hpp"
+#include "fingertip/model/instants.hpp"
+#include "fingertip/model/locations.hpp"
 #include "fingertip/model/pose_graph.hpp"
 
 namespace graspless::fingertip {
@@ -37,6 +41,8 @@ Plan solve(const Problem& problem, const Options& options, planning::Clock& cloc
 /// Adds the evaluators' counters to the statistics, and the time.
 void count(const SearchContext& context, const planning::Clock& clock, Statistics& statistics);
 
+// failure.cpp, explain.cpp
+
 /// Fills status and reason of a plan that was not found: geometry, stability or time.
 void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,
                      Plan& plan);
@@ -56,5 +62,44 @@ std::optional<Blocked> find_blocked(const Problem& problem, const Options& optio
 /// since more regrasps take long to exclude. If time runs out meanwhile, the changes found help but
 /// may not be the smallest. The same failure with enough time gives the same answer.
 void explain(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan);
+
+// assemble.cpp
+
+/// The fingers stay on the object while it passes through these poses: one pose or more. From one
+/// stage to the next the object stays where it is and one finger moves.
+struct Stage {
+  Placement placement;
+  std::vector<Eigen::Isometry3d> X_WO;
+};
+
+/// A route of the manipulation-feasibility graph as stages.
+std::vector<Stage> stages_of(const PoseGraph& graph, const Route& route);
+
+/// Fills a plan's segments, rows, cost, weakest row, regrasps and warnings. The cost is computed
+/// anew by (9) and (10). A stage that carries the object along different ways (slide, turn, tumble)
+/// becomes several segments.
+void assemble(const std::vector<Stage>& stages, const Locations& locations, Instants& instants,
+              Evaluator& evaluator, Plan& plan);
+
+// friction.cpp
+
+/// Place and manner in which a plan fails for a coefficient within the problem's friction
+/// intervals.
+struct FrictionFailure {
+  int segment, row;
+  mechanics::FrictionVerdict verdict;
+};
+
+/// Examines every distinct instant of a plan with its modes and commanded forces. Empty if all hold
+/// for every coefficient. The numbers that `instants` gives tell which instants are distinct.
+std::optional<FrictionFailure> find_friction_failure(const Problem& problem, const Options& options,
+                                                     Instants& instants, const Plan& plan);
+
+/// Searches until the plan holds for all coefficients in the intervals. Each coefficient that it
+/// fails for is added to those of `instants`, and the search runs anew. If that does not end, the
+/// plan is `unstable`, and its reason says that the search gave up and names the last such
+/// coefficient: a plan may exist. Where friction is known exactly, this is one search.
+Plan plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
+                        const std::function<Plan()>& search);
 
 }  // namespace graspless::fingertip

@@ -12,7 +12,6 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/mechanics/contact_patch.hpp"
 
-#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/model/pose_graph.hpp"

@@ -18,26 +18,6 @@ constexpr double kPull = 0.3;             // of max_jump, per row: the null spac
 constexpr double kLeastStep = 1.0 / 512;  // of a part
 constexpr double kNearLimit = 0.85;       // of half a joint's range: where it is pulled back
 
-std::vector<std::vector<int>> links_of_fingers(const robot::Robot& robot, const Carrier& carrier,
-                                               const std::vector<int>& finger_of_fingertip) {
-  std::vector<std::vector<int>> links(finger_of_fingertip.size());
-  for (std::size_t tip = 0; tip < links.size(); ++tip) {
-    auto& own = links[static_cast<std::size_t>(finger_of_fingertip[tip])];
-    for (const std::string& link : carrier.links[tip]) own.push_back(robot.frame(link));
-  }
-  return links;
-}
-
-std::vector<int> frames_of_fingers(const robot::Robot& robot, const Carrier& carrier,
-                                   const std::vector<int>& finger_of_fingertip) {
-  std::vector<int> frames(finger_of_fingertip.size());
-  for (std::size_t tip = 0; tip < frames.size(); ++tip) {
-    frames[static_cast<std::size_t>(finger_of_fingertip[tip])] =
-        robot.frame(carrier.fingertips[tip]);
-  }
-  return frames;
-}
-
 /// q moved by at most `pull` in any joint: towards the bias, else off the limits that are near.
 Eigen::VectorXd pulled(const Hand& hand, const Eigen::VectorXd& q, const Bias& bias, double pull) {
   const robot::Robot& robot = hand.ik.robot();
@@ -153,15 +133,6 @@ TipTargets Stretch::targets(double s) const {
   return {(X.linear() * p_OT).colwise() + X.translation(), held};
 }
 
-Hand::Hand(const Problem& problem, const robot::Robot& robot, const Carrier& carrier,
-           const std::vector<int>& assignment, const RealizeOptions& given)
-    : finger_of_fingertip(assignment),
-      ik(robot, frames_of_fingers(robot, carrier, assignment)),
-      scene(problem, robot, links_of_fingers(robot, carrier, assignment),
-            contact_allowance(given.position_tolerance)),
-      radius(problem.fingers.radius),
-      options(given) {}
-
 Tracked track(Hand& hand, const Stretch& stretch, const Eigen::VectorXd& q, const Bias& bias) {
   return Tracker(hand, stretch, bias).run(q);
 }
@@ -185,14 +156,6 @@ double scrub(const Hand& hand, const JointSegment& rows, const Eigen::Matrix3Xd&
     worst = std::max(worst, hand.radius * turned);
   }
   return worst;
-}
-
-std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q) {
-  const auto [distance, finger] = hand.ik.miss(targets, q);
-  char figure[32];
-  std::snprintf(figure, sizeof figure, "%.3g mm", 1e3 * distance);
-  return "fingertip '" + hand.ik.fingertip(finger) + "' misses the place of finger " +
-         std::to_string(finger) + " by " + figure;
 }
 
 }  // namespace graspless::realize

@@ -13,8 +13,7 @@
 #include "graspless/planning/path.hpp"
 #include "graspless/realize/realize.hpp"
 
-#include "realize/scene.hpp"
-#include "realize/tips.hpp"
+#include "realize/hand.hpp"
 
 namespace graspless::realize {
 
@@ -39,19 +38,6 @@ struct Stretch {
   TipTargets targets(double s) const;
 };
 
-/// One assignment of the robot's fingertips to a plan's fingers, with the scene and the inverse
-/// kinematics that move them.
-struct Hand {
-  Hand(const Problem& problem, const robot::Robot& robot, const Carrier& carrier,
-       const std::vector<int>& finger_of_fingertip, const RealizeOptions& options);
-
-  std::vector<int> finger_of_fingertip;
-  TipIk ik;
-  HandScene scene;
-  double radius;  // of the fingertips [m]
-  const RealizeOptions& options;
-};
-
 /// Rows up to the first failure.
 struct Tracked {
   std::vector<Eigen::VectorXd> positions;
@@ -71,11 +57,6 @@ Tracked track(Hand& hand, const Stretch& stretch, const Eigen::VectorXd& q, cons
 /// JointSegment::scrub of rows with the held fingers in contact.
 double scrub(const Hand& hand, const JointSegment& rows, const Eigen::Matrix3Xd& n_O,
              FingerMask held);
-
-/// "fingertip 'a' misses the place of finger 0 by 12.3 mm"
-std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q);
-
-constexpr double kIkTolerance = 1e-7;  // of fingertips at rows [m]
 
 /// Rows from one configuration to another while the object stands where the scene has it and the
 /// fingers in held.held stay at held.p_WT (none held: any free motion). Contacts are as last set.

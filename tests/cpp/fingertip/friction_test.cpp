@@ -3,14 +3,13 @@
 //
 // Friction as an interval: a plan holds at every coefficient, looked at one by one; where none does
 // the reason names a coefficient.
-#include "fingertip/friction.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "fingertip/cases.hpp"
+#include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
 namespace {

@@ -9,9 +9,8 @@
 
 #include "graspless/fingertip/fingertip.hpp"
 
-#include "fingertip/assemble.hpp"
 #include "fingertip/goal/contact_states.hpp"
-#include "fingertip/model/clearance.hpp"
+#include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {

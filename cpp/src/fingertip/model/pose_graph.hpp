@@ -7,7 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
 
@@ -17,13 +16,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The object's half of the manipulation-feasibility graph (Section 4.2): its poses, and the arcs
 /// along which it moves from pose to pose with constant twist. A Path is a chain: arc i leads from
-/// pose i to pose i + 1. In a Lattice, arcs lead to the 26 neighbours of a pose. The other half,
-/// the placements of the fingers, is enumerated by the searches.
+/// pose i to pose i + 1. In a Lattice, arcs lead to the 26 neighbours of a pose. The searches
+/// enumerate the other half, the placements of the fingers.
 ///
-/// An arc has a motion (its twist, which says how far fingertips move) and a kind (the instants of
-/// its P samples, which say how stable a placement is). On the open floor of a lattice both depend
-/// on the yaw and the move alone. Clearances, kinds and instants at rest of a lattice are computed
-/// on first use: one thread at a time.
+/// An arc has a motion (its twist, hence displacements of fingertips) and a kind (the instants of
+/// its P samples, hence stabilities of placements). On the open floor of a lattice both depend on
+/// the yaw and the move alone. Clearances, kinds and instants at rest of a lattice are computed on
+/// first use: one thread at a time.
 class PoseGraph {
  public:
   PoseGraph(const Problem& problem, const Path& path, const Locations& locations,
@@ -49,10 +48,11 @@ class PoseGraph {
     return is_path() ? pose - 1 : next(pose, num_moves_ - 1 - move);
   }
 
-  /// Motions of arcs: each is a body twist over the whole arc.
   int motion(int pose, int move) const { return turn(pose) * num_moves_ + move; }
   int num_motions() const { return static_cast<int>(twist_O_.size()); }
-  const mechanics::Vector6d& twist_O(int motion) const { return twist_O_[ix(motion)]; }
+  const mechanics::Vector6d& twist_O(int motion) const {
+    return twist_O_[ix(motion)];
+  }  // of an arc
   /// Displacement of a sphere's centre in one P-th of an arc [m].
   double displacement(int motion, int location) const {
     return displacements_[ix(motion) * num_locations_ + ix(location)];
@@ -68,9 +68,8 @@ class PoseGraph {
   /// Instants of a kind's samples; one when all P are the same.
   const std::vector<int>& instants(int kind) const { return kinds_[ix(kind)]; }
   int instant(int arc, int sample) const;  // of a path
-  /// The object at rest while a finger regrasps. In a lattice its friction cones lie as if the
-  /// object had nowhere to go, or as the motion to the next pose turns them; in a path always the
-  /// latter.
+  /// The object at rest while a finger regrasps. The motion to the next pose turns its friction
+  /// cones, always in a path, and in a lattice where `next_pose` is given.
   int rest_instant(int pose) const;
   int rest_instant(int pose, int next_pose) const;
 
@@ -80,13 +79,11 @@ class PoseGraph {
     if (known < 0) known = clearance_.is_clear(center_W(pose, location)) ? 1 : 0;
     return known != 0;
   }
-  bool is_free(int pose) const;                  // the object, of walls and obstacles
-  void block(int pose, int location);            // keeps fingertips from a location
-  bool is_planar() const { return !is_path(); }  // all poses have the same height and face down
+  bool is_free(int pose) const;        // the object, of walls and obstacles
+  void block(int pose, int location);  // keeps fingertips from a location
 
-  std::int64_t memory() const;  // [bytes]
-  /// The same before the tables are there, at most.
-  static double memory_needed(const Lattice& lattice, double num_locations);
+  std::int64_t memory() const;                                                // [bytes]
+  static double memory_needed(const Lattice& lattice, double num_locations);  // at most
 
   const Options& options;
   const Locations& locations;
@@ -120,7 +117,6 @@ class PoseGraph {
 
 /// True if the fingers may be there at a pose: each clear, and all apart.
 bool is_feasible(const PoseGraph& graph, int pose, const Placement& placement);
-
 /// True if a finger may be put down beside those of a placement.
 bool has_room(const PoseGraph& graph, int pose, const Placement& placement, int location);
 
@@ -130,7 +126,6 @@ double displacement(const PoseGraph& graph, int motion, const Placement& placeme
 /// Sum of 1 + X_stab / z over the P samples of an arc, from the stabilities of each or one that all
 /// share; infinite if one is 0.
 double arc_weight(const PoseGraph& graph, const std::vector<double>& z);
-
 /// Cost (9) of an arc, from stabilities as above.
 double arc_cost(const PoseGraph& graph, int motion, const Placement& placement,
                 const std::vector<double>& z);
@@ -144,10 +139,9 @@ struct Node {
 /// A path through the graph. From one node to the next either the pose or one finger changes.
 struct Route {
   bool found = false;
-  double cost = 0;         // by (9) and (10) [m]
-  double lower_bound = 0;  // no route is cheaper [m]
-  /// True if the search ran to its end: if nothing was found then, there is no route.
-  bool is_complete = false;
+  double cost = 0;           // by (9) and (10) [m]
+  double lower_bound = 0;    // no route is cheaper [m]
+  bool is_complete = false;  // the search ran to its end: if nothing was found, there is no route
   std::vector<Node> nodes;
 };
 

@@ -23,7 +23,7 @@ RemainingDistance::RemainingDistance(const PoseGraph& graph)
     return graph.center_W(graph.start(), location).head<2>();
   };
   for (int l = 0; l < graph.locations.size(); ++l) {
-    int same = graph.is_planar() ? 0 : l;
+    int same = graph.is_path() ? l : 0;
     while (same < l && (in_plan(same) - in_plan(l)).norm() > kSamePoint) ++same;
     table_of_.push_back(same);
   }
