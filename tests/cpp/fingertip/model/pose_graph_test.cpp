@@ -8,7 +8,6 @@
 
 #include "fingertip/cases.hpp"
 #include "fingertip/instance.hpp"
-#include "fingertip/lattice_problem.hpp"
 #include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
