@@ -93,7 +93,8 @@ class Frontier {
     }
   }
 
-  /// Lists placements that can carry the object all the way, as far as a few instants tell.
+  /// Lists placements that can carry the object all the way, as far as a few instants tell, and an
+  /// entry for routes with one regrasp.
   void list_placements() {
     const std::vector<int> locations = clear_locations(lazy_.graph, 0, lazy_.graph.num_arcs());
     const std::vector<int>& all = lazy_.candidates.instants();
@@ -220,7 +221,7 @@ class Frontier {
   std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
 };
 
-/// Out of time: the cheapest route that happens to be solved, if any.
+/// The cheapest route that happens to be solved when time is out, if any.
 Route unfinished(LazyState& lazy, double lower_bound) {
   Route route = best_solved(lazy);
   route.lower_bound = route.found ? std::min(lower_bound, route.cost) : lower_bound;
@@ -254,15 +255,16 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
   return std::nullopt;
 }
 
+/// Best-first search. Other threads solve the stabilities of one round while the next is prepared.
 Route search(LazyState& lazy) {
   Frontier frontier(lazy);
-  frontier.list_placements();  // Figure 5(a): cost (9); Figure 5(b), cost (10), when it is cheapest
+  frontier.list_placements();  // Figure 5(a): cost (9). Figure 5(b), cost (10), follows in refine()
   std::vector<StabilityQuery> queries;
   std::optional<Route> best = refine(lazy, frontier, queries);
   while (!best && frontier.least_cost() < lazy.limit) {
     if (lazy.clock.is_out() || !lazy.clock.spend()) return unfinished(lazy, frontier.least_cost());
-    lazy.start(queries);   // in other threads
-    frontier.take_back();  // meanwhile with bounds from the last
+    lazy.start(queries);
+    frontier.take_back();  // with bounds from the stabilities of the last round
     best = refine(lazy, frontier, queries);
     lazy.finish();
   }
