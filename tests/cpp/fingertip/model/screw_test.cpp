@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/model/screw.hpp"
+
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
 #include "fingertip/cases.hpp"
-#include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
 namespace {
