@@ -73,18 +73,21 @@ void bind_vector(py::class_<Struct>& cls, const char* name, Vector Struct::*memb
 }
 
 void bind_contacts(py::module_& m) {
-  py::native_enum<ContactMode>(m, "ContactMode", "enum.Enum", "How the object moves at a contact.")
-      .value("stick", ContactMode::stick, "Not: any force within the friction cone.")
+  py::native_enum<ContactMode>(m, "ContactMode", "enum.Enum",
+                               "Motion of the object at a contact with the environment, Eq. (1).")
+      .value("stick", ContactMode::stick, "No sliding: any force within the friction cone.")
       .value("slide", ContactMode::slide,
-             "Along the surface: a force on the cone's edge against the motion.")
+             "Sliding: a force along the cone's edge opposite to the motion.")
       .finalize();
-  py::native_enum<FingerMode>(m, "FingerMode", "enum.Enum", "How a finger is controlled.")
-      .value("position", FingerMode::position, "It gives any force within cone and limit.")
+  py::native_enum<FingerMode>(m, "FingerMode", "enum.Enum", "Control mode of a finger, Eq. (2).")
+      .value("position", FingerMode::position,
+             "Position control: any force within the cone and the limit, as a passive reaction.")
       .value("force", FingerMode::force,
-             "It gives a commanded normal force, and any tangential one within the cone.")
+             "Force control: a commanded normal force, and any tangential force within the cone.")
       .finalize();
 
-  py::class_<Contact> contact(m, "Contact", "A point where the object touches its environment.");
+  py::class_<Contact> contact(m, "Contact",
+                              "Point contact between the object and its environment.");
   contact.def(py::init([](const Array& p_OC, const Array& n_O, double friction, ContactMode mode,
                           const MaybeArray& t_O) {
                 return Contact{to_vector3(p_OC, "p_OC"), to_vector3(n_O, "n_O"), friction, mode,
@@ -92,20 +95,35 @@ void bind_contacts(py::module_& m) {
               }),
               py::kw_only(), py::arg("p_OC"), py::arg("n_O"), py::arg("friction") = 0.5,
               py::arg("mode") = ContactMode::stick, py::arg("t_O") = py::none(),
-              "p_OC: (3,) [m]. n_O: (3,) normal into the object. friction: coefficient.\n\n"
-              "t_O: (3,) along the surface. Sliding: where the object moves to there. Sticking: "
-              "the first edge of the friction cone.");
-  bind_vector(contact, "p_OC", &Contact::p_OC, "(3,) where, in O [m].");
-  bind_vector(contact, "n_O", &Contact::n_O, "(3,) unit normal into the object, in O.");
+              "Parameters\n"
+              "----------\n"
+              "p_OC : array (3,)\n"
+              "    Contact point in the object's frame O [m].\n"
+              "n_O : array (3,)\n"
+              "    Unit normal in O, pointing into the object.\n"
+              "friction : float\n"
+              "    Coefficient of friction, not negative.\n"
+              "mode : ContactMode\n"
+              "    Sticking or sliding.\n"
+              "t_O : array (3,), optional\n"
+              "    Direction along the surface, in O, of any length. For a sliding contact it is "
+              "the direction\n"
+              "    in which the object moves and must be given. For a sticking contact it is the "
+              "direction of\n"
+              "    the first edge of the friction cone; `tangent` chooses one by default.");
+  bind_vector(contact, "p_OC", &Contact::p_OC, "(3,) contact point in O [m].");
+  bind_vector(contact, "n_O", &Contact::n_O, "(3,) unit normal in O, pointing into the object.");
   bind_field(contact, Field{"friction", &Contact::friction, "Coefficient of friction."});
-  bind_field(contact, Field{"mode", &Contact::mode, "Whether it sticks or slides."});
+  bind_field(contact, Field{"mode", &Contact::mode, "Sticking or sliding."});
   bind_vector(contact, "t_O", &Contact::t_O,
-              "(3,) direction of sliding or of the cone's first edge, in O; zero: any.");
+              "(3,) direction of sliding, or of the first edge of the cone, in O. Zero lets "
+              "`tangent` choose.");
   contact.def("__repr__", [](const py::object& self) {
     return represent(self, {"p_OC", "n_O", "friction", "mode", "t_O"});
   });
 
-  py::class_<Finger> finger(m, "Finger", "A fingertip that does not slide on the object.");
+  py::class_<Finger> finger(
+      m, "Finger", "Fingertip in one-point contact with the object. It does not slide, Eq. (2).");
   finger.def(py::init([](const Array& p_OC, const Array& n_O, double friction, double limit,
                          const MaybeArray& t_O) {
                return Finger{to_vector3(p_OC, "p_OC"), to_vector3(n_O, "n_O"), friction, limit,
@@ -113,24 +131,35 @@ void bind_contacts(py::module_& m) {
              }),
              py::kw_only(), py::arg("p_OC"), py::arg("n_O"), py::arg("friction") = 0.5,
              py::arg("max_normal_force") = 10.0, py::arg("t_O") = py::none(),
-             "p_OC: (3,) [m]. n_O: (3,) normal into the object. friction: coefficient. "
-             "max_normal_force: [N].\n\n"
-             "t_O: (3,) first edge of the friction cone, along the surface.");
-  bind_vector(finger, "p_OC", &Finger::p_OC, "(3,) where, in O [m].");
-  bind_vector(finger, "n_O", &Finger::n_O, "(3,) unit normal into the object, in O.");
+             "Parameters\n"
+             "----------\n"
+             "p_OC : array (3,)\n"
+             "    Contact point in the object's frame O [m].\n"
+             "n_O : array (3,)\n"
+             "    Unit normal in O, pointing into the object.\n"
+             "friction : float\n"
+             "    Coefficient of friction, not negative.\n"
+             "max_normal_force : float\n"
+             "    Upper limit f_max of the normal force [N].\n"
+             "t_O : array (3,), optional\n"
+             "    Direction of the first edge of the friction cone, in O; `tangent` chooses one by "
+             "default.");
+  bind_vector(finger, "p_OC", &Finger::p_OC, "(3,) contact point in O [m].");
+  bind_vector(finger, "n_O", &Finger::n_O, "(3,) unit normal in O, pointing into the object.");
   bind_field(finger, Field{"friction", &Finger::friction, "Coefficient of friction."});
   bind_field(finger, Field{"max_normal_force", &Finger::max_normal_force,
-                           "Limit of the normal force [N]."});
-  bind_vector(finger, "t_O", &Finger::t_O, "(3,) the cone's first edge, in O; zero: any.");
+                           "Upper limit f_max of the normal force [N]."});
+  bind_vector(finger, "t_O", &Finger::t_O,
+              "(3,) direction of the first edge of the cone, in O. Zero lets `tangent` choose.");
   finger.def("__repr__", [](const py::object& self) {
     return represent(self, {"p_OC", "n_O", "friction", "max_normal_force", "t_O"});
   });
 }
 
 void bind_contact_set(py::module_& m) {
-  py::class_<ContactSet> set(m, "ContactSet",
-                             "All that touches an object at one instant of a slow motion, in its "
-                             "frame O.");
+  py::class_<ContactSet> set(
+      m, "ContactSet",
+      "All contacts of an object at one instant of a quasi-static motion, in its frame O.");
   set.def(py::init([](std::vector<Contact> contacts, std::vector<Finger> fingers,
                       const MaybeArray& com_O, const MaybeArray& known_wrench_O,
                       const MaybeArray& scale, int cone_edges) {
@@ -148,34 +177,79 @@ void bind_contact_set(py::module_& m) {
           py::kw_only(), py::arg("contacts"), py::arg("fingers"), py::arg("com_O") = py::none(),
           py::arg("known_wrench_O") = py::none(), py::arg("wrench_scale") = py::none(),
           py::arg("cone_edges") = 6,
-          "contacts, fingers: Contacts and Fingers, at most four of these. com_O: (3,) centre of "
-          "mass [m], zero unless given.\n"
-          "known_wrench_O: (6,) force and moment about the centre of mass, such as "
-          "gravity_wrench() [N, N m], zero unless given.\n"
-          "wrench_scale: (6, 6) what wrenches are measured by, wrench_scale(); the identity unless "
-          "given. cone_edges: of each friction cone.");
-  bind_field(set, Field{"contacts", &ContactSet::contacts, "With the environment; copies."});
-  bind_field(set, Field{"fingers", &ContactSet::fingers, "Copies."});
+          "Parameters\n"
+          "----------\n"
+          "contacts : sequence of Contact\n"
+          "    Contacts with the environment.\n"
+          "fingers : sequence of Finger\n"
+          "    Fingertips, four at most.\n"
+          "com_O : array (3,), optional\n"
+          "    Centre of mass in O, about which moments are taken [m]. Zero by default.\n"
+          "known_wrench_O : array (6,), optional\n"
+          "    Q_known of Eq. (3): known force and moment about the centre of mass, in O [N, N m], "
+          "for\n"
+          "    instance `gravity_wrench`. Zero by default.\n"
+          "wrench_scale : array (6, 6), optional\n"
+          "    R^1/2 of Eq. (7): the matrix that scales wrenches before they are measured, for "
+          "instance\n"
+          "    `wrench_scale`. The identity by default.\n"
+          "cone_edges : int\n"
+          "    Number of edges of each polyhedral friction cone, at least 3.\n\n"
+          "Raises\n"
+          "------\n"
+          "ValueError\n"
+          "    An array has the wrong shape or is not finite. `validate` checks the other rules.");
+  bind_field(set, Field{"contacts", &ContactSet::contacts,
+                        "Contacts with the environment. The tuple holds copies."});
+  bind_field(set, Field{"fingers", &ContactSet::fingers, "Fingertips. The tuple holds copies."});
   bind_vector(set, "com_O", &ContactSet::com_O, "(3,) centre of mass in O [m].");
   bind_vector(set, "known_wrench_O", &ContactSet::known_wrench_O,
-              "(6,) known wrench in O about the centre of mass [N, N m].");
+              "(6,) known wrench Q_known in O about the centre of mass [N, N m].");
   set.def_property(
       "wrench_scale", [](const ContactSet& self) -> Matrix6Rows { return self.wrench_scale; },
       [](ContactSet& self, const Array& scale) {
         self.wrench_scale = to_matrix(scale, "wrench_scale", 6, 6);
       },
-      "(6, 6) what a wrench in O about the centre of mass is multiplied with to be measured.");
-  bind_field(set, Field{"cone_edges", &ContactSet::cone_edges, "Edges of each friction cone."});
+      "(6, 6) matrix R^1/2 that scales a wrench in O about the centre of mass before it is "
+      "measured.");
+  bind_field(set, Field{"cone_edges", &ContactSet::cone_edges,
+                        "Number of edges of each polyhedral friction cone."});
   set.def("__repr__", [](const py::object& self) {
     return represent(self, {"contacts", "fingers", "cone_edges"});
   });
 
   m.def(
       "validate", [](const ContactSet& set) { validate(set); }, py::arg("set"),
-      "Raises ValueError that names the field at fault and its value.");
+      "Checks a contact set.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contact set to check.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    A value is not finite, a coefficient of friction is negative, a force limit is not "
+      "positive,\n"
+      "    a normal is not a unit vector, a sliding contact has no direction along the surface, a "
+      "cone\n"
+      "    has fewer than three edges, there are more than four fingers, or the scale is singular. "
+      "The\n"
+      "    message names the field and its value.");
   m.def(
       "normalized", [](const ContactSet& set) { return normalized(set); }, py::arg("set"),
-      "The same set with unit normals. Raises ValueError on one without a direction.");
+      "Scales all normals of a contact set to unit length.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contact set with normals of any length but zero.\n\n"
+      "Returns\n"
+      "-------\n"
+      "ContactSet\n"
+      "    Copy of the set with unit normals.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    A normal has length zero or is not finite.");
 }
 
 void bind_cones(py::module_& m) {
@@ -185,8 +259,18 @@ void bind_cones(py::module_& m) {
         return tangent(to_vector3(n_O, "n_O"), to_direction(t_O, "t_O"));
       },
       py::arg("n_O"), py::arg("t_O") = py::none(),
-      "(3,) unit tangent at a unit normal n_O: t_O without its normal part, or a grid axis of the "
-      "face when that vanishes.");
+      "Returns a unit tangent at a contact.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "n_O : array (3,)\n"
+      "    Unit normal in O.\n"
+      "t_O : array (3,), optional\n"
+      "    Direction whose part along the surface is used, in O. Where that part vanishes, or by\n"
+      "    default, the first grid axis of a face with this normal takes its place.\n\n"
+      "Returns\n"
+      "-------\n"
+      "array (3,)\n"
+      "    Unit vector in O, perpendicular to n_O.");
   m.def(
       "friction_cone",
       [](const Array& n_O, double friction, int edges, const MaybeArray& t_O) -> Rows3 {
@@ -195,32 +279,76 @@ void bind_cones(py::module_& m) {
         return friction_cone(n, friction, edges, tangent(n, to_direction(t_O, "t_O"))).transpose();
       },
       py::arg("n_O"), py::arg("friction"), py::arg("edges") = 6, py::arg("t_O") = py::none(),
-      "(edges, 3) unit edges of the cone inscribed in Coulomb's about a unit normal; the first "
-      "lies "
-      "over tangent(n_O, t_O).");
+      "Returns the edges of the polyhedral cone inscribed in Coulomb's cone, Section 2.2.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "n_O : array (3,)\n"
+      "    Unit normal in O.\n"
+      "friction : float\n"
+      "    Coefficient of friction.\n"
+      "edges : int\n"
+      "    Number of edges.\n"
+      "t_O : array (3,), optional\n"
+      "    Direction in O towards which the first edge leans, as in `tangent`.\n\n"
+      "Returns\n"
+      "-------\n"
+      "array (edges, 3)\n"
+      "    Unit vectors c_1 ... c_s in O, counter-clockwise about n_O at equal angles.");
   m.def(
       "wrench_scale",
       [](double mass, const Array& inertia_O) -> Matrix6Rows {
         return wrench_scale(mass, Eigen::Matrix3d(to_matrix(inertia_O, "inertia_O", 3, 3)));
       },
       py::arg("mass"), py::arg("inertia_O"),
-      "(6, 6) that leaves forces as they are and divides moments by sqrt(J_i / M) along the "
-      "principal axes.\n\n"
-      "mass: [kg]. inertia_O: (3, 3) about the centre of mass [kg m^2].");
+      "Returns the scale of wrenches R^1/2 of Eqs. (7) and (8).\n\n"
+      "It keeps forces and divides moments by sqrt(J_i / M), both along the principal axes of the\n"
+      "inertia.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "mass : float\n"
+      "    Mass M [kg].\n"
+      "inertia_O : array (3, 3)\n"
+      "    Inertia J about the centre of mass, in O [kg m^2].\n\n"
+      "Returns\n"
+      "-------\n"
+      "array (6, 6)\n"
+      "    Matrix that scales a wrench in O about the centre of mass.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The mass is not positive, or the inertia is not symmetric, not positive definite or "
+      "violates\n"
+      "    the triangle inequality.");
   m.def(
       "gravity_wrench",
       [](double mass, const Array& gravity_O) -> Vector6d {
         return gravity_wrench(mass, to_vector3(gravity_O, "gravity_O"));
       },
       py::arg("mass"), py::arg("gravity_O"),
-      "(6,) gravity's wrench on a mass [kg], for an acceleration (3,) in O [m/s^2].");
+      "Returns the wrench of gravity about the centre of mass.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "mass : float\n"
+      "    Mass [kg].\n"
+      "gravity_O : array (3,)\n"
+      "    Acceleration of gravity in O [m/s^2].\n\n"
+      "Returns\n"
+      "-------\n"
+      "array (6,)\n"
+      "    Force and moment in O [N, N m]. The moment is zero.");
   m.def(
       "disturbance_directions", []() -> Rows6 { return disturbance_directions().transpose(); },
-      "(76, 6) vertices of a polyhedron about the unit sphere of scaled wrenches.");
+      "Returns the directions of disturbances l_1 ... l_N of Problem (6), with N = 76 as in "
+      "Section 5.\n\n"
+      "Returns\n"
+      "-------\n"
+      "array (76, 6)\n"
+      "    Vertices of a polyhedron around the unit sphere in scaled wrench space.");
 }
 
 void bind_patches(py::module_& m) {
-  py::class_<Plane> plane(m, "Plane", "A half-space that the object rests on: floor or wall.");
+  py::class_<Plane> plane(
+      m, "Plane", "Solid half-space that the object rests on or leans against: a floor or a wall.");
   plane.def(
       py::init([](const std::string& name, const MaybeArray& n_W, double offset, double friction) {
         Plane made;
@@ -232,48 +360,67 @@ void bind_patches(py::module_& m) {
       }),
       py::kw_only(), py::arg("name") = "floor", py::arg("n_W") = py::none(),
       py::arg("offset") = 0.0, py::arg("friction") = 0.5,
-      "n_W: (3,) unit normal out of the solid, upward unless given. offset: n_W . p of its "
-      "points [m]. friction: coefficient.");
-  bind_field(plane, Field{"name", &Plane::name, "What errors call it."});
-  bind_vector(plane, "n_W", &Plane::n_W, "(3,) unit normal out of the solid, in the world.");
-  bind_field(plane, Field{"offset", &Plane::offset, "n_W . p of its points [m]."});
+      "Parameters\n"
+      "----------\n"
+      "name : str\n"
+      "    Name in error messages.\n"
+      "n_W : array (3,), optional\n"
+      "    Unit normal in the world W, pointing out of the solid. Upwards by default.\n"
+      "offset : float\n"
+      "    n_W . p of the points p on its surface [m].\n"
+      "friction : float\n"
+      "    Coefficient of friction.");
+  bind_field(plane, Field{"name", &Plane::name, "Name in error messages."});
+  bind_vector(plane, "n_W", &Plane::n_W,
+              "(3,) unit normal in the world, pointing out of the solid.");
+  bind_field(plane, Field{"offset", &Plane::offset, "n_W . p of the points p on its surface [m]."});
   bind_field(plane, Field{"friction", &Plane::friction, "Coefficient of friction."});
   plane.def("__repr__", [](const py::object& self) {
     return represent(self, {"name", "n_W", "offset", "friction"});
   });
 
-  py::class_<BodyState> state(m, "BodyState", "How an object stands and moves at one instant.");
-  state.def(py::init([](const Array& X_WO, const MaybeArray& twist_W, bool at_rest) {
-              BodyState made;
-              made.X_WO = to_pose(X_WO, "X_WO");
-              if (twist_W) made.twist_W = to_vector(*twist_W, "twist_W", 6);
-              made.at_rest = at_rest;
-              return made;
-            }),
-            py::kw_only(), pose_arg("X_WO"), py::arg("twist_W") = py::none(),
-            py::arg("at_rest") = false,
-            "X_WO: (4, 4). twist_W: (6,) velocity of O's origin, then angular velocity, in the "
-            "world.\n\n"
-            "at_rest: it stands still, every contact sticks, and the twist only turns the cones.");
+  py::class_<BodyState> state(m, "BodyState", "Pose and velocity of an object at one instant.");
+  state.def(
+      py::init([](const Array& X_WO, const MaybeArray& twist_W, bool at_rest) {
+        BodyState made;
+        made.X_WO = to_pose(X_WO, "X_WO");
+        if (twist_W) made.twist_W = to_vector(*twist_W, "twist_W", 6);
+        made.at_rest = at_rest;
+        return made;
+      }),
+      py::kw_only(), pose_arg("X_WO"), py::arg("twist_W") = py::none(), py::arg("at_rest") = false,
+      "Parameters\n"
+      "----------\n"
+      "X_WO : array (4, 4)\n"
+      "    Pose of the object in the world W. The identity by default.\n"
+      "twist_W : array (6,), optional\n"
+      "    Velocity of O's origin, then angular velocity, in W per unit of the motion's "
+      "parameter.\n"
+      "    Zero by default.\n"
+      "at_rest : bool\n"
+      "    The object stands still. Every contact then sticks, and the twist only determines the\n"
+      "    directions of the cones.");
   state.def_property(
       "X_WO", [](const BodyState& self) { return from_pose(self.X_WO); },
       [](BodyState& self, const Array& X) { self.X_WO = to_pose(X, "X_WO"); },
       "(4, 4) pose in the world.");
   bind_vector(state, "twist_W", &BodyState::twist_W,
               "(6,) velocity of O's origin, then angular velocity, in the world.");
-  bind_field(state, Field{"at_rest", &BodyState::at_rest, "Whether it stands still."});
+  bind_field(state, Field{"at_rest", &BodyState::at_rest, "True if the object stands still."});
   state.def("__repr__", [](const py::object& self) {
     return represent(self, {"X_WO", "twist_W", "at_rest"});
   });
 
-  py::class_<ContactPatches> patches(m, "ContactPatches", "Where a polyhedron touches planes.");
+  py::class_<ContactPatches> patches(m, "ContactPatches", "Contacts of a polyhedron with planes.");
   bind_fields(patches, "Any field by keyword.",
-              Field{"contacts", &ContactPatches::contacts, "Corners of the patches; copies."},
+              Field{"contacts", &ContactPatches::contacts,
+                    "Vertices of the contact patches, in O. The tuple holds copies."},
               Field{"plane", &ContactPatches::plane, "Index of each contact's plane."},
               Field{"fault", &ContactPatches::fault,
-                    "Why the corners cannot stand for the patches; empty when they can."},
+                    "Reason why the vertices do not represent the patches; empty if they do."},
               Field{"turns_in_plane", &ContactPatches::turns_in_plane,
-                    "Whether a face turns about its normal: its corners understate friction."});
+                    "True if a face turns about its normal while it slides. Its vertices then "
+                    "understate friction."});
   m.def(
       "contact_patches",
       [](const Array& vertices_O, const Array& com_O, const std::vector<Plane>& planes,
@@ -283,33 +430,63 @@ void bind_patches(py::module_& m) {
       },
       py::arg("vertices_O"), py::arg("com_O"), py::arg("planes"), py::arg("state"),
       py::arg("tolerance") = 1e-6,
-      "Contacts of the convex hull of vertices_O, (N, 3) [m], with planes. com_O: (3,) [m].\n\n"
-      "A vertex within tolerance [m] of a plane touches it; one that leaves does not count, one "
-      "that moves along slides.");
+      "Finds the contacts of a convex hull with planes, Section 5.\n\n"
+      "A vertex within the tolerance of a plane touches it. A touching vertex that leaves its "
+      "plane is\n"
+      "ignored, one that moves along it slides, and one that does not move sticks.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "vertices_O : array (N, 3)\n"
+      "    Points whose convex hull is the object, in O [m].\n"
+      "com_O : array (3,)\n"
+      "    Centre of mass in O [m].\n"
+      "planes : sequence of Plane\n"
+      "    Floor and walls.\n"
+      "state : BodyState\n"
+      "    Pose and velocity of the object.\n"
+      "tolerance : float\n"
+      "    Distance from a plane within which a vertex touches it [m].\n\n"
+      "Returns\n"
+      "-------\n"
+      "ContactPatches\n"
+      "    Contacts, the plane of each, and a fault if vertices cannot represent the patches.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    An array has the wrong shape or is not finite, a plane is invalid, or the pose is not "
+      "rigid.");
 }
 
 void bind_stability(py::module_& m) {
-  py::native_enum<Engine>(m, "Engine", "enum.Enum", "Who solves the linear programs.")
-      .value("fast", Engine::fast, "Decomposed by directions, warm started.")
-      .value("reference", Engine::reference, "As the paper writes them, by GLPK.")
+  py::native_enum<Engine>(m, "Engine", "enum.Enum", "Solver of the linear programs.")
+      .value("fast", Engine::fast, "Decomposed by directions and warm-started.")
+      .value("reference", Engine::reference,
+             "The programs as the paper writes them, solved by GLPK.")
       .finalize();
-  py::class_<Stability> stability(m, "Stability", "How much disturbance an instant withstands.");
-  bind_fields(stability, "Any field by keyword.",
-              Field{"z", &Stability::z,
-                    "Largest z such that every z times a direction is balanced [N]; 0 without "
-                    "equilibrium or margin, inf when contacts can balance anything."},
-              Field{"commanded_forces", &Stability::commanded_forces,
-                    "(n,) normal force of each finger in force control, 0 for the others [N]."},
-              Field{"binding_directions", &Stability::binding_directions,
-                    "Rows of the directions that keep z from growing."});
-  py::class_<ControlModes> modes(m, "ControlModes",
-                                 "The control modes of greatest stability that cannot jam.");
-  bind_fields(modes, "Any field by keyword.",
-              Field{"found", &ControlModes::found, "Whether there are any, with z > 0."},
-              Field{"modes", &ControlModes::modes, "One FingerMode a finger."},
-              Field{"stability", &ControlModes::stability, "With these modes."});
+  py::class_<Stability> stability(
+      m, "Stability",
+      "Largest disturbance that a contact set withstands, the answer to Problem (6).");
+  bind_fields(
+      stability, "Any field by keyword.",
+      Field{"z", &Stability::z,
+            "Largest z such that the disturbance z l_i can be balanced for every direction l_i "
+            "[N].\n\n"
+            "0 if there is no equilibrium or it has no margin; inf if the contacts can balance "
+            "anything."},
+      Field{
+          "commanded_forces", &Stability::commanded_forces,
+          "(n,) commanded normal forces f_com of fingers in force control, 0 for the others [N]."},
+      Field{"binding_directions", &Stability::binding_directions,
+            "Row indices of the directions that limit z."});
+  py::class_<ControlModes> modes(
+      m, "ControlModes", "Control modes of greatest stability that cannot jam, Section 3.4.");
+  bind_fields(
+      modes, "Any field by keyword.",
+      Field{"found", &ControlModes::found, "True if some combination cannot jam and has z > 0."},
+      Field{"modes", &ControlModes::modes, "One control mode for each finger."},
+      Field{"stability", &ControlModes::stability, "Stability under these modes."});
   modes.def(
-      "__bool__", [](const ControlModes& self) { return self.found; }, "Whether found.");
+      "__bool__", [](const ControlModes& self) { return self.found; }, "Returns `found`.");
 
   m.def(
       "max_stability",
@@ -322,8 +499,28 @@ void bind_stability(py::module_& m) {
       },
       py::arg("set"), py::arg("modes"), py::kw_only(), py::arg("directions") = py::none(),
       py::arg("engine") = Engine::fast,
-      "Problem (6): the stability of a contact set under these control modes, one a finger.\n\n"
-      "directions: (N, 6) that positively span the space; disturbance_directions() unless given.");
+      "Computes the stability of a contact set under given control modes, Problem (6).\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "directions : array (N, 6), optional\n"
+      "    Directions of disturbances in scaled wrench space, which positively span it. By "
+      "default\n"
+      "    `disturbance_directions`.\n"
+      "engine : Engine\n"
+      "    Solver of the linear programs.\n\n"
+      "Returns\n"
+      "-------\n"
+      "Stability\n"
+      "    z and the commanded normal forces [N].\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the number of modes or the directions are invalid.");
   m.def(
       "internal_force_is_bounded",
       [](const ContactSet& set, const std::vector<FingerMode>& modes, Engine engine) {
@@ -332,7 +529,25 @@ void bind_stability(py::module_& m) {
         return internal_force_is_bounded(unit, modes, engine);
       },
       py::arg("set"), py::arg("modes"), py::kw_only(), py::arg("engine") = Engine::fast,
-      "Problem (5): whether contacts and position-controlled fingers cannot jam.");
+      "Tests whether contacts and position-controlled fingers cannot jam, Problem (5).\n\n"
+      "They jam if contact forces of arbitrary size can cancel each other.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "engine : Engine\n"
+      "    Solver of the linear programs.\n\n"
+      "Returns\n"
+      "-------\n"
+      "bool\n"
+      "    True if nothing can jam.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set or the number of modes is invalid.");
   m.def(
       "best_control_modes",
       [](const ContactSet& set, const std::vector<FingerMode>& previous,
@@ -344,8 +559,13 @@ void bind_stability(py::module_& m) {
       },
       py::arg("set"), py::kw_only(), py::arg("previous") = std::vector<FingerMode>{},
       py::arg("directions") = py::none(), py::arg("engine") = Engine::fast,
-      "The control modes of greatest stability that cannot jam; ties go to `previous`, then to "
-      "force control of the fingers that press into the environment.");
+      "Finds the control modes of greatest stability that cannot jam, Section 3.4.\n\n"
+      "`previous` wins ties. Other ties go to force control of fingers that press into the "
+      "environment\n"
+      "and position control of fingers that oppose the motion. `directions` (N, 6) are those of\n"
+      "`max_stability`. Normals that are not unit vectors are normalised with a UserWarning. "
+      "Raises\n"
+      "ValueError if the contact set, `previous` or the directions are invalid.");
   m.def(
       "best_control_modes",
       [](const std::vector<ContactSet>& sets, const MaybeArray& directions, Engine engine) {
@@ -356,35 +576,42 @@ void bind_stability(py::module_& m) {
         return best_control_modes(unit, l, engine);
       },
       py::arg("sets"), py::kw_only(), py::arg("directions") = py::none(),
-      py::arg("engine") = Engine::fast, "The same for many contact sets.");
+      py::arg("engine") = Engine::fast,
+      "Finds the best control modes of many contact sets, each on its own.");
 }
 
 void bind_equilibrium(py::module_& m) {
   py::class_<Equilibrium> equilibrium(
-      m, "Equilibrium", "Contact forces that balance, as far inside their limits as they go.");
+      m, "Equilibrium",
+      "Contact forces that balance a contact set, well inside their cones and limits.");
   equilibrium
       .def_property_readonly(
           "contact_forces_O",
           [](const Equilibrium& self) -> Rows3 { return self.contact_forces_O.transpose(); },
-          "(m, 3) on the object, in O [N].")
+          "(m, 3) force on the object at each contact, in O [N].")
       .def_property_readonly(
           "finger_forces_O",
           [](const Equilibrium& self) -> Rows3 { return self.finger_forces_O.transpose(); },
-          "(n, 3) on the object, in O [N].")
+          "(n, 3) force on the object at each finger, in O [N].")
       .def_readonly("margin", &Equilibrium::margin,
-                    "What every cone coefficient, and what is left to every limit, is at least "
-                    "[N].")
+                    "Largest t such that all cone coefficients are at least t, and fingers in "
+                    "position control\n"
+                    "stay at least t below their limits [N].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"margin", "contact_forces_O", "finger_forces_O"});
       });
-  py::class_<Compliance> compliance(m, "Compliance",
-                                    "Springs at the contacts, of which only ratios matter.");
+  py::class_<Compliance> compliance(
+      m, "Compliance",
+      "Stiffness of the springs that model the contacts. Only ratios matter to the stability.");
   bind_fields(compliance, "Any field by keyword; the others keep their defaults.",
-              Field{"environment_normal", &Compliance::environment_normal, "Along the normal."},
+              Field{"environment_normal", &Compliance::environment_normal,
+                    "Stiffness of contacts with the environment along the normal."},
               Field{"environment_tangential", &Compliance::environment_tangential,
-                    "Along the surface, where contacts stick."},
-              Field{"finger_normal", &Compliance::finger_normal, "Of fingers in position control."},
-              Field{"finger_tangential", &Compliance::finger_tangential, "Of all fingers."});
+                    "Stiffness of sticking contacts with the environment along the surface."},
+              Field{"finger_normal", &Compliance::finger_normal,
+                    "Stiffness of fingers in position control along the normal."},
+              Field{"finger_tangential", &Compliance::finger_tangential,
+                    "Stiffness of all fingers along the surface."});
   m.def(
       "interior_equilibrium",
       [](const ContactSet& set, const std::vector<FingerMode>& modes,
@@ -395,8 +622,27 @@ void bind_equilibrium(py::module_& m) {
         return interior_equilibrium(unit, modes, forces);
       },
       py::arg("set"), py::arg("modes"), py::arg("commanded_forces"),
-      "The Equilibrium deepest inside all cones and limits; None when there is none.\n\n"
-      "commanded_forces: (n,) [N], looked at for fingers in force control.");
+      "Finds contact forces that balance without disturbance, deep inside all cones and limits.\n\n"
+      "The paper leaves these nominal forces open. Among the equilibria with at least 0.9 of the\n"
+      "largest margin, this one has the least sum of squares of cone coefficients beyond that "
+      "margin.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "commanded_forces : array (n,)\n"
+      "    Commanded normal forces [N]. Entries of fingers in position control are ignored.\n\n"
+      "Returns\n"
+      "-------\n"
+      "Equilibrium or None\n"
+      "    None if there is no equilibrium.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the modes or the forces are invalid.");
   m.def(
       "compliant_equilibrium",
       [](const ContactSet& set, const std::vector<FingerMode>& modes, const Array& commanded_forces,
@@ -411,10 +657,32 @@ void bind_equilibrium(py::module_& m) {
       py::arg("set"), py::arg("modes"), py::arg("commanded_forces"),
       py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
       py::arg("directions") = py::none(),
-      "The Equilibrium with room where springs at the contacts will ask for it, so that "
-      "compliant_stability() is large; None when there is none.\n\n"
-      "commanded_forces: (n,) [N], looked at for fingers in force control.\n"
-      "directions: (N, 6); disturbance_directions() unless given.");
+      "Finds the equilibrium whose `compliant_stability` is as large as possible.\n\n"
+      "Like `interior_equilibrium`, but each contact keeps as much reserve as disturbances take "
+      "from it\n"
+      "when the contacts are springs. Not in the paper.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "commanded_forces : array (n,)\n"
+      "    Commanded normal forces [N]. Entries of fingers in position control are ignored.\n"
+      "compliance : Compliance\n"
+      "    Stiffness of the contacts.\n"
+      "directions : array (N, 6), optional\n"
+      "    Directions of disturbances in scaled wrench space. By default "
+      "`disturbance_directions`.\n\n"
+      "Returns\n"
+      "-------\n"
+      "Equilibrium or None\n"
+      "    None if there is no equilibrium.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the modes, the forces, the stiffness or the directions are invalid.");
   m.def(
       "compliant_stability",
       [](const ContactSet& set, const std::vector<FingerMode>& modes, const Equilibrium& nominal,
@@ -428,36 +696,67 @@ void bind_equilibrium(py::module_& m) {
       py::arg("set"), py::arg("modes"), py::arg("nominal"),
       py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
       py::arg("directions") = py::none(),
-      "The largest disturbance [N] that springs at the contacts carry from the nominal forces "
-      "before one slips, lets go or passes its limit.\n\n"
-      "Unlike z, it does not assume that passive friction redistributes freely.");
+      "Computes a stability margin with contacts as springs about their nominal forces.\n\n"
+      "Unlike z of Problem (6), it does not assume that passive friction redistributes freely. Not "
+      "in\n"
+      "the paper.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "nominal : Equilibrium\n"
+      "    Nominal forces, for instance from `compliant_equilibrium`.\n"
+      "compliance : Compliance\n"
+      "    Stiffness of the contacts.\n"
+      "directions : array (N, 6), optional\n"
+      "    Directions of disturbances in scaled wrench space. By default "
+      "`disturbance_directions`.\n\n"
+      "Returns\n"
+      "-------\n"
+      "float\n"
+      "    Largest disturbance [N] under which no contact slips or lets go and no finger exceeds "
+      "its\n"
+      "    limit. 0 if the springs do not hold the object.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the modes, the nominal forces, the stiffness or the directions are "
+      "invalid.");
 }
 
 void bind_friction_interval(py::module_& m) {
   py::class_<FrictionInterval> interval(m, "FrictionInterval",
-                                        "Bounds of a coefficient of friction.");
+                                        "Bounds of an uncertain coefficient of friction.");
   interval.def(py::init([](double lower, double upper) {
                  return FrictionInterval{lower, upper};
                }),
-               py::arg("lower"), py::arg("upper"), "0 < lower <= upper.");
-  bind_field(interval, Field{"lower", &FrictionInterval::lower, "Least."});
-  bind_field(interval, Field{"upper", &FrictionInterval::upper, "Greatest."});
+               py::arg("lower"), py::arg("upper"),
+               "Parameters\n"
+               "----------\n"
+               "lower, upper : float\n"
+               "    Bounds with 0 <= lower <= upper.");
+  bind_field(interval, Field{"lower", &FrictionInterval::lower, "Lower bound."});
+  bind_field(interval, Field{"upper", &FrictionInterval::upper, "Upper bound."});
   interval.def("__repr__", [](const py::object& self) {
     return represent(self, {"lower", "upper"});
   });
-  py::class_<FrictionVerdict> verdict(
-      m, "FrictionVerdict", "Whether a contact set holds for all coefficients of an interval.");
-  bind_fields(
-      verdict, "Any field by keyword.",
-      Field{"holds", &FrictionVerdict::holds, "Whether it does, shown."},
-      Field{"least_stability", &FrictionVerdict::least_stability,
-            "A proven lower bound on z when it holds [N]."},
-      Field{"environment", &FrictionVerdict::environment,
-            "Coefficient of the environment at which it fails."},
-      Field{"fingers", &FrictionVerdict::fingers, "Coefficient of the fingers at which it fails."},
-      Field{"reason", &FrictionVerdict::reason, "How it fails, for people."});
+  py::class_<FrictionVerdict> verdict(m, "FrictionVerdict",
+                                      "Verdict on a contact set over intervals of friction.");
+  bind_fields(verdict, "Any field by keyword.",
+              Field{"holds", &FrictionVerdict::holds,
+                    "True if z >= needed is proven and nothing can jam, for all coefficients."},
+              Field{"least_stability", &FrictionVerdict::least_stability,
+                    "Proven lower bound on z over the intervals [N], if the set holds."},
+              Field{"environment", &FrictionVerdict::environment,
+                    "Coefficient of the environment at which the set fails, if it does."},
+              Field{"fingers", &FrictionVerdict::fingers,
+                    "Coefficient of the fingers at which the set fails, if it does."},
+              Field{"reason", &FrictionVerdict::reason, "Reason of the failure in words."});
   verdict.def(
-      "__bool__", [](const FrictionVerdict& self) { return self.holds; }, "Whether it holds.");
+      "__bool__", [](const FrictionVerdict& self) { return self.holds; }, "Returns `holds`.");
   m.def(
       "holds_over_friction",
       [](const ContactSet& set, const std::vector<FingerMode>& modes, const Array& commanded_forces,
@@ -473,9 +772,37 @@ void bind_friction_interval(py::module_& m) {
       py::arg("set"), py::arg("modes"), py::arg("commanded_forces"), py::kw_only(),
       py::arg("environment"), py::arg("fingers"), py::arg("needed"),
       py::arg("directions") = py::none(),
-      "Whether z >= needed [N], without jamming, for all coefficients within the intervals.\n\n"
-      "All contacts share one coefficient, and so do all fingers; those of `set` are not looked "
-      "at.");
+      "Proves that a contact set holds over intervals of friction, or finds where it fails.\n\n"
+      "The set holds if z >= needed and nothing can jam, for all coefficients in the intervals. "
+      "All\n"
+      "contacts share one coefficient, and so do all fingers. The coefficients in `set` are "
+      "ignored.\n"
+      "Not in the paper.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "commanded_forces : array (n,)\n"
+      "    Commanded normal forces [N]. Entries of fingers in position control are ignored.\n"
+      "environment, fingers : FrictionInterval\n"
+      "    Bounds of the coefficients of friction.\n"
+      "needed : float\n"
+      "    Stability that is needed, not negative [N].\n"
+      "directions : array (N, 6), optional\n"
+      "    Directions of disturbances in scaled wrench space. By default "
+      "`disturbance_directions`.\n\n"
+      "Returns\n"
+      "-------\n"
+      "FrictionVerdict\n"
+      "    Proven bound on z, or the coefficients at which the set fails.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the modes, the forces, an interval, `needed` or the directions are "
+      "invalid.");
 }
 
 void require_shape(const Array& array, const std::string& name,
@@ -534,11 +861,32 @@ void bind_batch(py::module_& m) {
   m.def("contact_sets", &contact_sets, py::arg("common"), py::kw_only(), py::arg("points"),
         py::arg("normals"), py::arg("friction"), py::arg("sliding"), py::arg("finger_points"),
         py::arg("finger_normals"), py::arg("finger_friction"), py::arg("max_normal_force"),
-        "N ContactSets of m contacts and n fingers each from arrays; whatever else they hold is "
-        "that of `common`.\n\n"
-        "points, normals: (N, m, 3). friction: (N, m). sliding: (N, m, 3) where the object slides "
-        "to, zero where it sticks.\n"
-        "finger_points, finger_normals: (N, n, 3). finger_friction, max_normal_force: (N, n).");
+        "Makes N contact sets of m contacts and n fingers each from arrays, all in the object's "
+        "frame O.\n\n"
+        "Parameters\n"
+        "----------\n"
+        "common : ContactSet\n"
+        "    Contact set whose other fields all sets share.\n"
+        "points, normals : array (N, m, 3)\n"
+        "    Contacts with the environment [m], and their normals, which point into the object.\n"
+        "friction : array (N, m)\n"
+        "    Coefficients of friction.\n"
+        "sliding : array (N, m, 3)\n"
+        "    Direction in which the object slides at each contact; zero where it sticks.\n"
+        "finger_points, finger_normals : array (N, n, 3)\n"
+        "    Fingertips [m], and their normals, which point into the object.\n"
+        "finger_friction : array (N, n)\n"
+        "    Coefficients of friction of the fingers.\n"
+        "max_normal_force : array (N, n)\n"
+        "    Upper limits f_max of the normal forces [N].\n\n"
+        "Returns\n"
+        "-------\n"
+        "list of ContactSet\n"
+        "    N contact sets.\n\n"
+        "Raises\n"
+        "------\n"
+        "ValueError\n"
+        "    An array has the wrong shape.");
 }
 
 }  // namespace

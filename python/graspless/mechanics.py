@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Forces at frictional contacts: whether they balance, and how much more they can (Maeda, Arai).
+"""Stability of objects with frictional contacts, Sections 2 and 3 of Maeda and Arai (2005).
 
-Whoever has contacts as arrays gets margins in one call, `stability()`; the rest works on a
-`ContactSet`.
+`stability()` takes contacts as arrays, for many objects at once. All other functions take a
+`ContactSet`, which holds the contacts of one object.
 """
 
 from __future__ import annotations
@@ -87,14 +87,14 @@ __all__ = [
 
 
 class Stabilities(NamedTuple):
-    """Of N contact sets with n fingers each, every one under its best control modes."""
+    """Stability of N contact sets with n fingers each, under their best control modes."""
 
     z: NDArray[np.float64]
-    """(N,) stability [N]; 0 where no control modes hold the object without jamming."""
+    """(N,) stability z [N]; 0 where no control modes hold the object without jamming."""
     modes: NDArray[np.str_]
-    """(N, n) "position" or "force"; "" where there are none."""
+    """(N, n) control modes, "position" or "force"; "" where z is 0."""
     commanded_forces: NDArray[np.float64]
-    """(N, n) normal forces of fingers in force control, 0 for the others [N]."""
+    """(N, n) normal forces f_com of fingers in force control, 0 for the others [N]."""
 
 
 def stability(
@@ -115,20 +115,55 @@ def stability(
     directions: ArrayLike | None = None,
     engine: Engine = Engine.fast,
 ) -> Stabilities:
-    """How much disturbance objects withstand, held by fingers against their environment.
+    """Computes the stability of objects held by fingers against their environment.
 
-    N objects at once, each with m contacts and n <= 4 fingers; all in the object's frame.
+    Searches the control modes of the fingers by Section 3.4 and evaluates Problems (5) and (6) for
+    N objects, each with m contacts and n fingers. Coordinates are those of each object's frame O.
 
-    points, normals: (N, m, 3) contacts with the environment [m], normals into the object.
-    finger_points, finger_normals: (N, n, 3) fingertips [m], normals into the object.
-    mass, inertia: [kg] and (3, 3) about the centre of mass [kg m^2].
-    friction: coefficient, one for all or (N, m). finger_friction: one for all or (N, n).
-    max_normal_force: of the fingers [N], one for all or (N, n).
-    sliding: (N, m, 3) where the object slides at the contacts; zero, or None, where it sticks.
-    com: (3,) centre of mass [m]. gravity: (3,) [m/s^2].
-    directions: (D, 6) of disturbances; disturbance_directions() unless given.
+    Parameters
+    ----------
+    points : array (N, m, 3)
+        Contacts with the environment [m].
+    normals : array (N, m, 3)
+        Their unit normals, pointing into the object.
+    finger_points : array (N, n, 3)
+        Fingertips [m], four at most.
+    finger_normals : array (N, n, 3)
+        Their unit normals, pointing into the object.
+    mass : float
+        Mass of every object [kg].
+    inertia : array (3, 3)
+        Inertia about the centre of mass [kg m^2].
+    friction : float or array (N, m)
+        Coefficient of friction of the contacts.
+    finger_friction : float or array (N, n)
+        Coefficient of friction of the fingers.
+    max_normal_force : float or array (N, n)
+        Upper limit f_max of the fingers' normal forces [N].
+    sliding : array (N, m, 3), optional
+        Direction in which the object slides at each contact; zero where it sticks. By default all
+        contacts stick.
+    com : array (3,)
+        Centre of mass [m].
+    gravity : array (3,)
+        Acceleration of gravity [m/s^2].
+    cone_edges : int
+        Number of edges of each polyhedral friction cone, at least 3.
+    directions : array (D, 6), optional
+        Directions of disturbances in scaled wrench space. By default `disturbance_directions()`.
+    engine : Engine
+        Solver of the linear programs.
 
-    Raises ValueError on bad values; normals that are not of length 1 are normalised with a warning.
+    Returns
+    -------
+    Stabilities
+        Stability, control modes and commanded forces of every object.
+
+    Raises
+    ------
+    ValueError
+        An array has the wrong shape, or a value is invalid. Normals that are not unit vectors are
+        normalised with a UserWarning.
     """
     shape, held = np.shape(points)[:2], np.shape(finger_points)[:2]
     sets = contact_sets(

@@ -10,25 +10,36 @@ import typing
 __all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'wrench_scale']
 class ContactMode(enum.Enum):
     """
-    How the object moves at a contact.
+    Motion of the object at a contact with the environment, Eq. (1).
     """
     slide = ...
     stick = ...
 class FingerMode(enum.Enum):
     """
-    How a finger is controlled.
+    Control mode of a finger, Eq. (2).
     """
     force = ...
     position = ...
 class Contact:
     """
-    A point where the object touches its environment.
+    Point contact between the object and its environment.
     """
     def __init__(self, *, p_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, mode: ContactMode = ContactMode.stick, t_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
         """
-        p_OC: (3,) [m]. n_O: (3,) normal into the object. friction: coefficient.
-        
-        t_O: (3,) along the surface. Sliding: where the object moves to there. Sticking: the first edge of the friction cone.
+        Parameters
+        ----------
+        p_OC : array (3,)
+            Contact point in the object's frame O [m].
+        n_O : array (3,)
+            Unit normal in O, pointing into the object.
+        friction : float
+            Coefficient of friction, not negative.
+        mode : ContactMode
+            Sticking or sliding.
+        t_O : array (3,), optional
+            Direction along the surface, in O, of any length. For a sliding contact it is the direction
+            in which the object moves and must be given. For a sticking contact it is the direction of
+            the first edge of the friction cone; `tangent` chooses one by default.
         """
     def __repr__(self) -> str:
         ...
@@ -43,7 +54,7 @@ class Contact:
     @property
     def mode(self) -> ContactMode:
         """
-        Whether it sticks or slides.
+        Sticking or sliding.
         """
     @mode.setter
     def mode(self, arg0: ContactMode) -> None:
@@ -51,7 +62,7 @@ class Contact:
     @property
     def n_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit normal into the object, in O.
+        (3,) unit normal in O, pointing into the object.
         """
     @n_O.setter
     def n_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -59,7 +70,7 @@ class Contact:
     @property
     def p_OC(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) where, in O [m].
+        (3,) contact point in O [m].
         """
     @p_OC.setter
     def p_OC(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -67,20 +78,29 @@ class Contact:
     @property
     def t_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) direction of sliding or of the cone's first edge, in O; zero: any.
+        (3,) direction of sliding, or of the first edge of the cone, in O. Zero lets `tangent` choose.
         """
     @t_O.setter
     def t_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
 class Finger:
     """
-    A fingertip that does not slide on the object.
+    Fingertip in one-point contact with the object. It does not slide, Eq. (2).
     """
     def __init__(self, *, p_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, max_normal_force: typing.SupportsFloat | typing.SupportsIndex = 10.0, t_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
         """
-        p_OC: (3,) [m]. n_O: (3,) normal into the object. friction: coefficient. max_normal_force: [N].
-        
-        t_O: (3,) first edge of the friction cone, along the surface.
+        Parameters
+        ----------
+        p_OC : array (3,)
+            Contact point in the object's frame O [m].
+        n_O : array (3,)
+            Unit normal in O, pointing into the object.
+        friction : float
+            Coefficient of friction, not negative.
+        max_normal_force : float
+            Upper limit f_max of the normal force [N].
+        t_O : array (3,), optional
+            Direction of the first edge of the friction cone, in O; `tangent` chooses one by default.
         """
     def __repr__(self) -> str:
         ...
@@ -95,7 +115,7 @@ class Finger:
     @property
     def max_normal_force(self) -> float:
         """
-        Limit of the normal force [N].
+        Upper limit f_max of the normal force [N].
         """
     @max_normal_force.setter
     def max_normal_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -103,7 +123,7 @@ class Finger:
     @property
     def n_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit normal into the object, in O.
+        (3,) unit normal in O, pointing into the object.
         """
     @n_O.setter
     def n_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -111,7 +131,7 @@ class Finger:
     @property
     def p_OC(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) where, in O [m].
+        (3,) contact point in O [m].
         """
     @p_OC.setter
     def p_OC(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -119,20 +139,38 @@ class Finger:
     @property
     def t_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) the cone's first edge, in O; zero: any.
+        (3,) direction of the first edge of the cone, in O. Zero lets `tangent` choose.
         """
     @t_O.setter
     def t_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
 class ContactSet:
     """
-    All that touches an object at one instant of a slow motion, in its frame O.
+    All contacts of an object at one instant of a quasi-static motion, in its frame O.
     """
     def __init__(self, *, contacts: collections.abc.Sequence[Contact], fingers: collections.abc.Sequence[Finger], com_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, known_wrench_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, wrench_scale: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, cone_edges: typing.SupportsInt | typing.SupportsIndex = 6) -> None:
         """
-        contacts, fingers: Contacts and Fingers, at most four of these. com_O: (3,) centre of mass [m], zero unless given.
-        known_wrench_O: (6,) force and moment about the centre of mass, such as gravity_wrench() [N, N m], zero unless given.
-        wrench_scale: (6, 6) what wrenches are measured by, wrench_scale(); the identity unless given. cone_edges: of each friction cone.
+        Parameters
+        ----------
+        contacts : sequence of Contact
+            Contacts with the environment.
+        fingers : sequence of Finger
+            Fingertips, four at most.
+        com_O : array (3,), optional
+            Centre of mass in O, about which moments are taken [m]. Zero by default.
+        known_wrench_O : array (6,), optional
+            Q_known of Eq. (3): known force and moment about the centre of mass, in O [N, N m], for
+            instance `gravity_wrench`. Zero by default.
+        wrench_scale : array (6, 6), optional
+            R^1/2 of Eq. (7): the matrix that scales wrenches before they are measured, for instance
+            `wrench_scale`. The identity by default.
+        cone_edges : int
+            Number of edges of each polyhedral friction cone, at least 3.
+        
+        Raises
+        ------
+        ValueError
+            An array has the wrong shape or is not finite. `validate` checks the other rules.
         """
     def __repr__(self) -> str:
         ...
@@ -147,7 +185,7 @@ class ContactSet:
     @property
     def cone_edges(self) -> int:
         """
-        Edges of each friction cone.
+        Number of edges of each polyhedral friction cone.
         """
     @cone_edges.setter
     def cone_edges(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -155,7 +193,7 @@ class ContactSet:
     @property
     def contacts(self) -> tuple[Contact, ...]:
         """
-        With the environment; copies.
+        Contacts with the environment. The tuple holds copies.
         """
     @contacts.setter
     def contacts(self, arg1: collections.abc.Sequence[Contact]) -> None:
@@ -163,7 +201,7 @@ class ContactSet:
     @property
     def fingers(self) -> tuple[Finger, ...]:
         """
-        Copies.
+        Fingertips. The tuple holds copies.
         """
     @fingers.setter
     def fingers(self, arg1: collections.abc.Sequence[Finger]) -> None:
@@ -171,7 +209,7 @@ class ContactSet:
     @property
     def known_wrench_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
         """
-        (6,) known wrench in O about the centre of mass [N, N m].
+        (6,) known wrench Q_known in O about the centre of mass [N, N m].
         """
     @known_wrench_O.setter
     def known_wrench_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -179,18 +217,27 @@ class ContactSet:
     @property
     def wrench_scale(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 6]"]:
         """
-        (6, 6) what a wrench in O about the centre of mass is multiplied with to be measured.
+        (6, 6) matrix R^1/2 that scales a wrench in O about the centre of mass before it is measured.
         """
     @wrench_scale.setter
     def wrench_scale(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         ...
 class Plane:
     """
-    A half-space that the object rests on: floor or wall.
+    Solid half-space that the object rests on or leans against: a floor or a wall.
     """
     def __init__(self, *, name: str = 'floor', n_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, offset: typing.SupportsFloat | typing.SupportsIndex = 0.0, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5) -> None:
         """
-        n_W: (3,) unit normal out of the solid, upward unless given. offset: n_W . p of its points [m]. friction: coefficient.
+        Parameters
+        ----------
+        name : str
+            Name in error messages.
+        n_W : array (3,), optional
+            Unit normal in the world W, pointing out of the solid. Upwards by default.
+        offset : float
+            n_W . p of the points p on its surface [m].
+        friction : float
+            Coefficient of friction.
         """
     def __repr__(self) -> str:
         ...
@@ -205,7 +252,7 @@ class Plane:
     @property
     def n_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit normal out of the solid, in the world.
+        (3,) unit normal in the world, pointing out of the solid.
         """
     @n_W.setter
     def n_W(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -213,7 +260,7 @@ class Plane:
     @property
     def name(self) -> str:
         """
-        What errors call it.
+        Name in error messages.
         """
     @name.setter
     def name(self, arg0: str) -> None:
@@ -221,20 +268,27 @@ class Plane:
     @property
     def offset(self) -> float:
         """
-        n_W . p of its points [m].
+        n_W . p of the points p on its surface [m].
         """
     @offset.setter
     def offset(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class BodyState:
     """
-    How an object stands and moves at one instant.
+    Pose and velocity of an object at one instant.
     """
     def __init__(self, *, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., twist_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, at_rest: bool = False) -> None:
         """
-        X_WO: (4, 4). twist_W: (6,) velocity of O's origin, then angular velocity, in the world.
-        
-        at_rest: it stands still, every contact sticks, and the twist only turns the cones.
+        Parameters
+        ----------
+        X_WO : array (4, 4)
+            Pose of the object in the world W. The identity by default.
+        twist_W : array (6,), optional
+            Velocity of O's origin, then angular velocity, in W per unit of the motion's parameter.
+            Zero by default.
+        at_rest : bool
+            The object stands still. Every contact then sticks, and the twist only determines the
+            directions of the cones.
         """
     def __repr__(self) -> str:
         ...
@@ -249,7 +303,7 @@ class BodyState:
     @property
     def at_rest(self) -> bool:
         """
-        Whether it stands still.
+        True if the object stands still.
         """
     @at_rest.setter
     def at_rest(self, arg0: bool) -> None:
@@ -264,7 +318,7 @@ class BodyState:
         ...
 class ContactPatches:
     """
-    Where a polyhedron touches planes.
+    Contacts of a polyhedron with planes.
     """
     def __init__(self, *, contacts: collections.abc.Sequence[Contact] = [], plane: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = [], fault: str = '', turns_in_plane: bool = False) -> None:
         """
@@ -275,7 +329,7 @@ class ContactPatches:
     @property
     def contacts(self) -> tuple[Contact, ...]:
         """
-        Corners of the patches; copies.
+        Vertices of the contact patches, in O. The tuple holds copies.
         """
     @contacts.setter
     def contacts(self, arg1: collections.abc.Sequence[Contact]) -> None:
@@ -283,7 +337,7 @@ class ContactPatches:
     @property
     def fault(self) -> str:
         """
-        Why the corners cannot stand for the patches; empty when they can.
+        Reason why the vertices do not represent the patches; empty if they do.
         """
     @fault.setter
     def fault(self, arg0: str) -> None:
@@ -299,20 +353,20 @@ class ContactPatches:
     @property
     def turns_in_plane(self) -> bool:
         """
-        Whether a face turns about its normal: its corners understate friction.
+        True if a face turns about its normal while it slides. Its vertices then understate friction.
         """
     @turns_in_plane.setter
     def turns_in_plane(self, arg0: bool) -> None:
         ...
 class Engine(enum.Enum):
     """
-    Who solves the linear programs.
+    Solver of the linear programs.
     """
     fast = ...
     reference = ...
 class Stability:
     """
-    How much disturbance an instant withstands.
+    Largest disturbance that a contact set withstands, the answer to Problem (6).
     """
     def __init__(self, *, z: typing.SupportsFloat | typing.SupportsIndex = 0.0, commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ..., binding_directions: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = []) -> None:
         """
@@ -323,7 +377,7 @@ class Stability:
     @property
     def binding_directions(self) -> tuple[int, ...]:
         """
-        Rows of the directions that keep z from growing.
+        Row indices of the directions that limit z.
         """
     @binding_directions.setter
     def binding_directions(self, arg1: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]) -> None:
@@ -331,7 +385,7 @@ class Stability:
     @property
     def commanded_forces(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (n,) normal force of each finger in force control, 0 for the others [N].
+        (n,) commanded normal forces f_com of fingers in force control, 0 for the others [N].
         """
     @commanded_forces.setter
     def commanded_forces(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> None:
@@ -339,18 +393,20 @@ class Stability:
     @property
     def z(self) -> float:
         """
-        Largest z such that every z times a direction is balanced [N]; 0 without equilibrium or margin, inf when contacts can balance anything.
+        Largest z such that the disturbance z l_i can be balanced for every direction l_i [N].
+        
+        0 if there is no equilibrium or it has no margin; inf if the contacts can balance anything.
         """
     @z.setter
     def z(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class ControlModes:
     """
-    The control modes of greatest stability that cannot jam.
+    Control modes of greatest stability that cannot jam, Section 3.4.
     """
     def __bool__(self) -> bool:
         """
-        Whether found.
+        Returns `found`.
         """
     def __init__(self, *, found: bool = False, modes: collections.abc.Sequence[FingerMode] = [], stability: Stability = ...) -> None:
         """
@@ -361,7 +417,7 @@ class ControlModes:
     @property
     def found(self) -> bool:
         """
-        Whether there are any, with z > 0.
+        True if some combination cannot jam and has z > 0.
         """
     @found.setter
     def found(self, arg0: bool) -> None:
@@ -369,7 +425,7 @@ class ControlModes:
     @property
     def modes(self) -> tuple[FingerMode, ...]:
         """
-        One FingerMode a finger.
+        One control mode for each finger.
         """
     @modes.setter
     def modes(self, arg1: collections.abc.Sequence[FingerMode]) -> None:
@@ -377,35 +433,36 @@ class ControlModes:
     @property
     def stability(self) -> Stability:
         """
-        With these modes.
+        Stability under these modes.
         """
     @stability.setter
     def stability(self, arg0: Stability) -> None:
         ...
 class Equilibrium:
     """
-    Contact forces that balance, as far inside their limits as they go.
+    Contact forces that balance a contact set, well inside their cones and limits.
     """
     def __repr__(self) -> str:
         ...
     @property
     def contact_forces_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (m, 3) on the object, in O [N].
+        (m, 3) force on the object at each contact, in O [N].
         """
     @property
     def finger_forces_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (n, 3) on the object, in O [N].
+        (n, 3) force on the object at each finger, in O [N].
         """
     @property
     def margin(self) -> float:
         """
-        What every cone coefficient, and what is left to every limit, is at least [N].
+        Largest t such that all cone coefficients are at least t, and fingers in position control
+        stay at least t below their limits [N].
         """
 class Compliance:
     """
-    Springs at the contacts, of which only ratios matter.
+    Stiffness of the springs that model the contacts. Only ratios matter to the stability.
     """
     def __init__(self, *, environment_normal: typing.SupportsFloat | typing.SupportsIndex = 1.0, environment_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.8, finger_normal: typing.SupportsFloat | typing.SupportsIndex = 0.2, finger_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.2) -> None:
         """
@@ -416,7 +473,7 @@ class Compliance:
     @property
     def environment_normal(self) -> float:
         """
-        Along the normal.
+        Stiffness of contacts with the environment along the normal.
         """
     @environment_normal.setter
     def environment_normal(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -424,7 +481,7 @@ class Compliance:
     @property
     def environment_tangential(self) -> float:
         """
-        Along the surface, where contacts stick.
+        Stiffness of sticking contacts with the environment along the surface.
         """
     @environment_tangential.setter
     def environment_tangential(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -432,7 +489,7 @@ class Compliance:
     @property
     def finger_normal(self) -> float:
         """
-        Of fingers in position control.
+        Stiffness of fingers in position control along the normal.
         """
     @finger_normal.setter
     def finger_normal(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -440,25 +497,28 @@ class Compliance:
     @property
     def finger_tangential(self) -> float:
         """
-        Of all fingers.
+        Stiffness of all fingers along the surface.
         """
     @finger_tangential.setter
     def finger_tangential(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class FrictionInterval:
     """
-    Bounds of a coefficient of friction.
+    Bounds of an uncertain coefficient of friction.
     """
     def __init__(self, lower: typing.SupportsFloat | typing.SupportsIndex, upper: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        0 < lower <= upper.
+        Parameters
+        ----------
+        lower, upper : float
+            Bounds with 0 <= lower <= upper.
         """
     def __repr__(self) -> str:
         ...
     @property
     def lower(self) -> float:
         """
-        Least.
+        Lower bound.
         """
     @lower.setter
     def lower(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -466,18 +526,18 @@ class FrictionInterval:
     @property
     def upper(self) -> float:
         """
-        Greatest.
+        Upper bound.
         """
     @upper.setter
     def upper(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class FrictionVerdict:
     """
-    Whether a contact set holds for all coefficients of an interval.
+    Verdict on a contact set over intervals of friction.
     """
     def __bool__(self) -> bool:
         """
-        Whether it holds.
+        Returns `holds`.
         """
     def __init__(self, *, holds: bool = False, least_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, environment: typing.SupportsFloat | typing.SupportsIndex = 0.0, fingers: typing.SupportsFloat | typing.SupportsIndex = 0.0, reason: str = '') -> None:
         """
@@ -488,7 +548,7 @@ class FrictionVerdict:
     @property
     def environment(self) -> float:
         """
-        Coefficient of the environment at which it fails.
+        Coefficient of the environment at which the set fails, if it does.
         """
     @environment.setter
     def environment(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -496,7 +556,7 @@ class FrictionVerdict:
     @property
     def fingers(self) -> float:
         """
-        Coefficient of the fingers at which it fails.
+        Coefficient of the fingers at which the set fails, if it does.
         """
     @fingers.setter
     def fingers(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -504,7 +564,7 @@ class FrictionVerdict:
     @property
     def holds(self) -> bool:
         """
-        Whether it does, shown.
+        True if z >= needed is proven and nothing can jam, for all coefficients.
         """
     @holds.setter
     def holds(self, arg0: bool) -> None:
@@ -512,7 +572,7 @@ class FrictionVerdict:
     @property
     def least_stability(self) -> float:
         """
-        A proven lower bound on z when it holds [N].
+        Proven lower bound on z over the intervals [N], if the set holds.
         """
     @least_stability.setter
     def least_stability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -520,7 +580,7 @@ class FrictionVerdict:
     @property
     def reason(self) -> str:
         """
-        How it fails, for people.
+        Reason of the failure in words.
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
@@ -528,88 +588,376 @@ class FrictionVerdict:
 @typing.overload
 def best_control_modes(set: ContactSet, *, previous: collections.abc.Sequence[FingerMode] = [], directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, engine: Engine = Engine.fast) -> ControlModes:
     """
-    The control modes of greatest stability that cannot jam; ties go to `previous`, then to force control of the fingers that press into the environment.
+    Finds the control modes of greatest stability that cannot jam, Section 3.4.
+    
+    `previous` wins ties. Other ties go to force control of fingers that press into the environment
+    and position control of fingers that oppose the motion. `directions` (N, 6) are those of
+    `max_stability`. Normals that are not unit vectors are normalised with a UserWarning. Raises
+    ValueError if the contact set, `previous` or the directions are invalid.
     """
 @typing.overload
 def best_control_modes(sets: collections.abc.Sequence[ContactSet], *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, engine: Engine = Engine.fast) -> list[ControlModes]:
     """
-    The same for many contact sets.
+    Finds the best control modes of many contact sets, each on its own.
     """
 def compliant_equilibrium(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], compliance: Compliance = ..., *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> Equilibrium | None:
     """
-    The Equilibrium with room where springs at the contacts will ask for it, so that compliant_stability() is large; None when there is none.
+    Finds the equilibrium whose `compliant_stability` is as large as possible.
     
-    commanded_forces: (n,) [N], looked at for fingers in force control.
-    directions: (N, 6); disturbance_directions() unless given.
+    Like `interior_equilibrium`, but each contact keeps as much reserve as disturbances take from it
+    when the contacts are springs. Not in the paper.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    commanded_forces : array (n,)
+        Commanded normal forces [N]. Entries of fingers in position control are ignored.
+    compliance : Compliance
+        Stiffness of the contacts.
+    directions : array (N, 6), optional
+        Directions of disturbances in scaled wrench space. By default `disturbance_directions`.
+    
+    Returns
+    -------
+    Equilibrium or None
+        None if there is no equilibrium.
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the modes, the forces, the stiffness or the directions are invalid.
     """
 def compliant_stability(set: ContactSet, modes: collections.abc.Sequence[FingerMode], nominal: Equilibrium, compliance: Compliance = ..., *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> float:
     """
-    The largest disturbance [N] that springs at the contacts carry from the nominal forces before one slips, lets go or passes its limit.
+    Computes a stability margin with contacts as springs about their nominal forces.
     
-    Unlike z, it does not assume that passive friction redistributes freely.
+    Unlike z of Problem (6), it does not assume that passive friction redistributes freely. Not in
+    the paper.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    nominal : Equilibrium
+        Nominal forces, for instance from `compliant_equilibrium`.
+    compliance : Compliance
+        Stiffness of the contacts.
+    directions : array (N, 6), optional
+        Directions of disturbances in scaled wrench space. By default `disturbance_directions`.
+    
+    Returns
+    -------
+    float
+        Largest disturbance [N] under which no contact slips or lets go and no finger exceeds its
+        limit. 0 if the springs do not hold the object.
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the modes, the nominal forces, the stiffness or the directions are invalid.
     """
 def contact_patches(vertices_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], com_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], planes: collections.abc.Sequence[Plane], state: BodyState, tolerance: typing.SupportsFloat | typing.SupportsIndex = 1e-06) -> ContactPatches:
     """
-    Contacts of the convex hull of vertices_O, (N, 3) [m], with planes. com_O: (3,) [m].
+    Finds the contacts of a convex hull with planes, Section 5.
     
-    A vertex within tolerance [m] of a plane touches it; one that leaves does not count, one that moves along slides.
+    A vertex within the tolerance of a plane touches it. A touching vertex that leaves its plane is
+    ignored, one that moves along it slides, and one that does not move sticks.
+    
+    Parameters
+    ----------
+    vertices_O : array (N, 3)
+        Points whose convex hull is the object, in O [m].
+    com_O : array (3,)
+        Centre of mass in O [m].
+    planes : sequence of Plane
+        Floor and walls.
+    state : BodyState
+        Pose and velocity of the object.
+    tolerance : float
+        Distance from a plane within which a vertex touches it [m].
+    
+    Returns
+    -------
+    ContactPatches
+        Contacts, the plane of each, and a fault if vertices cannot represent the patches.
+    
+    Raises
+    ------
+    ValueError
+        An array has the wrong shape or is not finite, a plane is invalid, or the pose is not rigid.
     """
 def contact_sets(common: ContactSet, *, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], normals: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], sliding: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], finger_points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], finger_normals: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], finger_friction: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_normal_force: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[ContactSet]:
     """
-    N ContactSets of m contacts and n fingers each from arrays; whatever else they hold is that of `common`.
+    Makes N contact sets of m contacts and n fingers each from arrays, all in the object's frame O.
     
-    points, normals: (N, m, 3). friction: (N, m). sliding: (N, m, 3) where the object slides to, zero where it sticks.
-    finger_points, finger_normals: (N, n, 3). finger_friction, max_normal_force: (N, n).
+    Parameters
+    ----------
+    common : ContactSet
+        Contact set whose other fields all sets share.
+    points, normals : array (N, m, 3)
+        Contacts with the environment [m], and their normals, which point into the object.
+    friction : array (N, m)
+        Coefficients of friction.
+    sliding : array (N, m, 3)
+        Direction in which the object slides at each contact; zero where it sticks.
+    finger_points, finger_normals : array (N, n, 3)
+        Fingertips [m], and their normals, which point into the object.
+    finger_friction : array (N, n)
+        Coefficients of friction of the fingers.
+    max_normal_force : array (N, n)
+        Upper limits f_max of the normal forces [N].
+    
+    Returns
+    -------
+    list of ContactSet
+        N contact sets.
+    
+    Raises
+    ------
+    ValueError
+        An array has the wrong shape.
     """
 def disturbance_directions() -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 6]"]:
     """
-    (76, 6) vertices of a polyhedron about the unit sphere of scaled wrenches.
+    Returns the directions of disturbances l_1 ... l_N of Problem (6), with N = 76 as in Section 5.
+    
+    Returns
+    -------
+    array (76, 6)
+        Vertices of a polyhedron around the unit sphere in scaled wrench space.
     """
 def friction_cone(n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.SupportsFloat | typing.SupportsIndex, edges: typing.SupportsInt | typing.SupportsIndex = 6, t_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
     """
-    (edges, 3) unit edges of the cone inscribed in Coulomb's about a unit normal; the first lies over tangent(n_O, t_O).
+    Returns the edges of the polyhedral cone inscribed in Coulomb's cone, Section 2.2.
+    
+    Parameters
+    ----------
+    n_O : array (3,)
+        Unit normal in O.
+    friction : float
+        Coefficient of friction.
+    edges : int
+        Number of edges.
+    t_O : array (3,), optional
+        Direction in O towards which the first edge leans, as in `tangent`.
+    
+    Returns
+    -------
+    array (edges, 3)
+        Unit vectors c_1 ... c_s in O, counter-clockwise about n_O at equal angles.
     """
 def gravity_wrench(mass: typing.SupportsFloat | typing.SupportsIndex, gravity_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
     """
-    (6,) gravity's wrench on a mass [kg], for an acceleration (3,) in O [m/s^2].
+    Returns the wrench of gravity about the centre of mass.
+    
+    Parameters
+    ----------
+    mass : float
+        Mass [kg].
+    gravity_O : array (3,)
+        Acceleration of gravity in O [m/s^2].
+    
+    Returns
+    -------
+    array (6,)
+        Force and moment in O [N, N m]. The moment is zero.
     """
 def holds_over_friction(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], *, environment: FrictionInterval, fingers: FrictionInterval, needed: typing.SupportsFloat | typing.SupportsIndex, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> FrictionVerdict:
     """
-    Whether z >= needed [N], without jamming, for all coefficients within the intervals.
+    Proves that a contact set holds over intervals of friction, or finds where it fails.
     
-    All contacts share one coefficient, and so do all fingers; those of `set` are not looked at.
+    The set holds if z >= needed and nothing can jam, for all coefficients in the intervals. All
+    contacts share one coefficient, and so do all fingers. The coefficients in `set` are ignored.
+    Not in the paper.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    commanded_forces : array (n,)
+        Commanded normal forces [N]. Entries of fingers in position control are ignored.
+    environment, fingers : FrictionInterval
+        Bounds of the coefficients of friction.
+    needed : float
+        Stability that is needed, not negative [N].
+    directions : array (N, 6), optional
+        Directions of disturbances in scaled wrench space. By default `disturbance_directions`.
+    
+    Returns
+    -------
+    FrictionVerdict
+        Proven bound on z, or the coefficients at which the set fails.
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the modes, the forces, an interval, `needed` or the directions are invalid.
     """
 def interior_equilibrium(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Equilibrium | None:
     """
-    The Equilibrium deepest inside all cones and limits; None when there is none.
+    Finds contact forces that balance without disturbance, deep inside all cones and limits.
     
-    commanded_forces: (n,) [N], looked at for fingers in force control.
+    The paper leaves these nominal forces open. Among the equilibria with at least 0.9 of the
+    largest margin, this one has the least sum of squares of cone coefficients beyond that margin.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    commanded_forces : array (n,)
+        Commanded normal forces [N]. Entries of fingers in position control are ignored.
+    
+    Returns
+    -------
+    Equilibrium or None
+        None if there is no equilibrium.
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the modes or the forces are invalid.
     """
 def internal_force_is_bounded(set: ContactSet, modes: collections.abc.Sequence[FingerMode], *, engine: Engine = Engine.fast) -> bool:
     """
-    Problem (5): whether contacts and position-controlled fingers cannot jam.
+    Tests whether contacts and position-controlled fingers cannot jam, Problem (5).
+    
+    They jam if contact forces of arbitrary size can cancel each other.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    engine : Engine
+        Solver of the linear programs.
+    
+    Returns
+    -------
+    bool
+        True if nothing can jam.
+    
+    Raises
+    ------
+    ValueError
+        The contact set or the number of modes is invalid.
     """
 def max_stability(set: ContactSet, modes: collections.abc.Sequence[FingerMode], *, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, engine: Engine = Engine.fast) -> Stability:
     """
-    Problem (6): the stability of a contact set under these control modes, one a finger.
+    Computes the stability of a contact set under given control modes, Problem (6).
     
-    directions: (N, 6) that positively span the space; disturbance_directions() unless given.
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    directions : array (N, 6), optional
+        Directions of disturbances in scaled wrench space, which positively span it. By default
+        `disturbance_directions`.
+    engine : Engine
+        Solver of the linear programs.
+    
+    Returns
+    -------
+    Stability
+        z and the commanded normal forces [N].
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the number of modes or the directions are invalid.
     """
 def normalized(set: ContactSet) -> ContactSet:
     """
-    The same set with unit normals. Raises ValueError on one without a direction.
+    Scales all normals of a contact set to unit length.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contact set with normals of any length but zero.
+    
+    Returns
+    -------
+    ContactSet
+        Copy of the set with unit normals.
+    
+    Raises
+    ------
+    ValueError
+        A normal has length zero or is not finite.
     """
 def tangent(n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], t_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """
-    (3,) unit tangent at a unit normal n_O: t_O without its normal part, or a grid axis of the face when that vanishes.
+    Returns a unit tangent at a contact.
+    
+    Parameters
+    ----------
+    n_O : array (3,)
+        Unit normal in O.
+    t_O : array (3,), optional
+        Direction whose part along the surface is used, in O. Where that part vanishes, or by
+        default, the first grid axis of a face with this normal takes its place.
+    
+    Returns
+    -------
+    array (3,)
+        Unit vector in O, perpendicular to n_O.
     """
 def validate(set: ContactSet) -> None:
     """
-    Raises ValueError that names the field at fault and its value.
+    Checks a contact set.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contact set to check.
+    
+    Raises
+    ------
+    ValueError
+        A value is not finite, a coefficient of friction is negative, a force limit is not positive,
+        a normal is not a unit vector, a sliding contact has no direction along the surface, a cone
+        has fewer than three edges, there are more than four fingers, or the scale is singular. The
+        message names the field and its value.
     """
 def wrench_scale(mass: typing.SupportsFloat | typing.SupportsIndex, inertia_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 6]"]:
     """
-    (6, 6) that leaves forces as they are and divides moments by sqrt(J_i / M) along the principal axes.
+    Returns the scale of wrenches R^1/2 of Eqs. (7) and (8).
     
-    mass: [kg]. inertia_O: (3, 3) about the centre of mass [kg m^2].
+    It keeps forces and divides moments by sqrt(J_i / M), both along the principal axes of the
+    inertia.
+    
+    Parameters
+    ----------
+    mass : float
+        Mass M [kg].
+    inertia_O : array (3, 3)
+        Inertia J about the centre of mass, in O [kg m^2].
+    
+    Returns
+    -------
+    array (6, 6)
+        Matrix that scales a wrench in O about the centre of mass.
+    
+    Raises
+    ------
+    ValueError
+        The mass is not positive, or the inertia is not symmetric, not positive definite or violates
+        the triangle inequality.
     """
