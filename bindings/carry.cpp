@@ -74,18 +74,18 @@ void bind_problem(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
           "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "Whether it is solved.");
+          "True if the query is solved.");
   const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "How the query ended."});
-  field(Field{"reason", &Plan::reason, "One sentence, for people."});
+  field(Field{"status", &Plan::status, "Outcome of the query."});
+  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
-  field(Field{"segments", &Plan::segments, "Stretches of motion, in order."});
-  field(Field{"reached", &Plan::reached, "How much of the way was possible, 0 to 1."});
-  field(Field{"statistics", &Plan::statistics, "What the search did."});
+  field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
+  field(Field{"reached", &Plan::reached, "Fraction of the path that was reached, in [0, 1]."});
+  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def("__repr__", [](const py::object& self) {
     return represent(self, {"status", "reason", "segments"});
   });
@@ -98,7 +98,7 @@ void bind_carry(py::module_ m) {
   bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_motion_segment<Segment>(m, "carry.");
   bind_statistics_struct<Statistics>(m);
-  bind_choices<Status>(m, "Status", "How a query ended.");
+  bind_choices<Status>(m, "Status", "Outcome of a query.");
   bind_plan(m);
   bind_front_door<Problem, Options, Plan>(
       m,

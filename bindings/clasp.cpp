@@ -249,7 +249,8 @@ void bind_stability(py::module_& m) {
 
 void bind_segment(py::module_& m) {
   py::class_<Segment>(
-      m, "Segment", "A stretch of motion: rows follow each other by at most 0.05 rad in any joint.")
+      m, "Segment",
+      "Part of a motion. No joint moves by more than 0.05 rad from one row to the next.")
       .def(py::init(
                [](const std::string& name, const Array& positions, const Array& virtual_linking) {
                  Configurations rows = to_configurations(positions, "positions");
@@ -306,26 +307,29 @@ void bind_tree(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
           "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "Whether it is solved.")
+          "True if the query is solved.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"status", "reason", "segments", "loop", "stability"});
       });
   const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "How the query ended."});
-  field(Field{"reason", &Plan::reason, "One sentence, for people."});
+  field(Field{"status", &Plan::status, "Outcome of the query."});
+  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
-  field(Field{"segments", &Plan::segments, "Stretches of motion, in order."});
-  field(Field{"loop", &Plan::loop, "Clasped: index of object.loops.loops; -1 without a plan."});
-  field(Field{"target", &Plan::target, "Clasped: a geometry.ClaspTarget in O; a copy."});
-  field(Field{"min_linking", &Plan::min_linking, "The threshold in force."});
-  field(Field{"stability", &Plan::stability, "Of the last row; a copy."});
-  field(Field{"tree", &Plan::tree, "That led to the clasp; a copy."});
-  field(Field{"warnings", &Plan::warnings, "What to be careful of."});
-  field(Field{"statistics", &Plan::statistics, "What the search did."});
+  field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
+  field(Field{"loop", &Plan::loop,
+              "Index of the clasped loop in object.loops.loops; -1 without a plan."});
+  field(Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."});
+  field(Field{"min_linking", &Plan::min_linking,
+              "Threshold of virtual linking that the plan fulfils."});
+  field(Field{"stability", &Plan::stability,
+              "Result of the stability test at the last row; a copy."});
+  field(Field{"tree", &Plan::tree, "Search tree that contains the clasp; a copy."});
+  field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
+  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
 }
 
 void bind_planner(py::module_& m) {
@@ -385,7 +389,7 @@ void bind_clasp(py::module_ m) {
   bind_segment(m);
   bind_tree(m);
   bind_statistics_struct<Statistics>(m);
-  bind_choices<Status>(m, "Status", "How a query ended.");
+  bind_choices<Status>(m, "Status", "Outcome of a query.");
   bind_plan(m);
   bind_planner(m);
 }

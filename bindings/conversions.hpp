@@ -171,7 +171,7 @@ void bind_statistics_fields(py::class_<Statistics>& cls, Field<Statistics, Value
         for (const char* name : names) result[name] = self.attr(name);
         return result;
       },
-      "All fields by name.");
+      "Returns all fields by name.");
 }
 
 }  // namespace graspless::bindings

@@ -83,32 +83,45 @@ Eigen::Matrix3d to_inertia(const Array& rows) {
 }
 
 void bind_object(py::module_& m) {
-  py::class_<Face>(m, "Face", "A flat part of an object's surface.")
+  py::class_<Face>(m, "Face", "Planar face of an object.")
       .def_property_readonly(
-          "n_O", [](const Face& self) { return self.n_O; }, "(3,) into the object, unit.")
+          "n_O", [](const Face& self) { return self.n_O; },
+          "(3,) unit normal in O, pointing into the object.")
       .def_property_readonly(
           "first_O", [](const Face& self) { return self.first_O; },
-          "(3,) first grid axis, unit, on the face.")
+          "(3,) unit vector of the first grid axis, along the face, in O.")
       .def_property_readonly(
           "second_O", [](const Face& self) { return self.second_O; },
-          "(3,) second grid axis: n_O x first_O.")
-      .def_readonly("offset", &Face::offset, "n_O . p of its points [m].")
-      .def_readonly("triangles", &Face::triangles, "Rows of the mesh's triangles.")
-      .def_readonly("area", &Face::area, "[m^2].")
+          "(3,) unit vector of the second grid axis, n_O x first_O.")
+      .def_readonly("offset", &Face::offset, "n_O . p of the points p on the face [m].")
+      .def_readonly("triangles", &Face::triangles,
+                    "Row indices of the face's triangles in the mesh.")
+      .def_readonly("area", &Face::area, "Area [m^2].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"n_O", "offset", "area"});
       });
 
   py::class_<Object>(m, "Object",
-                     "A rigid polyhedron to be moved: any closed mesh, in a frame O of your "
-                     "choice.")
+                     "Rigid polyhedron to be moved: any closed mesh, in a frame O of your choice.")
       .def_static(
           "box",
           [](const std::string& name, const Array& size, double mass) {
             return Object::box(name, to_vector3(size, "size"), mass);
           },
           py::arg("name"), py::arg("size"), py::arg("mass"),
-          "A box centred at O, sides along the axes, (3,) [m], of uniform density, mass [kg].")
+          "Creates a box of uniform density, centred at O.\n\n"
+          "Parameters\n"
+          "----------\n"
+          "name : str\n"
+          "    Name in error messages and pictures.\n"
+          "size : (3,) array\n"
+          "    Side lengths along the axes of O [m].\n"
+          "mass : float\n"
+          "    Mass [kg].\n\n"
+          "Raises\n"
+          "------\n"
+          "ValueError\n"
+          "    A length or the mass is not positive.")
       .def_static(
           "from_mesh",
           [](const std::string& name, const py::object& mesh, double mass) {
@@ -117,38 +130,50 @@ void bind_object(py::module_& m) {
             return Object::from_mesh(name, read, mass);
           },
           py::arg("name"), py::arg("mesh"), py::arg("mass"),
-          "A closed mesh in O [m], of uniform density, mass [kg]: a geometry.Mesh, a "
-          "trimesh.Trimesh, or a\npair of vertices (N, 3) and triangles (M, 3).\n\n"
-          "Raises ValueError when it is not closed, has no volume or too many triangles.")
+          "Creates an object of uniform density from a closed mesh.\n\n"
+          "Parameters\n"
+          "----------\n"
+          "name : str\n"
+          "    Name in error messages and pictures.\n"
+          "mesh : geometry.Mesh, trimesh.Trimesh, or pair of arrays (N, 3) and (M, 3)\n"
+          "    Vertices in O [m] and triangles.\n"
+          "mass : float\n"
+          "    Mass [kg].\n\n"
+          "Raises\n"
+          "------\n"
+          "ValueError\n"
+          "    The mesh is not closed, has no volume or has too many triangles.")
       .def(
           "with_com",
           [](const Object& self, const Array& com_O) {
             return self.with_com(to_vector3(com_O, "com_O"));
           },
-          py::arg("com_O"), "The same object with another centre of mass, (3,) in O [m].")
+          py::arg("com_O"), "Returns a copy with another centre of mass, (3,) in O [m].")
       .def(
           "with_inertia",
           [](const Object& self, const Array& inertia_O) {
             return self.with_inertia(to_inertia(inertia_O));
           },
           py::arg("inertia_O"),
-          "The same object with another inertia about its centre of mass, (3, 3) in O [kg m^2].")
-      .def_property_readonly("name", &Object::name, "What errors and pictures call it.")
+          "Returns a copy with another inertia about its centre of mass, (3, 3) in O [kg m^2].")
+      .def_property_readonly("name", &Object::name, "Name in error messages and pictures.")
       .def_property_readonly(
-          "mesh", [](const Object& self) { return self.mesh(); }, "Closed, outward, in O.")
-      .def_property_readonly("faces", &Object::faces, "Faces, coplanar neighbours joined.")
+          "mesh", [](const Object& self) { return self.mesh(); },
+          "Closed mesh with outward triangles, in O [m].")
+      .def_property_readonly("faces", &Object::faces,
+                             "Faces. Coplanar neighbouring triangles form one face.")
       .def_property_readonly(
           "hull", [](const Object& self) -> Rows3 { return self.hull().transpose(); },
-          "(N, 3) corners of the convex hull, in O [m].")
-      .def_property_readonly("is_convex", &Object::is_convex, "Whether it is its own hull.")
-      .def_property_readonly("mass", &Object::mass, "[kg].")
+          "(N, 3) vertices of the convex hull, in O [m].")
+      .def_property_readonly("is_convex", &Object::is_convex, "True if the object is convex.")
+      .def_property_readonly("mass", &Object::mass, "Mass [kg].")
       .def_property_readonly(
           "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
       .def_property_readonly(
           "inertia", [](const Object& self) -> Eigen::Matrix3d { return self.inertia(); },
-          "(3, 3) about the centre of mass, in O [kg m^2].")
-      .def_property_readonly("size", &Object::size, "Diagonal of the box around it [m].")
+          "(3, 3) inertia about the centre of mass, in O [kg m^2].")
+      .def_property_readonly("size", &Object::size, "Diagonal of the bounding box [m].")
       .def("__repr__", [](const Object& self) {
         return "<Object '" + self.name() + "' of " + std::to_string(self.faces().size()) +
                " faces>";
@@ -156,38 +181,49 @@ void bind_object(py::module_& m) {
 }
 
 void bind_surroundings(py::module_& m) {
-  py::class_<Plane>(m, "Plane",
-                    "Floor or wall: a half-space that the object may touch and fingertips may not.")
+  py::class_<Plane>(
+      m, "Plane",
+      "Solid half-space that the object may touch and fingertips may not: a floor or a wall.")
       .def(py::init([](const std::string& name, const Array& n_W, double offset) {
              return Plane{name, to_vector3(n_W, "n_W"), offset};
            }),
            py::arg("name") = "floor", Python<Eigen::Vector3d>::arg("n_W", Plane{}.n_W),
            py::arg("offset") = 0.0,
-           "n_W: (3,) unit, out of the solid, in the world. offset: n_W . p of its points [m].")
-      .def_readonly("name", &Plane::name, "What errors and pictures call it.")
+           "Parameters\n"
+           "----------\n"
+           "name : str\n"
+           "    Name in error messages.\n"
+           "n_W : (3,) array\n"
+           "    Unit normal in the world, pointing out of the solid.\n"
+           "offset : float\n"
+           "    n_W . p of the points p on its surface [m].")
+      .def_readonly("name", &Plane::name, "Name in error messages and pictures.")
       .def_property_readonly(
           "n_W", [](const Plane& self) { return self.n_W; },
-          "(3,) unit, out of the solid, in the world.")
-      .def_readonly("offset", &Plane::offset, "n_W . p of its points [m].")
+          "(3,) unit normal in the world, pointing out of the solid.")
+      .def_readonly("offset", &Plane::offset, "n_W . p of the points p on its surface [m].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"name", "n_W", "offset"});
       });
 
   py::class_<Fingers> fingers(
-      m, "Fingers",
-      "The fingertips: equal spheres in one-point contact that do not slide or roll.");
-  bind_fields(fingers, "Any field by keyword; the others keep their defaults.",
-              Field{"count", &Fingers::count, "1 to 4."}, Field{"radius", &Fingers::radius, "[m]."},
-              Field{"max_normal_force", &Fingers::max_normal_force, "f_max of each [N]."},
-              Field{"friction", &Fingers::friction,
-                    "Between fingertip and object: a number, or (lower, upper)."},
-              Field{"max_span", &Fingers::max_span,
-                    "The farthest that two fingertips' centres may be apart [m]."});
+      m, "Fingers", "Fingertips: equal spheres in one-point contact that neither slide nor roll.");
+  bind_fields(
+      fingers, "Any field by keyword; the others keep their defaults.",
+      Field{"count", &Fingers::count, "Number of fingers, 1 to 4."},
+      Field{"radius", &Fingers::radius, "Radius [m]."},
+      Field{"max_normal_force", &Fingers::max_normal_force,
+            "Upper limit f_max of each finger's normal force [N]."},
+      Field{"friction", &Fingers::friction,
+            "Coefficient of friction between fingertip and object: a number, or (lower, upper)."},
+      Field{"max_span", &Fingers::max_span,
+            "Largest distance between the centres of two fingertips [m]."});
 }
 
 void bind_motion(py::module_& m) {
-  py::class_<Path>(m, "Path",
-                   "Poses that the object passes through, along a screw from each to the next.")
+  py::class_<Path>(
+      m, "Path",
+      "Poses that the object passes through. It moves along a screw from each pose to the next.")
       .def(py::init([](const Array& X_WO) { return Path{to_poses(X_WO, "X_WO")}; }),
            py::arg("X_WO"), "X_WO: (K, 4, 4) poses of O in the world, two or more.")
       .def_property_readonly(
@@ -201,25 +237,24 @@ void bind_motion(py::module_& m) {
 
   py::class_<Lattice> lattice(
       m, "Lattice",
-      "The object slides and turns on the floor from start to goal, through a lattice of positions "
-      "and yaws.");
+      "Motion on the floor from start to goal through a lattice of positions and yaws.");
   bind_fields(
       lattice, "Any field by keyword; the others keep their defaults.",
       Field{"X_WO_start", &Lattice::X_WO_start, "(4, 4) pose of O in the world."},
       Field{"X_WO_goal", &Lattice::X_WO_goal, "(4, 4) pose of O in the world."},
       Field{"lower", &Lattice::lower, "(3,) least x, y, yaw relative to the start [m, m, rad]."},
       Field{"upper", &Lattice::upper, "(3,) largest x, y, yaw relative to the start [m, m, rad]."},
-      Field{"counts", &Lattice::counts, "How many values of x, y and yaw."});
+      Field{"counts", &Lattice::counts, "Numbers of values of x, y and yaw."});
 
-  py::class_<Goal> goal(m, "Goal",
-                        "The object shall stand at a pose, any face down: the planner finds where "
-                        "to slide it, turn it and\ntumble it over which edges.");
+  py::class_<Goal> goal(
+      m, "Goal",
+      "Goal pose of the object, on any face. The planner finds the slides, turns and tumbles.");
   bind_fields(goal, "Any field by keyword; the others keep their defaults.",
               Field{"X_WO_start", &Goal::X_WO_start, "(4, 4) pose of O in the world."},
               Field{"X_WO_goal", &Goal::X_WO_goal, "(4, 4) pose of O in the world."},
               Field{"slide_step", &Goal::slide_step, "Longest step of a slide [m]."},
               Field{"turn_step", &Goal::turn_step, "Largest step of a turn or a tumble [rad]."},
-              Field{"max_tumbles", &Goal::max_tumbles, "At most so many."});
+              Field{"max_tumbles", &Goal::max_tumbles, "Maximum number of tumbles."});
 
   m.def(
       "slide_path",
@@ -228,7 +263,8 @@ void bind_motion(py::module_& m) {
                           to_vector3(translation_W, "translation_W"), segments);
       },
       py::arg("X_WO_start"), py::arg("translation_W"), py::arg("segments"),
-      "A straight slide from X_WO_start, (4, 4), by translation_W, (3,) in the world [m], in equal "
+      "Returns a straight slide from X_WO_start, (4, 4), by translation_W, (3,) in the world [m], "
+      "in equal\n"
       "segments.");
   m.def(
       "turn_path",
@@ -239,17 +275,18 @@ void bind_motion(py::module_& m) {
       },
       py::arg("X_WO_start"), py::arg("point_W"), py::arg("axis_W"), py::arg("angle"),
       py::arg("segments"),
-      "A turn from X_WO_start, (4, 4), about the line through point_W along axis_W, both (3,) in "
-      "the world,\nby angle [rad, right hand] in equal segments: a tumble over an edge, or a turn "
-      "on the floor.");
+      "Returns a tumble over an edge or a turn on the floor, in equal segments.\n\n"
+      "It starts at X_WO_start, (4, 4), and turns by angle [rad, right-handed] about the line "
+      "through\n"
+      "point_W [m] along axis_W, both (3,) in the world.");
   m.def("join", &join, py::arg("paths"),
-        "One path after another; each must start where the last one ended.");
+        "Joins paths into one. Each must start where the one before it ends.");
 }
 
 void bind_problem(py::module_& m) {
   using Friction = Python<Interval>;
-  py::class_<Problem>(m, "Problem",
-                      "What is given: bring an object through a motion with fingertips alone.")
+  py::class_<Problem>(
+      m, "Problem", "Task of the planner: bring an object through a motion with fingertips alone.")
       .def(py::init([](const Object& object, const Motion& motion, const Fingers& fingers,
                        const std::vector<Plane>& planes, const Friction::Given& friction,
                        const std::vector<Obstacle>& obstacles, const Array& gravity_W) {
@@ -266,64 +303,69 @@ void bind_problem(py::module_& m) {
            py::arg_v("planes", std::vector<Plane>{Plane{}}, "[Plane()]"),
            Friction::arg("friction", {}), py::arg("obstacles") = std::vector<Obstacle>{},
            py::arg_v("gravity_W", Array(py::cast(Eigen::Vector3d(0, 0, -9.8))), "[0, 0, -9.8]"),
-           "planes: the floor first, then walls. friction: between object and planes, a number or "
-           "(lower, upper).\ngravity_W: (3,) in the world [m/s^2].")
+           "planes: the floor first, then walls. friction: coefficient between object and planes, "
+           "a number or\n"
+           "(lower, upper). gravity_W: (3,) acceleration of gravity in the world [m/s^2].")
       .def_property_readonly(
-          "object", [](const Problem& self) { return self.object; }, "What is moved.")
+          "object", [](const Problem& self) { return self.object; }, "Object to move.")
       .def_property_readonly(
           "fingers", [](const Problem& self) { return self.fingers; }, "A copy of the fingers.")
       .def_readonly("planes", &Problem::planes, "The floor first, then walls.")
       .def_property_readonly(
           "friction", [](const Problem& self) { return Friction::shown(self.friction); },
-          "Between object and planes, (lower, upper).")
+          "(lower, upper) coefficient of friction between object and planes.")
       .def_readonly("motion", &Problem::motion, "A Path, Lattice or Goal; a copy.")
-      .def_readonly("obstacles", &Problem::obstacles, "What else stands around.")
+      .def_readonly("obstacles", &Problem::obstacles, "Obstacles in the world.")
       .def_property_readonly(
           "gravity_W", [](const Problem& self) { return self.gravity_W; },
-          "(3,) in the world [m/s^2].")
+          "(3,) acceleration of gravity in the world [m/s^2].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"object", "fingers", "planes", "friction", "motion", "obstacles"});
       });
 }
 
 void bind_rows(py::module_& m) {
-  py::class_<FingerState> finger(m, "FingerState", "A finger at one instant.");
+  py::class_<FingerState> finger(m, "FingerState", "State of a finger at one instant.");
   bind_fields(finger, "Any field by keyword; the others keep their defaults.",
-              Field{"touches", &FingerState::touches, "False while it regrasps."},
+              Field{"touches", &FingerState::touches, "False while the finger regrasps."},
               Field{"p_OC", &FingerState::p_OC, "(3,) contact point in O [m]."},
-              Field{"n_O", &FingerState::n_O, "(3,) into the object, unit."},
-              Field{"mode", &FingerState::mode, "Position or force control."},
+              Field{"n_O", &FingerState::n_O, "(3,) unit normal in O, pointing into the object."},
+              Field{"mode", &FingerState::mode, "Control mode: position or force."},
               Field{"commanded_force", &FingerState::commanded_force,
-                    "Normal force in force control, else 0 [N]."},
+                    "Commanded normal force f_com in force control, else 0 [N]."},
               Field{"nominal_force_O", &FingerState::nominal_force_O,
-                    "(3,) on the object, in O: to feed forward [N]."});
+                    "(3,) nominal force on the object, in O, for feed-forward [N]."});
 
   py::class_<Row> row(m, "Row", "One instant of a plan: a sample of an arc, or a regrasp.");
   bind_fields(row, "Any field by keyword; the others keep their defaults.",
               Field{"X_WO", &Row::X_WO, "(4, 4) pose of O in the world."},
-              Field{"fingers", &Row::fingers, "A FingerState each."},
+              Field{"fingers", &Row::fingers, "One FingerState for each finger."},
               Field{"stability", &Row::stability,
-                    "z [N]; where friction is an interval, the least over the coefficients looked "
-                    "at: min_stability is what is proven for all of it."},
+                    "Stability z [N]. If friction is an interval, it is the least over the "
+                    "evaluated coefficients; for\n"
+                    "the whole interval, only min_stability is proven."},
               Field{"compliant_stability", &Row::compliant_stability,
-                    "See mechanics.compliant_stability [N]."},
-              Field{"nominal_margin", &Row::nominal_margin, "Of the nominal forces [N]."});
+                    "Margin by mechanics.compliant_stability [N]."},
+              Field{"nominal_margin", &Row::nominal_margin,
+                    "Margin of the nominal forces, as in mechanics.Equilibrium [N]."});
 
   py::class_<Segment>(m, "Segment",
-                      "A stretch of the plan with the fingers where they are, or one regrasp.")
+                      "Part of the plan during which no finger changes its place, or one regrasp.")
       .def(py::init([](const std::string& name, const Array& X_WO, const std::vector<Row>& rows,
                        int moves) {
              return Segment{name, to_poses(X_WO, "X_WO"), rows, moves};
            }),
            py::arg("name"), py::arg("X_WO"), py::arg("rows"), py::arg("finger") = -1,
-           "X_WO: (K, 4, 4) poses of the lattice, first to last. rows: the instants. finger: of a "
-           "regrasp, who moves.")
+           "X_WO: (K, 4, 4) poses of the lattice, first to last. rows: instants. finger: index of "
+           "the finger\n"
+           "that regrasps.")
       .def_readonly("name", &Segment::name, "slide, turn, tumble or regrasp.")
       .def_property_readonly(
           "X_WO", [](const Segment& self) { return from_poses(self.X_WO); },
           "(K, 4, 4) poses of the lattice in the world, first to last.")
-      .def_readonly("rows", &Segment::rows, "The instants, in order.")
-      .def_readonly("finger", &Segment::finger, "Of a regrasp: who moves; else -1.")
+      .def_readonly("rows", &Segment::rows, "Instants, in order.")
+      .def_readonly("finger", &Segment::finger,
+                    "Index of the finger that regrasps; -1 for a motion of the object.")
       .def(
           "__len__", [](const Segment& self) { return self.rows.size(); }, "Number of rows.")
       .def("__repr__", [](const Segment& self) {
@@ -333,49 +375,56 @@ void bind_rows(py::module_& m) {
 
 void bind_statistics(py::module_& m) {
   bind_statistics_struct<Statistics>(m);
-  py::class_<Relaxation> relaxation(m, "Relaxation", "What a failed search says of the way out.");
-  bind_fields(relaxation, "Any field by keyword; the others keep their defaults.",
-              Field{"field", &Relaxation::field,
-                    "fingers.friction, fingers.max_normal_force, friction or min_stability."},
-              Field{"value", &Relaxation::value, "The least change that helps, to 1 %."});
+  py::class_<Relaxation> relaxation(
+      m, "Relaxation", "Smallest change of one parameter that makes a failed search succeed.");
+  bind_fields(
+      relaxation, "Any field by keyword; the others keep their defaults.",
+      Field{"field", &Relaxation::field,
+            "Name of the parameter: fingers.friction, fingers.max_normal_force, friction or "
+            "min_stability."},
+      Field{"value", &Relaxation::value, "Value nearest to the given one that helps, to 1 %."});
 }
 
 void bind_plan(py::module_& m) {
-  bind_choices<Status>(m, "Status", "How a query ended.");
-  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  bind_choices<Status>(m, "Status", "Outcome of a query.");
+  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
           "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "Whether it is solved.")
+          "True if the query is solved.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"status", "reason", "cost", "regrasps", "segments"});
       });
   const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "How the query ended."});
-  field(Field{"reason", &Plan::reason, "One sentence, for people."});
-  field(Field{"cost", &Plan::cost, "By Eqs. (9) and (10) [m]."});
+  field(Field{"status", &Plan::status, "Outcome of the query."});
+  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
+  field(Field{"cost", &Plan::cost, "Cost by Eqs. (9) and (10) [m]."});
   field(Field{"lower_bound", &Plan::lower_bound,
-              "No plan on this lattice is cheaper [m]; equals cost when optimal."});
-  field(Field{"regrasps", &Plan::regrasps, "How often a finger moves to another place."});
-  field(Field{"segments", &Plan::segments, "Stretches of motion and regrasps, in order."});
-  field(Field{"warnings", &Plan::warnings, "What to be careful of."});
-  field(Field{"weakest_segment", &Plan::weakest_segment, "Where z is least; -1 without a plan."});
-  field(Field{"weakest_row", &Plan::weakest_row, "Where z is least; -1 without a plan."});
-  field(Field{"limit", &Plan::limit, "Not solved: what blocks."});
-  field(Field{"relaxations", &Plan::relaxations, "Not solved: what would help, alone."});
-  field(Field{"statistics", &Plan::statistics, "What the search did."});
+              "Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the "
+              "plan is optimal."});
+  field(Field{"regrasps", &Plan::regrasps, "Number of regrasps."});
+  field(Field{"segments", &Plan::segments, "Motions and regrasps, in order."});
+  field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
+  field(Field{"weakest_segment", &Plan::weakest_segment,
+              "Index of the segment of least stability; -1 without a plan."});
+  field(Field{"weakest_row", &Plan::weakest_row,
+              "Index of the row of least stability in that segment; -1 without a plan."});
+  field(Field{"limit", &Plan::limit, "If not solved: the obstacles to a plan."});
+  field(Field{"relaxations", &Plan::relaxations,
+              "If not solved: the single changes that would help."});
+  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
 }
 
 void bind_realization(py::module_& m) {
-  py::class_<Carrier> carrier(m, "Carrier", "Which parts of a robot carry the fingertips.");
+  py::class_<Carrier> carrier(m, "Carrier", "Parts of a robot that carry the fingertips.");
   bind_fields(
       carrier, "Any field by keyword; the others keep their defaults.",
       Field{"fingertips", &Carrier::fingertips,
-            "Frames at the centres of the spheres, one a finger."},
-      Field{"links", &Carrier::links, "Of each fingertip: links that may touch the object."});
+            "Frames at the centres of the spheres, one for each finger."},
+      Field{"links", &Carrier::links, "Links that may touch the object, for each fingertip."});
   bind_options_struct<RealizeOptions>(m, "RealizeOptions", "Options of realize().");
 
-  py::class_<JointSegment>(m, "JointSegment", "A stretch of joint motion.")
+  py::class_<JointSegment>(m, "JointSegment", "Part of a joint motion.")
       .def(py::init([](const std::string& name, const Array& positions, const Array& X_WO,
                        int plan_segment, double scrub) {
              JointSegment segment{name, to_configurations(positions, "positions"),
@@ -403,9 +452,9 @@ void bind_realization(py::module_& m) {
           "X_WO", [](const JointSegment& self) { return from_poses(self.X_WO); },
           "(N, 4, 4) pose of O in the world at each row.")
       .def_readonly("plan_segment", &JointSegment::plan_segment,
-                    "The segment of the plan that it carries out, or -1.")
+                    "Index of the plan's segment that it carries out, or -1.")
       .def_readonly("scrub", &JointSegment::scrub,
-                    "How far a fingertip that turns slips on its contact, at worst [m].")
+                    "Largest distance by which a turning fingertip slips on its contact [m].")
       .def(
           "__len__", [](const JointSegment& self) { return self.positions.size(); },
           "Number of rows.")
@@ -415,30 +464,34 @@ void bind_realization(py::module_& m) {
       });
 
   py::class_<Realization> found(
-      m, "Realization", "Joint paths that carry a plan's fingertips, or where it is impossible.");
+      m, "Realization",
+      "Joint paths that carry a plan's fingertips, or the reason why there are none.");
   bind_fields(
       found, "Any field by keyword; the others keep their defaults.",
-      Field{"found", &Realization::found, "Whether there are joint paths."},
-      Field{"reason", &Realization::reason, "Which segment, row and finger fails, and why."},
-      Field{"joint_names", &Realization::joint_names, "The columns of positions."},
+      Field{"found", &Realization::found, "True if there are joint paths."},
+      Field{"reason", &Realization::reason, "Segment, row and finger that fail, and the reason."},
+      Field{"joint_names", &Realization::joint_names,
+            "Names of the joints, in the order of the columns of positions."},
       Field{"finger_of_fingertip", &Realization::finger_of_fingertip,
-            "Which finger of the plan each fingertip plays."},
-      Field{"segments", &Realization::segments, "Stretches of joint motion, in order."});
+            "Index of the plan's finger for each fingertip."},
+      Field{"segments", &Realization::segments, "Parts of the joint motion, in order."});
   found.def(
       "__bool__", [](const Realization& self) { return static_cast<bool>(self); },
-      "Whether there are joint paths.");
+      "True if there are joint paths.");
 }
 
 void bind_planner(py::module_& m) {
   const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
   bind_front_door<Problem, Options, Plan>(
       m,
-      "Plans where the fingers press, which holds its position and which its force, and when to "
-      "change grip.\nNot finding a plan is a status.",
-      "Derives every row of a plan anew from its problem, with none of the search's code.");
+      "Plans the places, control modes and regrasps of the fingers (Maeda, Arai 2005, Section "
+      "4).\n\n"
+      "Finding no plan is a status, not an error.",
+      "Checks a plan: derives every row anew from its problem, without the code of the search.");
   m.def("validate", py::overload_cast<const Problem&, const Options&>(&validate),
         py::arg("problem"), py::arg("options"), py::call_guard<py::gil_scoped_release>(),
-        "Both, and that the search fits into options.max_memory.");
+        "Raises ValueError like the other two, or if the search does not fit into "
+        "options.max_memory.");
   const py::arg_v default_realize("options", RealizeOptions{}, "RealizeOptions()");
   m.def(
       "realize",
@@ -453,10 +506,31 @@ void bind_planner(py::module_& m) {
       },
       py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"), py::arg("q_home"),
       default_realize, default_budget,
-      "Joint paths that carry a plan's fingertips: from q_home, (dof,), to the first grip, through "
-      "every row,\nthrough regrasps, and away; or where that is impossible.\n\n"
-      "Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt.\n"
-      "Raises ValueError on unknown frames, a home outside the limits or a plan not solved.");
+      "Finds joint paths of a robot that carry a plan's fingertips.\n\n"
+      "They lead from q_home to the first grip, through every row and regrasp, and away. Failure "
+      "to find\n"
+      "them is a Realization with a reason, not an error. Releases the GIL: other Python threads "
+      "can run.\n"
+      "Ctrl-C raises KeyboardInterrupt.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "problem : Problem\n"
+      "plan : Plan\n"
+      "    Solved plan of the problem.\n"
+      "robot : robot.Robot\n"
+      "carrier : Carrier\n"
+      "    Parts of the robot that carry the fingertips.\n"
+      "q_home : (dof,) array\n"
+      "    Configuration at the start [rad or m].\n"
+      "options : RealizeOptions, optional\n"
+      "budget : planning.Budget, optional\n\n"
+      "Returns\n"
+      "-------\n"
+      "Realization\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    A frame is unknown, the home lies outside the joint limits, or the plan is not solved.");
   m.def(
       "check_realization",
       [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
@@ -470,8 +544,8 @@ void bind_planner(py::module_& m) {
       },
       py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"),
       py::arg("realization"), default_realize,
-      "Replays joint paths against problem and plan: limits, steps, fingertips, collisions.\n\n"
-      "Each entry says what fails; an empty list means that they hold.");
+      "Checks joint paths against problem and plan: limits, steps, fingertips, collisions.\n\n"
+      "Returns one fault per entry; an empty list if the paths are valid.");
 }
 
 }  // namespace

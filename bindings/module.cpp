@@ -25,16 +25,16 @@ PYBIND11_MODULE(_core, m) {
                                 "Shapes, supports, outlines, and the loops through the holes of a "
                                 "cloud. Lengths in metres."));
   bind_robot(m.def_submodule("robot", "Robots read from URDF, and their inverse kinematics."));
-  bind_collision(m.def_submodule("collision", "Bodies at poses, and which of them touch."));
+  bind_collision(m.def_submodule("collision", "Bodies at poses, and tests whether they touch."));
   bind_scene(m.def_submodule("scene", "A robot among bodies."));
-  bind_mechanics(m.def_submodule(
-      "mechanics", "Contacts with friction: forces that balance, and how much more they can."));
-  bind_planning(m.def_submodule("planning", "What every planner shares: the budget of a query."));
+  bind_mechanics(
+      m.def_submodule("mechanics", "Stability of objects with frictional contacts (Maeda, Arai)."));
+  bind_planning(m.def_submodule("planning", "Budget of a query, shared by all planners."));
   bind_slide(
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
   bind_fingertip(m.def_submodule(
       "fingertip", "Push, slide and tumble an object with bare fingertips (Maeda, Arai)."));
   bind_clasp(m.def_submodule(
       "clasp", "Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic)."));
-  bind_carry(m.def_submodule("carry", "Take what the hand holds along a straight way."));
+  bind_carry(m.def_submodule("carry", "Carry a held object along a straight path."));
 }

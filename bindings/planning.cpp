@@ -14,7 +14,7 @@ void bind_field_description(py::module_& m) {
   py::class_<FieldDescription>(m, "Field", "Description of an option or of a counter.")
       .def_readonly("name", &FieldDescription::name, "Name of the attribute.")
       .def_readonly("unit", &FieldDescription::unit, "Unit, such as \"m\"; may be empty.")
-      .def_readonly("text", &FieldDescription::text, "What it is, in a sentence or two.")
+      .def_readonly("text", &FieldDescription::text, "Description in one or two sentences.")
       .def_readonly("range", &FieldDescription::range, "Interval of a number; may be empty.")
       .def_readonly("source", &FieldDescription::source,
                     "Symbol, section or equation of the planner's paper; may be empty.")

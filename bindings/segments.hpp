@@ -15,7 +15,8 @@ template <class Segment>
 void bind_motion_segment(pybind11::module_& m, const char* names) {
   namespace py = pybind11;
   py::class_<Segment>(
-      m, "Segment", "A stretch of motion: rows follow each other by at most 0.05 rad in any joint.")
+      m, "Segment",
+      "Part of a motion. No joint moves by more than 0.05 rad from one row to the next.")
       .def(py::init([](const std::string& name, const Array& positions, const Array& object_poses) {
              Segment segment{name, to_configurations(positions, "positions"),
                              to_poses(object_poses, "object_poses")};

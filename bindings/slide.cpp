@@ -197,19 +197,20 @@ void bind_turning(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::class_<Plan> plan(m, "Plan", "What was found, or why not. False unless solved.");
+  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
       .def(
           "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "Whether it is solved.");
+          "True if the query is solved.");
   const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "How the query ended."});
-  field(Field{"reason", &Plan::reason, "One sentence, for people."});
+  field(Field{"status", &Plan::status, "Outcome of the query."});
+  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
-  field(Field{"segments", &Plan::segments, "Stretches of motion, in order."});
-  field(Field{"overhang", &Plan::overhang, "How far the object sticks out at the goal [m]."});
-  field(Field{"warnings", &Plan::warnings, "What to be careful of."});
-  field(Field{"statistics", &Plan::statistics, "What the search did."});
+  field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
+  field(
+      Field{"overhang", &Plan::overhang, "Length of the object beyond the edge at the goal [m]."});
+  field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
+  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def_property(
           "X_WO_goal", [](const Plan& self) { return from_pose(self.X_WO_goal); },
           [](Plan& self, const Array& X) { self.X_WO_goal = to_pose(X, "X_WO_goal"); },
@@ -234,7 +235,7 @@ void bind_slide(py::module_ m) {
   bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_motion_segment<Segment>(m, "approach, press, slide, lift, reach, grasp or close.");
   bind_statistics_struct<Statistics>(m);
-  bind_choices<Status>(m, "Status", "How a query ended.");
+  bind_choices<Status>(m, "Status", "Outcome of a query.");
   bind_plan(m);
   bind_turning(m);
   bind_front_door<Problem, Options, Plan>(

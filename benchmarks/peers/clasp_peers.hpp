@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What the clasp planner is measured against.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +12,6 @@
 #include "graspless/clasp/problem.hpp"
 #include "graspless/planning/budget.hpp"
 
-/// What the clasp planner is measured against.
 namespace graspless::benchmarks {
 
 /// How the peer searches.

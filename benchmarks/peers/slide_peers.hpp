@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What the slide planner is measured against.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,6 @@
 
 #include "graspless/slide/slide.hpp"
 
-/// What the slide planner is measured against.
 namespace graspless::benchmarks {
 
 enum class Peer {

@@ -1,5 +1,5 @@
 """
-Take what the hand holds along a straight way.
+Carry a held object along a straight path.
 """
 from __future__ import annotations
 import collections.abc
@@ -140,7 +140,7 @@ class Options:
         ...
 class Segment:
     """
-    A stretch of motion: rows follow each other by at most 0.05 rad in any joint.
+    Part of a motion. No joint moves by more than 0.05 rad from one row to the next.
     """
     def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -184,7 +184,7 @@ class Statistics:
         ...
     def as_dict(self) -> dict[str, typing.Any]:
         """
-        All fields by name.
+        Returns all fields by name.
         """
     @property
     def collision_checks(self) -> int:
@@ -230,7 +230,7 @@ class Statistics:
         ...
 class Status(graspless._named.Named):
     """
-    How a query ended.
+    Outcome of a query.
     """
     interrupted = ...
     not_found = ...
@@ -238,11 +238,11 @@ class Status(graspless._named.Named):
     start_in_collision = ...
 class Plan:
     """
-    What was found, or why not. False unless solved.
+    Result of a query. False unless it is solved.
     """
     def __bool__(self) -> bool:
         """
-        Whether it is solved.
+        True if the query is solved.
         """
     def __init__(self) -> None:
         """
@@ -261,7 +261,7 @@ class Plan:
     @property
     def reached(self) -> float:
         """
-        How much of the way was possible, 0 to 1.
+        Fraction of the path that was reached, in [0, 1].
         """
     @reached.setter
     def reached(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -269,7 +269,7 @@ class Plan:
     @property
     def reason(self) -> str:
         """
-        One sentence, for people.
+        Explanation of the outcome in one sentence.
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
@@ -277,7 +277,7 @@ class Plan:
     @property
     def segments(self) -> tuple[Segment, ...]:
         """
-        Stretches of motion, in order.
+        Segments of the motion, in order.
         """
     @segments.setter
     def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
@@ -285,7 +285,7 @@ class Plan:
     @property
     def statistics(self) -> Statistics:
         """
-        What the search did.
+        Counters of the search.
         """
     @statistics.setter
     def statistics(self, arg0: Statistics) -> None:
@@ -293,7 +293,7 @@ class Plan:
     @property
     def status(self) -> Status:
         """
-        How the query ended.
+        Outcome of the query.
         """
     @status.setter
     def status(self, arg0: Status) -> None:

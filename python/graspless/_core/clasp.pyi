@@ -490,7 +490,7 @@ class Options:
         ...
 class Segment:
     """
-    A stretch of motion: rows follow each other by at most 0.05 rad in any joint.
+    Part of a motion. No joint moves by more than 0.05 rad from one row to the next.
     """
     def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], virtual_linking: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -563,7 +563,7 @@ class Statistics:
         ...
     def as_dict(self) -> dict[str, typing.Any]:
         """
-        All fields by name.
+        Returns all fields by name.
         """
     @property
     def collision_checks(self) -> int:
@@ -653,7 +653,7 @@ class Statistics:
         ...
 class Status(graspless._named.Named):
     """
-    How a query ended.
+    Outcome of a query.
     """
     interrupted = ...
     no_reliable_hole = ...
@@ -664,11 +664,11 @@ class Status(graspless._named.Named):
     start_in_collision = ...
 class Plan:
     """
-    What was found, or why not. False unless solved.
+    Result of a query. False unless it is solved.
     """
     def __bool__(self) -> bool:
         """
-        Whether it is solved.
+        True if the query is solved.
         """
     def __init__(self) -> None:
         """
@@ -687,7 +687,7 @@ class Plan:
     @property
     def loop(self) -> int:
         """
-        Clasped: index of object.loops.loops; -1 without a plan.
+        Index of the clasped loop in object.loops.loops; -1 without a plan.
         """
     @loop.setter
     def loop(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -695,7 +695,7 @@ class Plan:
     @property
     def min_linking(self) -> float:
         """
-        The threshold in force.
+        Threshold of virtual linking that the plan fulfils.
         """
     @min_linking.setter
     def min_linking(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -703,7 +703,7 @@ class Plan:
     @property
     def reason(self) -> str:
         """
-        One sentence, for people.
+        Explanation of the outcome in one sentence.
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
@@ -711,7 +711,7 @@ class Plan:
     @property
     def segments(self) -> tuple[Segment, ...]:
         """
-        Stretches of motion, in order.
+        Segments of the motion, in order.
         """
     @segments.setter
     def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
@@ -719,7 +719,7 @@ class Plan:
     @property
     def stability(self) -> Stability:
         """
-        Of the last row; a copy.
+        Result of the stability test at the last row; a copy.
         """
     @stability.setter
     def stability(self, arg0: Stability) -> None:
@@ -727,7 +727,7 @@ class Plan:
     @property
     def statistics(self) -> Statistics:
         """
-        What the search did.
+        Counters of the search.
         """
     @statistics.setter
     def statistics(self, arg0: Statistics) -> None:
@@ -735,7 +735,7 @@ class Plan:
     @property
     def status(self) -> Status:
         """
-        How the query ended.
+        Outcome of the query.
         """
     @status.setter
     def status(self, arg0: Status) -> None:
@@ -743,7 +743,7 @@ class Plan:
     @property
     def target(self) -> graspless._core.geometry.ClaspTarget:
         """
-        Clasped: a geometry.ClaspTarget in O; a copy.
+        Clasped geometry.ClaspTarget, in O; a copy.
         """
     @target.setter
     def target(self, arg0: graspless._core.geometry.ClaspTarget) -> None:
@@ -751,7 +751,7 @@ class Plan:
     @property
     def tree(self) -> Tree:
         """
-        That led to the clasp; a copy.
+        Search tree that contains the clasp; a copy.
         """
     @tree.setter
     def tree(self, arg0: Tree) -> None:
@@ -759,7 +759,7 @@ class Plan:
     @property
     def warnings(self) -> tuple[str, ...]:
         """
-        What to be careful of.
+        Warnings about the plan.
         """
     @warnings.setter
     def warnings(self, arg1: collections.abc.Sequence[str]) -> None:

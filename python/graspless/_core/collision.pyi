@@ -1,5 +1,5 @@
 """
-Bodies at poses, and which of them touch.
+Bodies at poses, and tests whether they touch.
 """
 from __future__ import annotations
 import collections.abc

@@ -16,66 +16,91 @@ import typing
 __all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'check', 'check_realization', 'join', 'plan', 'realize', 'slide_path', 'turn_path', 'validate']
 class Face:
     """
-    A flat part of an object's surface.
+    Planar face of an object.
     """
     def __repr__(self) -> str:
         ...
     @property
     def area(self) -> float:
         """
-        [m^2].
+        Area [m^2].
         """
     @property
     def first_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) first grid axis, unit, on the face.
+        (3,) unit vector of the first grid axis, along the face, in O.
         """
     @property
     def n_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) into the object, unit.
+        (3,) unit normal in O, pointing into the object.
         """
     @property
     def offset(self) -> float:
         """
-        n_O . p of its points [m].
+        n_O . p of the points p on the face [m].
         """
     @property
     def second_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) second grid axis: n_O x first_O.
+        (3,) unit vector of the second grid axis, n_O x first_O.
         """
     @property
     def triangles(self) -> list[int]:
         """
-        Rows of the mesh's triangles.
+        Row indices of the face's triangles in the mesh.
         """
 class Object:
     """
-    A rigid polyhedron to be moved: any closed mesh, in a frame O of your choice.
+    Rigid polyhedron to be moved: any closed mesh, in a frame O of your choice.
     """
     @staticmethod
     def box(name: str, size: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], mass: typing.SupportsFloat | typing.SupportsIndex) -> Object:
         """
-        A box centred at O, sides along the axes, (3,) [m], of uniform density, mass [kg].
+        Creates a box of uniform density, centred at O.
+        
+        Parameters
+        ----------
+        name : str
+            Name in error messages and pictures.
+        size : (3,) array
+            Side lengths along the axes of O [m].
+        mass : float
+            Mass [kg].
+        
+        Raises
+        ------
+        ValueError
+            A length or the mass is not positive.
         """
     @staticmethod
     def from_mesh(name: str, mesh: typing.Any, mass: typing.SupportsFloat | typing.SupportsIndex) -> Object:
         """
-        A closed mesh in O [m], of uniform density, mass [kg]: a geometry.Mesh, a trimesh.Trimesh, or a
-        pair of vertices (N, 3) and triangles (M, 3).
+        Creates an object of uniform density from a closed mesh.
         
-        Raises ValueError when it is not closed, has no volume or too many triangles.
+        Parameters
+        ----------
+        name : str
+            Name in error messages and pictures.
+        mesh : geometry.Mesh, trimesh.Trimesh, or pair of arrays (N, 3) and (M, 3)
+            Vertices in O [m] and triangles.
+        mass : float
+            Mass [kg].
+        
+        Raises
+        ------
+        ValueError
+            The mesh is not closed, has no volume or has too many triangles.
         """
     def __repr__(self) -> str:
         ...
     def with_com(self, com_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Object:
         """
-        The same object with another centre of mass, (3,) in O [m].
+        Returns a copy with another centre of mass, (3,) in O [m].
         """
     def with_inertia(self, inertia_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> Object:
         """
-        The same object with another inertia about its centre of mass, (3, 3) in O [kg m^2].
+        Returns a copy with another inertia about its centre of mass, (3, 3) in O [kg m^2].
         """
     @property
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -85,71 +110,78 @@ class Object:
     @property
     def faces(self) -> list[Face]:
         """
-        Faces, coplanar neighbours joined.
+        Faces. Coplanar neighbouring triangles form one face.
         """
     @property
     def hull(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
-        (N, 3) corners of the convex hull, in O [m].
+        (N, 3) vertices of the convex hull, in O [m].
         """
     @property
     def inertia(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
         """
-        (3, 3) about the centre of mass, in O [kg m^2].
+        (3, 3) inertia about the centre of mass, in O [kg m^2].
         """
     @property
     def is_convex(self) -> bool:
         """
-        Whether it is its own hull.
+        True if the object is convex.
         """
     @property
     def mass(self) -> float:
         """
-        [kg].
+        Mass [kg].
         """
     @property
     def mesh(self) -> graspless._core.geometry.Mesh:
         """
-        Closed, outward, in O.
+        Closed mesh with outward triangles, in O [m].
         """
     @property
     def name(self) -> str:
         """
-        What errors and pictures call it.
+        Name in error messages and pictures.
         """
     @property
     def size(self) -> float:
         """
-        Diagonal of the box around it [m].
+        Diagonal of the bounding box [m].
         """
 class Plane:
     """
-    Floor or wall: a half-space that the object may touch and fingertips may not.
+    Solid half-space that the object may touch and fingertips may not: a floor or a wall.
     """
     def __init__(self, name: str = 'floor', n_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., offset: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
-        n_W: (3,) unit, out of the solid, in the world. offset: n_W . p of its points [m].
+        Parameters
+        ----------
+        name : str
+            Name in error messages.
+        n_W : (3,) array
+            Unit normal in the world, pointing out of the solid.
+        offset : float
+            n_W . p of the points p on its surface [m].
         """
     def __repr__(self) -> str:
         ...
     @property
     def n_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) unit, out of the solid, in the world.
+        (3,) unit normal in the world, pointing out of the solid.
         """
     @property
     def name(self) -> str:
         """
-        What errors and pictures call it.
+        Name in error messages and pictures.
         """
     @property
     def offset(self) -> float:
         """
-        n_W . p of its points [m].
+        n_W . p of the points p on its surface [m].
         """
 class Fingers:
     """
-    The fingertips: equal spheres in one-point contact that do not slide or roll.
+    Fingertips: equal spheres in one-point contact that neither slide nor roll.
     """
     def __init__(self, *, count: typing.SupportsInt | typing.SupportsIndex = 2, radius: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_normal_force: typing.SupportsFloat | typing.SupportsIndex = 10.0, friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.7, 0.7), max_span: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
         """
@@ -160,7 +192,7 @@ class Fingers:
     @property
     def count(self) -> int:
         """
-        1 to 4.
+        Number of fingers, 1 to 4.
         """
     @count.setter
     def count(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -168,7 +200,7 @@ class Fingers:
     @property
     def friction(self) -> tuple[float, float]:
         """
-        Between fingertip and object: a number, or (lower, upper).
+        Coefficient of friction between fingertip and object: a number, or (lower, upper).
         """
     @friction.setter
     def friction(self, arg1: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex]) -> None:
@@ -176,7 +208,7 @@ class Fingers:
     @property
     def max_normal_force(self) -> float:
         """
-        f_max of each [N].
+        Upper limit f_max of each finger's normal force [N].
         """
     @max_normal_force.setter
     def max_normal_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -184,7 +216,7 @@ class Fingers:
     @property
     def max_span(self) -> float:
         """
-        The farthest that two fingertips' centres may be apart [m].
+        Largest distance between the centres of two fingertips [m].
         """
     @max_span.setter
     def max_span(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -192,14 +224,14 @@ class Fingers:
     @property
     def radius(self) -> float:
         """
-        [m].
+        Radius [m].
         """
     @radius.setter
     def radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Path:
     """
-    Poses that the object passes through, along a screw from each to the next.
+    Poses that the object passes through. It moves along a screw from each pose to the next.
     """
     def __init__(self, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -218,7 +250,7 @@ class Path:
         """
 class Lattice:
     """
-    The object slides and turns on the floor from start to goal, through a lattice of positions and yaws.
+    Motion on the floor from start to goal through a lattice of positions and yaws.
     """
     def __init__(self, *, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., lower: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., upper: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., counts: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"] = [30, 30, 30]) -> None:
         """
@@ -245,7 +277,7 @@ class Lattice:
     @property
     def counts(self) -> typing.Annotated[list[int], "FixedSize(3)"]:
         """
-        How many values of x, y and yaw.
+        Numbers of values of x, y and yaw.
         """
     @counts.setter
     def counts(self, arg0: typing.Annotated[collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], "FixedSize(3)"]) -> None:
@@ -268,8 +300,7 @@ class Lattice:
         ...
 class Goal:
     """
-    The object shall stand at a pose, any face down: the planner finds where to slide it, turn it and
-    tumble it over which edges.
+    Goal pose of the object, on any face. The planner finds the slides, turns and tumbles.
     """
     def __init__(self, *, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., slide_step: typing.SupportsFloat | typing.SupportsIndex = 0.01, turn_step: typing.SupportsFloat | typing.SupportsIndex = 0.05236, max_tumbles: typing.SupportsInt | typing.SupportsIndex = 3) -> None:
         """
@@ -296,7 +327,7 @@ class Goal:
     @property
     def max_tumbles(self) -> int:
         """
-        At most so many.
+        Maximum number of tumbles.
         """
     @max_tumbles.setter
     def max_tumbles(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -319,12 +350,12 @@ class Goal:
         ...
 class Problem:
     """
-    What is given: bring an object through a motion with fingertips alone.
+    Task of the planner: bring an object through a motion with fingertips alone.
     """
     def __init__(self, *, object: Object, motion: Path | Lattice | Goal, fingers: Fingers = ..., planes: collections.abc.Sequence[Plane] = ..., friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.5, 0.5), obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], gravity_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = [0, 0, -9.8]) -> None:
         """
-        planes: the floor first, then walls. friction: between object and planes, a number or (lower, upper).
-        gravity_W: (3,) in the world [m/s^2].
+        planes: the floor first, then walls. friction: coefficient between object and planes, a number or
+        (lower, upper). gravity_W: (3,) acceleration of gravity in the world [m/s^2].
         """
     def __repr__(self) -> str:
         ...
@@ -336,12 +367,12 @@ class Problem:
     @property
     def friction(self) -> tuple[float, float]:
         """
-        Between object and planes, (lower, upper).
+        (lower, upper) coefficient of friction between object and planes.
         """
     @property
     def gravity_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) in the world [m/s^2].
+        (3,) acceleration of gravity in the world [m/s^2].
         """
     @property
     def motion(self) -> Path | Lattice | Goal:
@@ -351,12 +382,12 @@ class Problem:
     @property
     def object(self) -> Object:
         """
-        What is moved.
+        Object to move.
         """
     @property
     def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
-        What else stands around.
+        Obstacles in the world.
         """
     @property
     def planes(self) -> list[Plane]:
@@ -523,7 +554,7 @@ class Options:
         ...
 class FingerState:
     """
-    A finger at one instant.
+    State of a finger at one instant.
     """
     def __init__(self, *, touches: bool = True, p_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., mode: graspless._core.mechanics.FingerMode = graspless._core.mechanics.FingerMode.position, commanded_force: typing.SupportsFloat | typing.SupportsIndex = 0.0, nominal_force_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
         """
@@ -534,7 +565,7 @@ class FingerState:
     @property
     def commanded_force(self) -> float:
         """
-        Normal force in force control, else 0 [N].
+        Commanded normal force f_com in force control, else 0 [N].
         """
     @commanded_force.setter
     def commanded_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -542,7 +573,7 @@ class FingerState:
     @property
     def mode(self) -> graspless._core.mechanics.FingerMode:
         """
-        Position or force control.
+        Control mode: position or force.
         """
     @mode.setter
     def mode(self, arg0: graspless._core.mechanics.FingerMode) -> None:
@@ -550,7 +581,7 @@ class FingerState:
     @property
     def n_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) into the object, unit.
+        (3,) unit normal in O, pointing into the object.
         """
     @n_O.setter
     def n_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -558,7 +589,7 @@ class FingerState:
     @property
     def nominal_force_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
-        (3,) on the object, in O: to feed forward [N].
+        (3,) nominal force on the object, in O, for feed-forward [N].
         """
     @nominal_force_O.setter
     def nominal_force_O(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -574,7 +605,7 @@ class FingerState:
     @property
     def touches(self) -> bool:
         """
-        False while it regrasps.
+        False while the finger regrasps.
         """
     @touches.setter
     def touches(self, arg0: bool) -> None:
@@ -600,7 +631,7 @@ class Row:
     @property
     def compliant_stability(self) -> float:
         """
-        See mechanics.compliant_stability [N].
+        Margin by mechanics.compliant_stability [N].
         """
     @compliant_stability.setter
     def compliant_stability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -608,7 +639,7 @@ class Row:
     @property
     def fingers(self) -> tuple[FingerState, ...]:
         """
-        A FingerState each.
+        One FingerState for each finger.
         """
     @fingers.setter
     def fingers(self, arg1: collections.abc.Sequence[FingerState]) -> None:
@@ -616,7 +647,7 @@ class Row:
     @property
     def nominal_margin(self) -> float:
         """
-        Of the nominal forces [N].
+        Margin of the nominal forces, as in mechanics.Equilibrium [N].
         """
     @nominal_margin.setter
     def nominal_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -624,18 +655,20 @@ class Row:
     @property
     def stability(self) -> float:
         """
-        z [N]; where friction is an interval, the least over the coefficients looked at: min_stability is what is proven for all of it.
+        Stability z [N]. If friction is an interval, it is the least over the evaluated coefficients; for
+        the whole interval, only min_stability is proven.
         """
     @stability.setter
     def stability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Segment:
     """
-    A stretch of the plan with the fingers where they are, or one regrasp.
+    Part of the plan during which no finger changes its place, or one regrasp.
     """
     def __init__(self, name: str, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], rows: collections.abc.Sequence[Row], finger: typing.SupportsInt | typing.SupportsIndex = -1) -> None:
         """
-        X_WO: (K, 4, 4) poses of the lattice, first to last. rows: the instants. finger: of a regrasp, who moves.
+        X_WO: (K, 4, 4) poses of the lattice, first to last. rows: instants. finger: index of the finger
+        that regrasps.
         """
     def __len__(self) -> int:
         """
@@ -651,7 +684,7 @@ class Segment:
     @property
     def finger(self) -> int:
         """
-        Of a regrasp: who moves; else -1.
+        Index of the finger that regrasps; -1 for a motion of the object.
         """
     @property
     def name(self) -> str:
@@ -661,7 +694,7 @@ class Segment:
     @property
     def rows(self) -> list[Row]:
         """
-        The instants, in order.
+        Instants, in order.
         """
 class Statistics:
     """
@@ -680,7 +713,7 @@ class Statistics:
         ...
     def as_dict(self) -> dict[str, typing.Any]:
         """
-        All fields by name.
+        Returns all fields by name.
         """
     @property
     def bounded_tests(self) -> int:
@@ -772,7 +805,7 @@ class Statistics:
         ...
 class Relaxation:
     """
-    What a failed search says of the way out.
+    Smallest change of one parameter that makes a failed search succeed.
     """
     def __init__(self, *, field: str = '', value: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
@@ -783,7 +816,7 @@ class Relaxation:
     @property
     def field(self) -> str:
         """
-        fingers.friction, fingers.max_normal_force, friction or min_stability.
+        Name of the parameter: fingers.friction, fingers.max_normal_force, friction or min_stability.
         """
     @field.setter
     def field(self, arg0: str) -> None:
@@ -791,14 +824,14 @@ class Relaxation:
     @property
     def value(self) -> float:
         """
-        The least change that helps, to 1 %.
+        Value nearest to the given one that helps, to 1 %.
         """
     @value.setter
     def value(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Status(graspless._named.Named):
     """
-    How a query ended.
+    Outcome of a query.
     """
     interrupted = ...
     no_location = ...
@@ -808,11 +841,11 @@ class Status(graspless._named.Named):
     unstable = ...
 class Plan:
     """
-    What was found, or why not. False unless solved.
+    Result of a query. False unless it is solved.
     """
     def __bool__(self) -> bool:
         """
-        Whether it is solved.
+        True if the query is solved.
         """
     def __init__(self) -> None:
         """
@@ -823,7 +856,7 @@ class Plan:
     @property
     def cost(self) -> float:
         """
-        By Eqs. (9) and (10) [m].
+        Cost by Eqs. (9) and (10) [m].
         """
     @cost.setter
     def cost(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -831,7 +864,7 @@ class Plan:
     @property
     def limit(self) -> str:
         """
-        Not solved: what blocks.
+        If not solved: the obstacles to a plan.
         """
     @limit.setter
     def limit(self, arg0: str) -> None:
@@ -839,7 +872,7 @@ class Plan:
     @property
     def lower_bound(self) -> float:
         """
-        No plan on this lattice is cheaper [m]; equals cost when optimal.
+        Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the plan is optimal.
         """
     @lower_bound.setter
     def lower_bound(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -847,7 +880,7 @@ class Plan:
     @property
     def reason(self) -> str:
         """
-        One sentence, for people.
+        Explanation of the outcome in one sentence.
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
@@ -855,7 +888,7 @@ class Plan:
     @property
     def regrasps(self) -> int:
         """
-        How often a finger moves to another place.
+        Number of regrasps.
         """
     @regrasps.setter
     def regrasps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -863,7 +896,7 @@ class Plan:
     @property
     def relaxations(self) -> tuple[Relaxation, ...]:
         """
-        Not solved: what would help, alone.
+        If not solved: the single changes that would help.
         """
     @relaxations.setter
     def relaxations(self, arg1: collections.abc.Sequence[Relaxation]) -> None:
@@ -871,7 +904,7 @@ class Plan:
     @property
     def segments(self) -> tuple[Segment, ...]:
         """
-        Stretches of motion and regrasps, in order.
+        Motions and regrasps, in order.
         """
     @segments.setter
     def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
@@ -879,7 +912,7 @@ class Plan:
     @property
     def statistics(self) -> Statistics:
         """
-        What the search did.
+        Counters of the search.
         """
     @statistics.setter
     def statistics(self, arg0: Statistics) -> None:
@@ -887,7 +920,7 @@ class Plan:
     @property
     def status(self) -> Status:
         """
-        How the query ended.
+        Outcome of the query.
         """
     @status.setter
     def status(self, arg0: Status) -> None:
@@ -895,7 +928,7 @@ class Plan:
     @property
     def warnings(self) -> tuple[str, ...]:
         """
-        What to be careful of.
+        Warnings about the plan.
         """
     @warnings.setter
     def warnings(self, arg1: collections.abc.Sequence[str]) -> None:
@@ -903,7 +936,7 @@ class Plan:
     @property
     def weakest_row(self) -> int:
         """
-        Where z is least; -1 without a plan.
+        Index of the row of least stability in that segment; -1 without a plan.
         """
     @weakest_row.setter
     def weakest_row(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -911,14 +944,14 @@ class Plan:
     @property
     def weakest_segment(self) -> int:
         """
-        Where z is least; -1 without a plan.
+        Index of the segment of least stability; -1 without a plan.
         """
     @weakest_segment.setter
     def weakest_segment(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 class Carrier:
     """
-    Which parts of a robot carry the fingertips.
+    Parts of a robot that carry the fingertips.
     """
     def __init__(self, *, fingertips: collections.abc.Sequence[str] = ['left_tip_center', 'right_tip_center'], links: collections.abc.Sequence[collections.abc.Sequence[str]] = [['left_finger'], ['right_finger']]) -> None:
         """
@@ -929,7 +962,7 @@ class Carrier:
     @property
     def fingertips(self) -> tuple[str, ...]:
         """
-        Frames at the centres of the spheres, one a finger.
+        Frames at the centres of the spheres, one for each finger.
         """
     @fingertips.setter
     def fingertips(self, arg1: collections.abc.Sequence[str]) -> None:
@@ -937,7 +970,7 @@ class Carrier:
     @property
     def links(self) -> tuple[list[str], ...]:
         """
-        Of each fingertip: links that may touch the object.
+        Links that may touch the object, for each fingertip.
         """
     @links.setter
     def links(self, arg1: collections.abc.Sequence[collections.abc.Sequence[str]]) -> None:
@@ -1019,7 +1052,7 @@ class RealizeOptions:
         ...
 class JointSegment:
     """
-    A stretch of joint motion.
+    Part of a joint motion.
     """
     def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], plan_segment: typing.SupportsInt | typing.SupportsIndex = -1, scrub: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
@@ -1044,7 +1077,7 @@ class JointSegment:
     @property
     def plan_segment(self) -> int:
         """
-        The segment of the plan that it carries out, or -1.
+        Index of the plan's segment that it carries out, or -1.
         """
     @property
     def positions(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
@@ -1054,15 +1087,15 @@ class JointSegment:
     @property
     def scrub(self) -> float:
         """
-        How far a fingertip that turns slips on its contact, at worst [m].
+        Largest distance by which a turning fingertip slips on its contact [m].
         """
 class Realization:
     """
-    Joint paths that carry a plan's fingertips, or where it is impossible.
+    Joint paths that carry a plan's fingertips, or the reason why there are none.
     """
     def __bool__(self) -> bool:
         """
-        Whether there are joint paths.
+        True if there are joint paths.
         """
     def __init__(self, *, found: bool = False, reason: str = '', joint_names: collections.abc.Sequence[str] = [], finger_of_fingertip: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = [], segments: collections.abc.Sequence[JointSegment] = []) -> None:
         """
@@ -1073,7 +1106,7 @@ class Realization:
     @property
     def finger_of_fingertip(self) -> tuple[int, ...]:
         """
-        Which finger of the plan each fingertip plays.
+        Index of the plan's finger for each fingertip.
         """
     @finger_of_fingertip.setter
     def finger_of_fingertip(self, arg1: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]) -> None:
@@ -1081,7 +1114,7 @@ class Realization:
     @property
     def found(self) -> bool:
         """
-        Whether there are joint paths.
+        True if there are joint paths.
         """
     @found.setter
     def found(self, arg0: bool) -> None:
@@ -1089,7 +1122,7 @@ class Realization:
     @property
     def joint_names(self) -> tuple[str, ...]:
         """
-        The columns of positions.
+        Names of the joints, in the order of the columns of positions.
         """
     @joint_names.setter
     def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
@@ -1097,7 +1130,7 @@ class Realization:
     @property
     def reason(self) -> str:
         """
-        Which segment, row and finger fails, and why.
+        Segment, row and finger that fail, and the reason.
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
@@ -1105,31 +1138,32 @@ class Realization:
     @property
     def segments(self) -> tuple[JointSegment, ...]:
         """
-        Stretches of joint motion, in order.
+        Parts of the joint motion, in order.
         """
     @segments.setter
     def segments(self, arg1: collections.abc.Sequence[JointSegment]) -> None:
         ...
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
-    Derives every row of a plan anew from its problem, with none of the search's code.
+    Checks a plan: derives every row anew from its problem, without the code of the search.
     
     Returns one fault per entry, with segment and row; an empty list if the plan is valid.
     """
 def check_realization(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, realization: Realization, options: RealizeOptions = ...) -> list[str]:
     """
-    Replays joint paths against problem and plan: limits, steps, fingertips, collisions.
+    Checks joint paths against problem and plan: limits, steps, fingertips, collisions.
     
-    Each entry says what fails; an empty list means that they hold.
+    Returns one fault per entry; an empty list if the paths are valid.
     """
 def join(paths: collections.abc.Sequence[Path]) -> Path:
     """
-    One path after another; each must start where the last one ended.
+    Joins paths into one. Each must start where the one before it ends.
     """
 def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """
-    Plans where the fingers press, which holds its position and which its force, and when to change grip.
-    Not finding a plan is a status.
+    Plans the places, control modes and regrasps of the fingers (Maeda, Arai 2005, Section 4).
+    
+    Finding no plan is a status, not an error.
     
     Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
     
@@ -1137,20 +1171,45 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     """
 def realize(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: RealizeOptions = ..., budget: graspless._core.planning.Budget = ...) -> Realization:
     """
-    Joint paths that carry a plan's fingertips: from q_home, (dof,), to the first grip, through every row,
-    through regrasps, and away; or where that is impossible.
+    Finds joint paths of a robot that carry a plan's fingertips.
     
-    Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt.
-    Raises ValueError on unknown frames, a home outside the limits or a plan not solved.
+    They lead from q_home to the first grip, through every row and regrasp, and away. Failure to find
+    them is a Realization with a reason, not an error. Releases the GIL: other Python threads can run.
+    Ctrl-C raises KeyboardInterrupt.
+    
+    Parameters
+    ----------
+    problem : Problem
+    plan : Plan
+        Solved plan of the problem.
+    robot : robot.Robot
+    carrier : Carrier
+        Parts of the robot that carry the fingertips.
+    q_home : (dof,) array
+        Configuration at the start [rad or m].
+    options : RealizeOptions, optional
+    budget : planning.Budget, optional
+    
+    Returns
+    -------
+    Realization
+    
+    Raises
+    ------
+    ValueError
+        A frame is unknown, the home lies outside the joint limits, or the plan is not solved.
     """
 def slide_path(X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], translation_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], segments: typing.SupportsInt | typing.SupportsIndex) -> Path:
     """
-    A straight slide from X_WO_start, (4, 4), by translation_W, (3,) in the world [m], in equal segments.
+    Returns a straight slide from X_WO_start, (4, 4), by translation_W, (3,) in the world [m], in equal
+    segments.
     """
 def turn_path(X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], point_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], axis_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], angle: typing.SupportsFloat | typing.SupportsIndex, segments: typing.SupportsInt | typing.SupportsIndex) -> Path:
     """
-    A turn from X_WO_start, (4, 4), about the line through point_W along axis_W, both (3,) in the world,
-    by angle [rad, right hand] in equal segments: a tumble over an edge, or a turn on the floor.
+    Returns a tumble over an edge or a turn on the floor, in equal segments.
+    
+    It starts at X_WO_start, (4, 4), and turns by angle [rad, right-handed] about the line through
+    point_W [m] along axis_W, both (3,) in the world.
     """
 @typing.overload
 def validate(problem: Problem) -> None:
@@ -1165,5 +1224,5 @@ def validate(options: Options) -> None:
 @typing.overload
 def validate(problem: Problem, options: Options) -> None:
     """
-    Both, and that the search fits into options.max_memory.
+    Raises ValueError like the other two, or if the search does not fit into options.max_memory.
     """

@@ -1,5 +1,5 @@
 """
-Contacts with friction: forces that balance, and how much more they can.
+Stability of objects with frictional contacts (Maeda, Arai).
 """
 from __future__ import annotations
 import collections.abc

@@ -1,5 +1,5 @@
 """
-What every planner shares: the budget of a query.
+Budget of a query, shared by all planners.
 """
 from __future__ import annotations
 import typing
@@ -33,7 +33,7 @@ class Field:
     @property
     def text(self) -> str:
         """
-        What it is, in a sentence or two.
+        Description in one or two sentences.
         """
     @property
     def unit(self) -> str:

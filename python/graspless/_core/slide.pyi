@@ -470,7 +470,7 @@ class Options:
         ...
 class Segment:
     """
-    A stretch of motion: rows follow each other by at most 0.05 rad in any joint.
+    Part of a motion. No joint moves by more than 0.05 rad from one row to the next.
     """
     def __init__(self, name: str, positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -514,7 +514,7 @@ class Statistics:
         ...
     def as_dict(self) -> dict[str, typing.Any]:
         """
-        All fields by name.
+        Returns all fields by name.
         """
     @property
     def collision_checks(self) -> int:
@@ -604,7 +604,7 @@ class Statistics:
         ...
 class Status(graspless._named.Named):
     """
-    How a query ended.
+    Outcome of a query.
     """
     interrupted = ...
     no_goal_root = ...
@@ -615,11 +615,11 @@ class Status(graspless._named.Named):
     start_in_collision = ...
 class Plan:
     """
-    What was found, or why not. False unless solved.
+    Result of a query. False unless it is solved.
     """
     def __bool__(self) -> bool:
         """
-        Whether it is solved.
+        True if the query is solved.
         """
     def __init__(self) -> None:
         """
@@ -654,7 +654,7 @@ class Plan:
     @property
     def overhang(self) -> float:
         """
-        How far the object sticks out at the goal [m].
+        Length of the object beyond the edge at the goal [m].
         """
     @overhang.setter
     def overhang(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -662,7 +662,7 @@ class Plan:
     @property
     def reason(self) -> str:
         """
-        One sentence, for people.
+        Explanation of the outcome in one sentence.
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
@@ -670,7 +670,7 @@ class Plan:
     @property
     def segments(self) -> tuple[Segment, ...]:
         """
-        Stretches of motion, in order.
+        Segments of the motion, in order.
         """
     @segments.setter
     def segments(self, arg1: collections.abc.Sequence[Segment]) -> None:
@@ -678,7 +678,7 @@ class Plan:
     @property
     def statistics(self) -> Statistics:
         """
-        What the search did.
+        Counters of the search.
         """
     @statistics.setter
     def statistics(self, arg0: Statistics) -> None:
@@ -686,7 +686,7 @@ class Plan:
     @property
     def status(self) -> Status:
         """
-        How the query ended.
+        Outcome of the query.
         """
     @status.setter
     def status(self, arg0: Status) -> None:
@@ -694,7 +694,7 @@ class Plan:
     @property
     def warnings(self) -> tuple[str, ...]:
         """
-        What to be careful of.
+        Warnings about the plan.
         """
     @warnings.setter
     def warnings(self, arg1: collections.abc.Sequence[str]) -> None:

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Carries or drags a held object along a straight path. The object does not move relative to the
+// hand: a lift, or a quasi-static drag without slip in the hand.
 #pragma once
 
 #include <array>
@@ -16,8 +19,6 @@
 #include "graspless/planning/budget.hpp"
 #include "graspless/robot/robot.hpp"
 
-/// Carries or drags a held object along a straight path. The object does not move relative to the
-/// hand: a lift, or a quasi-static drag without slip in the hand.
 namespace graspless::carry {
 
 using collision::Obstacle;

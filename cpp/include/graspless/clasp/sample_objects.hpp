@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Sample objects with holes at real size, like those of Stork 2013, Fig. 3. They consist of
+// primitives, so a physics engine keeps their holes open. In O they stand on the floor z = 0,
+// handles up, centred at x = y = 0.
 #pragma once
 
 #include <string>
@@ -8,9 +12,6 @@
 #include "graspless/export.hpp"
 #include "graspless/geometry/shape.hpp"
 
-/// Sample objects with holes at real size, like those of Stork 2013, Fig. 3. They consist of
-/// primitives, so a physics engine keeps their holes open. In O they stand on the floor z = 0,
-/// handles up, centred at x = y = 0.
 namespace graspless::clasp {
 
 /// Returns the names: purse, bag, travel_bag, lawn_mower, chair.

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Linking of curves (Stork, Pokorny, Kragic 2013, Sections III-A and IV-C). A curve is a polyline
+// with one corner per column (3 x n) [m]. A closed curve does not repeat its first corner. Pairs
+// of segments that touch or are collinear contribute 0, so every value is finite.
 #pragma once
 
 #include <vector>
@@ -8,9 +12,6 @@
 
 #include "graspless/export.hpp"
 
-/// Linking of curves (Stork, Pokorny, Kragic 2013, Sections III-A and IV-C). A curve is a polyline
-/// with one corner per column (3 x n) [m]. A closed curve does not repeat its first corner. Pairs
-/// of segments that touch or are collinear contribute 0, so every value is finite.
 namespace graspless::geometry {
 
 /// Gauss linking integral, eq. (1), of two polylines, in closed form for every pair of segments

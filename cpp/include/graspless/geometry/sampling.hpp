@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Sampling and filtering of point clouds: surfaces of known bodies, views of a camera,
+// downsampling.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +13,6 @@
 #include "graspless/export.hpp"
 #include "graspless/geometry/shape.hpp"
 
-/// Sampling and filtering of point clouds: surfaces of known bodies, views of a camera,
-/// downsampling.
 namespace graspless::geometry {
 
 /// Returns `count` points (3 x count) [m] spread evenly over the outer surface of the union of

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Tables of options, statistics and status values. Every such struct has beside it one function
+// fields(), every enum one function choices(). Validation, bindings, task files and the reference
+// page docs/reference/options.md are made from these tables.
 #pragma once
 
 #include <limits>
@@ -9,9 +13,6 @@
 
 #include "graspless/export.hpp"
 
-/// Tables of options, statistics and status values. Every such struct has beside it one function
-/// fields(), every enum one function choices(). Validation, bindings, task files and the reference
-/// page docs/reference/options.md are made from these tables.
 namespace graspless::planning {
 
 /// Interval of allowed values; by default, every number.

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Conversions between Eigen vectors and OMPL states of a box of configurations.
 #pragma once
 
 #include <memory>
@@ -12,7 +14,6 @@
 
 #include "graspless/planning/path.hpp"
 
-/// Conversions between Eigen vectors and OMPL states of a box of configurations.
 namespace graspless::planning {
 
 inline Eigen::Map<const Eigen::VectorXd> vector(const ompl::base::State* state, Eigen::Index n) {

@@ -1,23 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Friction limits of a slide. Eq. (2) assumes that the object always moves and turns with the
+// fingertip; these functions say how far the friction of the fingertip's pad allows that.
+//
+// The support's friction resists with the force mu_s (N + m g), at a mean radius r about the
+// centre of pressure. The pad drags the object with at most mu_p N, on a line contact of mean
+// radius w (a quarter of the pad's width). Let R = (mu_s (N + m g) / (mu_p N))^2, and let the
+// slide turn by k per distance [rad/m]. With ellipsoidal limit surfaces (Howe, Cutkosky 1996) the
+// object turns with the pad if
+//   R (1 + (r / w)^2 r^2 k^2) <= 1 + r^2 k^2.
+//
+// The pad must also be able to drag the object in a straight line. The support's friction acts at
+// the centre of pressure, at a distance e beside the middle of the pad. It uses the share
+//   mu_s (N + m g) / (mu_p N) sqrt(1 + (e / w)^2)
+// of the pad's friction limit. The drag on the tip also changes the normal force N.
 #pragma once
 
 #include "graspless/slide/slide.hpp"
 
-/// Friction limits of a slide. Eq. (2) assumes that the object always moves and turns with the
-/// fingertip; these functions say how far the friction of the fingertip's pad allows that.
-///
-/// The support's friction resists with the force mu_s (N + m g), at a mean radius r about the
-/// centre of pressure. The pad drags the object with at most mu_p N, on a line contact of mean
-/// radius w (a quarter of the pad's width). Let R = (mu_s (N + m g) / (mu_p N))^2, and let the
-/// slide turn by k per distance [rad/m]. With ellipsoidal limit surfaces (Howe, Cutkosky 1996) the
-/// object turns with the pad if
-///   R (1 + (r / w)^2 r^2 k^2) <= 1 + r^2 k^2.
-///
-/// The pad must also be able to drag the object in a straight line. The support's friction acts at
-/// the centre of pressure, at a distance e beside the middle of the pad. It uses the share
-///   mu_s (N + m g) / (mu_p N) sqrt(1 + (e / w)^2)
-/// of the pad's friction limit. The drag on the tip also changes the normal force N.
 namespace graspless::slide {
 
 /// Returns the normal force [N] of a bent finger whose tip is commanded `depth` [m] below the top
