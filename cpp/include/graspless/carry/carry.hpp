@@ -23,14 +23,14 @@ namespace graspless::carry {
 
 using collision::Obstacle;
 
-/// An obstacle that the object rests on at the start and may be dragged over.
+/// Obstacle that the object rests on at the start and may be dragged over.
 struct Rest {
   std::string obstacle;
   Eigen::Vector3d normal_W =
       Eigen::Vector3d::UnitZ();  ///< unit normal of its surface, towards the object
 };
 
-/// The task: carry `object` from object.X_WB to X_WO_goal.
+/// Task of the planner: carry `object` from object.X_WB to X_WO_goal.
 struct Problem {
   robot::Robot robot;
   std::string arm = "arm";  ///< group of joints that move, base to wrist; all others stay
@@ -61,7 +61,7 @@ constexpr auto choices(Status) {
 }
 GRASPLESS_API std::string to_string(Status status);
 
-/// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
+/// Part of a motion: consecutive rows of `positions` differ by at most 0.05 rad in any joint.
 struct Segment {
   std::string name;                             ///< carry
   std::vector<Eigen::VectorXd> positions;       ///< all joints [rad or m]
@@ -101,10 +101,10 @@ struct Plan {
 };
 
 /// Plans a motion of the arm that carries the object along a straight path to its goal: its origin
-/// moves along a line, its attitude turns about one axis. A depth-first search chooses the value of
-/// a seven-joint arm's free joint and the twist (up to `max_twist`) along the path; it tries
-/// straight ahead first. Throws std::invalid_argument on a bad problem, options or budget. Finding
-/// no plan is a status, not an error. The search is deterministic.
+/// moves along a line, and its attitude turns about one axis. A depth-first search chooses the
+/// value of a seven-joint arm's free joint and the twist (up to `max_twist`) along the path; it
+/// tries straight ahead first. Throws std::invalid_argument on a bad problem, options or budget.
+/// Finding no plan is a status, not an error. The search is deterministic.
 GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 

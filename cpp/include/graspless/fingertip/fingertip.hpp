@@ -20,7 +20,7 @@ namespace graspless::fingertip {
 
 using mechanics::FingerMode;
 
-/// Validates both, and that the search fits into max_memory. plan() and check() begin with this.
+/// Validates both, and also that the search fits into max_memory. Called by plan() and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
 /// plan() ends with all but not_realized, which is for callers of realize().
@@ -44,37 +44,36 @@ constexpr auto choices(Status) {
 }
 GRASPLESS_API std::string to_string(Status status);
 
-/// A finger at one instant.
+/// State of a finger at one instant.
 struct FingerState {
-  bool touches = true;                             ///< false while it regrasps
+  bool touches = true;                             ///< false while the finger regrasps
   Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< contact point [m]
-  Eigen::Vector3d n_O = Eigen::Vector3d::UnitZ();  ///< into the object, unit
+  Eigen::Vector3d n_O = Eigen::Vector3d::UnitZ();  ///< unit normal, into the object
   FingerMode mode = FingerMode::position;
   double commanded_force = 0;  ///< f_com in force control, else 0 [N]
-  Eigen::Vector3d nominal_force_O = Eigen::Vector3d::Zero();  ///< to feed forward [N]
+  Eigen::Vector3d nominal_force_O = Eigen::Vector3d::Zero();  ///< for feed-forward [N]
 };
 
 /// One instant of a plan: a sample of an arc, or a rest while a finger regrasps.
 struct Row {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   std::vector<FingerState> fingers;
-  /// z [N]; where friction is an interval, the least over the coefficients looked at: min_stability
-  /// is what is proven for all of the interval. Modes and commanded forces hold for all of it,
-  /// nominal forces are those at its lower end.
+  /// z [N]. If friction is an interval, it is the least over the evaluated coefficients; for the
+  /// whole interval, only min_stability is proven. Modes and commanded forces hold for the whole
+  /// interval. Nominal forces are those at its lower end.
   double stability = 0;
   double compliant_stability = 0;  ///< see mechanics::compliant_stability [N]
   double nominal_margin = 0;       ///< mechanics::Equilibrium::margin [N]
 };
 
-/// A stretch of the plan with the fingers where they are, or one regrasp.
+/// Part of a plan during which no finger changes its place, or one regrasp.
 struct Segment {
   std::string name;  ///< slide, turn, tumble or regrasp
-  /// Displacement: from the first pose through every lattice pose to the last; row k * P + j lies
-  /// in the middle of the j-th of P equal parts of the motion from X_WO[k] to X_WO[k + 1]. Regrasp:
-  /// one pose, one row.
+  /// Poses of the lattice, first to last. The motion from X_WO[k] to X_WO[k + 1] has P equal parts;
+  /// row k * P + j lies in the middle of part j. A regrasp has one pose and one row.
   std::vector<Eigen::Isometry3d> X_WO;
   std::vector<Row> rows;
-  int finger = -1;  ///< regrasp: who moves; it goes to where the next segment has it
+  int finger = -1;  ///< regrasp: index of the finger that moves to its place in the next segment
 };
 
 /// Counters of the search; fields() describes them.
@@ -121,26 +120,26 @@ constexpr auto fields(const Statistics&) {
       Field{"memory", &Statistics::memory, "bytes", "Largest memory of the search's tables."});
 }
 
-/// What a failed search says of the way out.
+/// Smallest change of one parameter that makes a failed search succeed.
 struct Relaxation {
   std::string field;  ///< fingers.friction, fingers.max_normal_force, friction or min_stability
-  double value = 0;   ///< the least change that helps, to 1 %
+  double value = 0;   ///< value nearest to the given one that helps, to 1 %
 };
 
-/// What was found, or why not.
+/// Result of plan(): a plan, or the reason why there is none.
 struct Plan {
   Status status = Status::out_of_time;
-  std::string reason;  ///< one sentence, for people
-  double cost = 0;     ///< by (9) and (10) [m]
-  /// No plan on this lattice is cheaper [m]; equals cost when optimal. For a Goal: none over the
-  /// motions of the object that were considered.
+  std::string reason;  ///< one sentence for the user
+  double cost = 0;     ///< by Eqs. (9) and (10) [m]
+  /// Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the plan is
+  /// optimal. For a Goal, it holds for the motions of the object that were considered.
   double lower_bound = 0;
   int regrasps = 0;
   std::vector<Segment> segments;
   std::vector<std::string> warnings;
-  /// Where z is least: segment and row; -1 without a plan.
+  /// Segment and row of least stability; -1 without a plan.
   int weakest_segment = -1, weakest_row = -1;
-  /// Not solved: which limit blocks (reach of the lattice, geometry, friction, force limit,
+  /// If not solved: the limit that blocks (reach of the lattice, geometry, friction, force limit or
   /// stability), and the smallest single changes that help.
   std::string limit;
   std::vector<Relaxation> relaxations;
@@ -148,18 +147,18 @@ struct Plan {
   explicit operator bool() const { return status == Status::solved; }
 };
 
-/// Plans where the fingers press, which holds its position and which its force, and when to change
-/// grip. Throws std::invalid_argument on a bad problem, options or budget. Out of time with a plan
-/// in hand: solved, with lower_bound < cost.
+/// Plans the places, control modes and regrasps of the fingers (Section 4). If time runs out after
+/// a plan was found, the status is `solved` with lower_bound < cost. Throws std::invalid_argument
+/// on a bad problem, options or budget.
 GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
                         const planning::Budget& budget = {});
 
-/// Re-derives every row from the problem with none of the search's code: contacts from geometry, z
-/// and jamming by the reference engine, nominal forces, clearances by FCL, cost by its definition,
-/// continuity. Shared with the planner are validate(), mechanics' public functions (contacts,
-/// nominal forces, compliant stability, friction intervals), collision and geometry. That nothing
-/// is cheaper than lower_bound is not proven again. Each entry says which segment and row fails and
-/// how; empty: the plan holds.
+/// Checks a plan: derives every row anew from the problem, without the code of the search. Contacts
+/// come from geometry, z and jamming from the reference engine, clearances from FCL, and the cost
+/// from its definition. Also checks nominal forces and continuity. It shares validate(), the public
+/// functions of mechanics (contacts, nominal forces, compliant stability, friction intervals),
+/// collision and geometry with the planner. It does not prove `lower_bound` again. Returns one
+/// fault per entry, with segment and row; empty if the plan is valid.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

@@ -15,9 +15,9 @@ namespace graspless::fingertip {
 
 /// Parts of a robot that carry the fingertips.
 struct Carrier {
-  /// One frame a finger of the plan, each the centre of a fingertip's sphere.
+  /// Frames at the centres of the fingertips' spheres, one for each finger of the plan.
   std::vector<std::string> fingertips = {"left_tip_center", "right_tip_center"};
-  /// Links that may touch the object: those the spheres belong to.
+  /// Links that may touch the object, for each fingertip: those that carry its sphere.
   std::vector<std::vector<std::string>> links = {{"left_finger"}, {"right_finger"}};
 };
 
@@ -54,45 +54,47 @@ constexpr auto fields(const RealizeOptions&) {
             Range::closed(1, 1e6)});
 }
 
-/// A stretch of joint motion; rows follow each other by at most max_jump in any joint.
+/// Part of a joint motion. Consecutive rows differ by at most max_jump in any joint.
 struct JointSegment {
-  /// approach, touch, those of the plan (slide, turn, tumble; for a regrasp release, reach, touch),
-  /// release, retreat
+  /// "approach", "touch", "slide", "turn", "tumble", "release", "reach" or "retreat". A regrasp is
+  /// release, reach and touch.
   std::string name;
   std::vector<Eigen::VectorXd> positions;
   std::vector<Eigen::Isometry3d> X_WO;
-  int plan_segment = -1;  ///< the segment of the plan that it carries out; -1 for free motions
-  /// The plan's contacts are points that stay. A fingertip that turns about its centre otherwise
-  /// than about the normal slips on its point by its radius times that turning: how far, over the
-  /// segment, for the worst of the fingers that touch [m].
+  int plan_segment = -1;  ///< index of the plan's segment that it carries out; -1 for free motions
+  /// Largest distance by which a touching finger slips on its contact during the segment [m]. The
+  /// contacts of the plan are fixed points. A fingertip that rotates about another axis than the
+  /// normal slips by its radius times that rotation.
   double scrub = 0;
 };
 
-/// Joint paths that carry a plan's fingertips, or where it is impossible.
+/// Joint paths that carry a plan's fingertips, or the reason why there are none.
 struct Realization {
   bool found = false;
-  std::string reason;  ///< which segment, row and finger fails, and why
+  std::string reason;  ///< segment, row and finger that fail, and the reason
   std::vector<std::string> joint_names;
-  std::vector<int> finger_of_fingertip;  ///< which finger of the plan each fingertip plays
+  std::vector<int> finger_of_fingertip;  ///< index of the plan's finger for each fingertip
   std::vector<JointSegment> segments;
   explicit operator bool() const { return found; }
 };
 
-/// Gives a plan an arm: from q_home to the first grip, through every row with the fingertips'
-/// centres where the plan has them (inverse kinematics from row to row, continuous, within limits,
-/// nothing touching but fingertips and object), through regrasps, and back home. All joints that
-/// move a fingertip take part; the object stands still but for the plan's displacements. Planes are
-/// solid to the robot, but for its root. A touching finger's links may reach into the object by a
-/// few tenths of a millimetre: what position_tolerance takes. Tries each assignment of fingertips
-/// to fingers. Throws std::invalid_argument on unknown frames or links, a home outside the limits,
-/// or a plan that is not solved.
+/// Finds joint paths that carry a plan's fingertips: from q_home to the first grip, through every
+/// row and regrasp, and back to q_home. At every row, inverse kinematics puts the centres of the
+/// fingertips where the plan has them. The paths are continuous and within the joint limits, and
+/// nothing touches but fingertips and object. All joints that move a fingertip take part. The
+/// object moves only as the plan says. All links except the root must stay out of the planes. A
+/// touching finger's links may penetrate the object by a few tenths of a millimetre, because of
+/// position_tolerance. Tries every assignment of fingertips to fingers. Throws
+/// std::invalid_argument on unknown frames or links, a home outside the limits, or a plan that is
+/// not solved.
 GRASPLESS_API Realization realize(const Problem& problem, const Plan& plan,
                                   const robot::Robot& robot, const Carrier& carrier,
                                   const Eigen::VectorXd& q_home, const RealizeOptions& options = {},
                                   const planning::Budget& budget = {});
 
-/// Replays a realization against problem and plan: limits, joint steps, fingertips within the
-/// tolerance of the plan's, collisions by FCL, the object's poses. Empty: it holds.
+/// Checks joint paths against problem and plan: joint limits and steps, fingertips within the
+/// tolerance of the plan's, collisions by FCL, and the object's poses. Returns one fault per entry;
+/// empty if the paths are valid.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const robot::Robot& robot, const Carrier& carrier,
                                              const Realization& realization,

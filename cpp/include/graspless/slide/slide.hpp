@@ -48,7 +48,7 @@ constexpr auto choices(Status) {
 }
 GRASPLESS_API std::string to_string(Status status);
 
-/// A stretch of motion: rows of `positions` follow each other by at most 0.05 rad in any joint.
+/// Part of a motion: consecutive rows of `positions` differ by at most 0.05 rad in any joint.
 struct Segment {
   std::string name;                        ///< approach, press, slide, lift, reach, grasp or close
   std::vector<Eigen::VectorXd> positions;  ///< all joints [rad or m]
