@@ -61,7 +61,7 @@ def test_what_is_asked_of_a_pull_is_said():
     assert f"below {needed} N" in told
     assert f"to {most} N" in told
     assert FAILURES["pulled_out"].endswith(f"below {needed} N")
-    assert f"of {most} at most" in MEASURES["pull"]
+    assert f"at most {most} N" in MEASURES["pull"]
 
 
 def test_the_hand_goes_through_the_hole_as_planned(trial):

@@ -34,9 +34,9 @@ if TYPE_CHECKING:
 
 MEASURES = {
     **SLIDE_MEASURES,  # of the lift: where nothing is carried
-    "kept": "1 where the hand had the object at the end, as it took it",
-    "carried": "how far the hand took the object, from squeeze to hold [m]",
-    "carry_error": "between that motion of the object and the plan's [m]",
+    "kept": "1 if the hand still held the object at the end as it had grasped it",
+    "carried": "distance that the hand moved the object, from squeeze to hold [m]",
+    "carry_error": "difference between that motion of the object and the planned one [m]",
 }
 
 

@@ -79,12 +79,13 @@ std::string name_of(Enum value) {
   return "unknown";
 }
 
-/// Throws std::invalid_argument with all of this unless the value lies in the range.
+/// Throws std::invalid_argument that states name, value, range, unit and text, unless the value lies
+/// in the range.
 GRASPLESS_API void require_in_range(const std::string& name, double value, const Range& range,
                                     const std::string& unit, const std::string& text);
 
-/// Throws std::invalid_argument about the first member outside its range: its name after `prefix`,
-/// range, value and text.
+/// The same for all members of a struct. The message is about the first member outside its range,
+/// whose name follows `prefix`.
 template <class Struct>
 void require_in_range(const std::string& prefix, const Struct& values) {
   const auto require = [&](const auto& field) {

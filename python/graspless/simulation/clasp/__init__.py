@@ -35,29 +35,29 @@ if TYPE_CHECKING:
 
 FAILURES = {
     "hit": "the object moved before the hand closed, or the robot touched an obstacle",
-    "not_closed": "a finger is not linked with the loop when the hand has closed; where none is, "
-    "nothing is pulled at",
-    "escaped": "the loop came out of the closed hand under random wrenches, the motors locked too",
-    "forced_open": "random wrenches forced the fingers open; with locked motors the hand held",
+    "not_closed": "a finger was not linked with the loop after closing; if none is, the later "
+    "tests are skipped",
+    "escaped": "random wrenches pulled the loop out of the closed hand, even with locked motors",
+    "forced_open": "random wrenches forced the fingers open; the hand held with locked motors",
     "pulled_out": "the loop came out of the closed hand under a straight pull below 15 N",
-    "open_hand_holds": "the negative control: to none of the sequences, nor to the pull, did the "
-    "open hand lose the loop (to lose it to one of them is enough)",
+    "open_hand_holds": "the open hand (negative control) lost the loop neither in a sequence of "
+    "wrenches nor under the pull",
 }
 
 MEASURES = {
-    "moved_before": "how far the object moved before the hand closed [m]",
-    "moved_by_closing": "how far it had moved when the hand was closed as planned [m]",
-    "moved_by_grip": "how far it had moved when the motors had had enough [m]",
-    "linking": "virtual linking of the closed hand, the least of all fingers",
-    "grip": "torque of the joint of the hand that presses hardest when closed, of its greatest",
-    "held": "sequences of random wrenches that the closed hand held",
-    "held_dragged": "the same where those that were lost are run again, with drag on the object",
-    "held_locked": "the same where those that were lost are run again with locked motors",
-    "sequences": "how many there were",
-    "pull": "straight pull that was held, of 60 at most [N]",
+    "moved_before": "distance that the object moved before the hand closed [m]",
+    "moved_by_closing": "distance that it had moved at the last row of the plan [m]",
+    "moved_by_grip": "distance that it had moved when the motors reached their limit [m]",
+    "linking": "least virtual linking of the fingers of the closed hand",
+    "grip": "largest joint torque of the closed hand, as a fraction of its limit",
+    "held": "number of sequences of random wrenches that the closed hand held",
+    "held_dragged": "number held if lost sequences are repeated with drag on the object",
+    "held_locked": "number held if lost sequences are repeated with locked motors",
+    "sequences": "number of sequences of random wrenches",
+    "pull": "straight pull that the closed hand held, at most 60 N [N]",
     "open_pull": "straight pull at which the open hand lost the object [N]",
-    "open_held": "sequences that the open hand held, of the same ones",
-    "open_linked": "fingers whose curves are linked with the loop when the hand has opened",
+    "open_held": "number of the same sequences that the open hand held",
+    "open_linked": "number of fingers of the opened hand that are linked with the loop",
 }
 
 

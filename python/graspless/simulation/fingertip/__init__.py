@@ -35,20 +35,21 @@ if TYPE_CHECKING:
 SPREAD = FINGERTIP_SPREAD
 
 FAILURES = {
-    "off": "a corner of the object was farther from its place than is allowed: 1 mm, 1.5 mm varied",
-    "lost": "a corner of the object was more than 1 cm from its place",
-    "hit": "something touched an obstacle, or the robot a plane or, not by a fingertip, the object",
+    "off": "a corner of the object was too far from its planned position (1 mm, 1.5 mm if varied)",
+    "lost": "a corner of the object was more than 1 cm from its planned position",
+    "hit": "an obstacle was touched, the robot touched a plane, or a link other than a "
+    "fingertip touched the object",
     "slipped": "a fingertip slipped by more than 1 mm on the object",
-    "chatter": "while the object slid, the floor's force was zero for more than 5 % of the time",
+    "chatter": "the floor's force was zero for more than 5 % of the sliding time",
 }
 
 MEASURES = {
-    "vertex_error": "how far the object's worst corner was from its place, at worst [m]",
-    "vertex_error_end": "the same at the end [m]",
-    "slip": "how far a fingertip was from its place on the object, at worst [m]",
-    "hit": "how deep something was in what it is not to touch, at worst [m]",
-    "floor_lost": "share of the time of slides and turns without any force of floor and walls",
-    "duration": "of the motion [s]",
+    "vertex_error": "largest distance of a corner of the object from its planned position [m]",
+    "vertex_error_end": "largest distance at the end of the motion [m]",
+    "slip": "largest distance of a fingertip from its planned place on the object [m]",
+    "hit": "largest forbidden penetration [m]",
+    "floor_lost": "fraction of the sliding and turning time without force from floor and walls",
+    "duration": "duration of the motion [s]",
 }
 
 

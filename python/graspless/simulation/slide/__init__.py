@@ -27,15 +27,15 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 MEASURES = {
-    "position_error": "of the object at the end of the slide, against the plan's [m]",
-    "angle_error": "of the object at the end of the slide, against the plan's [rad]",
-    "overhang": "how far the object sticks out at the end of the slide [m]",
-    "mean_force": "of the finger on the object while it slides [N]",
-    "max_force": "the largest of these [N]",
-    "shift_by_lift": "how far the object moved between the end of the slide and the grasp [m]",
-    "lift_height": "how far the object was lifted, at the end [m]",
-    "lift_reach": "how far the arm can lift straight up, of what is asked [m]",
-    "creep": "how far the object moved in the hand while it was lifted and held [m]",
+    "position_error": "position error of the object at the end of the slide [m]",
+    "angle_error": "angle error of the object at the end of the slide [rad]",
+    "overhang": "length of the object beyond the edge at the end of the slide [m]",
+    "mean_force": "mean force of the finger on the sliding object [N]",
+    "max_force": "largest force of the finger on the sliding object [N]",
+    "shift_by_lift": "distance that the object moved between slide and grasp [m]",
+    "lift_height": "height of the object above its start at the end of the lift [m]",
+    "lift_reach": "height to which the arm can lift straight up, up to the height requested [m]",
+    "creep": "distance that the object moved in the hand during lift and hold [m]",
 }
 
 _LOOK = 0.01  # between observations of the judge [s]

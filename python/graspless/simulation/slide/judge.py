@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What became of the object: watched while the program runs."""
+"""Observation of the object while the program runs: the failures of a trial."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 FAILURES = {
-    "tip_lost": "the finger lost the object while it slid",
-    "off_target": "at the end of the slide the object is not where the plan says",
-    "tipped": "the object tilted on the table's edge",
+    "tip_lost": "the finger lost contact with the sliding object",
+    "off_target": "the object was off its planned pose at the end of the slide",
+    "tipped": "the object tilted over the table's edge",
     "fell": "the object fell off the table",
-    "hit": "something touched what it must not",
-    "not_grasped": "the hand closed, and left the object behind",
-    "dropped": "the hand lifted the object, and lost it",
-    "out_of_reach": "held, but the arm cannot lift straight up as high as asked",
+    "hit": "two bodies touched that must not",
+    "not_grasped": "the hand closed without grasping the object",
+    "dropped": "the object fell out of the hand during lift or hold",
+    "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
 }
 _BEFORE_GRASP = ("approach", "press", "slide", "lift", "reach", "grasp")
 
