@@ -37,7 +37,7 @@ def circumstances(results: Iterable[Row]) -> dict[str, str]:
         ("when", lambda r: r["machine"]["date"]),
         ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
         ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
-        ("does not hold", lambda r: str(len(r["complaints"]))),
+        ("complaints", lambda r: str(len(r["complaints"]))),
     ]
     return {
         "machine": f"{machine['cpu']}, {machine['cores']} cores",

@@ -43,7 +43,7 @@ def fields(result: Row) -> dict[str, str]:
         named = [{"name": planner, **row} for planner, row in totals.items()]
         return {"totals": markdown(named, PLANNERS, "planner")}
     if result["grid"] == "tolerance":
-        return {"totals": markdown(_by_tolerance(result["rows"]), BY_TOLERANCE, "asked for")}
+        return {"totals": markdown(_by_tolerance(result["rows"]), BY_TOLERANCE, "threshold")}
     named = [{"name": _words(key), "value": value, "key": key} for key, value in totals.items()]
     if result["grid"] == "chair":  # one query in the paper: nothing to sum up
         said = {key: str(value) for key, value in PAPER_CHAIR.items()}
@@ -112,7 +112,7 @@ CLASPS: list[Column] = [
     ("faults", lambda r: str(len(r["faults"]))),
 ]
 TOLERANCE: list[Column] = [
-    ("asked for", lambda r: f"{r['asked']:g}"),
+    ("threshold", lambda r: f"{r['asked']:g}"),
     _two("linking_reached"),
     *CLASPS,
 ]

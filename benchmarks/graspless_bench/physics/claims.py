@@ -90,9 +90,9 @@ def _ratio(name: str, least: float, below_z: float = math.inf) -> Callable[[Row]
 
 
 def _arrives(of: str, limit: float, must: float | None = None, goal: float | None = None) -> Claim:
-    """Within so many millimetres, and as many degrees."""
+    """Returns the claim that slides end within a limit [mm, deg] of the planned pose."""
     holds = _at_most({"position_error": limit / 1000, "angle_error": limit * DEGREE}, "fell")
-    what = f"within {limit:g} mm and {limit:g} deg after the slide, and stays"
+    what = f"within {limit:g} mm and {limit:g} deg of the planned pose after the slide, not fallen"
     return Claim(what, of, holds, must, goal)
 
 
@@ -135,19 +135,21 @@ CLAIMS: dict[str, list[Claim]] = {
         _vertices(VARIED, 0.7, None, 0.99),
     ],
     "fingertip_disturb": [
-        Claim("holds while nothing disturbs it", DISTURBED, lambda case: case["smallest"] != 0),
+        Claim("holds without a disturbance", DISTURBED, lambda case: case["smallest"] != 0),
         Claim("breaks at 0.7 z or more", DISTURBED, _ratio("ratio", 0.7), 0.95),
-        Claim("at 0.9 z or more, where z < 5 N", DISTURBED, _ratio("ratio", 0.9, 5.0), None, 0.95),
-        Claim("at the compliant index or more", DISTURBED, _COMPLIANT, None, 0.99),
+        Claim(
+            "breaks at 0.9 z or more, if z < 5 N", DISTURBED, _ratio("ratio", 0.9, 5.0), None, 0.95
+        ),
+        Claim("breaks at the compliant index or more", DISTURBED, _COMPLIANT, None, 0.99),
     ],
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),
-        Claim("the open hand loses it", NOMINAL, _LOST_OPEN, 0.95, 1.0),
-        Claim("holds, the object without momentum", NOMINAL, _clasped_dragged),
-        Claim("holds, the hand's motors locked", NOMINAL, _CLASPED_LOCKED),
+        Claim("the open hand loses the object", NOMINAL, _LOST_OPEN, 0.95, 1.0),
+        Claim("holds, with drag on the object", NOMINAL, _clasped_dragged),
+        Claim("holds, with locked motors", NOMINAL, _CLASPED_LOCKED),
         Claim("holds", VARIED, _CLASPED),
-        Claim("holds, the object without momentum", VARIED, _clasped_dragged),
-        Claim("holds, the hand's motors locked", VARIED, _CLASPED_LOCKED),
-        Claim("the open hand loses it", VARIED, _LOST_OPEN),
+        Claim("holds, with drag on the object", VARIED, _clasped_dragged),
+        Claim("holds, with locked motors", VARIED, _CLASPED_LOCKED),
+        Claim("the open hand loses the object", VARIED, _LOST_OPEN),
     ],
 }

@@ -82,7 +82,7 @@ def write_page(directory: Path) -> None:
 
 
 def _tables(result: Row) -> dict[str, tables.Table]:
-    asked = {"asked": tables.claims(result)}
+    asked = {"requirement": tables.claims(result)}
     if result["part"].endswith("_disturb"):
         return asked | {"disturbance": tables.disturbances(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
@@ -94,7 +94,7 @@ def _short(shown: list[tables.Column]) -> list[tables.Column]:
 
 def _fields(result: Row) -> dict[str, str]:
     """What a section of the template may name: counts, seconds, and a table each."""
-    names = {"asked": "claims", "failure": "failures", "measure": "measures"}
+    names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
     shown = {"disturbance": "disturbances"} | names
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
     return dict.fromkeys(shown.values(), "") | fields | {"counts": _counts(result["totals"])}

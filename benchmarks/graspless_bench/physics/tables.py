@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 UNITS = {"m": (1e3, "mm"), "rad": (180 / np.pi, "deg")}  # as people read them
 LOST = ("crashed", "failed")  # an error, and nothing is known of the plan
 KNOWN = ("solved", *LOST)
-MEANING = "what it is"  # a column for pages, too wide for a terminal
+MEANING = "meaning"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
     "ratio": "smallest disturbance that breaks the motion / z",
-    "compliant_ratio": "the same / the compliant index",
-    "lost_ratio": "smallest that moves a corner 5 mm / z",
-    "smallest": "the disturbance itself [N]",
+    "compliant_ratio": "smallest disturbance that breaks the motion / compliant index",
+    "lost_ratio": "smallest disturbance that moves a corner by 5 mm / z",
+    "smallest": "smallest disturbance that breaks the motion [N]",
     "z": "[N]",
 }
 
