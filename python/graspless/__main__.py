@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line in a process of its own: `graspless` and `python -m graspless`."""
+"""Entry point of the commands `graspless` and `python -m graspless`."""
 
 import atexit
 import gc

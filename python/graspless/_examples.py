@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples that come with graspless, each planned, checked and drawn in one call."""
+"""Examples that come with graspless, and a function that plans, checks and draws one."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from .tasks import load_task
 
 
 def names() -> dict[str, str]:
-    """Each example with the line that says what it shows."""
+    """Returns each example with the line that describes it."""
     return {path.stem: _about(path) for path in sorted(_data.directory("examples").glob("*.yaml"))}
 
 
 def find(name: str | None) -> Path:
-    """The task file of an example, by its kind, name, number or part of it; None: the first."""
+    """Returns the task file of an example by kind, name, number or part of it; None: the first."""
     known = list(names())
     if name in KINDS:
         folder = _data.directory("examples")
@@ -34,7 +34,7 @@ def find(name: str | None) -> Path:
 
 
 def run(name: str | None, directory: Path | None = None) -> bool:
-    """Plans, checks and draws an example into a folder, and says what it found.
+    """Plans, checks and draws an example into a folder, and prints a summary.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def run(name: str | None, directory: Path | None = None) -> bool:
     Returns
     -------
     bool
-        Whether a plan was found and holds.
+        True if a plan was found and holds.
     """
     source = find(name)
     directory = directory or Path(f"graspless_{source.stem}")
@@ -69,7 +69,7 @@ def run(name: str | None, directory: Path | None = None) -> bool:
 
 
 def _copy(source: Path, directory: Path) -> Path:
-    """The task and the data files of the same name, in a folder of the user's."""
+    """Copies a task, and the data files of the same name, into a folder of the user."""
     try:
         directory.mkdir(parents=True, exist_ok=True)
         for path in source.parent.glob(f"{source.stem}.*"):
@@ -81,7 +81,7 @@ def _copy(source: Path, directory: Path) -> Path:
 
 
 def _kind(path: Path) -> str:
-    """The kind that a task file states."""
+    """Returns the kind of a task file."""
     stated = re.search(r"^kind: (\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)
     return stated[1] if stated else ""
 

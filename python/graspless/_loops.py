@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless loops`: the holes of a cloud or a mesh."""
+"""Command `graspless loops`, which shows the holes of a cloud or a mesh."""
 
 from __future__ import annotations
 

@@ -139,7 +139,7 @@ class AnyPlan:
 
     @classmethod
     def _of(cls: type[Self], found: Any, task: Any, **changes: Any) -> Self:
-        """Returns what the planner found, with the file's numbers; `changes` win over `found`."""
+        """Returns the planner's result with the numbers of the file; `changes` override `found`."""
         from .plan_files.table import fields_of, table
 
         return cls._made(fields_of(found, table(cls.kind), changes), task)
@@ -151,7 +151,7 @@ class AnyPlan:
 
     @classmethod
     def _planned(cls: type[Self], problem: Any, options: Any, budget: Any) -> Self:
-        """Plans a problem made in Python; None stands for default options and budget."""
+        """Plans a problem made in Python. None means default options or budget."""
         from .tasks import Task
 
         task: Task[Any, Any, Any] = Task.of(problem, options, budget)
@@ -163,7 +163,7 @@ class AnyPlan:
         return cls._of(cls._planner.plan(task.problem, task.options, budget), task)
 
     def _faults(self) -> list[str]:
-        """Returns what does not hold of a solved plan."""
+        """Returns the faults of a solved plan."""
         return list(self._planner.check(self.task.problem, self, self.task.options))
 
 
@@ -190,7 +190,7 @@ if TYPE_CHECKING:
 
     @runtime_checkable
     class Plan(Protocol):
-        """A plan of any kind: solved, or why not. isinstance(plan, slide.Plan) tells the kind."""
+        """Plan of any kind, or the reason of failure. isinstance(p, slide.Plan) tells the kind."""
 
         @property
         def kind(self) -> str: ...

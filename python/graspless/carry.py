@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class Plan(AnyPlan, _core.Plan):
-    """A straight motion of what the hand holds, or why not. False unless solved."""
+    """Straight motion of a held object, or the reason why there is none. False unless solved."""
 
     kind: ClassVar[Literal["carry"]] = "carry"
     _planner: ClassVar[Any] = _core

@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 
 
 class Segment(_core.Segment):
-    """A stretch of motion: reach or close. Rows follow each other by at most 0.05 rad in any joint.
+    """Part of a motion: reach or close. No joint moves by more than 0.05 rad between two rows.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class Plan(AnyPlan, _core.Plan):
         return super()._of(found, task, **changes)
 
     def _faults(self) -> list[str]:
-        """Returns what does not hold of a solved plan."""
+        """Returns the faults of a solved plan."""
         X_WO = self.task.problem.X_WO
         what = "object_poses: the object does not stand where the task says"
         return super()._faults() + [

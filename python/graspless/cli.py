@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: the parser, and the commands plan, check, view and example."""
+"""Command line: the parser, and the commands plan, check, view and example."""
 
 from __future__ import annotations
 

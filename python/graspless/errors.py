@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The one error of files that people write, and of packages that are not installed."""
+"""Error for faults in files, and for packages that are not installed."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ def check_writable(path: str | Path) -> None:
 
 
 def _check_place(path: Path) -> None:
-    """Raises TaskError unless there is a folder, and what is there already can be written."""
+    """Raises TaskError unless the folder exists and the file can be written."""
     if path.is_dir():
         raise TaskError(f"{path}: cannot be written: is a folder")
     if not path.parent.is_dir():

@@ -66,9 +66,9 @@ if TYPE_CHECKING:
 
 
 class Segment(_core.Segment):
-    """A stretch with the fingers where they are, or one regrasp: N rows, n fingers.
+    """Part of a plan during which no finger changes its place, or one regrasp: N rows, n fingers.
 
-    Its rows stand in `rows`, and as arrays over all of them in the other attributes.
+    `rows` has the rows one by one. The other attributes are arrays over all rows.
     """
 
     @cached_property
@@ -93,7 +93,7 @@ class Segment(_core.Segment):
 
     @cached_property
     def touches(self) -> NDArray[np.bool_]:
-        """[N, n] True where a finger is on the object."""
+        """[N, n] True if a finger is on the object."""
         return np.array([[f.touches for f in row.fingers] for row in self._all_rows], dtype=bool)
 
     @cached_property
@@ -138,7 +138,7 @@ class Segment(_core.Segment):
 
 
 class JointSegment(_core.JointSegment):
-    """A stretch of joint motion."""
+    """Part of a joint motion."""
 
     @cached_property
     def object_poses(self) -> Matrix:
@@ -160,7 +160,7 @@ class Weakest(NamedTuple):
 
 
 class Plan(AnyPlan, _core.Plan):
-    """Where the fingers press, or why not. False unless solved."""
+    """Motion and forces of the fingertips, or the reason of failure. False unless solved."""
 
     kind: ClassVar[Literal["fingertip"]] = "fingertip"
     _planner: ClassVar[Any] = _core
@@ -238,7 +238,7 @@ class Plan(AnyPlan, _core.Plan):
         return cls._of(found, task, realization=paths, status=status, reason=paths.reason)
 
     def _faults(self) -> list[str]:
-        """Returns what does not hold of a solved plan, or of its joint paths."""
+        """Returns the faults of a solved plan and of its joint paths."""
         task, faults = self.task, super()._faults()
         if task.arm is None:
             return faults
@@ -255,10 +255,10 @@ def _finite(value: float) -> float | None:
 
 
 def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
-    """Plans where the fingers press, how each is controlled, and when to change grip.
+    """Plans the places, control modes and regrasps of the fingers (Maeda, Arai 2005, Section 4).
 
-    Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
-    KeyboardInterrupt, budget.stop() returns the best so far.
+    Finding no plan is a status, not an error. Releases the GIL: other Python threads can run.
+    Ctrl-C raises KeyboardInterrupt. budget.stop() returns the best plan so far.
 
     Parameters
     ----------

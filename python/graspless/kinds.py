@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The kinds of tasks, and where each has what is its own.
+"""Kinds of tasks, and the modules that handle them.
 
-A room (tasks, plans, report, view) holds what all kinds share, with a protocol of what it needs
-of a kind, and one module or package a kind, of the kind's name, that has it. A new kind is a name
-here and a module in each room.
+The packages tasks, plan_files, report and view contain the code that all kinds share, and a
+protocol for the code that differs. For each kind, a module with the name of the kind implements
+that protocol. To add a kind, add its name here and a module in each package.
 """
 
 from __future__ import annotations
@@ -16,7 +16,10 @@ KINDS = ("slide", "fingertip", "clasp", "carry", "chain")
 
 
 def part(room: str, kind: str) -> Any:
-    """What a kind has in a room, imported when it is first asked for."""
+    """Returns the module of a package that handles a kind, for instance `tasks.slide`.
+
+    It is imported at the first call.
+    """
     return importlib.import_module(f".{room}.{kind}", __package__)
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @contextlib.contextmanager
 def waiting(what: str, patience: float = 0.5) -> Iterator[None]:
-    """Shows what is being done and for how long, once it has taken `patience` [s]."""
+    """Shows the current activity and its duration once it has taken `patience` [s]."""
     if not sys.stderr.isatty():
         yield
         return

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless batch`; the planners are imported when it runs."""
+"""Command `graspless batch`. The planners are imported when it runs."""
 
 from __future__ import annotations
 

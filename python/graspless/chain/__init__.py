@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 class Status(Named):
-    """How a chain ended: as its first stage that was not solved, or by itself."""
+    """Status of a chain beyond those of its stages."""
 
     solved = 0
     not_joined = 1
@@ -80,8 +80,8 @@ class Plan(AnyPlan):
 
     @cached_property
     def object_frames(self) -> list[Matrix]:
-        """[4, 4] of each stage: its object's frame in that of the first stage's object. They differ
-        where a slide follows fingertips, which have a frame of their own for the same object.
+        """Poses [4, 4] of each stage's object frame in that of the first stage. They differ if a
+        slide follows fingertips, because these use another frame for the same object.
         """
         found = [np.eye(4)]
         for before, stage in pairwise(self.stages):
@@ -143,7 +143,7 @@ class Plan(AnyPlan):
         return cls._joined(fields, stages, task)
 
     def _faults(self) -> list[str]:
-        """Returns what does not hold of a solved plan: of a stage, or between two."""
+        """Returns the faults of a solved plan, in its stages and between them."""
         from .check import check_joins
 
         faults = []
@@ -159,7 +159,7 @@ def _plain(fields: Any) -> dict[str, Any]:
 
 
 def _ended(name: str, stages: list[Any]) -> enum.Enum:
-    """The status of the first stage that is not solved, or the chain's own."""
+    """Returns the status of the first stage that is not solved, or the chain's own."""
     if name in Status.__members__:
         return Status[name]
     failed = next((stage.status for stage in stages if stage.status == name), None)
@@ -191,8 +191,8 @@ class _Found:
 
 
 def _search(task: Task, budget: planning.Budget) -> _Found:
-    """Plans stage after stage; `budget` instead of the task's. All have what is left of its
-    seconds, and each has all of its iterations. Of n stages, stage k of attempt j, both from 0, has
+    """Plans stage after stage, with `budget` instead of the task's. A stage gets the seconds
+    that are left, and all iterations. Of n stages, stage k of attempt j, both from 0, has
     the budget's seed + j n + k.
     """
     began = time.monotonic()
@@ -210,7 +210,7 @@ def _search(task: Task, budget: planning.Budget) -> _Found:
 
 
 def _attempt(task: Task, budget: planning.Budget, began: float, attempt: int) -> _Found:
-    """The stages from the first to the last, or to the first that is not found."""
+    """Plans the stages from the first to the last, or to the first that is not found."""
     found = _Found()
     stages = task.problem.stages
     for k, stage in enumerate(stages):
@@ -225,7 +225,7 @@ def _attempt(task: Task, budget: planning.Budget, began: float, attempt: int) ->
 
 
 def _add(found: _Found, stage: Stage, task: Task, budget: planning.Budget) -> bool:
-    """Plans a stage from where the last one ended; False where the chain ends with it."""
+    """Plans a stage from the end of the last one. Returns False if the chain ends with it."""
     try:
         given = _start(found, stage, task)
     except TaskError as error:

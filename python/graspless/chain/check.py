@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the stages of a chain are those of its task, each starting where the last one ended."""
+"""Check that the stages of a chain are those of its task and continue each other."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SAME_POSE = 1e-6  # [m, rad]; a slide lays its object flat
 
 
 def check_joins(plan: Plan) -> list[str]:
-    """What does not hold between the stages of a plan that is solved."""
+    """Returns the faults between the stages of a solved plan."""
     stages, asked = plan.stages, plan.task.problem.stages
     if [stage.name for stage in asked] != plan.names:
         return ["plan: the stages are not those of the task"]
@@ -43,7 +43,7 @@ def check_joins(plan: Plan) -> list[str]:
 
 
 def _wrong_task(stage: Any, asked: Stage, before: Any) -> str:
-    """What a stage's task has that the chain's does not ask for; empty: nothing."""
+    """Returns the difference between the task of a stage and the chain's, or an empty text."""
     try:
         fields = asked.fields if before is None else start_at(asked, ends(before))
     except TaskError as error:
@@ -53,7 +53,7 @@ def _wrong_task(stage: Any, asked: Stage, before: Any) -> str:
 
 
 def differs(asked: Any, given: Any, place: str = "") -> str | None:
-    """Where `given` has another value than `asked`; what is not asked for may be anything."""
+    """Returns the first field where `given` differs from `asked`. Missing ones may be anything."""
     if isinstance(asked, dict) and isinstance(given, dict):
         for key, value in asked.items():
             if value is not None and key not in ("budget", "files"):
@@ -65,7 +65,7 @@ def differs(asked: Any, given: Any, place: str = "") -> str | None:
 
 
 def _plain(fields: Any) -> dict[str, Any]:
-    """What was asked for in words of the file."""
+    """Returns the requested fields in plain types, as in a task file."""
     document: dict[str, Any] = fields.model_dump(mode="json")
     return document
 
@@ -90,7 +90,7 @@ def _continuity(before: Any, stage: Any) -> list[str]:
 
 
 def _uncovered(p_W: Any, q_W: Any) -> float:
-    """How far a corner of one of two point sets is from the other's nearest, at most [m]."""
+    """Returns the Hausdorff distance of two point sets [m]."""
     apart = np.linalg.norm(p_W[:, None] - q_W[None], axis=2)
     return float(max(apart.min(axis=0).max(), apart.min(axis=1).max()))
 
@@ -103,7 +103,7 @@ def _apart(X_A: Matrix, X_B: Matrix) -> float:
 
 
 def _check_contents(plan: Plan) -> list[str]:
-    """Whether the list of all segments is that of the stages."""
+    """Returns a fault if the list of all segments differs from the stages."""
     listed = [(s.name, s.stage, s.segment) for s in plan.contents]
     found = [
         (segment.name, k, i)

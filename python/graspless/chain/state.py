@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The state that a stage of a chain leaves, read from the rows of its plan."""
+"""State at the end of a stage of a chain, read from the rows of its plan."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def begins(plan: Any) -> tuple[Matrix | None, Matrix]:
 
 
 def ends(plan: Any) -> State:
-    """Where a plan that is solved ends."""
+    """Returns the state at the end of a solved plan."""
     q, X_WO = _moment(plan, first=False)
     return State(X_WO, q, _held(plan), corners(plan, X_WO))
 
@@ -42,7 +42,7 @@ def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
 
 
 def join(before: Any) -> dict[str, Any]:
-    """What a stage hands to the next, as it stands in a plan file."""
+    """Returns the state between two stages in the form of a plan file."""
     state = ends(before)
     how = "held" if state.held else "regrasp" if state.q is None else "arm"
     q = None if state.q is None else np.asarray(state.q).tolist()

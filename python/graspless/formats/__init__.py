@@ -35,7 +35,7 @@ ENDINGS = {  # of files; any that is no other format's will do, too
 
 
 class Format(Protocol):
-    """What a module of this package has."""
+    """Interface of the modules of this package."""
 
     def write(self, trajectory: Trajectory, path: Path | str) -> None:
         """Writes the file, whole or not at all."""
@@ -100,7 +100,7 @@ def text(
     group: str | None = None,
     **limits: Any,
 ) -> tuple[Trajectory, str]:
-    """What `export` would write, of a format that is text: a trajectory, and the file's content."""
+    """Returns the trajectory and the content of the file that `export` writes in a text format."""
     if to == "mcap":
         raise TaskError(f"to: {to}: is not text: should have a file")
     writer: Any = _writer(to)
@@ -109,7 +109,7 @@ def text(
 
 
 def _timed(plan: Plan | str | Path, to: str, group: str | None, **settings: Any) -> Trajectory:
-    """The plan in time, of all joints or of those of a group."""
+    """Returns the timed plan, for all joints or those of a group."""
     if group is not None and to == "mujoco":
         raise TaskError(f"group: {group}: mujoco holds the whole robot")
     trajectory = time(plan, **settings)
@@ -117,7 +117,7 @@ def _timed(plan: Plan | str | Path, to: str, group: str | None, **settings: Any)
 
 
 def _check_ending(path: str | Path, to: str) -> None:
-    """Raises TaskError where a file's ending would tell of another format."""
+    """Raises TaskError if the ending of the file belongs to another format."""
     suffix = Path(path).suffix.lower()
     if suffix in ENDINGS[to] or not any(suffix in others for others in ENDINGS.values()):
         return

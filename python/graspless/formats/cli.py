@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless export`. Imports what runs only when it runs."""
+"""Command `graspless export`. Formats are imported when it runs."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ _limit.__name__ = "limit"  # as argparse calls what it is not
 
 
 def _limits(flag: str, given: list[tuple[str, float]] | None) -> float | dict[str, float] | None:
-    """As `time` takes them."""
+    """Returns the limits as `time` takes them."""
     if given is None:
         return None
     limits = dict(given)

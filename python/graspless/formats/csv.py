@@ -23,7 +23,7 @@ POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
 def header(trajectory: Trajectory, fingers: int) -> list[str]:
-    """The columns' names."""
+    """Returns the names of the columns."""
     joints = trajectory.joint_names
     return [
         "time",
@@ -41,7 +41,7 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 
 
 def text(trajectory: Trajectory) -> str:
-    """What the file holds."""
+    """Returns the content of the file."""
     points = contacts(trajectory)
     written = io.StringIO()
     table = csv.writer(written, lineterminator="\n")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where bare fingertips touch."""
+"""Contact points of bare fingertips over time."""
 
 from __future__ import annotations
 

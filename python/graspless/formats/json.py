@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The trajectory by a published schema."""
+"""Trajectory as JSON with a published schema."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 
 
 def text(trajectory: Trajectory) -> str:
-    """What the file holds."""
+    """Returns the content of the file."""
     return document(trajectory).model_dump_json() + "\n"
 
 
 def document(trajectory: Trajectory) -> TrajectoryFile:
-    """That as the model has it."""
+    """Returns the trajectory as an instance of the model."""
     points = [
         [None if np.isnan(p).any() else plain(p) for p in row] for row in contacts(trajectory)
     ]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a trajectory file holds, format 1; `trajectory.schema.json` is made from this model."""
+"""Model of trajectory files, format 1. `trajectory.schema.json` is made from it."""
 
 from __future__ import annotations
 
@@ -40,5 +40,5 @@ class TrajectoryFile(Fields):
 
 
 def schema() -> dict[str, Any]:
-    """The JSON schema of trajectory files."""
+    """Returns the JSON schema of trajectory files."""
     return TrajectoryFile.model_json_schema()

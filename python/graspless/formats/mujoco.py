@@ -32,7 +32,7 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 
 
 def text(trajectory: Trajectory) -> str:
-    """The MJCF."""
+    """Returns the MJCF."""
     spec, robot = build(trajectory)
     model = spec.compile()
     last = np.flatnonzero(np.diff(trajectory.segment_index, append=len(trajectory.segments)))
@@ -50,7 +50,7 @@ def text(trajectory: Trajectory) -> str:
 
 
 def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
-    """[nq] with mimic joints where they follow to."""
+    """Returns qpos [nq] with the values of mimic joints."""
     data = mujoco.MjData(model)
     if robot is not None:
         set_positions(model, data, robot, q)

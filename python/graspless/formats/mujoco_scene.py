@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A task as MuJoCo has it: the robot, the object, and what stands around."""
+"""MuJoCo model of a task: robot, object and surroundings."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ OBJECT, FINGER, HELD = "object", "finger", "object_held"
 
 
 def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
-    """The MjSpec of a trajectory's task, and the robot where one moves."""
+    """Returns the MjSpec of a trajectory's task, and the robot if one moves."""
     stages = stages_of(trajectory.plan)
     task = stages[0].task
     robot: Robot | None = None
@@ -55,7 +55,7 @@ def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
 
 
 def stages_of(plan: Plan) -> list[Plan]:
-    """Of a chain; else the plan itself. The first one's task has the object."""
+    """Returns the stages of a chain, or the plan itself. The first one's task has the object."""
     stages: list[Plan] = getattr(plan, "stages", [plan])
     return stages
 
@@ -76,7 +76,7 @@ def _fingertip(spec: Any, body: Any, task: Task) -> None:
 
 
 def _clasp(spec: Any, body: Any, task: Task) -> None:
-    """The cloud's surface as it is, so that its holes stay open; held where it is at first."""
+    """Adds the surface of a cloud with its holes open, fixed at its initial pose."""
     surface = task.problem.object.loops.complex
     points = np.asarray(surface.points)
     _give_cloud_inertia(body, points, task.fields.object.mass)
@@ -88,7 +88,7 @@ def _clasp(spec: Any, body: Any, task: Task) -> None:
 
 
 def _carry(spec: Any, body: Any, task: Task) -> None:
-    """A plate or a cloud weighs what it does elsewhere; a box has MuJoCo's default density."""
+    """Adds a carried object. A box has MuJoCo's default density, because its task has no mass."""
     fields, shapes = task.fields.object, task.problem.object.shapes
     if fields.slide is not None:
         _give_plate_inertia(body, build_slide_object(fields.slide, Source("plan", {})))
@@ -109,7 +109,7 @@ _OBJECTS: dict[str, Callable[[Any, Any, Task], None]] = {
 
 
 def _give_plate_inertia(body: Any, thing: Any) -> None:
-    """That of simulations: of even density, about a centre of mass that may be elsewhere."""
+    """Sets the inertia that simulations use: uniform density about the plate's centre of mass."""
     give_inertia(
         body, thing.mass, thing.com, plate_inertia(thing.outline, thing.thickness, thing.mass)
     )

@@ -14,7 +14,7 @@ from ..simulation.shapes import add_placed
 
 
 def add_shape(spec: Any, body: Any, name: str, placed: Any, **given: Any) -> None:
-    """A geom; a mesh looks as it is, and collides as its convex hull."""
+    """Adds a geom. A mesh is drawn as it is and collides as its convex hull."""
     if not isinstance(placed.shape, geometry.Mesh):
         add_placed(spec, body, placed, name=name, **given)
         return

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stands around in a task, or in all stages of a chain: bodies of the task's names."""
+"""Surroundings in a task, or in all stages of a chain, as bodies with the names of the task."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def add_surroundings(spec: Any, stages: list[Plan]) -> None:
 
 
 def _tables(stages: list[Plan]) -> list[tuple[Matrix, Any]]:
-    """Pose and shapes of each support; a carry's is that of the slide before it."""
+    """Returns pose and shapes of each support. A carry has the support of the slide before it."""
     found: list[tuple[Matrix, Any]] = []
     known: list[Any] = []
     for stage in stages:
@@ -58,7 +58,7 @@ def _tables(stages: list[Plan]) -> list[tuple[Matrix, Any]]:
 
 
 def _planes(stages: list[Plan], known: list[tuple[Matrix, float]]) -> list[tuple[Any, float]]:
-    """Those of fingertip stages that are not known, by normal and offset [m], with friction."""
+    """Returns the new planes of fingertip stages, by normal and offset [m], with friction."""
     found, known = [], list(known)
     for stage in stages:
         problem = stage.task.problem

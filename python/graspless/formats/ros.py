@@ -24,7 +24,7 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 
 
 def text(trajectory: Trajectory) -> str:
-    """What the file holds."""
+    """Returns the content of the file."""
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
     written: str = yaml.dump(
         message(trajectory), Dumper=dumper, default_flow_style=None, sort_keys=False, width=1000
@@ -33,7 +33,7 @@ def text(trajectory: Trajectory) -> str:
 
 
 def message(trajectory: Trajectory) -> dict[str, Any]:
-    """The message in plain types; raises TaskError where no joints move."""
+    """Returns the message in plain types. Raises TaskError if no joints move."""
     if not trajectory.joint_names:
         raise TaskError(
             "to: ros: the plan moves no joints, its fingertips have no arm "

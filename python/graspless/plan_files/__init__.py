@@ -48,7 +48,7 @@ def as_plan(plan: Plan | str | Path) -> Plan:
 
 
 def read_plan(text: str, file: str) -> Plan:
-    """As `load_plan`, from text; `file` is for errors."""
+    """Reads a plan from text, like `load_plan`. `file` is the name in error messages."""
     from .table import table
 
     source = Source(file, _parsed(text, file))
@@ -58,7 +58,7 @@ def read_plan(text: str, file: str) -> Plan:
 
 
 def plan_of(document: dict[str, Any], where: str) -> Plan:
-    """Returns the plan of a valid document; `where` its task stands, for errors."""
+    """Returns the plan of a valid document. `where` is the place of its task in error messages."""
     from ..kinds import plan_type
     from .table import HEAD
 

@@ -19,7 +19,7 @@ else:
 
 
 class Segment(Table):
-    """A stretch of motion."""
+    """Part of a motion."""
 
     MAKE: ClassVar = carry.Segment
 

@@ -22,7 +22,7 @@ StagePlan = Annotated[
 
 
 class Join(Fields):
-    """What one stage hands to the next."""
+    """State between two stages."""
 
     how: Literal["held", "arm", "regrasp"] = Field(
         description="held: the hand holds the object; arm: the arm goes on from where it stopped; "
@@ -35,7 +35,7 @@ class Join(Fields):
 
 
 class Segment(Fields):
-    """Where a segment of the whole chain stands."""
+    """Place of a segment of the whole chain: its stage, and its index there."""
 
     name: str
     stage: Annotated[int, Field(ge=0)]

@@ -21,7 +21,7 @@ Index = Annotated[int, Field(ge=0)]
 
 
 class Segment(Table):
-    """A stretch of motion."""
+    """Part of a motion."""
 
     MAKE: ClassVar = clasp.Segment
 
@@ -36,7 +36,7 @@ class Segment(Table):
 
 
 class Target(Table):
-    """Where the loop is clasped."""
+    """Target on the loop that is clasped."""
 
     MAKE: ClassVar = geometry.ClaspTarget
 
@@ -45,7 +45,7 @@ class Target(Table):
 
 
 class Stability(Table):
-    """What the stability test says of the last row."""
+    """Result of the stability test at the last row."""
 
     MAKE: ClassVar = clasp.Stability
 
@@ -56,7 +56,7 @@ class Stability(Table):
 
 
 class Tree(Table):
-    """The tree that led to the clasp."""
+    """Search tree that contains the clasp."""
 
     MAKE: ClassVar = clasp.Tree
     ATTRIBUTES: ClassVar = {"points": "p_W"}

@@ -45,7 +45,7 @@ _OF_ROWS = ("stability", "compliant_stability", "nominal_margin")
 
 
 class Segment(Table):
-    """A stretch with the fingers where they are, or one regrasp: N rows, n fingers."""
+    """Part of a plan without a change of fingers, or one regrasp: N rows, n fingers."""
 
     MAKE: ClassVar = _segment
 
@@ -97,7 +97,7 @@ class Segment(Table):
 
 
 class JointSegment(Table):
-    """A stretch of joint motion."""
+    """Part of a joint motion."""
 
     MAKE: ClassVar = fingertip.JointSegment
     ATTRIBUTES: ClassVar = {"object_poses": "X_WO"}
@@ -112,7 +112,7 @@ class JointSegment(Table):
 
 
 class Realization(Table):
-    """Joint paths that carry the fingertips, or where that is impossible."""
+    """Joint paths that carry the fingertips, or the reason why there are none."""
 
     MAKE: ClassVar = fingertip.Realization
 
@@ -133,7 +133,7 @@ class Realization(Table):
 
 
 class Relaxation(Table):
-    """The least change of one field that helps."""
+    """Smallest change of one field that makes a plan possible."""
 
     MAKE: ClassVar = fingertip.Relaxation
 
@@ -142,7 +142,7 @@ class Relaxation(Table):
 
 
 class Weakest(Table):
-    """Where the stability is least."""
+    """Row of least stability."""
 
     MAKE: ClassVar = fingertip.Weakest
 

@@ -30,7 +30,7 @@ HEAD = ("format", "kind", "version", "seed", "stats", "task")
 
 
 class Table(Fields):
-    """A struct of the planner as the file has it."""
+    """Struct of the planner in the form of the file."""
 
     MAKE: ClassVar[Callable[..., Any]]
     """Constructor of the planner's own type, which takes the fields by name."""

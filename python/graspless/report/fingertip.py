@@ -126,7 +126,7 @@ def _place(k: int, row: int, segment: Segment) -> str:
 
 
 def _cost(plan: Plan) -> str:
-    """The cost by Eqs. (9) and (10): motion, and a fixed cost per regrasp."""
+    """Returns the cost by Eqs. (9) and (10): motion, and a fixed cost per regrasp."""
     cost = plan.cost or 0.0
     if not plan.regrasps:
         return f"{_length(cost)} of motion, no regrasp"

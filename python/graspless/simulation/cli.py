@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless simulate`; the simulation itself is imported when it runs."""
+"""Command `graspless simulate`. The simulation is imported when it runs."""
 
 from __future__ import annotations
 

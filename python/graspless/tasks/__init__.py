@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Task files: what is to be planned, as people write it."""
+"""Task files: reading, validation and writing."""
 
 from __future__ import annotations
 
@@ -24,29 +24,29 @@ if TYPE_CHECKING:
 
 
 class TaskKind(Protocol):
-    """What `tasks` needs of a kind."""
+    """Protocol of the modules that handle the tasks of a kind."""
 
     SEARCHES: tuple[str, ...]
     """Choices of options.search, the default last; none where there is one way to search."""
 
     Fields: type[pydantic.BaseModel]
-    """The task file: kind, options and budget among its fields."""
+    """Model of the task file, with kind, options and budget."""
 
     def resolve(self, named: Any, source: Source, directory: Path) -> tuple[Any, Source]:
-        """The fields with every file that they name put inline, and where those of another file
-        stand.
+        """Returns the fields with the content of all files that they name, and the source of those
+        from another file.
         """
 
     def require_resolved(self, fields: Any, source: Source) -> None:
         """Raises TaskError unless fields of a plan file name no file that is not beside it."""
 
     def build(self, fields: Any, source: Source, other: Source) -> tuple[Any, Any]:
-        """The problem of resolved fields, and the robot that carries the plan out where that is
-        not a part of the problem.
+        """Returns the problem of resolved fields, and the robot that executes the plan if it is not
+        part of the problem.
         """
 
     def options(self, fields: Any, problem: Any, source: Source) -> Any:
-        """How to search; raises TaskError where the problem is too large for it."""
+        """Returns the options. Raises TaskError if the problem is too large for them."""
 
     def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
         """Fields with every value that was in force, so that a later default cannot change it."""
@@ -128,12 +128,12 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
     @property
     def fields(self) -> Any:
-        """The whole task as its file has it; no file but meshes is needed beside it.
+        """Fields of the task file, with the content of all files except meshes.
 
         Raises
         ------
         TaskError
-            No task file can state the problem.
+            No task file can express the problem.
         """
         if self._fields is None:
             from .statement import stated
@@ -142,7 +142,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         return self._fields
 
     def to_dict(self) -> dict[str, Any]:
-        """Returns the task as it stands in a plan file: whole, in plain types."""
+        """Returns the complete task in plain types, as in a plan file."""
         document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
         return document
 
@@ -154,7 +154,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         iterations: int | None = None,
         seed: int | None = None,
     ) -> Task[ProblemT, OptionsT, PlanT]:
-        """Returns the same task, searched otherwise; what is None stays."""
+        """Returns the task with other options or budget. None keeps a value."""
         if (search, seconds, iterations, seed) == (None, None, None, None):
             return self
         changes = {"seconds": seconds, "iterations": iterations, "seed": seed}
@@ -196,7 +196,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
 
 def problem_kind(problem: Any) -> str:
-    """Returns the kind of a Problem; raises TaskError where it is none."""
+    """Returns the kind of a Problem. Raises TaskError if it is not a Problem."""
     room = type(problem).__module__.removeprefix("graspless.").removeprefix("_core.")
     kind = room.removeprefix("tasks.")
     if kind not in KINDS:
@@ -244,7 +244,7 @@ def load_task(path: str | Path, kind: str | None = None) -> Any:
 
 
 def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
-    """As `load_task`, from text.
+    """Reads a task from text, like `load_task`.
 
     Parameters
     ----------
@@ -253,7 +253,7 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
     file : str
         For errors.
     directory : str or Path
-        What paths in it are relative to.
+        Folder to which its paths are relative.
     """
     if _is_plan(text):
         raise TaskError(f"{file}: this is a plan, not a task; graspless check reads it")
@@ -265,16 +265,16 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
 
 
 def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
-    """The task of a document in plain types.
+    """Returns the task of a document in plain types.
 
     Parameters
     ----------
     document : dict
-        As `Task.to_dict` gives it.
+        Document from `Task.to_dict`.
     file : str
         For errors.
     resolve : bool
-        Whether it may name files as a task file does, relative to the working folder.
+        Read the files that it names, relative to the working folder.
     """
     source = Source(file, document)
     kind = task_kind(source)
@@ -288,21 +288,21 @@ def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
 
 
 def build_task(fields: Any, source: Source, other: Source) -> Task:
-    """The task of resolved fields.
+    """Returns the task of resolved fields.
 
     Parameters
     ----------
     fields : SlideTask, FingertipTask, ...
-        With every file that they name put inline.
+        Fields with the content of all files that they name.
     source, other : Source
-        Where they stand, and where those of another file do; for errors.
+        Sources of the fields and of those from another file, for error messages.
     """
     kind: TaskKind = part("tasks", fields.kind)
     return _with_search(fields, kind.build(fields, source, other), source)
 
 
 def task_kind(source: Source) -> TaskKind:
-    """What is a document's own kind's; raises TaskError unless it has a known one."""
+    """Returns the module that handles this kind of document. Raises TaskError if it is unknown."""
     name = source.data.get("kind") if isinstance(source.data, dict) else None
     choices = " or ".join(f"'{kind}'" for kind in KINDS)
     if name is None:

@@ -16,7 +16,7 @@ SUFFIXES = (".ply", ".pcd", ".xyz")
 
 
 def read_cloud(path: str | Path) -> Matrix:
-    """The points of a PLY, PCD or XYZ file; of a PLY with faces, its vertices.
+    """Returns the points of a PLY, PCD or XYZ file; of a PLY with faces, its vertices.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether two tasks say the same, wherever their files stand."""
+"""Digest of a task that does not depend on the place of its files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def digest(document: dict[str, Any]) -> str:
     Parameters
     ----------
     document : dict
-        As `Task.to_dict` gives it. Where the robot's files stand says nothing. Places of meshes
+        Document from `Task.to_dict`. Where the robot's files stand says nothing. Places of meshes
         do, in `files`: a plan is read only where they are.
     """
     said = _said(document, document.get("files", {}))
@@ -36,7 +36,7 @@ def _said(value: Any, files: dict[str, str]) -> Any:
 
 
 def _robot(robot: dict[str, Any], files: dict[str, str]) -> dict[str, Any]:
-    """Its fields without folders: what its meshes hold stands in the URDF for their names."""
+    """Returns the fields of a robot without folders, with mesh contents in place of names."""
     packages, folder = robot.get("packages", {}), robot.get("directory")
     said = {key: value for key, value in robot.items() if key not in ("packages", "directory")}
     for key in {"urdf_text", "srdf_text"} & set(said):

@@ -8,7 +8,7 @@ from typing import Any
 
 
 def in_force(fields: Any, built: Any) -> Any:
-    """The fields with the values of what was built from them."""
+    """Returns the fields with the values of the struct that was built from them."""
     names = [name for name, info in type(fields).model_fields.items() if not info.exclude]
     return type(fields)(**{name: plain(getattr(built, name)) for name in names})
 

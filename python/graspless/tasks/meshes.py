@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mesh files stay files beside a plan; checksums tell whether they are what they were."""
+"""Checksums of mesh files, which are not part of a plan file."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def checksum(path: Path) -> str:
 
 
 def checksums(paths: Iterable[Path]) -> dict[str, str]:
-    """What a plan file remembers of the meshes that it was made with."""
+    """Returns the checksums of meshes by path, for a plan file."""
     return {str(path): checksum(path) for path in sorted(paths)}
 
 
 def check_files(files: dict[str, str], source: Source) -> None:
-    """Raises TaskError when a mesh is not what it was when the plan was made."""
+    """Raises TaskError if a mesh has changed since the plan was made."""
     for name, expected in files.items():
         path = Path(name)
         if not path.is_file():

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The obstacles of a task, in every kind alike."""
+"""Obstacles of a task, the same for all kinds."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ Obstacles = Annotated[list[Obstacle], AfterValidator(_with_own_names)]
 def resolve_obstacles(
     obstacles: Sequence[Obstacle], source: Source, directory: Path
 ) -> list[Obstacle]:
-    """The same obstacles with absolute paths of their meshes."""
+    """Returns the obstacles with absolute paths of their meshes."""
     return [_resolved(obstacle, source, i, directory) for i, obstacle in enumerate(obstacles)]
 
 
 def obstacle_meshes(obstacles: Sequence[Obstacle]) -> set[Path]:
-    """The mesh files that resolved obstacles read."""
+    """Returns the mesh files of resolved obstacles."""
     shapes = [shape for body in obstacles for shape in (body, *(body.parts or ()))]
     return {Path(shape.mesh.file) for shape in shapes if shape.mesh}
 
@@ -57,7 +57,7 @@ def placed_obstacles(
 
 
 def placed_parts(parts: Sequence[Shape], alone: bool = False) -> list[geometry.PlacedShape]:
-    """The parts of a body in its frame; of a body that is its only part, `alone`, at the origin."""
+    """Returns the parts of a body in its frame. If `alone`, the only part is at the origin."""
     return [
         geometry.PlacedShape(_shape(part), np.eye(4) if alone else pose_matrix(part.pose))
         for part in parts
@@ -76,7 +76,7 @@ def _resolved(obstacle: Obstacle, source: Source, index: int, directory: Path) -
 
 
 def _mesh(shape: Shape, source: Source, place: Location, directory: Path) -> MeshFile | None:
-    """The shape's mesh file by its absolute path."""
+    """Returns the absolute path of the shape's mesh file."""
     if shape.mesh is None:
         return None
     path = directory / shape.mesh.file

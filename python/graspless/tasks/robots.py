@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The robot of a task: its fields, its files, and the robot itself."""
+"""Robot of a task: its fields, its files, and the robot itself."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Home = Annotated[
 
 
 class Robot(Fields):
-    """Which robot, where it stands and where its joints are."""
+    """Robot of a task, with its pose and start configuration."""
 
     urdf: str | None = Field(default=None, description=".urdf or .xacro file, or a built-in name")
     urdf_text: str | None = Field(default=None, description="the URDF itself")
@@ -62,7 +62,7 @@ class Robot(Fields):
 
 
 def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
-    """The robot with its files inline, and where its URDF was."""
+    """Returns the robot with the content of its files, and the folder of its URDF."""
     if robot.urdf is None:
         return robot, None
     path = directory / robot.urdf
@@ -109,7 +109,7 @@ def _find_srdf(robot: Robot, urdf: Path, source: Source, directory: Path) -> Pat
 
 
 def stem(path: str | Path) -> str:
-    """The name of a robot's file without .urdf, .xacro or both."""
+    """Returns the name of a robot's file without .urdf, .xacro or both."""
     name = Path(path).name
     for suffix in (".xacro", ".urdf"):
         name = name.removesuffix(suffix)
@@ -136,7 +136,7 @@ def _read_xml(
 
 
 def _expand_xacro(path: Path, arguments: dict[str, Any], packages: dict[str, str]) -> str:
-    """The URDF that a xacro file stands for; $(find NAME) is looked up in `packages` first."""
+    """Returns the URDF of a xacro file. $(find NAME) is looked up in `packages` first."""
     try:
         import xacro
         from xacro import substitution_args
@@ -171,7 +171,7 @@ def build_robot(robot: Robot, source: Source) -> robots.Robot:
 
 
 def require_srdf(robot: Robot, source: Source) -> None:
-    """Raises TaskError where a resolved robot came without groups and states."""
+    """Raises TaskError if a resolved robot has no groups and states."""
     if robot.srdf_text is not None:
         return
     name = Path(str(source.data["robot"].get("urdf", ""))).name
@@ -203,7 +203,7 @@ def build_home(
 
 
 def robot_meshes(robot: Robot) -> set[Path]:
-    """The mesh files that a resolved robot reads; those that exist."""
+    """Returns the existing mesh files of a resolved robot."""
     try:
         names = [
             mesh.get("filename", "") for mesh in ET.fromstring(robot.urdf_text or "").iter("mesh")
@@ -215,7 +215,7 @@ def robot_meshes(robot: Robot) -> set[Path]:
 
 
 def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
-    """Where a URDF's mesh is: package://NAME/..., file://..., or relative to `directory`."""
+    """Returns the path of a URDF's mesh: package://, file://, or relative to `directory`."""
     if name.startswith("package://"):
         package, _, rest = name.removeprefix("package://").partition("/")
         return Path(packages.get(package, package)) / rest

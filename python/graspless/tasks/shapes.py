@@ -39,7 +39,7 @@ class Fields(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
 
     def one_of(self, *names: str, needed: bool = True) -> None:
-        """Raises unless exactly one of the fields is given (at most one where not `needed`)."""
+        """Raises ValueError unless exactly one field is given (at most one if not `needed`)."""
         given = [name for name in names if getattr(self, name) is not None]
         if len(given) > 1 or (needed and not given):
             count = "exactly one" if needed else "at most one"
@@ -48,7 +48,7 @@ class Fields(BaseModel):
 
 
 class Pose(Fields):
-    """Where a frame stands in another; angles about fixed x, y, z as in URDF."""
+    """Pose of a frame in another; angles about fixed x, y, z as in URDF."""
 
     position: Point3 = Field(default=[0.0, 0.0, 0.0], description="[m]")
     rpy: Point3 | None = Field(default=None, description="roll, pitch, yaw [rad]")
@@ -65,14 +65,14 @@ class Pose(Fields):
 
 
 def pose_matrix(pose: Pose) -> Matrix:
-    """The 4 x 4 matrix of a pose in a file."""
+    """Returns the 4 x 4 matrix of a pose in a file."""
     if pose.quaternion is not None:
         return frames.translation(pose.position) @ frames.from_quaternion(pose.quaternion)
     return frames.translation(pose.position) @ frames.from_rpy(pose.rpy or [0.0, 0.0, 0.0])
 
 
 class PlanarPose(Fields):
-    """Where the object lies on the support, in S."""
+    """Pose of the object on the support, in S."""
 
     x: float = Field(default=0.0, description="[m]")
     y: float = Field(default=0.0, description="[m]")
@@ -121,7 +121,7 @@ class Named(Fields):
 
 
 class Shape(Fields):
-    """One shape, at a pose."""
+    """Shape at a pose."""
 
     box: Size3 | None = Field(default=None, description="side lengths [m]")
     sphere: Sphere | None = None
@@ -160,7 +160,7 @@ class Shape(Fields):
 
 
 class Obstacle(Shape, Named):
-    """Something that stands in the way of the arm and of the sliding object."""
+    """Body that neither the arm nor the object may touch."""
 
     parts: Annotated[list[Shape], Field(min_length=1)] | None = Field(
         default=None, description="instead: several shapes, in the obstacle's frame"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""YAML with line numbers: where each field of a file stands."""
+"""YAML with the line number of each field."""
 
 from __future__ import annotations
 
@@ -30,26 +30,26 @@ class Source:
     lines: dict[Location, int] = field(default_factory=dict)
 
     def line(self, location: Iterable[str | int]) -> int:
-        """The line of a field, or of the nearest field around it."""
+        """Returns the line of a field, or of the nearest field around it."""
         place = tuple(location)
         while place and place not in self.lines:
             place = place[:-1]
         return self.lines.get(place, 1)
 
     def message(self, location: Iterable[str | int], what: str) -> str:
-        """One line: file:line: field: value: what it may be."""
+        """Returns a message in one line: file:line: field: value: allowed values."""
         place = tuple(location)
         value, known = self._look_up(place)
         shown = f"{_shorten(value)}: " if known and not isinstance(value, (dict, list)) else ""
         return f"{self.where(place)}{shown}{what}"
 
     def where(self, place: Location) -> str:
-        """How a fault begins: file:line: field."""
+        """Returns the beginning of a message: file:line: field."""
         file = f"{self.file}:{self.line(place)}" if self.lines else self.file
         return f"{file}: {_dotted(place)}"
 
     def depth(self, place: Location) -> int:
-        """How many steps of the way to a field are in the data."""
+        """Returns the number of steps of the path to a field that exist in the data."""
         known = (n for n in range(len(place), 0, -1) if self._look_up(place[:n])[1])
         return next(known, 0)
 
@@ -57,14 +57,14 @@ class Source:
         return TaskError(self.message(location, what))
 
     def given(self, *location: str) -> set[str]:
-        """Names of the fields that stand in a section of the file."""
+        """Returns the names of the fields in a section of the file."""
         data = self.data
         for key in location:
             data = data.get(key, {}) if isinstance(data, dict) else {}
         return set(data) if isinstance(data, dict) else set()
 
     def validate(self, model: type[pydantic.BaseModel]) -> Any:
-        """The data as a `model`; raises TaskError with one line a fault."""
+        """Returns the data as a `model`. Raises TaskError with one line per fault."""
         from pydantic import ValidationError
 
         try:
@@ -128,7 +128,7 @@ def at(source: Source, *location: str | int) -> Iterator[None]:
 
 
 def read_text(path: str | Path) -> str:
-    """What a file holds; raises TaskError."""
+    """Returns the text of a file. Raises TaskError if it cannot be read."""
     try:
         return Path(path).read_text(encoding="utf-8")
     except OSError as error:
@@ -149,7 +149,7 @@ def read_yaml(path: str | Path) -> Source:
 
 
 def parse_yaml(text: str, file: str) -> Source:
-    """As `read_yaml`, from text."""
+    """Parses text, like `read_yaml`."""
     import yaml
 
     lines: dict[Location, int] = {}
@@ -228,7 +228,7 @@ def _note_lines(
 
 
 def _fields_at(model: Any, location: Location) -> set[str]:
-    """Names of the fields of the model that stands at a pydantic location."""
+    """Returns the names of the fields of the model at a pydantic location."""
     from pydantic import BaseModel
 
     found: list[Any] = [model]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The task file of a problem that was made in Python."""
+"""Task file of a problem that was made in Python."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def stated(task: Task) -> Any:
 
 
 def robot_fields(robot: Any, q_home: Matrix) -> dict[str, Any]:
-    """Returns the robot of a task file: its URDF and SRDF, where it stands, and its joints."""
+    """Returns the robot of a task file: URDF, SRDF, pose and joints."""
     directory = str(Path(robot.directory).resolve()) if robot.directory else None
     return {
         "urdf_text": robot.urdf,
@@ -84,7 +84,7 @@ def part_fields(shapes: Sequence[Any]) -> list[dict[str, Any]]:
 
 
 def struct_fields(struct: Any, names: Sequence[str]) -> dict[str, Any]:
-    """Returns members of a struct of the core in plain types; what is infinite is left out."""
+    """Returns members of a struct of the core in plain types, without infinite values."""
     values = {name: plain(getattr(struct, name)) for name in names}
     return {name: value for name, value in values.items() if value != np.inf}
 

@@ -27,7 +27,7 @@ def robot(plan: Plan, fingers: bool) -> Robot | None:
 
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
-    """Times the plan; object poses are those of the object of the first stage."""
+    """Times the plan. Object poses are those of the object of the first stage."""
     stages = [part("timing", stage.kind).trajectory(stage, settings) for stage in plan.stages]
     of_first = [
         dataclasses.replace(stage, object_poses=stage.object_poses @ np.linalg.inv(X_OO))

@@ -55,7 +55,7 @@ def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate) -> Clip:
 
 
 def joined(parts: list[Clip]) -> Clip:
-    """Joins clips; each begins where and when the one before ends."""
+    """Joins clips. Each begins at the end of the one before, in place and time."""
     starts = np.cumsum([0.0, *(part.times[-1] for part in parts[:-1])])
     first = [0] + [1] * (len(parts) - 1)
     times = [part.times[k:] + t for k, t, part in zip(first, starts, parts, strict=True)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fastest motion along a path from rest to rest: toppra, and a check of its result."""
+"""Fastest motion along a path from rest to rest, by toppra, with a check of its result."""
 
 from __future__ import annotations
 
@@ -181,7 +181,7 @@ class _Given(AbstractGeometricPath):  # type: ignore[misc]
 
 
 class _Arc(AbstractGeometricPath):  # type: ignore[misc]
-    """The path parameter as a path of one coordinate."""
+    """Path parameter as a path of one coordinate."""
 
     def __call__(self, path_positions: Any, order: int = 0) -> Matrix:
         s = np.asarray(path_positions, dtype=float).reshape(-1, 1)

@@ -69,7 +69,7 @@ class Path:
 
 
 def stretches(points: Matrix) -> list[slice]:
-    """Splits rows [N, n] where they turn back on themselves; a path must come to rest there."""
+    """Splits rows [N, n] at reversals, where a path must come to rest."""
     rows, _, directions = _legs(points)
     cosines = np.einsum("ij,ij->i", directions[1:], directions[:-1])
     cuts = [0, *(rows[1:-1][cosines < REVERSAL].tolist()), len(points) - 1]

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def robot_of(plan: Any) -> Robot | None:
-    """Returns the robot of a plan, of a chain that of its first stage."""
+    """Returns the robot of a plan, or of the first stage of a chain."""
     task = getattr(plan, "stages", (plan,))[0].task
     robot: Robot | None = task.arm.robot if task.arm else getattr(task.problem, "robot", None)
     return robot
@@ -83,7 +83,7 @@ class Trajectory:
 
     @property
     def start(self) -> dict[str, float]:
-        """Where each joint must stand at the first moment [rad or m]."""
+        """Start configuration by joint [rad or m]."""
         return dict(zip(self.joint_names, self.positions[0].tolist(), strict=True))
 
     def of_group(self, group: str) -> Trajectory:
@@ -143,7 +143,7 @@ class Trajectory:
         return frames.places(self.object_poses)
 
     def followed(self, names: Sequence[str], times: ArrayLike) -> Matrix:
-        """Returns the planned poses X_WO for an execution, which may pause where this does not.
+        """Returns the planned poses X_WO for an execution, which may have additional pauses.
 
         Parameters
         ----------

@@ -64,7 +64,7 @@ def show(plan: Plan) -> None:
 
 
 def html(plan: Plan) -> str:
-    """Returns what a notebook shows of a plan: its summary and its picture."""
+    """Returns the view of a plan in a notebook: its summary and its picture."""
     from . import notebook
 
     return notebook.html(plan)

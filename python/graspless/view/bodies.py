@@ -69,7 +69,7 @@ class Body:
 
 
 def fields_of(task: Task) -> Any:
-    """The fields of a task file; None where no file can state the problem."""
+    """Returns the fields of a task file; None if no file can express the problem."""
     try:
         return task.fields
     except TaskError:
@@ -77,7 +77,7 @@ def fields_of(task: Task) -> Any:
 
 
 def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
-    """One body a link, in the order of Robot.frame_names: its visuals, or else its shapes."""
+    """Returns one body per link, in the order of Robot.frame_names: its visuals, or its shapes."""
     names = list(robot.frame_names)
     bodies = [Body(name) for name in names]
     text = (fields and fields.urdf_text) or "<robot/>"
@@ -107,13 +107,13 @@ def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
 
 
 def robot(task: Task) -> list[Body]:
-    """One body a link of the problem's robot, in the order of Robot.frame_names."""
+    """Returns one body per link of the problem's robot, in the order of Robot.frame_names."""
     fields = fields_of(task)
     return robot_bodies(task.problem.robot, fields and fields.robot)
 
 
 def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
-    """The obstacles with their poses in the world."""
+    """Returns the obstacles with their poses in the world."""
     fields = fields_of(task)
     if fields is not None:
         return obstacle_bodies(fields.obstacles)

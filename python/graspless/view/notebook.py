@@ -38,7 +38,7 @@ def show(plan: Plan) -> None:
 
 
 def html(plan: Plan) -> str:
-    """Returns the summary of a plan, and its picture where matplotlib is installed."""
+    """Returns the summary of a plan, and its picture if matplotlib is installed."""
     text = f"<pre>{escape(report.as_text(plan))}</pre>"
     try:
         from .figures import as_png

@@ -30,7 +30,7 @@ def look(server: Any, view: Camera) -> None:
 
 
 class Captions:
-    """One line of text below the scene, like a subtitle."""
+    """Line of text below the scene, like a subtitle."""
 
     def __init__(self, layers: Layers, view: Camera, first: str) -> None:
         layers.add("caption")

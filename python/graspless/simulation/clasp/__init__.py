@@ -101,8 +101,8 @@ def run(
 def _pulled(
     execution: Execution, seeds: list[list[int]], direction_W: Matrix
 ) -> tuple[list[str], dict[str, float]]:
-    """Lets go of the object, and pulls at it in the closed hand and in the open one: what failed,
-    and what was measured.
+    """Releases the object and pulls at it, in the closed and in the open hand. Returns failures
+    and measures.
     """
     settings, recorder = execution.world.settings, execution.recorder
     failures: list[str] = []
@@ -143,8 +143,8 @@ def _close(execution: Execution, trajectory: Trajectory) -> dict[str, float]:
 
 
 def _seeds(plan: Plan, variation: Variation, count: int) -> list[list[int]]:
-    """One a sequence, of this trial of this plan: trials that shared their wrenches would be no
-    more than one draw of them.
+    """Returns one seed per sequence, for this trial of this plan. Trials with the same wrenches
+    would not be independent.
     """
     of = [plan.segments[-1].positions[-1].tolist(), variation.as_dict()]
     digest = hashlib.sha256(json.dumps(of).encode()).digest()

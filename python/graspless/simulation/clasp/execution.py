@@ -105,8 +105,8 @@ class Execution:
         return float(np.linalg.norm(self.surface() - resting, axis=1).max())
 
     def grip(self) -> Matrix:
-        """Every joint of the hand closes on while its motor is below the torque of the grip; each
-        one's torque in the end, as a part of its greatest.
+        """Closes every joint of the hand until its motor reaches the torque of the grip. Returns
+        the final torque of each joint, as a fraction of its limit.
         """
         data, settings = self.world.data, self.world.settings
         step = settings.grip_rate * self.world.model.opt.timestep

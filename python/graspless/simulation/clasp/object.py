@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Object of a clasp in MuJoCo: its holes stay open, and it stands."""
+"""Object of a clasp in MuJoCo, with open holes and feet."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ def add_object(
     variation: Variation,
     settings: Clasp,
 ) -> None:
-    """Adds a free body with the skin of K_d, or of solids; on feet if it can stand, else held.
+    """Adds a free body with the surface of K_d or of solids. It stands on feet, or is held.
 
-    `mass` is the one before it is varied [kg].
+    `mass` is the mass before variation [kg].
     """
     points = np.asarray(cloud.points)
     body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))

@@ -72,10 +72,10 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
 def carry_out(
     plan: Plan, variation: Variation, *, feeds: bool = True, zeroes: bool = True
 ) -> tuple[World, Script, Log]:
-    """By bare fingertips: the world in the end, what the fingers were told at each of its steps,
-    and what was seen.
+    """Executes a plan by bare fingertips. Returns the final world, the commands of each step,
+    and the observations.
 
-    `feeds` and `zeroes` are the servos' own.
+    `feeds` and `zeroes` are parameters of the servos.
     """
     problem, settings = plan.task.problem, Fingertip()
     world = build_world(problem, variation, settings)

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 
 def program(plan: Plan, trajectory: Trajectory, settings: Fingertip | None = None) -> Script:
-    """What the fingertips of a plan do: between stretches of motion the object rests, while
-    forces go from those of one to those of the next.
+    """Returns the program of the fingertips of a plan. Between two motions the object rests,
+    while the forces change from those of one to those of the next.
     """
     settings = settings or Fingertip()
     moves = [_moving(plan, trajectory, s) for s in range(len(plan.segments))]

@@ -64,7 +64,7 @@ class Judge:
         self.lowest = self.scene.X_WO[2, 3] - self.fell
 
     def look(self, data: Any, phase: str) -> None:
-        """Notes what went wrong."""
+        """Records the failures of the current state."""
         a, b = self._kinds(data)
         if len(a) and not self._allowed[a, b].all():
             self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
@@ -76,13 +76,13 @@ class Judge:
             self.note("fell" if phase not in ("raise", "hold") else "dropped")
 
     def note(self, failure: str) -> None:
-        """Each is said once."""
+        """Records a failure once."""
         if failure not in self.failures:
             self.failures.append(failure)
 
     @property
     def is_over(self) -> bool:
-        """Whether there is nothing left to watch."""
+        """True if the trial has failed for good."""
         return "fell" in self.failures or "dropped" in self.failures
 
     def pose(self, data: Any) -> Matrix:
@@ -92,12 +92,12 @@ class Judge:
         return X_WO
 
     def tilt(self, data: Any) -> float:
-        """Between the object's z and where it pointed at first [rad]."""
+        """Returns the angle between the object's z axis now and at the start [rad]."""
         cosine = data.xmat[self._body].reshape(3, 3)[:, 2] @ self.scene.X_WO[:3, 2]
         return float(np.arccos(np.clip(cosine, -1, 1)))
 
     def holds(self, data: Any) -> bool:
-        """Whether both fingers touch the object."""
+        """Returns True if both fingers touch the object."""
         a, b = self._kinds(data)
         other = np.where(a == self._object, b, np.where(b == self._object, a, 0))
         return all((other == finger).any() for finger in self._fingers)
@@ -116,7 +116,7 @@ class Judge:
             self.touched = bodies[0], bodies[1]
 
     def tip_force(self, data: Any) -> float:
-        """Of the pad on the object, along the contacts' normals [N]."""
+        """Returns the normal force of the pad on the object [N]."""
         force, of_contact = 0.0, np.zeros(6)
         kinds = self._kind[data.contact.geom]
         pads = ((kinds == self._pad) | (kinds == self._object)).all(axis=1)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the servos are told, step by step: the timed plan, and what the executor adds to it.
+"""Commands of the servos, step by step: the timed plan with the additions of the executor.
 
 It adds pauses, the squeeze, a straight lift by the arm's own inverse kinematics, and a hold.
 """
@@ -53,12 +53,12 @@ class Program:
     raised: float
 
     def last(self, name: str) -> int:
-        """The last step of a phase."""
+        """Returns the last step of a phase."""
         return int(np.flatnonzero(self.phase == self.names.index(name))[-1])
 
 
 def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: Slide) -> Program:
-    """The whole execution of a plan at even steps [s]."""
+    """Returns the whole execution of a plan at even steps [s]."""
     names = [segment.name for segment in trajectory.segments]
     rows, phases = [], []
 
@@ -140,7 +140,7 @@ def straight_lift(plan: Plan, q: Matrix, height: float) -> tuple[Matrix, float]:
 
 
 def _raised(X_WH: Matrix, up: float, yaw: float) -> Matrix:
-    """A pose of the hand higher [m], and turned about the vertical through its origin [rad]."""
+    """Returns a pose of the hand, lifted [m] and turned about its vertical axis [rad]."""
     X_WR = frames.planar(0.0, 0.0, yaw) @ X_WH
     X_WR[:3, 3] = X_WH[:3, 3] + [0.0, 0.0, up]
     return X_WR

@@ -21,7 +21,7 @@ _SQUARE = 1e-9  # how far a rectangle's corners may be from square [m^2]
 def add_prism(
     spec: Any, body: Any, polygon: Any, heights: tuple[float, float], **given: Any
 ) -> Any:
-    """A geom over a convex polygon: a box where that is a rectangle, else a mesh.
+    """Adds a geom over a convex polygon: a box if that is a rectangle, else a mesh.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def add_prism(
     heights : (float, float)
         Of underside and top in that frame [m].
     **given
-        What else the geom has.
+        Other attributes of the geom.
     """
     corners = np.array(polygon.vertices)
     middle = sum(heights) / 2

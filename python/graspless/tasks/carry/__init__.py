@@ -33,7 +33,7 @@ Fields = CarryTask
 
 
 def resolve(named: CarryTask, source: Source, directory: Path) -> tuple[CarryTask, Source]:
-    """The fields with robot and points inline and absolute paths of meshes."""
+    """Returns the fields with the content of robot and points, and absolute paths of meshes."""
     update: dict[str, Any] = {}
     meshes = set()
     if named.robot is not None:
@@ -61,12 +61,12 @@ def require_resolved(fields: CarryTask, source: Source) -> None:
 
 
 def build(fields: CarryTask, source: Source, other: Source) -> tuple[carry.Problem, None]:
-    """The problem of resolved fields."""
+    """Returns the problem of resolved fields."""
     return build_problem(fields, source), None
 
 
 def options(fields: CarryTask, problem: carry.Problem, source: Source) -> carry.Options:
-    """How to search."""
+    """Returns the options of the search."""
     return build_options(fields, source)
 
 
@@ -76,7 +76,7 @@ def in_force(fields: CarryTask, problem: carry.Problem, options: carry.Options) 
 
 
 def state(problem: carry.Problem, arm: None) -> dict[str, Any]:
-    """The task file of a problem, without options and budget."""
+    """Returns the task file of a problem, without options and budget."""
     held = problem.object
     return {
         "robot": robot_fields(problem.robot, problem.q_start),

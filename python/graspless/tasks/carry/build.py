@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a resolved task to the planner's own types."""
+"""Conversion of a resolved task to the planner's types."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 def build(task: model.CarryTask, source: Source) -> carry.Problem:
-    """The problem that a resolved task states; faults name the place in `source`."""
+    """Returns the problem of a resolved task. Error messages name the place in `source`."""
     for field in ("robot", "frame", "object", "pose"):
         if getattr(task, field) is None:
             raise source.error((field,), "missing")
@@ -78,7 +78,7 @@ def goal(task: model.CarryTask, X_WO: Matrix) -> Matrix:
 
 
 def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedShape]:
-    """What the hand holds, in O."""
+    """Returns the shapes of the held object, in O."""
     if thing.box is not None:
         return [geometry.PlacedShape(geometry.Box(np.array(thing.box)), np.eye(4))]
     if thing.parts is not None:
@@ -96,7 +96,7 @@ def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedSh
 
 
 def build_options(task: model.CarryTask, source: Source) -> carry.Options:
-    """How to search; what the task leaves out is the library's."""
+    """Returns the options of a task. Missing fields have the defaults of the library."""
     with at(source, "options"):
         options = carry.Options(**task.options.model_dump(exclude_none=True))
         carry.validate(options)
@@ -119,7 +119,7 @@ _PLACES: dict[str, Location] = {
 
 
 def _blamed(message: str) -> tuple[Location, str]:
-    """The field of the task file that a message of carry.validate() is about, and the rest."""
+    """Splits a message of carry.validate() into the field of the task file and the rest."""
     named = re.match(r"(\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
     if named is None or named[1] not in _PLACES:
         return ("frame",), message

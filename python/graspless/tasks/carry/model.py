@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a task file of kind carry may hold: docs/task-files.md says the same in prose.
+"""Model of task files of kind carry; docs/task-files.md describes the fields.
 
-A carry is mostly a stage of a chain, and takes from the stage before it what stands here as None.
+A carry is mostly a stage of a chain. Fields that are None come from the stage before it.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from ..slide.model import Support
 
 
 def _posed(value: Any) -> Any:
-    """A slide's object needs a place on its support; here `pose` says where it is."""
+    """Adds a placeholder pose: a slide's object needs one, but here `pose` gives it."""
     return {"pose": {}, **value} if isinstance(value, dict) else value
 
 
 class Object(Fields):
-    """What the hand holds, described as the planner that put it there has it."""
+    """Held object, described like in a task of the planner that grasped it."""
 
     name: str = "object"
     box: Size3 | None = Field(default=None, description="side lengths, centred at O [m]")
@@ -65,7 +65,7 @@ class Options(Fields):
 
 
 class CarryTask(Fields):
-    """A task for the carrying of what the hand holds."""
+    """Task of the carry planner."""
 
     kind: Literal["carry"]
     robot: Robot | None = Field(default=None, description="its home is where it holds the object")

@@ -24,19 +24,19 @@ Fields = ChainTask
 
 @dataclass(frozen=True)
 class Problem:
-    """What is given: the stages, of which only the first knows where it starts."""
+    """Stages of a chain. Only the first one knows its start."""
 
     stages: tuple[Stage, ...]
     first: Task
 
     @property
     def object(self) -> Any:
-        """The object, as the first stage describes it."""
+        """Object in the description of the first stage."""
         return self.first.problem.object
 
 
 def resolve(named: ChainTask, source: Source, directory: Path) -> tuple[ChainTask, Any]:
-    """The fields with every stage whole and every file inline, and the stages themselves."""
+    """Returns the fields with complete stages and the content of all files, and the stages."""
     stages = read_stages(named, source, directory)
     files = {name: value for stage in stages for name, value in stage.fields.files.items()}
     documents = [stage.document() for stage in stages]
@@ -52,19 +52,19 @@ def require_resolved(fields: ChainTask, source: Source) -> None:
 
 
 def build(fields: ChainTask, source: Source, other: Any) -> tuple[Problem, None]:
-    """The stages, the first one with its problem; `other` are those that `resolve` gave."""
+    """Returns the stages, the first one with its problem. `other` are the stages from `resolve`."""
     stages = other if isinstance(other, list) else stages_of_plan(fields, source)
     require_joined(stages)
     return Problem(tuple(stages), stages[0].task(stages[0].fields)), None
 
 
 def options(fields: ChainTask, problem: Problem, source: Source) -> Options:
-    """How to search; the stages have options of their own."""
+    """Returns the options of the chain. The stages have their own options."""
     return fields.options
 
 
 def in_force(fields: ChainTask, problem: Problem, options: Options) -> dict[str, Any]:
-    """Fields with every value that was in force; every stage's plan says those of the stage."""
+    """Returns the fields with all values in force. Those of a stage are in its plan."""
     return {"options": options}
 
 

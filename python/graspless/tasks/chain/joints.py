@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which stages can follow one another, as far as that is known before anything is planned."""
+"""Rules for the order of stages that can be checked before planning."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ HOLDING = ("slide", "clasp", "carry")  # after these the hand holds the object
 
 
 def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
-    """Raises TaskError where a stage needs a hand that holds the object, or one that does not.
+    """Raises TaskError if a stage needs a holding or an empty hand and does not get it.
 
     Parameters
     ----------

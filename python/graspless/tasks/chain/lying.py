@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where an outline lies that is another planner's object seen from above."""
+"""Pose of an outline that is the footprint of another planner's object."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SAME = 1e-4  # [m]; corners of one object, described twice
 
 
 def lying(corners_S: Matrix, outline: Matrix, thickness: float) -> PlanarPose:
-    """The pose in S that lays a prism where corners are; of several, the one turned least.
+    """Returns the pose in S at which a prism has given corners. Of several, it is turned least.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def lying(corners_S: Matrix, outline: Matrix, thickness: float) -> PlanarPose:
 
 
 def _fitted(own: Matrix, seen: Matrix) -> tuple[float, PlanarPose]:
-    """The pose that brings corners to corners, in order, and how far off the worst stays."""
+    """Returns the pose that maps corners to corners in order, and the largest distance left."""
     if len(own) != len(seen):
         return np.inf, PlanarPose()
     a, b = own - own.mean(axis=0), seen - seen.mean(axis=0)
@@ -75,7 +75,7 @@ def convex_hull(points: Matrix) -> Matrix:
 
 
 def _half(ordered: Matrix) -> list[Any]:
-    """One side of Andrew's monotone chain."""
+    """Returns one side of Andrew's monotone chain."""
     chain: list[Any] = []
     for p in ordered:
         while len(chain) > 1 and cross(chain[-1] - chain[-2], p - chain[-1]) <= 0:

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a task file of kind chain may hold: docs/task-files.md says the same in prose.
+"""Model of task files of kind chain; docs/task-files.md describes the fields.
 
-In a plan file every stage is a whole task of its kind, with what the chain gave all of them and
-with every file put inline.
+In a plan file, every stage is a complete task of its kind. It contains the fields that the chain
+gives to all stages, and the content of all files.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ SHARED = (
 
 
 class Options(Fields):
-    """How to search."""
+    """Returns the options of the search."""
 
     attempts: Annotated[int, Field(ge=1, le=1000)] = Field(
         default=5,

@@ -1,7 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stages of a chain as tasks of their kinds: what each says itself comes first, then what
-stands in the file that it names, then what the chain gives all stages.
+"""Stages of a chain as tasks of their kinds.
+
+A field of the stage itself takes precedence, then one of the file that it names, then one that
+the chain gives to all stages.
+
 """
 
 from __future__ import annotations
@@ -25,18 +28,18 @@ FILES = ("urdf", "srdf", "directory", "packages", "hand", "cloud", "file")
 
 @dataclass
 class StageSource(Source):
-    """A stage's fields, which stand in several places of one or two files."""
+    """Source of the fields of a stage, which can come from several places of one or two files."""
 
     parts: list[tuple[Source, Location]] = field(default_factory=list)
 
     @property
     def name(self) -> str:
-        """What the stage is called: its kind, if nobody has named it."""
+        """Name of the stage; its kind by default."""
         source, above = self.parts[0]
         return str(source.data["stages"][above[1]].get("name", self.data["kind"]))
 
     def where(self, place: Location) -> str:
-        """The part that holds most of the way to a field; of several, the first."""
+        """Returns the part that contains most of the path to a field; of several, the first."""
 
         def known(of: tuple[Source, Location]) -> int:
             source, above = of
@@ -48,15 +51,15 @@ class StageSource(Source):
 
 @dataclass(frozen=True)
 class Stage:
-    """A stage as it is before anybody knows where it starts.
+    """Stage whose start is not known yet.
 
     Attributes
     ----------
     name : str
     fields : SlideTask, FingertipTask, ClaspTask or CarryTask
-        Resolved; what the stage before it decides holds a place only.
+        Resolved fields. Those that the stage before it decides are placeholders.
     source, other : Source
-        Where the fields and those of another file stand; for errors.
+        Sources of the fields and of those from another file, for error messages.
     """
 
     name: str
@@ -69,28 +72,28 @@ class Stage:
         return str(self.fields.kind)
 
     def task(self, fields: Any) -> Task:
-        """The task, its fields with what the stage before it has decided."""
+        """Returns the task, with the fields that the stage before it decided."""
         from .. import build_task
 
         return build_task(fields, self.source, self.other)
 
     def document(self) -> dict[str, Any]:
-        """As it stands in a plan file."""
+        """Returns the stage as in a plan file."""
         document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
         return {"name": self.name, **document}
 
 
 def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage]:
-    """The stages of a task file, with all that they name inline.
+    """Returns the stages of a task file, with the content of all files that they name.
 
     Parameters
     ----------
     chain : ChainTask
-        As read from `source`.
+        Task read from `source`.
     source : Source
-        Where it stands; for errors.
+        Source of the task, for error messages.
     directory : Path
-        What relative paths are relative to.
+        Folder to which its paths are relative.
     """
     named = [_merged(source, i, directory) for i in range(len(chain.stages))]
     require_held([(stage.name, _kind(stage), stage) for stage in named])
@@ -103,7 +106,7 @@ def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage
 
 
 def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
-    """The stages of a chain that stands in a plan file."""
+    """Returns the stages of a chain in a plan file."""
     found = []
     for i, document in enumerate(chain.stages):
         fields = {key: value for key, value in document.items() if key != "name"}
@@ -116,7 +119,7 @@ def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
 
 
 def _merged(source: Source, index: int, directory: Path) -> StageSource:
-    """A stage with what its file and the chain say of what it leaves out."""
+    """Returns a stage whose missing fields come from its file and from the chain."""
     place = ("stages", index)
     own = dict(source.data["stages"][index])
     name = own.pop("name", None)
@@ -163,7 +166,7 @@ def _kind(stage: StageSource) -> str:
 
 
 def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:
-    """Raises TaskError where a stage has another object than the chain; fills in name and mass."""
+    """Raises TaskError if a stage has another object than the chain. Adds name and mass."""
     own, common = stage.data.get("object"), shared.get("object")
     if not isinstance(own, dict) or not isinstance(common, dict):
         return
@@ -177,7 +180,7 @@ def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:
 
 
 def _absolute(value: Any, directory: Path, key: str = "") -> Any:
-    """A document whose relative paths no longer depend on where it stands."""
+    """Returns a document with absolute paths."""
     if isinstance(value, dict):
         inner = key if key == "packages" else ""
         return {name: _absolute(v, directory, inner or name) for name, v in value.items()}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a stage starts: what it takes from the state that the one before it left."""
+"""Start of a stage, taken from the end of the stage before it."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ MUST_NOT = "must not be given: a stage starts where the one before it ended"
 
 @dataclass(frozen=True)
 class Held:
-    """The object in the hand, as a carry needs to know it.
+    """Held object, as described for a carry.
 
     Attributes
     ----------
     arm : str
         Group of the joints that carry the hand.
     frame : str
-        Link that the object keeps its place to.
+        Link to which the object is fixed.
     fields : SlideTask, ClaspTask or CarryTask
-        Of the stage that left it there.
+        Fields of the stage that grasped it.
     """
 
     arm: str
@@ -46,17 +46,17 @@ class Held:
 
 @dataclass(frozen=True)
 class State:
-    """Where a stage ended.
+    """State at the end of a stage.
 
     Attributes
     ----------
     X_WO : array [4, 4]
     q : array [dof] or None
-        All joints [rad or m]; None where fingertips have no arm.
+        All joints [rad or m]; None if the fingertips have no arm.
     held : Held or None
-        None where the hand has let go.
+        None if the hand holds nothing.
     corners : array [N, 3] or None
-        Of the object's convex hull in the world, where a planner knows it by its faces.
+        Vertices of the object's convex hull in the world [m], after a fingertip plan.
     """
 
     X_WO: Matrix
@@ -66,8 +66,8 @@ class State:
 
 
 def hold_place(stage: StageSource) -> None:
-    """Raises TaskError where a later stage says itself where it starts, and fills what it must not
-    say.
+    """Raises TaskError if a later stage gives its own start. Otherwise adds a placeholder for
+    it.
     """
     own, above = stage.parts[0]
     for place in _starts(stage.data):
@@ -79,7 +79,7 @@ def hold_place(stage: StageSource) -> None:
 
 
 def _starts(data: dict[str, Any]) -> list[Location]:
-    """Where a task of this kind says how it starts."""
+    """Returns the fields in which a task of this kind gives its start."""
     if data["kind"] == "carry":
         return [("robot",), ("arm",), ("frame",), ("object",), ("pose",), ("support",)]
     if data["kind"] != "fingertip":
@@ -92,7 +92,7 @@ def _starts(data: dict[str, Any]) -> list[Location]:
 
 
 def start_at(stage: Stage, state: State) -> Any:
-    """The fields of a stage that starts where another ended; raises TaskError where it cannot."""
+    """Returns the fields of a stage that starts at the end of another, or raises TaskError."""
     fields = stage.fields
     if stage.kind == "carry":
         return _carry(fields, state)
@@ -111,7 +111,7 @@ def _robot(fields: Any, state: State) -> dict[str, Any]:
 
 
 def _slide(fields: Any, state: State) -> dict[str, Any]:
-    """The outline is laid where the object lies: each planner has a frame of its own for it."""
+    """Places the outline at the pose of the object. Each planner has its own frame for it."""
     thing = fields.object
     assert state.corners is not None  # only fingertips let go of what they move
     if thing.cloud is not None or thing.points is not None:
@@ -127,7 +127,7 @@ def _clasp(fields: Any, state: State) -> dict[str, Any]:
 
 
 def _fingertip(fields: Any, state: State) -> dict[str, Any]:
-    """The motion with its first pose; the model has seen to it that there is one motion."""
+    """Returns the motion with its first pose. The model ensures that there is one motion."""
     motion, pose = fields.motion, as_pose(state.X_WO)
     name = next(name for name in type(motion).model_fields if getattr(motion, name) is not None)
     moved = getattr(motion, name)
@@ -142,7 +142,7 @@ def _fingertip(fields: Any, state: State) -> dict[str, Any]:
 
 
 def _carry(fields: Any, state: State) -> Any:
-    """All that a carry leaves out is as in the stage before it."""
+    """Takes the missing fields of a carry from the stage before it."""
     held = state.held
     assert held is not None  # the chain was looked at when it was read
     before = held.fields

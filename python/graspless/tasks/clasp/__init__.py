@@ -29,8 +29,8 @@ Fields = ClaspTask
 
 
 def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTask, Source]:
-    """The fields with robot, hand and points inline and absolute paths of meshes, and where the
-    hand's fields stand.
+    """Returns the fields with the content of robot, hand and points, and absolute paths of
+    meshes; and the source of the hand's fields.
     """
     robot, urdf = resolve_robot(named.robot, source, directory)
     hand, hand_source = resolve_hand(named.hand, urdf, source, directory)
@@ -56,17 +56,17 @@ def require_resolved(fields: ClaspTask, source: Source) -> None:
 
 
 def build(fields: ClaspTask, source: Source, other: Source) -> tuple[clasp.Problem, None]:
-    """The problem of resolved fields; those of the hand stand in `other`."""
+    """Returns the problem of resolved fields. `other` is the source of the hand."""
     return build_problem(fields, source, other), None
 
 
 def options(fields: ClaspTask, problem: clasp.Problem, source: Source) -> clasp.Options:
-    """How to search."""
+    """Returns the options of the search."""
     return build_options(fields, source)
 
 
 def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) -> dict[str, Any]:
-    """Fields with every value that was in force; where 0 is given, the planner derives it."""
+    """Returns the fields with all values in force. The planner derives values given as 0."""
     loops = _in_force(fields.object.loops, problem.object.loop_options)
     stability = _in_force(fields.options.stability, options.stability)
     names = [field.name for field in type(options).fields() if field.name != "stability"]
@@ -79,7 +79,7 @@ def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) 
 
 
 def state(problem: clasp.Problem, arm: None) -> dict[str, Any]:
-    """The task file of a problem, without options and budget."""
+    """Returns the task file of a problem, without options and budget."""
     thing = problem.object
     return {
         "robot": robot_fields(problem.robot, problem.q_start),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a resolved task to the planner's own types."""
+"""Conversion of a resolved task to the planner's types."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 
 def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.Problem:
-    """The problem that a resolved task states.
+    """Returns the problem of a resolved task.
 
     Parameters
     ----------
     task : ClaspTask
         Resolved.
     source, hand_source : Source
-        Where the task and the hand's fields stand; faults name the place.
+        Sources of the task and of the hand's fields, for error messages.
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
@@ -55,7 +55,7 @@ def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.P
 
 
 def build_object(thing: model.Object, source: Source) -> clasp.Object:
-    """The object of a resolved task: its loops are looked for here."""
+    """Returns the object of a resolved task. This searches its loops."""
     given = source.given("object")
     field = next((n for n in ("cloud", "mesh", "sample", "points") if n in given), "points")
     points = np.array(thing.points, dtype=float).reshape(-1, 3)
@@ -70,7 +70,7 @@ def build_object(thing: model.Object, source: Source) -> clasp.Object:
 
 
 def build_options(task: model.ClaspTask, source: Source) -> clasp.Options:
-    """How to search; what the task leaves out is the library's."""
+    """Returns the options of a task. Missing fields have the defaults of the library."""
     fields = task.options.model_dump(exclude_none=True)
     with at(source, "options", "stability"):
         fields["stability"] = clasp.StabilityOptions(**fields["stability"])
@@ -92,7 +92,7 @@ _PLACES: dict[str, Location] = {
 
 
 def _blamed(message: str) -> tuple[Location, str]:
-    """The field of the task file that a message of clasp.validate() is about, and the rest."""
+    """Splits a message of clasp.validate() into the field of the task file and the rest."""
     named = re.match(r"(\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
     if named is None or named[1] not in _PLACES:
         return ("clasp",), message

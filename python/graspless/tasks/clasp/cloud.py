@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The points of a task's object: read or sampled, as a camera would see them."""
+"""Points of a task's object, which are read from a file or sampled."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DEFAULT = 2000  # points, as in the paper
 
 
 def resolve_object(thing: model.Object, source: Source, directory: Path) -> model.Object:
-    """The same object with its points inline."""
+    """Returns the object with its points inline."""
     points = object_points(thing, source, directory)
     update = {
         "points": points.tolist(),
@@ -65,7 +65,7 @@ def object_points(thing: model.Object, source: Source, directory: Path) -> Matri
 
 
 def source_field(thing: model.Object) -> str:
-    """Which field says where the points are from."""
+    """Returns the field that gives the source of the points."""
     names = ("cloud", "mesh", "sample", "points")
     return next(name for name in names if getattr(thing, name) is not None)
 
@@ -89,7 +89,7 @@ def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
 
 
 def _seen(points: Matrix, views: list[list[float]]) -> Matrix:
-    """What is seen from at least one of the viewpoints."""
+    """Returns the points that are visible from at least one of the viewpoints."""
     seen = np.zeros(len(points), dtype=bool)
     for view in views:
         seen[geometry.visible_points(points, np.array(view))] = True

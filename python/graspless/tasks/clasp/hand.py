@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The hand of a task: its fields, the file they stand in, and the hand itself."""
+"""Hand of a task: its fields, their file, and the hand itself."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Direction = Annotated[Point3, AfterValidator(_not_zero)]
 
 
 class Node(Fields):
-    """A corner of a finger curve, fixed in a link."""
+    """Corner of a finger curve, fixed in a link."""
 
     link: str
     point: Point3 = Field(default=[0.0, 0.0, 0.0], description="in the link's frame [m]")
@@ -42,7 +42,7 @@ Nodes = Annotated[list[Node], Field(min_length=2)]
 
 
 class Hand(Fields):
-    """What the planner must know of a hand: graspless.clasp.Hand."""
+    """Description of a hand: graspless.clasp.Hand."""
 
     arm: str | None = Field(default=None, description="group of joints that carry the hand")
     hand: str | None = Field(default=None, description="group of the hand's joints that close")
@@ -60,7 +60,7 @@ class Hand(Fields):
 def resolve_hand(
     hand: Hand | str | None, urdf: Path | None, source: Source, directory: Path
 ) -> tuple[Hand, Source]:
-    """The hand's fields, and where they stand: in the task, in a file, or beside the URDF."""
+    """Returns the hand's fields and their source: the task, a file, or a file beside the URDF."""
     if isinstance(hand, Hand):
         return hand, source
     if isinstance(hand, str):
@@ -81,7 +81,7 @@ def resolve_hand(
 def build_hand(
     fields: Hand, robot: robots.Robot, source: Source, place: tuple[str, ...]
 ) -> clasp.Hand:
-    """The planner's hand; faults name the field at `place` of `source`."""
+    """Returns the planner's hand. Error messages name the field at `place` of `source`."""
     names = {
         name: value
         for name in ("arm", "hand", "open", "closed")
@@ -104,7 +104,7 @@ def build_hand(
 
 
 def hand_in_force(hand: clasp.Hand) -> Hand:
-    """The fields of the planner's hand."""
+    """Returns the fields of the planner's hand."""
     return Hand(
         arm=hand.arm,
         hand=hand.hand,
@@ -139,7 +139,7 @@ def _plain(vector: np.ndarray) -> list[float]:
 
 
 def _blamed(message: str, fields: Hand) -> tuple[Location, str]:
-    """The field that a message of clasp.validate() is about, and the rest of it."""
+    """Splits a message of clasp.validate() into the field and the rest."""
     text = message.removeprefix("hand.")
     owners: dict[str, Location] = {f"fingers.{name}": ("fingers", name) for name in fields.fingers}
     owners["thumb"] = ("thumb",)

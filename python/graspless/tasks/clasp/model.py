@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a task file of kind clasp may hold: docs/task-files.md says the same in prose.
+"""Model of task files of kind clasp; docs/task-files.md describes the fields.
 
-A task that stands in a plan file has the same fields, with the robot's files, the hand and the
-object's points put inline; meshes of robot and obstacles stay files, and `files` keeps their
-checksums.
+A task in a plan file has the same fields, with the content of the robot's files, the hand and the
+object's points. Meshes of robot and obstacles stay files, and `files` has their checksums.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ Points = Annotated[
 
 
 class LoopOptions(Fields):
-    """How to look for holes: graspless.geometry.LoopOptions."""
+    """Options of the search for holes: graspless.geometry.LoopOptions."""
 
     max_edge_length: NotNegative | None = Field(
         default=None, description="d [m]; 0: the widest plateau of the Betti curve"
@@ -46,17 +45,17 @@ class LoopOptions(Fields):
     lowest_plateau: bool | None = None
     lowest_ratio: Annotated[float, Field(ge=1)] | None = None
     min_ratio: Annotated[float, Field(ge=1)] | None = None
-    max_points: Count | None = Field(default=None, description="larger clouds are thinned")
+    max_points: Count | None = Field(default=None, description="larger clouds are downsampled")
     polish: bool | None = Field(
-        default=None, description="shorten the loops of a thinned cloud on all its points"
+        default=None, description="shorten the loops of a downsampled cloud on all its points"
     )
     drop_meridians: bool | None = Field(
-        default=None, description="leave out loops that run around a handle, not along it"
+        default=None, description="discard loops that run around a handle, not along it"
     )
 
 
 class Object(Fields):
-    """What has a hole, in a frame O: a cloud of points on its surface."""
+    """Object with a hole, given as a cloud of points on its surface, in a frame O."""
 
     name: str = "object"
     cloud: str | None = Field(default=None, description=".ply, .pcd or .xyz file")
@@ -90,7 +89,7 @@ class Object(Fields):
 
 
 class Clasp(Fields):
-    """What may be clasped."""
+    """Restriction of the points that may be clasped."""
 
     loops: list[CountOrZero] = Field(
         default=[], description="by number, the shortest loop is 0; none: any"

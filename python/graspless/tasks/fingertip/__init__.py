@@ -27,7 +27,7 @@ Fields = FingertipTask
 
 
 def resolve(named: FingertipTask, source: Source, directory: Path) -> tuple[FingertipTask, Source]:
-    """The fields with the robot's files put inline and absolute paths of meshes."""
+    """Returns the fields with the content of the robot's files, and absolute paths of meshes."""
     return resolve_files(named, source, directory), source
 
 
@@ -40,12 +40,12 @@ def require_resolved(fields: FingertipTask, source: Source) -> None:
 def build(
     fields: FingertipTask, source: Source, other: Source
 ) -> tuple[fingertip.Problem, Arm | None]:
-    """The problem of resolved fields, and the robot that carries the fingertips."""
+    """Returns the problem of resolved fields, and the robot that carries the fingertips."""
     return build_problem(fields, source), build_arm(fields, source)
 
 
 def options(fields: FingertipTask, problem: fingertip.Problem, source: Source) -> fingertip.Options:
-    """How to search; raises TaskError where that would take more memory than it may."""
+    """Returns the options. Raises TaskError if the search would need more memory than allowed."""
     return build_options(fields, problem, source)
 
 
@@ -66,7 +66,7 @@ def in_force(
 
 
 def state(problem: fingertip.Problem, arm: Arm | None) -> dict[str, Any]:
-    """The task file of a problem, without options and budget."""
+    """Returns the task file of a problem, without options and budget."""
     thing = problem.object
     floor, *walls = problem.planes
     stated = {

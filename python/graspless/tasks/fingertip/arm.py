@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The robot that carries a plan's fingertips."""
+"""Robot that carries a plan's fingertips."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Arm:
-    """A robot, where it stands and which of its parts are fingertips.
+    """Robot that carries fingertips, with its start and the parts that are fingertips.
 
     Attributes
     ----------
     robot : robot.Robot
     carrier : fingertip.Carrier
-        Which frames are the fingertips.
+        Frames of the fingertips.
     q_home : array [dof]
-        Where the robot starts [rad or m].
+        Start configuration [rad or m].
     options : fingertip.RealizeOptions
-        How to find joint paths.
+        Options of the search for joint paths.
     """
 
     robot: robots.Robot
@@ -40,7 +40,7 @@ class Arm:
 
 
 def build_arm(task: model.FingertipTask, source: Source) -> Arm | None:
-    """The robot of a resolved task, if it has one."""
+    """Returns the robot of a resolved task, if it has one."""
     if task.robot is None:
         return None
     robot = build_robot(task.robot, source)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a resolved task to the planner's own types."""
+"""Conversion of a resolved task to the planner's types."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LARGEST = 2.0  # [m]; nobody tumbles a larger object with fingertips
 
 
 def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
-    """The problem that a resolved task states; faults name the place in `source`."""
+    """Returns the problem of a resolved task. Error messages name the place in `source`."""
     thing = build_object(task.object, source)
     planes = build_planes(task, source)
     with at(source, "gravity"):
@@ -47,7 +47,7 @@ def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
 
 
 def build_object(thing: model.Object, source: Source) -> fingertip.Object:
-    """The object with its mass, centre of mass and inertia."""
+    """Returns the object with its mass, centre of mass and inertia."""
     mass = 1.0 if thing.mass is None else thing.mass
     if thing.box is not None:
         with at(source, "object", "box"):
@@ -76,7 +76,7 @@ def build_object(thing: model.Object, source: Source) -> fingertip.Object:
 
 
 def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Plane]:
-    """The floor, then the walls."""
+    """Returns the floor, then the walls."""
     planes = [fingertip.Plane("floor", np.array([0.0, 0.0, 1.0]), task.floor.height)]
     for i, wall in enumerate(task.walls):
         normal = np.array(wall.normal)
@@ -115,7 +115,7 @@ def build_friction(friction: float | list[float]) -> tuple[float, float]:
 def build_options(
     task: model.FingertipTask, problem: fingertip.Problem, source: Source
 ) -> fingertip.Options:
-    """How to search; what the task leaves out is the library's."""
+    """Returns the options of a task. Missing fields have the defaults of the library."""
     fields = task.options.model_dump(exclude_none=True)
     if "search" in fields:
         fields["search"] = fingertip.Search.__members__[fields["search"]]
@@ -153,7 +153,7 @@ _ENDS = {"X_WO_start": "start", "X_WO_goal": "goal"}
 
 
 def _blamed(message: str, task: model.FingertipTask) -> tuple[Location, str]:
-    """The field of the task file that a message of fingertip.validate() is about, and the rest."""
+    """Splits a message of fingertip.validate() into the field of the task file and the rest."""
     motion = next(iter(task.motion.model_fields_set))
     named = re.match(r"(?:motion\.)?(X_WO_start|X_WO_goal): (.*)", message, re.DOTALL)
     if named is not None:

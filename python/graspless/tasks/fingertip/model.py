@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a task file of kind fingertip may hold: docs/task-files.md says the same in prose.
+"""Model of task files of kind fingertip; docs/task-files.md describes the fields.
 
-A task that stands in a plan file has the same fields, with the robot's files put inline; meshes
-stay files, and `files` keeps their checksums.
+A task in a plan file has the same fields, with the content of the robot's files. Meshes stay
+files, and `files` has their checksums.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class ObjectMesh(MeshFile):
 
 
 class Object(Fields):
-    """What is moved: a box or any closed mesh, in a frame O."""
+    """Object to move: a box or any closed mesh, in a frame O."""
 
     name: str = "object"
     box: Size3 | None = Field(default=None, description="side lengths, centred at O [m]")
@@ -92,7 +92,7 @@ class Object(Fields):
 
 
 class Fingers(Fields):
-    """The fingertips: equal spheres that neither slide nor roll."""
+    """Fingertips: equal spheres that neither slide nor roll."""
 
     count: Annotated[int, Field(ge=1, le=4)] = 2
     radius: Positive = Field(default=0.01, description="[m]")
@@ -106,7 +106,7 @@ class Fingers(Fields):
 
 
 class Floor(Fields):
-    """The level plane under the object."""
+    """Level plane under the object."""
 
     height: float = Field(default=0.0, description="in the world [m]")
 
@@ -145,7 +145,7 @@ class Options(Fields):
 
 
 class Carrier(Fields):
-    """Which parts of the robot carry the fingertips."""
+    """Parts of the robot that carry the fingertips."""
 
     fingertips: Annotated[list[str], Field(min_length=1)] | None = Field(
         default=None, description="frames at the centres of the spheres, one a finger"

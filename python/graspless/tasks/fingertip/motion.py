@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How the object moves, as a task file says it."""
+"""Motion of the object in task files."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Turn(Fields):
 
 
 class Tumble(Fields):
-    """A tumble over an edge of the face that the object stands on."""
+    """Tumble over an edge of the face that the object stands on."""
 
     pose: Pose | None = Field(default=None, description=STANDING)
     over: Side | None = Field(
@@ -60,7 +60,7 @@ class Tumble(Fields):
 
 
 class Step(Fields):
-    """A part of a sequence; it starts where the one before it ended."""
+    """Part of a sequence. It starts at the end of the part before it."""
 
     slide: Slide | None = None
     turn: Turn | None = None
@@ -73,7 +73,7 @@ class Step(Fields):
 
 
 class Lattice(Fields):
-    """From start to goal over the floor, through a lattice of positions and yaws."""
+    """Motion over the floor from start to goal, through a lattice of positions and yaws."""
 
     start: Pose | None = Field(default=None, description=STANDING)
     goal: Pose = Field(description="of O in the world; on the lattice")
@@ -87,7 +87,7 @@ class Lattice(Fields):
 
 
 class Goal(Fields):
-    """Where the object shall stand, any face down; the planner finds the way."""
+    """Goal pose of the object, on any face. The planner finds the motion."""
 
     start: Pose | None = Field(default=None, description=STANDING)
     pose: Pose = Field(description="of O in the world")
@@ -97,7 +97,7 @@ class Goal(Fields):
 
 
 class Motion(Fields):
-    """How the object moves, in one of these ways."""
+    """Motion of the object: exactly one of these fields."""
 
     slide: Slide | None = None
     turn: Turn | None = None

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From how a task file says that the object moves to the poses that it passes through."""
+"""Conversion of the motion in a task file to poses."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ UP = np.array([0.0, 0.0, 1.0])
 def build_motion(
     motion: model.Motion, thing: fingertip.Object, floor: fingertip.Plane, source: Source
 ) -> fingertip.Motion:
-    """The planner's motion; faults name the place in `source`."""
+    """Returns the planner's motion. Error messages name the place in `source`."""
     place = ("motion", next(iter(motion.model_fields_set)))
     with at(source, *place):
         if motion.path is not None:
@@ -62,7 +62,7 @@ def build_motion(
 
 
 def motion_fields(motion: fingertip.Motion) -> dict[str, Any]:
-    """The motion of a task file."""
+    """Returns the fields of the planner's motion in a task file."""
     if isinstance(motion, fingertip.Path):
         return {"path": [pose_fields(X_WO) for X_WO in motion.X_WO]}
     start, goal = pose_fields(motion.X_WO_start), pose_fields(motion.X_WO_goal)
@@ -74,7 +74,7 @@ def motion_fields(motion: fingertip.Motion) -> dict[str, Any]:
 
 
 def standing(thing: fingertip.Object, floor: fingertip.Plane) -> Matrix:
-    """X_WO of an object that stands on the floor over the origin, unturned."""
+    """Returns X_WO of an object that stands on the floor over the origin, without rotation."""
     return frames.translation([0, 0, floor.offset - np.asarray(thing.hull)[:, 2].min()])
 
 
@@ -83,7 +83,7 @@ def _start(pose: Pose | None, thing: fingertip.Object, floor: fingertip.Plane) -
 
 
 class _Walk:
-    """Where the object is, from one step of a motion to the next."""
+    """Pose of the object, from one step of a motion to the next."""
 
     def __init__(self, thing: fingertip.Object, floor: fingertip.Plane, source: Source) -> None:
         self.thing, self.floor, self.source = thing, floor, source
@@ -154,7 +154,7 @@ def edge(p_W: Matrix, height: float, side: str, size: float) -> tuple[Matrix, Ma
 
 
 def angle_to_next_face(p_W: Matrix, point: Matrix, axis: Matrix) -> float:
-    """How far an object turns about an edge on the floor until another corner touches it [rad]."""
+    """Returns the angle of a turn about an edge until another corner touches the floor [rad]."""
     arms = p_W - point
     inward = np.cross(UP, axis)
     angles = np.arctan2(arms @ UP, arms @ inward)  # above the floor, seen along the edge

@@ -18,16 +18,16 @@ if TYPE_CHECKING:
 
 
 def resolve(task: model.FingertipTask, source: Source, directory: Path) -> model.FingertipTask:
-    """The same task with the robot's files inline and with absolute paths of meshes.
+    """Returns the task with the content of the robot's files, and absolute paths of meshes.
 
     Parameters
     ----------
     task : FingertipTask
-        As read from `source`.
+        Task read from `source`.
     source : Source
-        Where it stands; for errors.
+        Source of the task, for error messages.
     directory : Path
-        What relative paths are relative to.
+        Folder to which its paths are relative.
     """
     thing, robot = task.object, task.robot
     meshes: set[Path] = set()

@@ -35,12 +35,12 @@ def require_resolved(fields: SlideTask, source: Source) -> None:
 
 
 def build(fields: SlideTask, source: Source, other: Source) -> tuple[slide.Problem, None]:
-    """The problem of resolved fields; those of the hand stand in `other`."""
+    """Returns the problem of resolved fields. `other` is the source of the hand."""
     return build_problem(fields, source, other), None
 
 
 def options(fields: SlideTask, problem: slide.Problem, source: Source) -> slide.Options:
-    """How to search."""
+    """Returns the options of the search."""
     return build_options(fields, source)
 
 
@@ -55,7 +55,7 @@ def in_force(fields: SlideTask, problem: slide.Problem, options: slide.Options) 
 
 
 def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
-    """The task file of a problem, without options and budget."""
+    """Returns the task file of a problem, without options and budget."""
     thing, support = problem.object, problem.support
     X_SO = np.linalg.inv(support.X_WS) @ problem.X_WO_start
     pose = {"x": X_SO[0, 3], "y": X_SO[1, 3], "yaw": np.arctan2(X_SO[1, 0], X_SO[0, 0])}

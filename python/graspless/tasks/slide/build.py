@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a resolved task to the planner's own types."""
+"""Conversion of a resolved task to the planner's types."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ if TYPE_CHECKING:
 
 
 def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
-    """The problem that a resolved task states.
+    """Returns the problem of a resolved task.
 
     Parameters
     ----------
     task : SlideTask
         Resolved.
     source, hand_source : Source
-        Where the task and the hand's fields stand; faults name the place.
+        Sources of the task and of the hand's fields, for error messages.
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a task file may hold: docs/task-files.md says the same in prose.
+"""Model of task files of kind slide; docs/task-files.md describes the fields.
 
-A task that stands in a plan file has the same fields, with every file it names put inline
-(`urdf_text` for `urdf`, `points` for `cloud`, and so on); meshes stay files, and `files` keeps
-their checksums.
+A task in a plan file has the same fields, with the content of every file that it names
+(`urdf_text` for `urdf`, `points` for `cloud`, and so on). Meshes stay files, and `files` has their
+checksums.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ class Hand(Fields):
 
 
 class PointMass(Fields):
-    """A part of a mass distribution."""
+    """Part of a mass distribution."""
 
     position: Point3 = Field(description="in O [m]")
     mass: NotNegative = Field(description="[kg], or any unit shared by all")
 
 
 class Object(Fields):
-    """The thin object: an outline and a thickness, or points on its top surface."""
+    """Thin object: an outline and a thickness, or points on its top surface."""
 
     name: str = "object"
     polygon: Points2 | None = Field(default=None, description="outline in O [m]")
@@ -90,7 +90,7 @@ class Object(Fields):
 
 
 class Support(Fields):
-    """The surface to slide on."""
+    """Surface to slide on."""
 
     polygon: Points2 | None = Field(default=None, description="in S, convex or not [m]")
     rectangle: Rectangle | None = None

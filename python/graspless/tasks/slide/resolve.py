@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts every file that a task names inline, so that a plan with its task stands alone."""
+"""Reading of all files that a task names, so that a plan file needs no other files."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ if TYPE_CHECKING:
 def resolve(
     task: model.SlideTask, source: Source, directory: Path
 ) -> tuple[model.SlideTask, Source]:
-    """The same task with URDF, SRDF, hand and cloud inline and with absolute paths of meshes.
+    """Returns the task with the content of all its files, and absolute paths of meshes.
 
     Parameters
     ----------
     task : SlideTask
-        As read from `source`.
+        Task read from `source`.
     source : Source
-        Where it stands; for errors.
+        Source of the task, for error messages.
     directory : Path
-        What relative paths are relative to.
+        Folder to which its paths are relative.
 
     Returns
     -------
     tuple of SlideTask and Source
-        The task, and where its hand's fields stand.
+        The task, and the source of its hand's fields.
     """
     warn_of_units(task, source)
     robot, urdf = resolve_robot(task.robot, source, directory)

@@ -40,7 +40,7 @@ def draw(plan: Plan) -> Figure:
 
 
 def headline(plan: Plan) -> str:
-    """Returns a line that says what happens, or why nothing does."""
+    """Returns a title: the result of the plan, or the reason of failure."""
     problem = plan.task.problem
     name = problem.object.name
     if not plan:

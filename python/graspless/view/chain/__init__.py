@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures and replays of chains: those of their stages, in order."""
+"""Pictures and replays of chains, made from those of their stages."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Picture of a chain: those of its stages below each other."""
+"""Picture of a chain: the pictures of its stages below each other."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def draw(plan: Plan) -> Figure:
-    """The pictures of the stages on one page."""
+    """Draws the pictures of the stages on one page."""
     drawn = [_pixels(part("view", stage.kind).draw(stage)) for _, stage in stages_of(plan)]
     width, height = max(p.shape[1] for p in drawn), sum(p.shape[0] for p in drawn)
     page = new_figure(width / DPI, height / DPI, DPI)

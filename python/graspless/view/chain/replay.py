@@ -22,7 +22,7 @@ NEARER = 0.8  # a scene does not fill the sphere around it
 
 
 class Stage:
-    """The stages of a chain on a viser server, one after the other."""
+    """Stages of a chain on a viser server, one after the other."""
 
     def __init__(self, server: Any, plan: Plan) -> None:
         self.layers = Layers(server.scene)

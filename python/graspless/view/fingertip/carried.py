@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The robot that moves the fingertips, at some moments of its joint motion."""
+"""Robot that moves the fingertips, at some moments of its joint motion."""
 
 from __future__ import annotations
 

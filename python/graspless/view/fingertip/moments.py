@@ -21,7 +21,7 @@ LONG = 0.45  # share of the motion above which a segment's middle is drawn too
 
 @dataclass(frozen=True)
 class Moment:
-    """The object and its n fingers at one moment.
+    """Object and its n fingers at one moment.
 
     Attributes
     ----------
@@ -131,7 +131,7 @@ def progress(segments: Sequence[Segment]) -> list[Matrix]:
 
 
 def measure(segments: Sequence[Segment]) -> tuple[float, str]:
-    """What a pose of the lattice is worth where all motion is of one name: [degrees] or [cm]."""
+    """Returns the motion per pose of the lattice and its unit, if all segments have one name."""
     names = {segment.name for segment in segments if segment.name != "regrasp"}
     arcs = sum(len(segment.X_WO) - 1 for segment in segments if segment.name != "regrasp")
     if len(names) != 1 or not arcs:
@@ -143,7 +143,7 @@ def measure(segments: Sequence[Segment]) -> tuple[float, str]:
 
 
 def travelled(X_WO: Matrix, name: str) -> float:
-    """How far a slide goes [cm], or any other motion turns [degrees]."""
+    """Returns the length of a slide [cm], or the angle of any other motion [degrees]."""
     if len(X_WO) < 2:
         return 0.0
     if name == "slide":
@@ -158,7 +158,7 @@ def _same_grip(before: Segment, after: Segment) -> bool:
 
 
 def _progress(plan: Plan, k: int, row: int) -> str:
-    """ " at 36 deg", of the whole way where that is of one name, at a row of segment k."""
+    """Returns " at 36 deg" or the like for a row of segment k: the progress of the motion."""
     segments = plan.segments
     segment = segments[k]
     each, unit = measure(segments)

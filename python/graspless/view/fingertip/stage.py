@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The camera, and the points that it must show."""
+"""Camera, and the points that it must show."""
 
 from __future__ import annotations
 
