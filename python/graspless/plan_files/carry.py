@@ -24,8 +24,10 @@ class Segment(Table):
     MAKE: ClassVar = carry.Segment
 
     name: str = Field(description="carry")
-    positions: list[list[float]] = Field(description="[N][dof], rad or m")
-    object_poses: list[PoseRow] = Field(description="[N][7], x y z qw qx qy qz in the world")
+    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    object_poses: list[PoseRow] = Field(
+        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+    )
 
 
 class CarryPlanFile(PlanFields):
@@ -35,10 +37,12 @@ class CarryPlanFile(PlanFields):
     status: Status
     joint_names: list[str]
     reached: Annotated[float, Field(ge=0, le=1)] = Field(
-        description="how much of the way was possible"
+        description="fraction of the path that was reached, in [0, 1]"
     )
     segments: list[Segment]
-    task: CarryTask = Field(description="the task file, with all that it names")
+    task: CarryTask = Field(
+        description="fields of the task file, with the content of all files that it names"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> CarryPlanFile:

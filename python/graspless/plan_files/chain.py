@@ -25,10 +25,10 @@ class Join(Fields):
     """State between two stages."""
 
     how: Literal["held", "arm", "regrasp"] = Field(
-        description="held: the hand holds the object; arm: the arm goes on from where it stopped; "
-        "regrasp: fingertips without an arm, which all lift and touch anew"
+        description="held: the hand holds the object; arm: the arm continues from its last "
+        "configuration; regrasp: fingertips without an arm, which all lift and touch anew"
     )
-    X_WO: PoseRow = Field(description="of the object")
+    X_WO: PoseRow = Field(description="pose of the object")
     positions: list[float] | None = Field(
         default=None, description="[dof] all joints, rad or m; null without an arm"
     )
@@ -39,7 +39,7 @@ class Segment(Fields):
 
     name: str
     stage: Annotated[int, Field(ge=0)]
-    segment: Annotated[int, Field(ge=0)] = Field(description="of that stage")
+    segment: Annotated[int, Field(ge=0)] = Field(description="index of the segment in that stage")
 
 
 class ChainPlanFile(PlanFields):
@@ -47,14 +47,17 @@ class ChainPlanFile(PlanFields):
 
     kind: Literal["chain"]
     status: str = Field(
-        description="solved; not_joined: a stage cannot start where the one before it ended; "
-        "out_of_time: before a stage was begun; or that of the first stage not solved"
+        description="solved; not_joined: a stage cannot start at the end of the one before it; "
+        "out_of_time: before a stage was started; or the status of the first stage that is "
+        "not solved"
     )
-    names: list[str] = Field(description="of the stages")
-    stages: list[StagePlan] = Field(description="whole plans, as far as was planned")
-    joins: list[Join] = Field(description="between each two stages")
-    segments: list[Segment] = Field(description="of all stages, in order")
-    task: ChainTask = Field(description="the task file, with all that it names")
+    names: list[str] = Field(description="names of the stages")
+    stages: list[StagePlan] = Field(description="complete plans of the stages that were planned")
+    joins: list[Join] = Field(description="states between the stages")
+    segments: list[Segment] = Field(description="segments of all stages, in order")
+    task: ChainTask = Field(
+        description="fields of the task file, with the content of all files that it names"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> ChainPlanFile:

@@ -26,12 +26,12 @@ class Segment(Table):
     MAKE: ClassVar = clasp.Segment
 
     name: str = Field(description="reach or close")
-    positions: list[list[float]] = Field(description="[N][dof], rad or m")
+    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
-        description="[N][7], x y z qw qx qy qz in the world: the object stands still"
+        description="[N][7] pose of the object, x y z qw qx qy qz in the world, equal in all rows"
     )
     virtual_linking: list[list[float]] = Field(
-        description="[N][curves] of every finger curve with the loop that is clasped"
+        description="[N][curves] virtual linking of every finger curve with the clasped loop"
     )
 
 
@@ -40,8 +40,8 @@ class Target(Table):
 
     MAKE: ClassVar = geometry.ClaspTarget
 
-    point: Point3 = Field(description="in the object frame [m]")
-    tangent: Point3 = Field(description="of the loop there, unit, in the object frame")
+    point: Point3 = Field(description="point in the object frame [m]")
+    tangent: Point3 = Field(description="unit tangent of the loop, in the object frame")
 
 
 class Stability(Table):
@@ -50,9 +50,9 @@ class Stability(Table):
     MAKE: ClassVar = clasp.Stability
 
     secure: bool
-    escapes: Index = Field(description="sequences of moves in which the loop came free")
-    margin: float = Field(description="1: cannot move; 0 or less: escaped")
-    checks: Index = Field(description="poses looked at")
+    escapes: Index = Field(description="number of sequences of moves in which the loop escaped")
+    margin: float = Field(description="1: the loop cannot move; 0 or less: it escaped")
+    checks: Index = Field(description="number of poses checked")
 
 
 class Tree(Table):
@@ -82,15 +82,17 @@ class ClaspPlanFile(PlanFields):
     status: Status
     joint_names: list[str]
     loop: Index | None = Field(
-        default=None, description="clasped: index of the object's loops, the shortest first"
+        default=None, description="index of the clasped loop; 0 is the shortest"
     )
-    target: Target | None = Field(default=None, description="clasped: where on the loop")
-    min_linking: NotNegative = Field(description="threshold of virtual linking in force")
-    stability: Stability | None = Field(default=None, description="of the last row")
+    target: Target | None = Field(default=None, description="place on the clasped loop")
+    min_linking: NotNegative = Field(description="threshold of virtual linking")
+    stability: Stability | None = Field(default=None, description="result at the last row")
     segments: list[Segment]
     tree: Tree
     warnings: list[str]
-    task: ClaspTask = Field(description="the task file, with all that it names")
+    task: ClaspTask = Field(
+        description="fields of the task file, with the content of all files that it names"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> ClaspPlanFile:

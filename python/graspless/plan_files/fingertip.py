@@ -50,27 +50,29 @@ class Segment(Table):
     MAKE: ClassVar = _segment
 
     name: str = Field(description="slide, turn, tumble or regrasp")
-    finger: Index = Field(description="regrasp: who moves, from 0; else -1")
+    finger: Index = Field(description="index of the finger that regrasps, else -1")
     X_WO: list[PoseRow] = Field(
         description="[K][7] poses of the lattice, x y z qw qx qy qz in the world"
     )
-    object_poses: list[PoseRow] = Field(description="[N][7] of each row")
+    object_poses: list[PoseRow] = Field(description="[N][7] pose of each row")
     fingers: list[list[Point3 | None]] = Field(
         description="[N][n][3] contact points in the object frame [m]; null: off the object"
     )
     normals: list[list[Point3 | None]] = Field(
-        description="[N][n][3] into the object, in the object frame"
+        description="[N][n][3] unit normals into the object, in the object frame"
     )
-    modes: list[list[Literal["position", "force"]]] = Field(description="[N][n]")
+    modes: list[list[Literal["position", "force"]]] = Field(description="[N][n] control modes")
     commanded_forces: list[list[float]] = Field(
         description="[N][n] normal force in force control, else 0 [N]"
     )
     nominal_forces: list[list[Point3]] = Field(
-        description="[N][n][3] on the object, in the object frame, to feed forward [N]"
+        description="[N][n][3] forces on the object, in the object frame, for feed-forward [N]"
     )
-    stability: list[float] = Field(description="[N] z [N]")
-    compliant_stability: list[float] = Field(description="[N] [N]")
-    nominal_margin: list[float] = Field(description="[N] of the nominal forces [N]")
+    stability: list[float] = Field(description="[N] stability z [N]")
+    compliant_stability: list[float] = Field(
+        description="[N] stability with contacts as springs [N]"
+    )
+    nominal_margin: list[float] = Field(description="[N] margin of the nominal forces [N]")
 
     def check(self, where: str, fingers: int) -> None:
         """Raises unless there is one of everything a row, and one a finger in each."""
@@ -103,12 +105,16 @@ class JointSegment(Table):
     ATTRIBUTES: ClassVar = {"object_poses": "X_WO"}
 
     name: str = Field(description="approach, touch, slide, turn, tumble, release, reach or retreat")
-    plan_segment: Index = Field(description="which of `segments` it carries out, or -1")
-    scrub: float = Field(
-        description="how far a fingertip that turns slips on its contact, at worst [m]"
+    plan_segment: Index = Field(
+        description="index in `segments` of the segment that it carries out, or -1"
     )
-    positions: list[list[float]] = Field(description="[N][dof], rad or m")
-    object_poses: list[PoseRow] = Field(description="[N][7], x y z qw qx qy qz in the world")
+    scrub: float = Field(
+        description="largest distance by which a turning fingertip slips on its contact [m]"
+    )
+    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    object_poses: list[PoseRow] = Field(
+        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+    )
 
 
 class Realization(Table):
@@ -117,10 +123,10 @@ class Realization(Table):
     MAKE: ClassVar = fingertip.Realization
 
     found: bool
-    reason: str = Field(description="which segment, row and finger fails, and why")
+    reason: str = Field(description="segment, row and finger that fail, and the reason")
     joint_names: list[str]
     finger_of_fingertip: list[Index] = Field(
-        description="which finger of the plan each fingertip of the task's carrier plays"
+        description="index of the plan's finger for each fingertip of the task's carrier"
     )
     segments: list[JointSegment]
 
@@ -155,20 +161,26 @@ class FingertipPlanFile(PlanFields):
 
     kind: Literal["fingertip"]
     status: Status
-    cost: float | None = Field(default=None, description="by (9) and (10) [m]; null unless solved")
+    cost: float | None = Field(
+        default=None, description="cost by Eqs. (9) and (10) [m]; null unless solved"
+    )
     lower_bound: float | None = Field(
-        default=None, description="no plan on this lattice is cheaper [m]"
+        default=None, description="lower bound on the cost of every plan on this lattice [m]"
     )
     regrasps: int
-    weakest: Weakest | None = Field(default=None, description="where the stability is least")
+    weakest: Weakest | None = Field(default=None, description="row of least stability")
     warnings: list[str]
-    limit: str = Field(description="not solved: what blocks; else empty")
-    relaxations: list[Relaxation] = Field(description="not solved: what would help, alone")
+    limit: str = Field(description="limiting condition if not solved, else empty")
+    relaxations: list[Relaxation] = Field(
+        description="single changes that would help if not solved"
+    )
     segments: list[Segment]
     realization: Realization | None = Field(
-        default=None, description="joint paths, of a task with a robot"
+        default=None, description="joint paths, if the task has a robot"
     )
-    task: FingertipTask = Field(description="the task file, with all that it names")
+    task: FingertipTask = Field(
+        description="fields of the task file, with the content of all files that it names"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> FingertipPlanFile:

@@ -24,8 +24,10 @@ class Segment(Table):
     MAKE: ClassVar = slide.Segment
 
     name: str = Field(description="approach, press, slide, lift, reach, grasp or close")
-    positions: list[list[float]] = Field(description="[N][dof], rad or m")
-    object_poses: list[PoseRow] = Field(description="[N][7], x y z qw qx qy qz in the world")
+    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    object_poses: list[PoseRow] = Field(
+        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+    )
 
 
 class SlidePlanFile(PlanFields):
@@ -34,12 +36,16 @@ class SlidePlanFile(PlanFields):
     kind: Literal["slide"]
     status: Status
     joint_names: list[str]
-    overhang: float = Field(description="how far the object sticks out at the goal [m]")
+    overhang: float = Field(description="length of the object beyond the edge at the goal [m]")
     X_WO_goal: PoseRow = Field(description="pose of the object after the slide")
     X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the grasp")
     segments: list[Segment]
-    warnings: list[str] = Field(default=[], description="what to be careful of")
-    task: SlideTask = Field(description="the task file, with all that it names")
+    warnings: list[str] = Field(
+        default=[], description="risks that the plan carries, one sentence each"
+    )
+    task: SlideTask = Field(
+        description="fields of the task file, with the content of all files that it names"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> SlidePlanFile:

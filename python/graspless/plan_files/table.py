@@ -44,11 +44,11 @@ class PlanFields(Table):
 
     format: Literal[1]
     kind: str
-    version: str = Field(description="of graspless, that wrote it")
+    version: str = Field(description="version of graspless that wrote the file")
     status: str
-    reason: str = Field(description="one sentence, for people")
+    reason: str = Field(description="explanation in one sentence")
     seed: int
-    stats: dict[str, float | int | dict[str, int]] = Field(description="what the search did")
+    stats: dict[str, float | int | dict[str, int]] = Field(description="counters of the search")
 
 
 def table(kind: str) -> type[PlanFields]:

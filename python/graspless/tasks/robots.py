@@ -35,23 +35,29 @@ Home = Annotated[
 class Robot(Fields):
     """Robot of a task, with its pose and start configuration."""
 
-    urdf: str | None = Field(default=None, description=".urdf or .xacro file, or a built-in name")
-    urdf_text: str | None = Field(default=None, description="the URDF itself")
-    srdf: str | None = Field(
-        default=None, description="SRDF file; default: that of the same name beside the URDF"
+    urdf: str | None = Field(
+        default=None,
+        description=".urdf or .xacro file, or the name of a robot that comes with graspless",
     )
-    srdf_text: str | None = Field(default=None, description="the SRDF itself")
-    packages: dict[str, str] = Field(default={}, description="where package://NAME/ points")
+    urdf_text: str | None = Field(default=None, description="text of the URDF")
+    srdf: str | None = Field(
+        default=None, description="SRDF file; default: the file of the same name beside the URDF"
+    )
+    srdf_text: str | None = Field(default=None, description="text of the SRDF")
+    packages: dict[str, str] = Field(default={}, description="folder of each package://NAME/")
     directory: str | None = Field(
-        default=None, description="what relative mesh paths are relative to; default: the URDF's"
+        default=None,
+        description="folder to which relative mesh paths are relative; default: that of the URDF",
     )
     xacro_args: dict[str, str | float | int | bool] = Field(
         default={}, description="arguments of a .xacro file"
     )
-    pose: Pose = Field(default=Pose.model_construct(), description="of the root link in the world")
+    pose: Pose = Field(
+        default=Pose.model_construct(), description="pose of the root link in the world"
+    )
     home: Home = Field(
         default="home",
-        description="where the robot stands: a state of the SRDF, {joint: value} or all joints",
+        description="configuration at the start: a state of the SRDF, {joint: value} or all joints",
     )
 
     @model_validator(mode="after")

@@ -50,10 +50,10 @@ class Fields(BaseModel):
 class Pose(Fields):
     """Pose of a frame in another; angles about fixed x, y, z as in URDF."""
 
-    position: Point3 = Field(default=[0.0, 0.0, 0.0], description="[m]")
+    position: Point3 = Field(default=[0.0, 0.0, 0.0], description="position [m]")
     rpy: Point3 | None = Field(default=None, description="roll, pitch, yaw [rad]")
     quaternion: Annotated[list[float], Field(min_length=4, max_length=4)] | None = Field(
-        default=None, description="w, x, y, z of unit length"
+        default=None, description="unit quaternion w, x, y, z"
     )
 
     @model_validator(mode="after")
@@ -74,30 +74,30 @@ def pose_matrix(pose: Pose) -> Matrix:
 class PlanarPose(Fields):
     """Pose of the object on the support, in S."""
 
-    x: float = Field(default=0.0, description="[m]")
-    y: float = Field(default=0.0, description="[m]")
-    yaw: float = Field(default=0.0, description="[rad]")
+    x: float = Field(default=0.0, description="x [m]")
+    y: float = Field(default=0.0, description="y [m]")
+    yaw: float = Field(default=0.0, description="yaw [rad]")
 
 
 class Circle(Fields):
     """A circle as a regular polygon."""
 
-    center: Point2 = Field(default=[0.0, 0.0], description="[m]")
-    radius: Positive = Field(description="[m]")
+    center: Point2 = Field(default=[0.0, 0.0], description="centre [m]")
+    radius: Positive = Field(description="radius [m]")
     points: Annotated[int, Field(ge=3, le=10000)] = 100
 
 
 class Rectangle(Fields):
     """A rectangle with sides along x and y."""
 
-    center: Point2 = Field(default=[0.0, 0.0], description="[m]")
-    size: Size2 = Field(description="along x and y [m]")
+    center: Point2 = Field(default=[0.0, 0.0], description="centre [m]")
+    size: Size2 = Field(description="side lengths along x and y [m]")
 
 
 class Sphere(Fields):
     """Centred at its frame's origin."""
 
-    radius: Positive = Field(description="[m]")
+    radius: Positive = Field(description="radius [m]")
 
 
 class Rod(Fields):
@@ -111,7 +111,7 @@ class MeshFile(Fields):
     """A triangle mesh in a file."""
 
     file: str = Field(description=".stl, .obj, .off or .ply")
-    scale: Scale3 = Field(default=[1.0, 1.0, 1.0], description="a number, or one an axis")
+    scale: Scale3 = Field(default=[1.0, 1.0, 1.0], description="factor, or one per axis")
 
 
 class Named(Fields):
@@ -129,7 +129,8 @@ class Shape(Fields):
     cylinder: Rod | None = None
     mesh: MeshFile | None = None
     pose: Pose = Field(
-        default=Pose.model_construct(), description="in the world; of a part in its body's frame"
+        default=Pose.model_construct(),
+        description="pose in the world; for a part, in its body's frame",
     )
     convex: Annotated[list[Point3], Field(min_length=4)] | None = Field(
         default=None, description="instead: convex hull of these points [m]"

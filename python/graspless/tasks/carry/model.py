@@ -31,13 +31,13 @@ class Object(Fields):
     """Held object, described like in a task of the planner that grasped it."""
 
     name: str = "object"
-    box: Size3 | None = Field(default=None, description="side lengths, centred at O [m]")
+    box: Size3 | None = Field(default=None, description="side lengths of a box centred at O [m]")
     slide: Annotated[SlideObject, BeforeValidator(_posed)] | None = Field(
-        default=None, description="as in a task of kind slide"
+        default=None, description="object as in a task of kind slide"
     )
-    clasp: ClaspObject | None = Field(default=None, description="as in a task of kind clasp")
+    clasp: ClaspObject | None = Field(default=None, description="object as in a task of kind clasp")
     parts: Annotated[list[Shape], Field(min_length=1)] | None = Field(
-        default=None, description="instead: shapes, in O"
+        default=None, description="instead: several shapes, in O"
     )
 
     @model_validator(mode="after")
@@ -49,8 +49,8 @@ class Object(Fields):
 class Line(Fields):
     """A straight way."""
 
-    direction: Point3 = Field(description="in the world, of any length but 0")
-    distance: Positive = Field(description="[m]")
+    direction: Point3 = Field(description="direction in the world, of any length but 0")
+    distance: Positive = Field(description="length of the path [m]")
 
     @model_validator(mode="after")
     def _check(self) -> Line:
@@ -68,23 +68,30 @@ class CarryTask(Fields):
     """Task of the carry planner."""
 
     kind: Literal["carry"]
-    robot: Robot | None = Field(default=None, description="its home is where it holds the object")
+    robot: Robot | None = Field(
+        default=None,
+        description="robot whose home is the configuration in which it holds the object",
+    )
     arm: str = Field(default="arm", description="group of joints that carry the hand")
-    frame: str | None = Field(default=None, description="link that the object keeps its place to")
+    frame: str | None = Field(default=None, description="link to which the object is fixed")
     object: Object | None = None
-    pose: Pose | None = Field(default=None, description="of O in the world when the carry begins")
-    line: Line | None = Field(default=None, description="along a direction")
-    offset: Point3 | None = Field(default=None, description="instead: by this, in the world [m]")
-    goal: Pose | None = Field(default=None, description="instead: to this pose of O in the world")
-    support: Support | None = Field(default=None, description="of the slide before it")
+    pose: Pose | None = Field(default=None, description="pose of O in the world at the start")
+    line: Line | None = Field(default=None, description="straight path along a direction")
+    offset: Point3 | None = Field(default=None, description="instead: translation in the world [m]")
+    goal: Pose | None = Field(
+        default=None, description="instead: pose of O in the world at the end"
+    )
+    support: Support | None = Field(
+        default=None, description="support of the slide before the carry"
+    )
     rests_on: list[str] = Field(
-        default=[], description="obstacles that the object lies on and may be drawn over"
+        default=[], description="obstacles that the object rests on and may be dragged over"
     )
     obstacles: Obstacles | None = None
     options: Options = Options.model_construct()
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
-        default={}, description="in plan files: sha256 of each mesh that the task reads"
+        default={}, description="sha256 of each mesh that the task reads; only in plan files"
     )
 
     @model_validator(mode="after")

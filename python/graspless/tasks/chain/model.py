@@ -26,8 +26,7 @@ class Options(Fields):
 
     attempts: Annotated[int, Field(ge=1, le=1000)] = Field(
         default=5,
-        description="how often the chain is begun anew where a stage cannot go on from what the "
-        "ones before it found",
+        description="number of new starts of the chain if a stage cannot continue the others",
     )
 
 
@@ -35,7 +34,9 @@ class ChainTask(Fields):
     """Tasks one after the other, each from the state that the one before it left."""
 
     kind: Literal["chain"]
-    robot: dict[str, Any] | None = Field(default=None, description="of every stage with an arm")
+    robot: dict[str, Any] | None = Field(
+        default=None, description="robot of every stage with an arm"
+    )
     hand: dict[str, Any] | str | None = None
     object: dict[str, Any] | None = None
     support: dict[str, Any] | None = None
@@ -48,10 +49,10 @@ class ChainTask(Fields):
     carrier: dict[str, Any] | None = None
     realize: dict[str, Any] | None = None
     stages: Annotated[list[dict[str, Any]], Field(min_length=1)] = Field(
-        description="each {name, kind, fields of a task of that kind} or {name, file, fields}"
+        description="stages: {name, kind, fields of a task of that kind} or {name, file, fields}"
     )
     options: Options = Options.model_construct()
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
-        default={}, description="in plan files: sha256 of each mesh that a stage reads"
+        default={}, description="sha256 of each mesh that a stage reads; only in plan files"
     )

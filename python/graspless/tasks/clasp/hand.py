@@ -35,7 +35,7 @@ class Node(Fields):
     """Corner of a finger curve, fixed in a link."""
 
     link: str
-    point: Point3 = Field(default=[0.0, 0.0, 0.0], description="in the link's frame [m]")
+    point: Point3 = Field(default=[0.0, 0.0, 0.0], description="position in the link's frame [m]")
 
 
 Nodes = Annotated[list[Node], Field(min_length=2)]
@@ -45,16 +45,22 @@ class Hand(Fields):
     """Description of a hand: graspless.clasp.Hand."""
 
     arm: str | None = Field(default=None, description="group of joints that carry the hand")
-    hand: str | None = Field(default=None, description="group of the hand's joints that close")
+    hand: str | None = Field(default=None, description="group of the joints that close the hand")
     frame: str = Field(description="link H of the palm")
-    forward: Direction = Field(description="in H, towards what is clasped; of any length")
-    sideways: Direction = Field(description="in H, along what is clasped")
-    open: str | None = Field(default=None, description="state of the hand's joints at first")
+    forward: Direction = Field(
+        description="direction in H from the palm towards the handle, of any length"
+    )
+    sideways: Direction = Field(description="direction in H along the handle")
+    open: str | None = Field(
+        default=None, description="state of the hand's joints at the start of the search"
+    )
     closed: str | None = Field(default=None, description="state towards which each joint closes")
     fingers: Annotated[dict[str, Nodes], Field(min_length=1)] = Field(
-        description="corners of each, from the palm to the tip"
+        description="corners of each finger, from the palm to the tip"
     )
-    thumb: Nodes = Field(description="what the fingers close against, from the palm to the tip")
+    thumb: Nodes = Field(
+        description="corners of the part that the fingers close against, from the palm to the tip"
+    )
 
 
 def resolve_hand(

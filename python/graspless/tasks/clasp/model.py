@@ -40,7 +40,7 @@ class LoopOptions(Fields):
     """Options of the search for holes: graspless.geometry.LoopOptions."""
 
     max_edge_length: NotNegative | None = Field(
-        default=None, description="d [m]; 0: the widest plateau of the Betti curve"
+        default=None, description="d [m]; 0: chosen from the widest plateau of the Betti curve"
     )
     lowest_plateau: bool | None = None
     lowest_ratio: Annotated[float, Field(ge=1)] | None = None
@@ -58,21 +58,28 @@ class Object(Fields):
     """Object with a hole, given as a cloud of points on its surface, in a frame O."""
 
     name: str = "object"
-    cloud: str | None = Field(default=None, description=".ply, .pcd or .xyz file")
-    mesh: MeshFile | None = Field(default=None, description="sampled")
-    sample: str | None = Field(default=None, description="that comes with graspless; sampled")
+    cloud: str | None = Field(default=None, description="point cloud: a .ply, .pcd or .xyz file")
+    mesh: MeshFile | None = Field(default=None, description="mesh on which points are sampled")
+    sample: str | None = Field(
+        default=None, description="object that comes with graspless, on which points are sampled"
+    )
     points: Points | None = Field(
-        default=None, description="the cloud itself, in O [m]; or how many to sample, 2000"
+        default=None,
+        description="the points themselves, in O [m]; or the number of points to sample, 2000 by "
+        "default",
     )
-    unit: Literal["m", "mm"] = Field(default="m", description="of the file")
-    scale: Positive = Field(default=1.0, description="of all lengths, about O")
+    unit: Literal["m", "mm"] = Field(default="m", description="unit of the file")
+    scale: Positive = Field(default=1.0, description="factor of all lengths, about O")
     views: list[Point3] = Field(
-        default=[], description="only what is seen from one of these points is kept, in O [m]"
+        default=[],
+        description="viewpoints in O [m]; only points that are visible from one of them are kept",
     )
-    noise: NotNegative = Field(default=0.0, description="added: a standard deviation [m]")
-    seed: Seed = Field(default=1, description="of samples and noise")
-    pose: Pose = Field(default=Pose.model_construct(), description="of O in the world")
-    mass: Positive | None = Field(default=None, description="in simulations [kg]")
+    noise: NotNegative = Field(
+        default=0.0, description="standard deviation of noise that is added to every coordinate [m]"
+    )
+    seed: Seed = Field(default=1, description="seed of samples and noise")
+    pose: Pose = Field(default=Pose.model_construct(), description="pose of O in the world")
+    mass: Positive | None = Field(default=None, description="mass in simulations [kg]")
     loops: LoopOptions = LoopOptions()
 
     @model_validator(mode="after")
@@ -92,13 +99,13 @@ class Clasp(Fields):
     """Restriction of the points that may be clasped."""
 
     loops: list[CountOrZero] = Field(
-        default=[], description="by number, the shortest loop is 0; none: any"
+        default=[], description="indices of the loops, 0 is the shortest; empty: any"
     )
     marks: list[Point3] = Field(
-        default=[], description="near these points of O [m]; none: anywhere"
+        default=[], description="points in O [m], near which to clasp; empty: anywhere"
     )
     pull: Point3 | None = Field(
-        default=None, description="where the object shall be pulled afterwards, in the world"
+        default=None, description="direction in the world in which the object will be pulled"
     )
 
 
@@ -150,7 +157,8 @@ class ClaspTask(Fields):
         ]
         | None
     ) = Field(
-        default=None, description="fields, or a file of them; default: <urdf>.clasp.yaml beside it"
+        default=None,
+        description="fields of the hand, or their file; default: <urdf>.clasp.yaml beside the URDF",
     )
     object: Object
     clasp: Clasp = Clasp()
@@ -158,5 +166,5 @@ class ClaspTask(Fields):
     options: Options = Options.model_construct()
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
-        default={}, description="in plan files: sha256 of each mesh that the task reads"
+        default={}, description="sha256 of each mesh that the task reads; only in plan files"
     )

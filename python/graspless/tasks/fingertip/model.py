@@ -56,30 +56,30 @@ Inertia = Annotated[
 class ObjectMesh(MeshFile):
     """A closed triangle mesh in a file."""
 
-    unit: Literal["m", "mm"] = Field(default="m", description="of the file")
+    unit: Literal["m", "mm"] = Field(default="m", description="unit of the file")
 
 
 class Object(Fields):
     """Object to move: a box or any closed mesh, in a frame O."""
 
     name: str = "object"
-    box: Size3 | None = Field(default=None, description="side lengths, centred at O [m]")
+    box: Size3 | None = Field(default=None, description="side lengths of a box centred at O [m]")
     mesh: ObjectMesh | None = None
     vertices: Annotated[list[Point3], Field(min_length=4)] | None = Field(
-        default=None, description="of the mesh, in O [m]"
+        default=None, description="vertices of the mesh, in O [m]"
     )
     triangles: Annotated[list[Triangle], Field(min_length=4)] | None = Field(
-        default=None, description="of the mesh: three vertices each, from 0"
+        default=None, description="triangles of the mesh: three vertex indices each, from 0"
     )
-    mass: Positive | None = Field(default=None, description="[kg]")
-    density: Positive | None = Field(default=None, description="instead of mass [kg/m^3]")
+    mass: Positive | None = Field(default=None, description="mass [kg]")
+    density: Positive | None = Field(default=None, description="instead of mass: density [kg/m^3]")
     com: Point3 | None = Field(
-        default=None, description="centre of mass in O [m]; default: of a uniform density"
+        default=None, description="centre of mass in O [m]; by default that of a uniform density"
     )
     inertia: Inertia | None = Field(
         default=None,
-        description="about the centre of mass, in O [kg m^2]: 3 x 3, or its diagonal; "
-        "default: of a uniform density",
+        description="inertia about the centre of mass, in O [kg m^2]: 3 x 3, or its diagonal; by "
+        "default that of a uniform density",
     )
 
     @model_validator(mode="after")
@@ -95,29 +95,36 @@ class Fingers(Fields):
     """Fingertips: equal spheres that neither slide nor roll."""
 
     count: Annotated[int, Field(ge=1, le=4)] = 2
-    radius: Positive = Field(default=0.01, description="[m]")
-    max_normal_force: Positive = Field(default=10.0, description="of each [N]")
+    radius: Positive = Field(default=0.01, description="radius of a fingertip [m]")
+    max_normal_force: Positive = Field(
+        default=10.0, description="upper limit of the normal force of a fingertip [N]"
+    )
     max_span: Positive | None = Field(
-        default=None, description="between the centres of two [m]: how wide a hand opens"
+        default=None, description="largest distance between the centres of two fingertips [m]"
     )
     friction: Friction = Field(
-        default=0.7, description="between fingertip and object, or [lower, upper]"
+        default=0.7,
+        description="coefficient of friction between fingertip and object, or [lower, upper]",
     )
 
 
 class Floor(Fields):
     """Level plane under the object."""
 
-    height: float = Field(default=0.0, description="in the world [m]")
+    height: float = Field(default=0.0, description="height in the world [m]")
 
 
 class Wall(Fields):
     """A half-space that the object may touch and the fingertips may not."""
 
     name: str = "wall"
-    normal: Point3 = Field(description="out of the wall, in the world")
-    offset: float | None = Field(default=None, description="of its surface along the normal [m]")
-    point: Point3 | None = Field(default=None, description="instead: a point on it [m]")
+    normal: Point3 = Field(description="normal in the world, out of the wall")
+    offset: float | None = Field(
+        default=None, description="offset of the surface along the normal [m]"
+    )
+    point: Point3 | None = Field(
+        default=None, description="instead of offset: point on the surface [m]"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Wall:
@@ -139,7 +146,7 @@ class Options(Fields):
     """Options of the search: docs/reference/options.md."""
 
     disturbance_directions: list[Direction] | None = Field(
-        default=None, description="[N][6]; default: the paper's 76"
+        default=None, description="[N][6] directions; default: the paper's 76"
     )
     compliance: Compliance = Compliance()
 
@@ -148,10 +155,10 @@ class Carrier(Fields):
     """Parts of the robot that carry the fingertips."""
 
     fingertips: Annotated[list[str], Field(min_length=1)] | None = Field(
-        default=None, description="frames at the centres of the spheres, one a finger"
+        default=None, description="frames at the centres of the spheres, one for each finger"
     )
     links: list[list[str]] | None = Field(
-        default=None, description="of each finger: links that may touch the object"
+        default=None, description="for each finger, the links that may touch the object"
     )
 
 
@@ -169,18 +176,21 @@ class FingertipTask(Fields):
     floor: Floor = Floor()
     walls: list[Wall] = []
     friction: Friction = Field(
-        default=0.5, description="between the object and floor and walls, or [lower, upper]"
+        default=0.5,
+        description="coefficient of friction of the object on floor and walls, or [lower, upper]",
     )
-    gravity: Point3 = Field(default=[0.0, 0.0, -9.8], description="in the world [m/s^2]")
+    gravity: Point3 = Field(
+        default=[0.0, 0.0, -9.8], description="acceleration of gravity in the world [m/s^2]"
+    )
     motion: Motion
     obstacles: Obstacles = []
-    robot: Robot | None = Field(default=None, description="carries the fingertips")
+    robot: Robot | None = Field(default=None, description="robot that carries the fingertips")
     carrier: Carrier | None = None
     realize: Realize | None = None
     options: Options = Options.model_construct()
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
-        default={}, description="in plan files: sha256 of each mesh that the task reads"
+        default={}, description="sha256 of each mesh that the task reads; only in plan files"
     )
 
     @model_validator(mode="after")

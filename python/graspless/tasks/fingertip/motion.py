@@ -19,7 +19,7 @@ class Slide(Fields):
     """A straight slide."""
 
     pose: Pose | None = Field(default=None, description=STANDING)
-    translation: Point3 = Field(description="in the world [m]")
+    translation: Point3 = Field(description="translation in the world [m]")
     segments: Segments = 30
 
 
@@ -28,10 +28,10 @@ class Turn(Fields):
 
     pose: Pose | None = Field(default=None, description=STANDING)
     point: Point3 | None = Field(
-        default=None, description="on the axis [m]; default: the centre of mass"
+        default=None, description="point on the axis [m]; default: the centre of mass"
     )
-    axis: Point3 = Field(default=[0.0, 0.0, 1.0], description="in the world")
-    angle: float = Field(description="right-handed about the axis [rad]")
+    axis: Point3 = Field(default=[0.0, 0.0, 1.0], description="axis in the world")
+    angle: float = Field(description="angle, right-handed about the axis [rad]")
     segments: Segments = 30
 
 
@@ -40,12 +40,13 @@ class Tumble(Fields):
 
     pose: Pose | None = Field(default=None, description=STANDING)
     over: Side | None = Field(
-        default=None, description="the edge on this side of the face it stands on"
+        default=None,
+        description="side of the face that the object stands on, whose edge it tumbles over",
     )
-    point: Point3 | None = Field(default=None, description="instead of over: on the edge [m]")
-    axis: Point3 | None = Field(default=None, description="with point: along the edge")
+    point: Point3 | None = Field(default=None, description="instead of over: point on the edge [m]")
+    axis: Point3 | None = Field(default=None, description="with point: direction of the edge")
     angle: Positive | None = Field(
-        default=None, description="[rad]; with over: default until the next face lies down"
+        default=None, description="angle [rad]; with over, by default until the next face lies down"
     )
     segments: Segments = 30
 
@@ -76,9 +77,9 @@ class Lattice(Fields):
     """Motion over the floor from start to goal, through a lattice of positions and yaws."""
 
     start: Pose | None = Field(default=None, description=STANDING)
-    goal: Pose = Field(description="of O in the world; on the lattice")
-    lower: Point3 = Field(description="x, y, yaw relative to the start, least [m, m, rad]")
-    upper: Point3 = Field(description="x, y, yaw relative to the start, largest [m, m, rad]")
+    goal: Pose = Field(description="pose of O in the world, on the lattice")
+    lower: Point3 = Field(description="least x, y, yaw relative to the start [m, m, rad]")
+    upper: Point3 = Field(description="largest x, y, yaw relative to the start [m, m, rad]")
     counts: Annotated[list[Annotated[int, Field(ge=1)]], Field(min_length=3, max_length=3)] = [
         30,
         30,
@@ -90,7 +91,7 @@ class Goal(Fields):
     """Goal pose of the object, on any face. The planner finds the motion."""
 
     start: Pose | None = Field(default=None, description=STANDING)
-    pose: Pose = Field(description="of O in the world")
+    pose: Pose = Field(description="pose of O in the world")
     slide_step: Positive | None = Field(default=None, description="longest step of a slide [m]")
     turn_step: Positive | None = Field(default=None, description="largest step of a turn [rad]")
     max_tumbles: Annotated[int, Field(ge=0)] | None = None
@@ -103,7 +104,8 @@ class Motion(Fields):
     turn: Turn | None = None
     tumble: Tumble | None = None
     path: Annotated[list[Pose], Field(min_length=2)] | None = Field(
-        default=None, description="poses of O in the world, a screw motion from each to the next"
+        default=None,
+        description="poses of O in the world; the object moves along a screw from each to the next",
     )
     sequence: Annotated[list[Step], Field(min_length=1)] | None = None
     lattice: Lattice | None = None

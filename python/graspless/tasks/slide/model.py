@@ -43,8 +43,8 @@ class Hand(Fields):
 class PointMass(Fields):
     """Part of a mass distribution."""
 
-    position: Point3 = Field(description="in O [m]")
-    mass: NotNegative = Field(description="[kg], or any unit shared by all")
+    position: Point3 = Field(description="position in O [m]")
+    mass: NotNegative = Field(description="mass [kg], or any unit shared by all")
 
 
 class Object(Fields):
@@ -54,22 +54,24 @@ class Object(Fields):
     polygon: Points2 | None = Field(default=None, description="outline in O [m]")
     rectangle: Rectangle | None = None
     circle: Circle | None = None
-    cloud: str | None = Field(default=None, description=".ply, .pcd or .xyz file")
-    points: list[Point3] | None = Field(default=None, description="the cloud itself, in O [m]")
+    cloud: str | None = Field(default=None, description="point cloud: a .ply, .pcd or .xyz file")
+    points: list[Point3] | None = Field(default=None, description="the points themselves, in O [m]")
     frame: Literal["object", "world"] = Field(
-        default="object", description="in which frame the cloud's file is"
+        default="object", description="frame of the cloud's file"
     )
-    unit: Literal["m", "mm"] = Field(default="m", description="of the cloud's file")
-    thickness: Positive | None = Field(default=None, description="[m]")
-    spacing: Positive | None = Field(default=None, description="of contact points [m]")
-    scale: Positive = Field(default=1.0, description="in the plane; thickness and mass stay")
+    unit: Literal["m", "mm"] = Field(default="m", description="unit of the cloud's file")
+    thickness: Positive | None = Field(default=None, description="thickness [m]")
+    spacing: Positive | None = Field(
+        default=None, description="distance between contact points [m]"
+    )
+    scale: Positive = Field(default=1.0, description="factor in the plane; thickness and mass stay")
     com: Annotated[list[float], Field(min_length=2, max_length=3)] | None = Field(
         default=None, description="centre of mass in O, after scaling [m]"
     )
     masses: Annotated[list[PointMass], Field(min_length=1)] | None = Field(
         default=None, description="instead of com: a mass distribution"
     )
-    mass: Positive | None = Field(default=None, description="[kg]")
+    mass: Positive | None = Field(default=None, description="mass [kg]")
     pose: PlanarPose | None = None
 
     @model_validator(mode="after")
@@ -92,14 +94,18 @@ class Object(Fields):
 class Support(Fields):
     """Surface to slide on."""
 
-    polygon: Points2 | None = Field(default=None, description="in S, convex or not [m]")
+    polygon: Points2 | None = Field(default=None, description="outline in S, convex or not [m]")
     rectangle: Rectangle | None = None
     circle: Circle | None = None
-    height: float | None = Field(default=None, description="of a level top in the world [m]")
-    pose: Pose | None = Field(default=None, description="of S in the world, z out of the top")
-    slab: Positive | None = Field(default=None, description="how thick the top is [m]")
-    band_width: Positive | None = Field(default=None, description="how far P_g reaches [m]")
-    friction: Positive | None = Field(default=None, description="of the object on it")
+    height: float | None = Field(default=None, description="height of a level top in the world [m]")
+    pose: Pose | None = Field(default=None, description="pose of S in the world, z out of the top")
+    slab: Positive | None = Field(default=None, description="thickness of the top [m]")
+    band_width: Positive | None = Field(
+        default=None, description="width of the band P_g along the edges [m]"
+    )
+    friction: Positive | None = Field(
+        default=None, description="coefficient of friction between object and support"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Support:
@@ -129,7 +135,8 @@ class SlideTask(Fields):
         ]
         | None
     ) = Field(
-        default=None, description="fields, or a file of them; default: <urdf>.hand.yaml beside it"
+        default=None,
+        description="fields of the hand, or their file; default: <urdf>.hand.yaml beside the URDF",
     )
     object: Object
     support: Support
@@ -137,5 +144,5 @@ class SlideTask(Fields):
     options: Options = Options.model_construct()
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
-        default={}, description="in plan files: sha256 of each mesh that the task reads"
+        default={}, description="sha256 of each mesh that the task reads; only in plan files"
     )
