@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The papers' experiments, repeated: `graspless bench` in a checkout."""
+"""Experiments of the papers, run by `graspless bench` in a checkout."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A progress bar: on stderr, only at a terminal."""
+"""Progress bar on stderr, shown only at a terminal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ WIDTH = 30
 
 
 class Bar:
-    """How many of `total` are done, and how long the rest may take."""
+    """Progress out of `total`, with the estimated remaining time."""
 
     def __init__(self, what: str, total: int) -> None:
         self._what, self._total = what, total

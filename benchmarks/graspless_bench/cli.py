@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless bench`; modules that run experiments are imported when they run."""
+"""Command `graspless bench`. Modules with experiments are imported when they run."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ MEGA = 1e6
 
 
 def versions() -> Row:
-    """Versions of the software behind a result, by name."""
+    """Returns the versions of the software behind a result, by name."""
     return {
         "graspless": __version__,
         "python": platform.python_version(),
@@ -37,12 +37,12 @@ def versions() -> Row:
 
 
 def machine(load: Sequence[float], baseline_bytes: int) -> Row:
-    """Machine, date and command of a result.
+    """Returns machine, date and command of a result.
 
     Parameters
     ----------
     load : list of float
-        System load averages before the run; those of now are added.
+        System load averages before the run. The current ones are added.
     baseline_bytes : int
         Resident memory before the first query.
     """

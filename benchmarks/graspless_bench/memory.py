@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much memory this process takes (Linux)."""
+"""Memory of this process (Linux)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _SELF = Path("/proc/self")
 
 
 def reset_peak() -> bool:
-    """From here on peak_bytes() counts anew; False where the kernel does not let us."""
+    """Resets peak_bytes(). Returns False if the kernel does not allow it."""
     try:
         (_SELF / "clear_refs").write_text("5")
     except OSError:
@@ -21,7 +21,7 @@ def reset_peak() -> bool:
 
 
 def peak_bytes() -> int:
-    """Highest resident memory since reset_peak(), or of the process where that is not to be had."""
+    """Returns the peak resident memory since reset_peak(), or else that of the process."""
     return _status("VmHWM") or resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @functools.cache
 def template(page: str) -> dict[str, str]:
-    """Sections of the template of a page, by name; `head` is the text before the first."""
+    """Returns the sections of a template by name. `head` is the text before the first."""
     text = (Path(__file__).parent / page / "page.md.template").read_text()
     head, *parts = re.split(r"^<!-- (\w+) -->\n", text, flags=re.MULTILINE)
     return {"head": head.rstrip() + "\n"} | {
@@ -29,7 +29,7 @@ def template(page: str) -> dict[str, str]:
 
 
 def circumstances(results: Iterable[Row]) -> dict[str, str]:
-    """When, where and with what results were measured, and what of them does not hold."""
+    """Returns machine, versions, a table of commands, and the complaints of all results."""
     ordered = list(results)
     machine = ordered[0]["machine"]
     rows = [{"name": f"`{r['machine']['command']}`", **r} for r in ordered]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Success rates and times of runs, of which some were not solved."""
+"""Success rates and times of runs, some of which were not solved."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ Z95 = 1.959963984540054  # two-sided 95 % of the normal distribution
 
 
 def wilson(successes: int, runs: int, z: float = Z95) -> tuple[float, float]:
-    """The Wilson score interval of a success rate (Wilson 1927).
+    """Returns the Wilson score interval of a success rate (Wilson 1927).
 
     Returns
     -------
     (float, float)
-        Bounds within [0, 1]; all of it without runs.
+        Bounds within [0, 1]; (0, 1) without runs.
     """
     if runs == 0:
         return 0.0, 1.0
@@ -33,7 +33,7 @@ def wilson(successes: int, runs: int, z: float = Z95) -> tuple[float, float]:
 
 
 def quantile(seconds: Sequence[float], fraction: float) -> float:
-    """The least time within which at least this fraction of the runs was solved [s].
+    """Returns the least time within which at least this fraction of the runs was solved [s].
 
     Parameters
     ----------
@@ -47,6 +47,6 @@ def quantile(seconds: Sequence[float], fraction: float) -> float:
 
 
 def success_curve(seconds: Sequence[float]) -> list[tuple[float, int]]:
-    """(time [s], runs solved within it): a step at each time."""
+    """Returns steps (time [s], number of runs solved within it)."""
     solved = sorted(t for t in seconds if math.isfinite(t))
     return [(t, i) for i, t in enumerate(solved, 1)]

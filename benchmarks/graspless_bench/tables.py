@@ -15,7 +15,7 @@ Column = tuple[str, "Callable[[Row], str]"]
 
 
 def compact(text: str) -> str:
-    """Lists of numbers on one line."""
+    """Puts lists of numbers on one line."""
     lines: list[str] = []
     for line in text.splitlines():
         is_number = line.strip().rstrip(",").replace(".", "", 1).replace("e-", "").isdigit()
@@ -27,7 +27,7 @@ def compact(text: str) -> str:
 
 
 def milliseconds(value: float | None) -> str:
-    """Three figures; an infinite time is a dash."""
+    """Returns a time with three digits; an infinite time is a dash."""
     if value is None:
         return "–"
     return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
@@ -40,7 +40,7 @@ def percent(count: int, runs: int) -> str:
 
 
 def markdown(rows: Sequence[Row], shown: Sequence[Column], title: str = "") -> str:
-    """A table with the rows' names in front."""
+    """Returns a Markdown table with the names of the rows in front."""
     head = f"| {title} | " + " | ".join(name for name, _ in shown) + " |"
     line = "|---|" + "---:|" * len(shown)
     body = [f"| {r['name']} | " + " | ".join(show(r) for _, show in shown) + " |" for r in rows]
@@ -48,7 +48,7 @@ def markdown(rows: Sequence[Row], shown: Sequence[Column], title: str = "") -> s
 
 
 def aligned(title: str, rows: Sequence[Row], shown: Sequence[Column]) -> str:
-    """A table for the terminal, with the rows' names in front."""
+    """Returns a table for the terminal with the names of the rows in front."""
     cells: list[list[Any]] = [[title, *(name for name, _ in shown)]]
     cells += [[row["name"], *(show(row) for _, show in shown)] for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(cells[0]))]

@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Experiments of Stork, Pokorny and Kragic 2013, and a Grasp-RRT to compare with."""
+"""Experiments of Stork, Pokorny and Kragic 2013, with a Grasp-RRT for comparison."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command `graspless bench clasp`."""
+"""Command `graspless bench clasp`."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The clasp planner's problems: four hands, five objects, three poses, and what lies beyond them.
+"""Problems of the clasp planner: four hands, five objects, three poses, and additional ones.
 
 The robot stands on a pedestal of 0.4 m: W is in its mounting face, the floor at z = -0.4. Purse and
-travel bag stand on a table as high as the pedestal, the other objects on the floor. Nothing but the
-object is in the way, as in the paper.
+travel bag stand on a table as high as the pedestal, the other objects on the floor. There are no
+obstacles, as in the paper.
 """
 
 from __future__ import annotations
@@ -59,11 +59,11 @@ class Trial:
     place : tuple
         x, y, z [m] and yaw [degrees] of the object.
     pose : int
-        Which of the object's poses that is, from 1.
+        Number of the object's pose, from 1.
     start : tuple of float
         The arm's joints [rad].
     is_obstructed : bool
-        Clasp the loop under the seat's front edge, nothing else.
+        Clasp only the loop under the seat's front edge.
     options : tuple of (str, value)
         Fields of clasp.Options.
     """
@@ -105,7 +105,7 @@ def robot_with_hand(name: str) -> tuple[Robot, clasp.Hand]:
 
 @functools.cache
 def sample(name: str) -> clasp.Object:
-    """A sample object, known by its cloud."""
+    """Returns a sample object, given by its cloud."""
     cloud = geometry.sample_surface(clasp.sample_object(name), POINTS)
     return clasp.Object.from_cloud(name, cloud)
 
@@ -117,14 +117,14 @@ def placed(place: tuple[float, float, float, float]) -> np.ndarray[Any, np.dtype
 
 
 def front_loop(chair: clasp.Object) -> int:
-    """Of the chair's loops that go down to the rungs, the one farthest in front (+x of O)."""
+    """Returns the chair's loop down to the rungs that is farthest in front (+x of O)."""
     loops = chair.loops.loops
     low = [i for i, loop in enumerate(loops) if min(p[2] for p in loop.points) < 0.25]
     return max(low, key=lambda i: float(np.mean(loops[i].points, axis=0)[0]))
 
 
 def paper(seeds: int, start: int = 1) -> Iterator[Trial]:
-    """Section V-A: every hand, object and pose."""
+    """Returns the trials of Section V-A: every hand, object and pose."""
     for seed in range(start, start + seeds):
         for hand in HANDS:
             for name, places in POSES.items():
@@ -133,7 +133,7 @@ def paper(seeds: int, start: int = 1) -> Iterator[Trial]:
 
 
 def chair(seeds: int, start: int = 1) -> Iterator[Trial]:
-    """Section V-B: a loop that the hand cannot reach straight on."""
+    """Returns the trials of Section V-B: a loop without a straight approach."""
     for seed in range(start, start + seeds):
         for hand in HANDS:
             yield Trial(
@@ -147,7 +147,7 @@ def chair(seeds: int, start: int = 1) -> Iterator[Trial]:
 
 
 def tolerance(seeds: int, start: int = 1) -> Iterator[Trial]:
-    """Section V-C: how much linking is asked before the hand closes; clasps are taken as found."""
+    """Returns the trials of Section V-C: thresholds of virtual linking, no stability test."""
     for linking in TOLERANCES:
         options = (("min_linking", linking), ("must_be_secure", False))
         for seed in range(start, start + seeds):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How many holes the five objects show, in clouds of all kinds, and how long looking takes."""
+"""Holes of the five objects in clouds of all kinds, and the time to find them."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ RUNS = 5
 
 @dataclasses.dataclass(frozen=True)
 class Cloud:
-    """What is looked at, and how.
+    """Kind of point cloud, and the options of the search for its holes.
 
     Attributes
     ----------
     kind : str
-        What it is called in results.
+        Name in results.
     points : int
-        Of the object's whole surface.
+        Number of points on the object's whole surface.
     change : function
-        What befalls the whole cloud.
+        Change of the whole cloud.
     options : dict
         Fields of geometry.LoopOptions.
     """
@@ -58,7 +58,7 @@ def noisy(points: Points, spacings: float = 0.5) -> Points:
 
 
 def patchy(points: Points) -> Points:
-    """Without the points in some balls."""
+    """Removes the points in some balls."""
     middles = points[np.random.default_rng(1).choice(len(points), PATCHES, replace=False)]
     radius = PATCH_SPACINGS * geometry.spacing(points)
     distances = np.linalg.norm(points[:, None] - middles, axis=2)
@@ -67,7 +67,7 @@ def patchy(points: Points) -> Points:
 
 
 def seen(points: Points, views: int) -> Points:
-    """What is seen from the first viewpoints, together."""
+    """Returns the points that are visible from any of the first viewpoints."""
     indices = [geometry.visible_points(points, v) for v in np.array(VIEWPOINTS[:views])]
     return points[np.unique(np.concatenate(indices))]
 
@@ -85,7 +85,7 @@ CLOUDS = (
 
 
 def rows(tell: Callable[[int, str], None] = lambda done, name: None) -> Iterator[Row]:
-    """A row for every object and cloud; the least time of some runs."""
+    """Returns a row for every object and cloud, with the least time of several runs."""
     whole: dict[tuple[str, int], Points] = {}
     for done, (name, cloud) in enumerate((n, c) for n in HOLES for c in CLOUDS):
         tell(done, f"{name}, {cloud.kind}")
@@ -118,7 +118,7 @@ def _measure(name: str, cloud: Cloud, points: Points) -> Row:
 
 
 def totals(found: list[Row]) -> Row:
-    """Of every kind of cloud: objects whose holes are all found, and the times."""
+    """Returns the objects with exactly the true holes, and times, for every kind of cloud."""
     result = {}
     for cloud in CLOUDS:
         of = [row for row in found if row["cloud"] == cloud.kind]

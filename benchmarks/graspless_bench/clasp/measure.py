@@ -26,7 +26,7 @@ CYCLES_OF_ALL, FEW_CYCLES = 52, 10
 
 
 def measure(trial: Trial, seconds: float | None) -> Row:
-    """Plans once, and tests what was found."""
+    """Plans once, and tests the result."""
     problem, options = trial.make_problem(), trial.make_options()
     load = os.getloadavg()[0]
     start = time.perf_counter()
@@ -79,7 +79,7 @@ def _of_clasp(problem: clasp.Problem, plan: core.Plan, options: clasp.Options) -
 
 
 def gauss_linking(problem: clasp.Problem, plan: core.Plan) -> list[float]:
-    """|Gauss linking integral| of each finger curve, open as it is, with the loop (Fig. 6)."""
+    """Returns |Gauss linking integral| of each open finger curve with the loop (Fig. 6)."""
     robot, hand = problem.robot, problem.hand
     poses = robot.forward(plan.segments[-1].positions[-1])
     X_WO = problem.X_WO
@@ -98,7 +98,7 @@ def gauss_linking(problem: clasp.Problem, plan: core.Plan) -> list[float]:
 
 
 def _opened_escapes(problem: clasp.Problem, plan: core.Plan, options: clasp.Options) -> bool:
-    """The negative control: the same arm, the hand open."""
+    """Runs the negative control: the same arm with the hand open."""
     robot, hand = problem.robot, problem.hand
     q = np.array(plan.segments[-1].positions[-1])
     joints = robot.group(hand.hand)
@@ -107,7 +107,7 @@ def _opened_escapes(problem: clasp.Problem, plan: core.Plan, options: clasp.Opti
 
 
 def totals(rows: Sequence[Row]) -> Row:
-    """What Section V-A counts, of all rows."""
+    """Returns the counts of Section V-A over all rows."""
     found = [row for row in rows if row["found"]]
     cycles = [row["cycles"] for row in found] + [math.inf] * (len(rows) - len(found))
     seconds = [row["seconds"] for row in rows]
@@ -132,7 +132,7 @@ def _finite(value: float) -> float | None:
 
 
 def complaints(rows: Iterable[Row]) -> list[str]:
-    """What does not hold: plans that fail their check()."""
+    """Returns the plans that fail their check()."""
     return [
         f"{row['hand']}, {row['object']}, pose {row['pose']}, seed {row['seed']}: {fault}"
         for row in rows

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Section V-D: how often a planner that knows contacts but no loops envelops a handle."""
+"""Section V-D: rate at which a planner that knows contacts but no loops envelops a handle."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def trials(seeds: int, start: int = 1) -> Iterator[Trial]:
 def rows(
     seeds: int, start: int, seconds: float | None, tell: Callable[[int, str], None]
 ) -> Iterator[Row]:
-    """Two rows for every trial: the Grasp-RRT's, and ours."""
+    """Returns two rows for every trial: one of the Grasp-RRT and one of ours."""
     for done, trial in enumerate(trials(seeds, start)):
         tell(done, trial.name)
         yield grasp(trial, seconds)
@@ -45,7 +45,7 @@ def rows(
 
 
 def grasp(trial: Trial, seconds: float | None) -> Row:
-    """What the Grasp-RRT finds, once."""
+    """Returns the row of one run of the Grasp-RRT."""
     load = os.getloadavg()[0]
     grasp = _peers.grasp_rrt(trial.make_problem(), trial.make_budget(seconds))
     return {
@@ -67,7 +67,7 @@ def grasp(trial: Trial, seconds: float | None) -> Row:
 
 
 def totals(found: list[Row]) -> Row:
-    """Of each planner: how many runs ended with a grasp, on the handle, around it."""
+    """Returns the counts of grasps, on the handle and around it, for each planner."""
     return {
         planner: {
             "runs": len(of),

@@ -21,13 +21,13 @@ MARKERS = "osD^v"
 
 
 def draw(result: Row, directory: Path) -> None:
-    """The pictures of a grid, beside its file."""
+    """Draws the pictures of a grid into the folder of its file."""
     if result["grid"] == "paper":
         _draw_linking(result["rows"], directory / "clasp_linking.png")
 
 
 def _draw_linking(rows: Sequence[Row], path: Path) -> None:
-    """Figure 6: the least against the largest linking of a clasp's curves."""
+    """Draws Figure 6: least against largest linking of each clasp's curves."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9, 4), layout="constrained")
         panels = figure.subplots(1, 2)

@@ -24,7 +24,7 @@ GRID_NAMES = ("paper", "chair", "tolerance", "grasp_rrt", "loops")
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:
-    """All of a run: what `--json` prints; `load` averages are those before it."""
+    """Returns all of a run, as printed by `--json`. `load`: load averages before it."""
     return {
         "bench": "clasp",
         "grid": run.grid,
@@ -38,7 +38,7 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
 
 
 def as_text(result: Row) -> str:
-    """What the command prints."""
+    """Returns the text that the command prints."""
     where = result["machine"]
     rows, shown = tables.of(result)
     lines = [

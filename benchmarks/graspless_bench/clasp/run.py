@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass
 class Run:
-    """All that a command measured until Ctrl-C, if that ended it."""
+    """Results of a command, up to Ctrl-C."""
 
     grid: str
     rows: list[Row] = dataclasses.field(default_factory=list)
@@ -38,7 +38,7 @@ class Run:
 
 
 def count(grid: str, seeds: int) -> int:
-    """How many rows there will be, or steps for a progress bar."""
+    """Returns the number of rows, or of steps for a progress bar."""
     if grid == "loops":
         return len(loops.HOLES) * len(loops.CLOUDS)
     make = peers.trials if grid == "grasp_rrt" else GRIDS[grid]
@@ -59,13 +59,13 @@ def run(
     grid : str
         paper, chair, tolerance, grasp_rrt or loops.
     seeds : int
-        How often each task is run.
+        Number of runs of each task.
     seed : int
         The first.
     seconds : float or None
         Limit of each query [s].
     tell : function
-        Told how many steps are done, and which comes next.
+        Called with the number of steps that are done, and the next one.
     """
     result = Run(grid)
     try:

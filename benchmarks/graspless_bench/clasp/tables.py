@@ -24,7 +24,7 @@ PAPER_CHAIR = {"cycles": 606, "nodes": 248, "path_nodes": 30}
 
 
 def of(result: Row) -> tuple[list[Row], list[Column]]:
-    """Named rows of a result, and the columns to show."""
+    """Returns the named rows of a result, and the columns to show."""
     if result["grid"] == "loops":
         return [_name(row, "object", "cloud") for row in result["rows"]], LOOPS
     if result["grid"] == "grasp_rrt":
@@ -34,7 +34,7 @@ def of(result: Row) -> tuple[list[Row], list[Column]]:
 
 
 def fields(result: Row) -> dict[str, str]:
-    """What the template's section of this grid wants."""
+    """Returns the fields of the template's section of this grid."""
     totals = result["totals"]
     if result["grid"] == "loops":
         named = [{"name": kind, **row} for kind, row in totals.items()]
@@ -52,7 +52,7 @@ def fields(result: Row) -> dict[str, str]:
 
 
 def sums(result: Row) -> list[str]:
-    """The totals, a line each."""
+    """Returns the totals, one per line."""
     return [f"{_words(key)}: {_said(value)}" for key, value in result["totals"].items()]
 
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The fingertip planner's problems: the paper's four cases, and what lies beyond them.
+"""Problems of the fingertip planner: the paper's four cases, and larger ones.
 
-A unit of length of the paper is 1 m here; the cork cuboid has its own size.
+The paper's unit of length is 1 m here. The cork cuboid has its real size.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ class Trial:
     Attributes
     ----------
     case : str
-        What it is called in results.
+        Name in results.
     document : dict
-        The task, as it stands in a task file.
+        Task in the form of a task file.
     engine : str
-        Of ENGINES.
+        Name in ENGINES.
     """
 
     case: str
@@ -50,7 +50,7 @@ class Trial:
     engine: str = "fast"
 
     def make_task(self, seconds: float | None = None) -> Task:
-        """The task, without explanations: a failure is to take as long as its search."""
+        """Returns the task without explanations, so that failures take the time of the search only."""
         options = self.document.get("options", {}) | {"search": self.engine, "explain": False}
         limit = seconds or LIMITS[self.engine]
         extra = {"options": options, "budget": {"seconds": limit}}
@@ -81,7 +81,7 @@ def tumble(*, has_side_wall: bool, segments: int = 30) -> dict[str, Any]:
 
 
 def cork() -> dict[str, Any]:
-    """Section 5.3; the paper names neither force limit, fingertips nor z_min."""
+    """Cuboid of Section 5.3. The paper gives no force limit, fingertip radius or z_min."""
     return {
         "kind": "fingertip",
         "object": {"name": "cork cuboid", "box": [0.06, 0.06, 0.10], "mass": 0.092},
@@ -134,7 +134,7 @@ def paper(engines: Sequence[str]) -> Iterator[Trial]:
 
 
 def weak(engines: Sequence[str]) -> Iterator[Trial]:
-    """The slide by ever weaker fingers: from pressing and pushing to pushing alone."""
+    """Slide with decreasing force limits: from pressing and pushing to pushing alone."""
     for engine in engines:
         for force in (20.0, 10.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0):
             yield Trial(f"slide, {force:g} N", slide(force), engine)
@@ -174,7 +174,7 @@ def se2(engines: Sequence[str]) -> Iterator[Trial]:
 
 
 def faces(engines: Sequence[str]) -> Iterator[Trial]:
-    """To a pose with another face down: the planner finds where to slide and tumble."""
+    """Goals on another face. The planner finds the slides and tumbles."""
     poses = {
         "slide, tumble, slide": {"position": [12.0, 0.0, 2.5], "rpy": [0.0, math.pi / 2, 0.0]},
         "two tumbles": {"position": [15.0, 0.0, 5.0], "rpy": [0.0, math.pi, 0.0]},

@@ -26,7 +26,7 @@ PICTURES = ("a", "b", "c", "d", "cork")  # Figures 7 to 11
 
 
 def as_result(grid: str, run: Run, load: Sequence[float]) -> Row:
-    """All of a run: what `--json` prints; `load` averages are those before it."""
+    """Returns all of a run, as printed by `--json`. `load`: load averages before it."""
     rows = [found.row for found in run.found]
     return {
         "bench": "fingertip",
@@ -126,7 +126,7 @@ def _or_dash(value: float | None, form: str = "") -> str:
 
 
 def _grips(rows: Sequence[Row]) -> str:
-    """Who presses where, one line a case: of the first engine that found a plan."""
+    """Returns one line per case with the fingers of the first plan that was found."""
     lines = {}
     for row in rows:
         if row["cost"] is None or row["case"] in lines:

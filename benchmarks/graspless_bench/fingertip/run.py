@@ -30,7 +30,7 @@ COUNTERS = ("z_evaluations", "bounded_tests", "pivots", "nodes", "supports", "ca
 
 @dataclasses.dataclass
 class Found:
-    """A row, and the plan behind it."""
+    """Row of a result, and its plan."""
 
     row: Row
     task: Task
@@ -39,7 +39,7 @@ class Found:
 
 @dataclasses.dataclass
 class Run:
-    """All that a command found until Ctrl-C, if that ended it."""
+    """Results of a command, up to Ctrl-C."""
 
     found: list[Found] = dataclasses.field(default_factory=list)
     is_complete: bool = False
@@ -60,7 +60,7 @@ def run(
     seconds : float or None
         Limit of each query [s]; None takes the engine's.
     tell : function
-        Told the number of trials done, and which comes next.
+        Called with the number of trials that are done, and the next one.
     """
     result = Run()
     try:
@@ -113,7 +113,7 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
 
 
 def _plan(task: Task) -> tuple[core.Plan, str]:
-    """The plan and its status: too_large where the search would need more memory than it may."""
+    """Returns the plan and its status, `too_large` if the search would need too much memory."""
     try:
         plan = core.plan(task.problem, task.options, task.budget)
     except ValueError as error:
@@ -140,7 +140,7 @@ def _of_plan(plan: core.Plan) -> dict[str, Any]:
 
 
 def _grip(segment: core.Segment) -> list[str]:
-    """Which face each finger is on and how it is controlled: -z means that it presses down."""
+    """Returns face and control mode of each finger; -z means that it presses down."""
     places = []
     for finger in segment.rows[0].fingers:
         n = [float(x) for x in finger.n_O]
@@ -151,7 +151,7 @@ def _grip(segment: core.Segment) -> list[str]:
 
 
 def complaints(rows: Iterable[Row]) -> list[str]:
-    """What does not hold: plans that fail check(), costs other than known, engines that differ."""
+    """Returns plans that fail check(), costs other than known, and engines that disagree."""
     said, costs = [], dict[str, float]()
     for row in rows:
         name = f"{row['case']}, {row['engine']}"

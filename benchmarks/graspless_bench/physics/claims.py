@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is asked of plans in the physics engine: each in a line, with the share that is asked."""
+"""Requirements on plans in the physics engine, each with the required share."""
 
 from __future__ import annotations
 
@@ -19,18 +19,19 @@ DEGREE = math.pi / 180
 
 @dataclass(frozen=True)
 class Claim:
-    """A share of trials, or of disturbed plans.
+    """Requirement on the share of trials, or of disturbed plans.
 
     Attributes
     ----------
     what : str
-        In words.
+        Description.
     of : str
         NOMINAL or VARIED trials, or DISTURBED plans.
     holds : function
-        Whether one is so: given its failures and measures, or the disturbance; None: not asked.
+        Returns True if a trial fulfils it, by its failures and measures, or its disturbance. None:
+        it does not apply.
     must, goal : float or None
-        The least share.
+        Required share.
     """
 
     what: str
@@ -41,7 +42,7 @@ class Claim:
 
 
 def cases(rows: list[Row], of: str) -> Iterator[Row]:
-    """Trials of all plans as {failures, seconds, a measure a name}; or their disturbances."""
+    """Yields trials of all plans as {failures, seconds, measures by name}, or disturbances."""
     for row in rows:
         if of == DISTURBED:
             if row["disturbed"] is not None:
@@ -67,7 +68,7 @@ def _without(*failures: str) -> Callable[[Row], bool]:
 
 
 def _where_pulled(failure: str) -> Callable[[Row], bool | None]:
-    """Not asked of a hand that closed without the loop: nothing was pulled at."""
+    """Returns a test that does not apply to a hand that closed without the loop."""
 
     def holds(case: Row) -> bool | None:
         was_pulled = case.get("open_pull", 0.0) is not None

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The clasp planner's problems as tasks, for the physics engine."""
+"""Problems of the clasp planner as tasks for the physics engine."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def physics_tasks(count: int | None = None, seed: int = 1) -> Iterator[Task]:
-    """The first `count` of Section V-A's tasks, each named by its trial; all 60 without."""
+    """Returns the first `count` tasks of Section V-A, named by their trials; all 60 by default."""
     for index, trial in enumerate(paper(1, seed)):
         if index == count:
             return
@@ -32,7 +32,7 @@ def physics_tasks(count: int | None = None, seed: int = 1) -> Iterator[Task]:
 
 
 def make_task(trial: Trial) -> Task:
-    """A trial of the planner's bench as a task."""
+    """Returns a trial of the planner's bench as a task."""
     x, y, z, degrees = trial.place
     document = {
         "kind": "clasp",
@@ -50,7 +50,7 @@ def make_task(trial: Trial) -> Task:
 
 @functools.cache
 def _home(hand: str) -> dict[str, float]:
-    """The arm's joints at the start; those of the hand are as in its open state."""
+    """Returns the arm's joints at the start. Those of the hand are as in its open state."""
     robot = Robot.from_urdf_file(str(builtin(hand)))
     names = [robot.joint_names[i] for i in robot.group("arm")]
     return {name: float(q) for name, q in zip(names, START, strict=True)}

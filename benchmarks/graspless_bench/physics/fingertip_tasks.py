@@ -25,14 +25,14 @@ UNIT = 0.01  # the paper's unit of length, where it is one centimetre [m]
 
 
 def physics_tasks(count: int | None = None, seed: int = 1) -> list[Task]:
-    """Cases a to d, a unit of length being a centimetre, then random tasks that have a plan.
+    """Returns cases a to d with 1 cm as unit of length, then random tasks that have a plan.
 
     Parameters
     ----------
     count : int, optional
-        Of all tasks; four and fifty unless given.
+        Number of tasks, 54 by default.
     seed : int
-        Of the random ones. Task k is the same however many there are.
+        Seed of the random tasks. Task k does not depend on `count`.
     """
     count = len("abcd") + RANDOM if count is None else count
     tasks = [task_from_dict(scaled(CASES[name]), f"bench: physics {name}") for name in "abcd"]
@@ -40,7 +40,7 @@ def physics_tasks(count: int | None = None, seed: int = 1) -> list[Task]:
 
 
 def random_task(seed: int, k: int) -> Task:
-    """The first of a row of random tasks that has a plan."""
+    """Returns the first of a sequence of random tasks that has a plan."""
     for attempt in range(100):
         document = draw(np.random.default_rng([seed, k, attempt]))
         task = task_from_dict(document, f"bench: physics {seed}-{k}")
@@ -50,7 +50,7 @@ def random_task(seed: int, k: int) -> Task:
 
 
 def scaled(document: dict[str, Any], unit: float = UNIT) -> dict[str, Any]:
-    """A case of the paper at another size: the same plan, forces unchanged."""
+    """Returns a case of the paper at another size, with the same plan and forces."""
     task = copy.deepcopy(document)
     task["object"]["box"] = [unit * side for side in task["object"]["box"]]
     task["fingers"]["radius"] *= unit
@@ -64,7 +64,7 @@ def scaled(document: dict[str, Any], unit: float = UNIT) -> dict[str, Any]:
 
 
 def draw(random: Generator) -> dict[str, Any]:
-    """A random block, moved in a random way; whether there is a plan is another question."""
+    """Returns a task with a random block and motion, which may have no plan."""
     size = random.uniform(0.03, 0.10, 3)
     steps = [
         [_slide(random)],
@@ -100,7 +100,7 @@ def draw(random: Generator) -> dict[str, Any]:
 
 
 def _about(friction: float) -> list[float]:
-    """Known to 10 %, by which trials vary it."""
+    """Returns the interval of 10 % around a value, by which trials vary it."""
     return [0.9 * float(friction), 1.1 * float(friction)]
 
 

@@ -27,7 +27,7 @@ PARTS = ("slide", "slide_ablation", "fingertip", "fingertip_disturb", "clasp")
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:
-    """All of a run; `load` averages are those before it."""
+    """Returns all of a run. `load`: load averages before it."""
     kind = simulation_kind(run.grid.kind)
     return {
         "bench": "physics",
@@ -47,7 +47,7 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
 
 
 def as_text(result: Row) -> str:
-    """What the command prints."""
+    """Returns the text that the command prints."""
     where = result["machine"]
     lines = [
         "" if result["complete"] else "INTERRUPTED: these are partial results",
@@ -93,7 +93,7 @@ def _short(shown: list[tables.Column]) -> list[tables.Column]:
 
 
 def _fields(result: Row) -> dict[str, str]:
-    """What a section of the template may name: counts, seconds, and a table each."""
+    """Returns the fields that a section of the template may use: counts and tables."""
     names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
     shown = {"disturbance": "disturbances"} | names
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
@@ -101,7 +101,7 @@ def _fields(result: Row) -> dict[str, str]:
 
 
 def _counts(totals: Row) -> str:
-    """How many there were, in a line."""
+    """Returns the counts in one line."""
     parts = [f"{totals['tasks']} tasks, {totals['planned']} planned"]
     missing = ", ".join(f"{name} {count}" for name, count in totals["not_planned"].items())
     parts += [f"not planned: {missing}"] if missing else []
@@ -121,7 +121,7 @@ def _counts(totals: Row) -> str:
 
 
 def _to_json(result: Row) -> str:
-    """A row a line: readable, and short."""
+    """Returns JSON with one row per line."""
     rest = {key: value for key, value in result.items() if key != "rows"}
     rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in result["rows"])
     text = json.dumps(rest, indent=1, ensure_ascii=False)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The planners' problems in the physics engine: planned, executed, and judged by the object."""
+"""Problems of the planners in the physics engine: planned, executed and evaluated."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ RUNS = {"slide": 200, "fingertip": 54, "clasp": 60}  # plans, unless asked other
 
 @dataclass(frozen=True)
 class Grid:
-    """Which problems, and what is done with their plans.
+    """Problems of a run, and the experiment with their plans.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Grid:
 
     @property
     def part(self) -> str:
-        """Of the results: their file is physics_PART.json."""
+        """Name of the results in physics_PART.json."""
         return self.kind + "_ablation" * self.is_ablation + "_disturb" * self.disturb
 
     def check(self) -> None:
@@ -74,7 +74,7 @@ class Grid:
             )
 
     def queries(self) -> Iterator[Query]:
-        """One a problem."""
+        """Yields one query per problem."""
         for k, task in enumerate(self._tasks()):
             name = f"{k:03} {task.source.file.removeprefix('bench: ')}"
             yield work.Query(name, task.to_dict(), self.trials, self.seed + k, self.disturb)
@@ -87,7 +87,7 @@ class Grid:
 
 @dataclass
 class Run:
-    """All that was measured until Ctrl-C, if that ended it."""
+    """Results of a run, up to Ctrl-C."""
 
     grid: Grid
     rows: list[Row] = field(default_factory=list)
@@ -95,7 +95,7 @@ class Run:
 
     @property
     def complaints(self) -> list[str]:
-        """Plans that fail their check, workers that died, and errors."""
+        """Returns plans that fail their check, workers that died, and errors."""
         found = [f"{row['name']}: {fault}" for row in self.rows for fault in row["faults"]]
         died = [row for row in self.rows if row["status"] in LOST]
         return found + [f"{row['name']}: {row['reason']}" for row in died]
@@ -108,7 +108,7 @@ def run(
     tell: Callable[[int, int], None] | None = None,
     measure: Callable[[Query], Row] = work.measure,
 ) -> Run:
-    """Measures a grid in processes of their own.
+    """Measures a grid in separate processes.
 
     Parameters
     ----------
@@ -116,9 +116,9 @@ def run(
     jobs : int
         Processes.
     log : Path, optional
-        Where rows are kept as they come; those that are there are not measured again.
+        File to which rows are appended. Its rows are not measured again.
     tell : callable, optional
-        Called with the number of plans that are done, and of all.
+        Called with the number of plans that are done, and the number of all plans.
     measure : function
         Makes a row.
     """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The frozen grid's tasks with the defaults, for the physics engine."""
+"""Tasks of the frozen grid with the defaults, for the physics engine."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 
 def physics_tasks(count: int, seed: int = 1, finger_model: str = "flexure") -> Iterator[Task]:
-    """The start problems of the slide bench's row *defaults*, as tasks.
+    """Returns the start problems of the slide bench's row *defaults* as tasks.
 
     Parameters
     ----------
     count : int
-        How many; task k is the same however many there are.
+        Number of tasks. Task k does not depend on it.
     seed : int
         Of their poses.
     finger_model : str
@@ -32,7 +32,7 @@ def physics_tasks(count: int, seed: int = 1, finger_model: str = "flexure") -> I
 
 
 def physics_task(start: Start, finger_model: str = "flexure") -> Task:
-    """A start problem of the slide bench as a task."""
+    """Returns a start problem of the slide bench as a task."""
     import yaml
 
     x, y, yaw = start.draw_pose()

@@ -34,7 +34,7 @@ DISTURBANCES = {
 
 
 def totals(rows: list[Row]) -> Row:
-    """Counts of a result."""
+    """Returns the counts of a result."""
     nominal, varied = list(cases(rows, NOMINAL)), list(cases(rows, VARIED))
     seconds = [s for row in rows for s in row["seconds"]]
     return {
@@ -55,7 +55,7 @@ def totals(rows: list[Row]) -> Row:
 
 
 def claims(result: Row) -> Table:
-    """What is asked, and what came out."""
+    """Returns the requirements and their results."""
     found = []
     for claim in CLAIMS[result["part"]]:
         answers = [claim.holds(case) for case in cases(result["rows"], claim.of)]
@@ -67,7 +67,7 @@ def claims(result: Row) -> Table:
 
 
 def failures(result: Row) -> Table:
-    """Every kind of failure, counted; those that did not come up too. None: there was no trial."""
+    """Returns the count of every kind of failure, also if 0; None if there was no trial."""
     trials = {of: list(cases(result["rows"], of)) for of in (NOMINAL, VARIED)}
     counts = {
         of: Counter(f for case in seen for f in case["failures"]) for of, seen in trials.items()
@@ -84,7 +84,7 @@ def failures(result: Row) -> Table:
 
 
 def measures(result: Row) -> Table:
-    """Quantiles of each measure, nominal and varied."""
+    """Returns quantiles of each measure, nominal and varied."""
     rows = []
     for name, means in result["measures"].items():
         factor, unit, means = _in_units(means)
@@ -97,7 +97,7 @@ def measures(result: Row) -> Table:
 
 
 def disturbances(result: Row) -> Table:
-    """Quantiles of what breaks the motion; what nothing broke is left out."""
+    """Returns quantiles of the smallest disturbances, without plans that nothing broke."""
     rows = []
     for name, means in DISTURBANCES.items():
         values = [c[name] for c in cases(result["rows"], DISTURBED) if c.get(name) is not None]
@@ -107,14 +107,14 @@ def disturbances(result: Row) -> Table:
 
 
 def _quantile(values: list[Any], fraction: float, factor: float = 1.0) -> float | None:
-    """The least value that at least this fraction does not exceed."""
+    """Returns the least value that at least this fraction does not exceed."""
     if not values:
         return None
     return factor * float(np.quantile(values, fraction, method="inverted_cdf"))
 
 
 def _in_units(means: str) -> tuple[float, str, str]:
-    """A factor, its unit, and the meaning without the unit that it ends in."""
+    """Returns a factor, its unit, and the meaning without the unit at its end."""
     found = re.fullmatch(r"(.*) \[(.*)\]", means)
     if found is None:
         return 1.0, "", means
@@ -127,7 +127,7 @@ def _figure(value: float | None) -> str:
 
 
 def _share(part: float, whole: float) -> str:
-    """Rounded down, so that a goal that is not met never looks met."""
+    """Returns a share, rounded down so that a missed goal never looks met."""
     return f"{np.floor(1000 * part / whole + 1e-9) / 10:g} %"
 
 
@@ -136,7 +136,7 @@ def _asked(share: float | None) -> str:
 
 
 def _met(row: Row) -> str:
-    """What a share reaches of what was asked of it."""
+    """Returns the highest requirement that a share meets, or "missed"."""
     asked = {"goal": row["goal"], "must": row["must"]}
     reached = [name for name, share in asked.items() if share is not None]
     kept = [name for name in reached if row["held"] >= asked[name] * row["asked"] - 1e-9]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One plan in the physics engine, as a worker of the bench carries it out."""
+"""Work of one worker of the bench: one plan in the physics engine."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DIGITS = 5  # of a figure in a row
 
 @dataclass(frozen=True)
 class Query:
-    """A task, and what is to be done with its plan.
+    """Task, and the experiment with its plan.
 
     Attributes
     ----------
@@ -49,13 +49,13 @@ class Query:
 
     @property
     def key(self) -> str:
-        """The same for queries that have the same answer."""
+        """Key that is equal for queries with the same answer."""
         asked = asdict(self) | {"document": digest(self.document)}
         return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
 
 
 def measure(query: Query) -> Row:
-    """Plans, checks, and executes a plan that holds; a row of the result."""
+    """Plans, checks, and executes a plan that holds. Returns a row of the result."""
     try:
         return _measure(query)
     except Exception as error:  # hours of other rows are worth more than this one
@@ -80,7 +80,7 @@ def _measure(query: Query) -> Row:
 
 
 def unknown(query: Query, status: str, reason: str) -> Row:
-    """The row of a plan of which nothing is measured; lists have an entry a trial."""
+    """Returns the row of a plan without measurements. Lists have one entry per trial."""
     return {
         "name": query.name,
         "key": query.key,
@@ -123,5 +123,5 @@ def _measured(trial: Trial, name: str) -> float | None:
 
 
 def _figure(value: float) -> float | None:
-    """Rounded; None for what JSON has no word for."""
+    """Returns a rounded value; None if JSON cannot represent it."""
     return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None

@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Experiments of Hang, Morgan and Dollar 2019, and the planners that they compare with."""
+"""Experiments of Hang, Morgan and Dollar 2019, with other planners for comparison."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The end of slide.md: parts of a query, and the circumstances of all runs."""
+"""Last part of slide.md: parts of a query, and the circumstances of all runs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def parts(results: Results, directory: Path) -> dict[str, str] | None:
-    """Medians by Google Benchmark, where tools/results could run it."""
+    """Returns medians by Google Benchmark, if tools/results could run it."""
     del results
     path = directory / "parts.json"
     if not path.exists():
@@ -39,7 +39,7 @@ def _duration(value: float, unit: str) -> str:
 
 
 def circumstances(results: Results, directory: Path) -> dict[str, str]:
-    """When, where and with what the results were measured, and what failed its check."""
+    """Returns machine, versions, a table of commands, and the number of failed checks."""
     del directory
     ordered = [result for _, result in sorted(results.items())]
     rows = [named(result, f"`{result['machine']['command']}`") for result in ordered]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """slide.md: our results beside the paper's, made from the result files in a directory.
 
-The prose is in page.md.template; here are its tables and pictures.
+The text is in page.md.template. This module makes the tables and pictures.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 
 def write(directory: Path) -> None:
-    """Writes slide.md and the pictures of whatever results there are."""
+    """Writes slide.md and the pictures of the existing results."""
     results = {path.stem: json.loads(path.read_text()) for path in directory.glob("slide_*.json")}
     makers = {
         "paper": _paper,
@@ -99,7 +99,7 @@ def _paper(results: Results, directory: Path) -> dict[str, str] | None:
 
 
 def _cells(given: Results) -> str:
-    """Rows by table, object and scale; the searches side by side."""
+    """Returns rows by table, object and scale, with both searches."""
 
     def of(search: str, show: Callable[[Row], str]) -> Callable[[Row], str]:
         return lambda row: show(row[search])
@@ -223,7 +223,7 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
 
 
 def _compared(row: Callable[[str, str], Row]) -> str:
-    """Ours beside the peer of the best median, for each kind of pairs."""
+    """Compares our planner with the peer of the best median, for each kind of pairs."""
     claims = []
     for pairs in PAIRS:
         medians = {m: row(f"{pairs} pairs", m)["p50_ms"] for m in OMPL_PEERS}

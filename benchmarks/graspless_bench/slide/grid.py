@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The frozen grid of start problems, and what each of the paper's experiments asks of it."""
+"""Frozen grid of start problems, and the trials of each of the paper's experiments."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ OMPL_PEERS = (
 
 @dataclasses.dataclass(frozen=True)
 class Start:
-    """A start problem: an object that lies somewhere on a table. Equal starts have equal poses."""
+    """Start problem: an object at a pose on a table. Equal starts have equal poses."""
 
     table: str
     object: str
@@ -54,11 +54,11 @@ class Start:
         return f"{self.table} table, {self.object}, scale {self.scale:g}"
 
     def draw_pose(self) -> tuple[float, float, float]:
-        """x, y [m], yaw [rad]: uniform among those with the whole object on the table."""
+        """Returns x, y [m] and yaw [rad], uniform over poses with the whole object on the table."""
         return self._draw()[0]
 
     def draw_seed(self) -> int:
-        """The planner's."""
+        """Returns the seed of the planner."""
         return self._draw()[1]
 
     def _draw(self) -> tuple[tuple[float, float, float], int]:
@@ -78,7 +78,7 @@ class Start:
 
 @dataclasses.dataclass(frozen=True)
 class Trial:
-    """One query: what is asked, of which planner."""
+    """One query: a problem and a planner."""
 
     start: Start
     section: str = "frozen"
@@ -90,7 +90,7 @@ class Trial:
 
     @property
     def label(self) -> str:
-        """Of the curve that it belongs to."""
+        """Name of its curve."""
         return f"{self.section}, {self.method}"
 
     def make_problem(self) -> slide.Problem:
@@ -142,7 +142,7 @@ def starts(
     objects: Sequence[str] = tuple(OBJECTS),
     scale: float = 1,
 ) -> Iterator[Start]:
-    """So many starts, dealt to the cells of table x object in turn."""
+    """Returns starts that are distributed evenly over the cells of table x object."""
     cells = itertools.cycle(itertools.product(objects, tables))
     size = len(tables) * len(objects)
     for i, (name, on) in enumerate(itertools.islice(cells, runs)):
@@ -150,7 +150,7 @@ def starts(
 
 
 def paper(runs: int, seed: int, search: str) -> Iterator[Trial]:
-    """Fig. 10: tables x objects, again at half scale; beside it ranges, letters and defaults."""
+    """Fig. 10: tables x objects, also at half scale, with other ranges, letters and defaults."""
     for start in starts(runs, seed):
         yield Trial(start, "frozen", search)
     for start in starts(runs, seed, scale=0.5):
@@ -174,7 +174,7 @@ def reconfiguration(runs: int, seed: int, searches: Iterable[str]) -> Iterator[T
 
 
 def baselines(runs: int, seed: int) -> Iterator[Trial]:
-    """Fig. 11's two other curves, and OMPL's planners on pairs at one depth."""
+    """Fig. 11: the two baselines, and OMPL's planners on pairs at one depth."""
     problems = list(starts(runs, seed, tables=("square",)))
     for method in ("fast", "paper", "cbirrt2", "cbirrt"):
         for start in problems:
@@ -189,7 +189,7 @@ def baselines(runs: int, seed: int) -> Iterator[Trial]:
 
 
 def roots(runs: int, seed: int, searches: Iterable[str]) -> Iterator[Trial]:
-    """Fig. 12: how freely roots are added."""
+    """Fig. 12: root sampling with different N*."""
     for search in searches:
         for scale in ROOT_SCALES:
             for start in starts(runs, seed, tables=("square",)):

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass
 class Panel:
-    """Curves side by side, and points of the paper's."""
+    """Panel of a picture: curves, and points from the paper."""
 
     title: str
     limit: float  # of a query [s]: where the curves end
@@ -33,7 +33,7 @@ class Panel:
 
 
 def write_success(panels: Sequence[Panel], path: Path) -> None:
-    """Success over time."""
+    """Draws success over time."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(4.6 * len(panels), 4), layout="constrained")
         axes = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
@@ -67,7 +67,7 @@ def _draw_success(ax: Any, panel: Panel) -> None:
 
 
 def _end(curve: Row, limit: float) -> float:
-    """Where a curve may end in the picture [s]: some time after the last run was solved."""
+    """Returns the end of a curve in the picture [s], some time after the last solved run."""
     times = curve["times_ms"]
     return min(limit, 3 * times[-1] / 1000) if len(times) == curve["runs"] > 0 else limit
 
@@ -80,7 +80,7 @@ Series = tuple[str, "Sequence[Row]"]
 
 
 def write_medians(groups: Sequence[tuple[str, Sequence[Series]]], path: Path) -> None:
-    """Medians with a line to the 90th percentile, for each group: (title, [(series, rows)])."""
+    """Draws medians with a line to the 90th percentile, per group (title, [(series, rows)])."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9.2, 3.2), layout="constrained")
         axes = figure.subplots(1, len(groups), sharey=True, squeeze=False)[0]
@@ -109,7 +109,7 @@ def _draw_medians(ax: Any, name: str, rows: Sequence[Row], offset: float, color:
 
 
 def write_roots(series: Sequence[tuple[str, Sequence[Row]]], path: Path) -> None:
-    """Mean time and success over N*: Fig. 12. Rows are named by N*."""
+    """Draws Fig. 12: mean time and success over N*. Rows are named by N*."""
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(9.2, 3.2), layout="constrained")
         left, right = figure.subplots(1, 2)

@@ -29,7 +29,7 @@ def write(result: Row, directory: Path) -> None:
 
 
 def as_text(result: Row) -> str:
-    """What the command prints."""
+    """Returns the text that the command prints."""
     shown = columns(
         *("runs", "median", "90 %", "99 %", "at 100 ms", "at 1 s", "solved", "failed checks")
     )

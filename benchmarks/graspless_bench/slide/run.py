@@ -27,7 +27,7 @@ BATCH = 20  # queries before their plans are checked: neither disturbs the other
 
 @dataclasses.dataclass
 class Outcome:
-    """What became of a trial."""
+    """Outcome of a trial."""
 
     trial: Trial
     status: str
@@ -68,12 +68,12 @@ def run(
     seconds : float
         For each [s].
     tell : function
-        Told the number of trials done and the run so far.
+        Called with the number of trials that are done, and the run so far.
 
     Returns
     -------
     Run
-        With what was done until Ctrl-C, if that ended it.
+        Results up to Ctrl-C.
     """
     result = Run()
     iterator = iter(trials)
@@ -118,7 +118,7 @@ def _query(trial: Trial, seconds: float, result: Run) -> _Pending:
 def _prepare(
     trial: Trial, problem: slide.Problem, options: slide.Options
 ) -> Callable[[Budget], tuple[core.Plan | None, float | None]]:
-    """What answers the trial: (plan, seconds of its own if not all of the call's)."""
+    """Returns the function that answers a trial: (plan, its seconds unless those of the call)."""
     if trial.method in ("fast", "paper"):
         return lambda budget: (core.plan(problem, options, budget), None)
     draw = _peers.PairDraw[trial.pairs]

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The frozen tables and objects of the slide experiments. Every figure depends on them.
+"""The frozen tables and objects of the slide experiments. All results depend on them.
 
-Fig. 7 and 9 of the paper show them without dimensions; those below are ours, chosen to look like
-the figures and to lie within the WAM's reach. Lengths in metres; tables in the WAM's base frame,
+Fig. 7 and 9 of the paper show them without dimensions. We chose dimensions that look like the
+figures and lie within the WAM's reach. Lengths in metres; tables in the WAM's base frame,
 objects in a frame of their own.
 """
 
@@ -19,7 +19,7 @@ Points = list[tuple[float, float]]
 
 
 def regular(radius: float, corners: int, center: tuple[float, float] = (0, 0)) -> Points:
-    """A polygon with its corners evenly on a circle."""
+    """Returns a regular polygon."""
     angles = [2 * math.pi * i / corners for i in range(corners)]
     return [(center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles]
 
@@ -29,7 +29,7 @@ def _box(x0: float, y0: float, x1: float, y1: float) -> Points:
 
 
 def _crescent(outer: float, inner: float, shift: float, pieces: int = 24) -> Points:
-    """A disc without another disc whose centre is `shift` to the right."""
+    """Returns a disc without another disc, whose centre is `shift` to the right."""
     x = (shift**2 + outer**2 - inner**2) / (2 * shift)
     y = math.sqrt(outer**2 - x**2)
     a, b = math.atan2(y, x), math.atan2(y, x - shift)
@@ -86,6 +86,6 @@ THICKNESS = 0.005  # of all objects: plastic plates
 
 
 def outline_of(name: str, scale: float = 1) -> Points:
-    """The outline of an object or letter."""
+    """Returns the outline of an object or letter."""
     shape: Sequence[tuple[float, float]] = OBJECTS.get(name) or LETTERS[name]
     return [(scale * x, scale * y) for x, y in shape]

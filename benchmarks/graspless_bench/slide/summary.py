@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From outcomes to the rows, curves and circumstances that a result file holds."""
+"""Conversion of outcomes to the rows, curves and circumstances of a result file."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 def summarize(outcomes: Sequence[Outcome], run: Run, limit: float) -> Row:
-    """Counts, quantiles [ms] and memory [MB] of some outcomes; None for an infinite time.
+    """Returns counts, quantiles [ms] and memory [MB] of outcomes; None for an infinite time.
 
-    The mean counts a run that was not solved with the time limit [s].
+    In the mean, a run that was not solved counts as the time limit [s].
     """
     wall = [o.seconds for o in outcomes]
     cpu = [o.cpu_seconds for o in outcomes]
@@ -49,7 +49,7 @@ def summarize(outcomes: Sequence[Outcome], run: Run, limit: float) -> Row:
 def rows_by(
     by: str, key: Callable[[Trial], str], outcomes: Iterable[Outcome], run: Run, limit: float
 ) -> list[Row]:
-    """A row for each value of `key`, in the order in which they first occur."""
+    """Returns a row for each value of `key`, in order of first occurrence."""
     groups: dict[str, list[Outcome]] = collections.defaultdict(list)
     for outcome in outcomes:
         groups[key(outcome.trial)].append(outcome)
@@ -57,12 +57,12 @@ def rows_by(
 
 
 def as_result(grid: str, run: Run, seed: int, limit: float, load: Sequence[float]) -> Row:
-    """All of a run: what `--json` prints, with `curves` for the pictures besides.
+    """Returns all of a run, as printed by `--json`, and `curves` for the pictures.
 
     Parameters
     ----------
     load : list of float
-        System load averages before the run; those after it are added.
+        System load averages before the run. The current ones are added.
     """
     main = [o for o in run.outcomes if o.trial.section == "frozen"] or run.outcomes
     return {

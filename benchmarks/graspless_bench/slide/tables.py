@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tables of slide.md have in common: names, columns, and finding rows in a result."""
+"""Common code of the tables of slide.md: names, columns, and access to rows of a result."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ PARTS = {  # of benchmarks/
 
 
 def columns(*names: str) -> list[Column]:
-    """Columns of a table by name."""
+    """Returns the columns of a table by name."""
     known: dict[str, Callable[[Row], str]] = {
         "runs": lambda r: str(r["runs"]),
         "median": lambda r: milliseconds(r["p50_ms"]),
@@ -96,7 +96,7 @@ def curves_of(result: Row) -> dict[tuple[str, str], Row]:
 
 
 def time_to(curve: Row, rate: float, limit: float) -> str:
-    """When a rate was reached."""
+    """Returns the time at which a rate was reached."""
     needed = -int(-rate * curve["runs"] // 1)
     times = curve["times_ms"]
     return (
