@@ -50,7 +50,7 @@ class Trial:
     engine: str = "fast"
 
     def make_task(self, seconds: float | None = None) -> Task:
-        """Returns the task without explanations, so that failures take the time of the search only."""
+        """Returns the task without explanations, so that a failure takes only the search time."""
         options = self.document.get("options", {}) | {"search": self.engine, "explain": False}
         limit = seconds or LIMITS[self.engine]
         extra = {"options": options, "budget": {"seconds": limit}}
