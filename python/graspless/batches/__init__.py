@@ -106,7 +106,7 @@ def _check(changes: dict[str, Any]) -> None:
 
 
 class _Run:
-    """One call of `batch`."""
+    """Call of `batch`."""
 
     def __init__(
         self,

@@ -75,7 +75,7 @@ class Plan(AnyPlan):
 
     @property
     def segments(self) -> tuple[Any, ...]:
-        """Stretches of motion of all stages, in order."""
+        """Segments of all stages, in order."""
         return tuple(segment for stage in self.stages for segment in stage.segments)
 
     @cached_property

@@ -58,7 +58,7 @@ class Recording:
 
 @dataclass(frozen=True)
 class Trial:
-    """One execution of a plan.
+    """Execution of a plan.
 
     Attributes
     ----------

@@ -49,7 +49,7 @@ class TaskKind(Protocol):
         """Returns the options. Raises TaskError if the problem is too large for them."""
 
     def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
-        """Fields with every value that was in force, so that a later default cannot change it."""
+        """Returns the fields with all values in force, so that later defaults cannot change them."""
 
 
 ProblemT = TypeVar("ProblemT", default=Any)
@@ -205,7 +205,7 @@ def problem_kind(problem: Any) -> str:
 
 
 def is_problem(value: Any) -> bool:
-    """True of the Problem of a planner."""
+    """Returns True if the value is the Problem of a planner."""
     return type(value).__name__ == "Problem" and type(value).__module__.startswith("graspless.")
 
 
@@ -314,7 +314,7 @@ def task_kind(source: Source) -> TaskKind:
 
 
 def searches(kind: str) -> tuple[str, ...]:
-    """Choices of options.search."""
+    """Returns the choices of options.search."""
     choices: tuple[str, ...] = part("tasks", kind).SEARCHES
     return choices
 

@@ -95,7 +95,7 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
 
 
 def build_fingers(fingers: model.Fingers) -> fingertip.Fingers:
-    """The fingertips."""
+    """Returns the fingertips."""
     span = {} if fingers.max_span is None else {"max_span": fingers.max_span}
     return fingertip.Fingers(
         **span,
