@@ -49,7 +49,7 @@ class TaskKind(Protocol):
         """Returns the options. Raises TaskError if the problem is too large for them."""
 
     def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
-        """Returns the fields with all values in force, so that later defaults cannot change them."""
+        """Returns the fields with all values in force, independent of later defaults."""
 
 
 ProblemT = TypeVar("ProblemT", default=Any)

@@ -79,8 +79,8 @@ std::string name_of(Enum value) {
   return "unknown";
 }
 
-/// Throws std::invalid_argument that states name, value, range, unit and text, unless the value lies
-/// in the range.
+/// Throws std::invalid_argument that states name, value, range, unit and text, unless the value
+/// lies in the range.
 GRASPLESS_API void require_in_range(const std::string& name, double value, const Range& range,
                                     const std::string& unit, const std::string& text);
 
