@@ -57,7 +57,7 @@ def _struct(struct: Any) -> str:
         header = ["counter", "unit", "what it counts", "paper"]
         cells = [[f"`{f.name}`", f.unit, f.text, f.source] for f in rows]
     else:
-        header = ["option", "unit", "default", "range", "what it is", "paper"]
+        header = ["option", "unit", "default", "range", "meaning", "paper"]
         cells = [
             [f"`{f.name}`", f.unit, _shown(getattr(default, f.name)), f.range, f.text, f.source]
             for f in rows

@@ -112,7 +112,7 @@ FAULTS = [
     ((SAMPLE, f"{SAMPLE}\n  unit: mm"), 3, r"object: unit is for files"),
     ((SAMPLE, "cloud: a.ply"), 5, r"object.cloud: a.ply: no such file"),
     ((SAMPLE, "cloud: a.e57"), 5, r"object.cloud: a.e57: .*one of: .ply, .pcd, .xyz"),
-    ((SAMPLE, "cloud: a.ply\n  points: 500"), 3, r"object: points is how many to sample"),
+    ((SAMPLE, "cloud: a.ply\n  points: 500"), 3, r"object: points is the number of samples"),
     ((SAMPLE, "mesh: {file: a.stl}"), 5, r"object.mesh.file: a.stl: no such file"),
     ((SAMPLE, "mesh: {file: a.stl, scale: 0}"), 5, r"object.mesh.scale: 0: .*greater than 0"),
     ((SAMPLE, "points: []"), 5, r"object.points: .*(at least|20|points)"),

@@ -130,7 +130,7 @@ def test_check_finds_a_plan_that_was_changed(plan, document, tmp_path):
         (lambda d: d.pop("segments"), "segments: missing"),
         (lambda d: d.update(more=1), "more: unknown field"),
         (lambda d: d["segments"][0]["positions"][0].pop(), "row 0 of segment 'approach' has 7"),
-        (lambda d: d["segments"][0]["positions"].pop(), "one a row are needed"),
+        (lambda d: d["segments"][0]["positions"].pop(), "one per row is needed"),
         (lambda d: d["segments"][0]["object_poses"][0].pop(), r"object_poses\[0\]: .*at least 7"),
         (lambda d: d["X_WO_goal"].__setitem__(3, 2.0), "not of unit length"),
         (lambda d: d["overhang"].__class__ and d.update(overhang=float("nan")), "NaN"),

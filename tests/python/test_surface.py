@@ -212,7 +212,9 @@ def test_what_no_task_file_can_state_is_told(tmp_path):
     )
     plan = carry.plan(problem, budget=planning.Budget(seconds=5))
     assert plan.status
-    with pytest.raises(TaskError, match=r"problem.rests_on\['shelf'\]: no task file can state it"):
+    with pytest.raises(
+        TaskError, match=r"problem.rests_on\['shelf'\]: no task file can express it"
+    ):
         plan.save(tmp_path / "plan.json")
     assert list(tmp_path.iterdir()) == []
     with pytest.raises(TaskError, match="cannot be saved or pickled"):

@@ -35,7 +35,7 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes one file if the path ends in .mcap, else a new folder with its metadata."""
     path = Path(path)
     if path.suffix != ".mcap" and path.exists():
-        raise TaskError(f"{path}: cannot be written: is there already; a bag is a new folder")
+        raise TaskError(f"{path}: cannot be written: it exists already; a bag must be a new folder")
     try:
         with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place:
             bag = Path(place) / (path.stem if path.suffix == ".mcap" else path.name)

@@ -114,7 +114,7 @@ def _is_task(text: str) -> bool:
 
 
 def _refuse(name: str) -> float:
-    raise ValueError(f"holds {name}, which is no number")
+    raise ValueError(f"contains {name}, which is not a number")
 
 
 def _to_text(value: Any, indent: str = "") -> str:

@@ -69,7 +69,7 @@ class Tree(Table):
     def _check(self) -> Tree:
         if len(self.parents) != len(self.points):
             counts = f"{len(self.points)} points and {len(self.parents)} parents"
-            raise ValueError(f"the tree has {counts}: one a node are needed")
+            raise ValueError(f"the tree has {counts}: one per node is needed")
         if any(node >= len(self.points) for node in [*self.parents, *self.path]):
             raise ValueError(f"the tree names a node beyond its {len(self.points)}")
         return self
@@ -104,10 +104,10 @@ class ClaspPlanFile(PlanFields):
             require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
             if len(segment.virtual_linking) != len(segment.positions):
                 counts = f"{len(segment.virtual_linking)} virtual_linking"
-                raise ValueError(f"{where} has {counts}: one a row are needed")
+                raise ValueError(f"{where} has {counts}: one per row is needed")
         found = (self.loop, self.target, self.stability)
         if self.status == "solved" and None in found:
-            raise ValueError("a plan that is solved has loop, target and stability")
+            raise ValueError("a solved plan must have loop, target and stability")
         return self
 
 

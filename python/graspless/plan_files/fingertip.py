@@ -84,7 +84,7 @@ class Segment(Table):
         for field in of_rows:
             values = getattr(self, field)
             if len(values) != rows:
-                what = f"{len(values)} {field} and {rows} object_poses: one a row are needed"
+                what = f"{len(values)} {field} and {rows} object_poses: one per row is needed"
                 raise ValueError(f"{where} has {what}")
             for i, row in enumerate(values):
                 if isinstance(row, list) and len(row) != fingers:
@@ -92,7 +92,9 @@ class Segment(Table):
                     raise ValueError(f"row {i} of {where} has {what}")
         for i, (points, normals) in enumerate(zip(self.fingers, self.normals, strict=True)):
             if [p is None for p in points] != [n is None for n in normals]:
-                raise ValueError(f"row {i} of {where}: a finger has a point or a normal alone")
+                raise ValueError(
+                    f"row {i} of {where}: a finger must have both a point and a normal, or neither"
+                )
         if not -1 <= self.finger < fingers:
             raise ValueError(f"{where} moves finger {self.finger} of {fingers}")
         require_unit_quaternions([*self.X_WO, *self.object_poses])

@@ -155,7 +155,7 @@ def require_rows(
     """Raises unless there is one value a joint in each row, and one pose a row."""
     if len(joint_rows) != len(object_poses):
         counts = f"{len(joint_rows)} positions and {len(object_poses)} poses"
-        raise ValueError(f"{where} has {counts}: one a row are needed")
+        raise ValueError(f"{where} has {counts}: one per row is needed")
     for i, row in enumerate(joint_rows):
         if len(row) != dof:
             raise ValueError(f"row {i} of {where} has {len(row)} values for {dof} joint_names")

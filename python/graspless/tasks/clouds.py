@@ -70,7 +70,7 @@ def _read_xyz(path: Path) -> Matrix:
         try:
             rows.append([float(word) for word in words[:3]])
         except ValueError:
-            raise ValueError(f"line {number} holds no three numbers: {line[:40]}") from None
+            raise ValueError(f"line {number} must have three numbers: {line[:40]}") from None
         if len(words) < 3:
             raise ValueError(f"line {number} holds {len(words)} numbers, not three")
     return np.array(rows, dtype=float).reshape(-1, 3)

@@ -200,7 +200,7 @@ def _note_lines(
     if node is None:
         return
     if id(node) in above:
-        raise TaskError(f"{file}:{node.start_mark.line + 1}: an alias that holds itself")
+        raise TaskError(f"{file}:{node.start_mark.line + 1}: an alias that contains itself")
     above = (*above, id(node))
     lines.setdefault(place, node.start_mark.line + 1)
     if isinstance(node, yaml.MappingNode):

@@ -37,13 +37,13 @@ def stated(task: Task) -> Any:
     """
     kind = part("tasks", task.kind)
     if not hasattr(kind, "state"):
-        raise TaskError(f"a problem of kind {task.kind} comes from a task file alone")
+        raise TaskError(f"a problem of kind {task.kind} must come from a task file")
     document = {"kind": task.kind, **kind.state(task.problem, task.arm)}
     source = Source("problem", document)
     fields = source.validate(kind.Fields)
     rebuilt, _ = kind.build(fields, source, source)
     if wrong := difference(task.problem, rebuilt, "problem"):
-        raise TaskError(f"{wrong}: no task file can state it, so it cannot be saved or pickled")
+        raise TaskError(f"{wrong}: no task file can express it, so it cannot be saved or pickled")
     update = kind.in_force(fields, task.problem, task.options)
     update["budget"] = in_force(fields.budget, task.budget)
     if getattr(fields, "robot", None) is not None:

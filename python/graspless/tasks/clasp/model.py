@@ -89,7 +89,9 @@ class Object(Fields):
         else:
             self.one_of("cloud", "mesh", "sample")
         if self.cloud is not None and self.points is not None:
-            raise ValueError("points is how many to sample; a cloud has its own")
+            raise ValueError(
+                "points is the number of samples of a mesh; a cloud has its own points"
+            )
         if self.unit != "m" and self.cloud is None and self.mesh is None:
             raise ValueError("unit is for files: cloud or mesh")
         return self
