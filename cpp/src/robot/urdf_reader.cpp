@@ -13,6 +13,7 @@
 #include <kdl/joint.hpp>
 #include <urdf_parser/urdf_parser.h>
 
+#include "geometry/turn.hpp"
 #include "robot/link_shapes.hpp"
 #include "robot/model.hpp"
 #include "robot/names.hpp"
@@ -165,8 +166,7 @@ void set_motion(Link& link) {
   const Joint joint(link.joint_name, type, sign * link.multiplier, sign * link.offset);
   KDL::Frame X_tip = KDL::Frame::Identity();
   if (principal < 0) {
-    const Eigen::Matrix3d R_LZ =
-        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), link.axis_L).toRotationMatrix();
+    const Eigen::Matrix3d R_LZ = geometry::turn_from_z(link.axis_L).toRotationMatrix();
     link.X_PJ.linear() *= R_LZ;
     X_tip = to_kdl(R_LZ.transpose());
   }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/turn.hpp"
+
 namespace graspless::clasp {
 namespace {
 
@@ -20,8 +22,7 @@ PlacedShape placed(const geometry::Shape& shape, const Eigen::Vector3d& p_OG) {
 
 PlacedShape capsule(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
   PlacedShape part = placed(geometry::Capsule{radius, (to - from).norm()}, (from + to) / 2);
-  part.X_BG.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from).toRotationMatrix();
+  part.X_BG.linear() = geometry::turn_from_z(to - from).toRotationMatrix();
   return part;
 }
 
