@@ -9,7 +9,7 @@ command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_C
 show_steps() {
   local line
   while IFS= read -r line; do
-    [[ $line =~ ^\ *\[\ *([0-9]+)/([0-9]+)\] ]] || continue
+    [[ $line =~ ^\ *\[\ *([0-9]+)/([0-9]+)\]\ (Building|Linking) ]] || continue
     if [ -t 1 ]; then
       printf '\r  step %s of %s ' "${BASH_REMATCH[@]:1:2}"
     elif ((BASH_REMATCH[1] % 10 == 0)); then
