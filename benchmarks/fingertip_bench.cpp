@@ -45,7 +45,7 @@ void plan_case(benchmark::State& state) {
   state.counters["z"] = static_cast<double>(plan.statistics.z_evaluations);
   state.counters["jams"] = static_cast<double>(plan.statistics.bounded_tests);
   state.counters["pivots"] = static_cast<double>(plan.statistics.pivots);
-  state.counters["candidates"] = static_cast<double>(plan.statistics.nodes);
+  state.counters["placements"] = static_cast<double>(plan.statistics.placements);
   state.counters["MB"] = static_cast<double>(plan.statistics.memory) / 1e6;
 }
 

@@ -102,7 +102,7 @@ def _columns(rows: Sequence[Row]) -> list[Column]:
         ("least z [N]", lambda r: _or_dash(r["weakest"], ".4g")),
         ("z evaluations", lambda r: f"{r['z_evaluations']}"),
         ("pivots", lambda r: f"{r['pivots']}"),
-        ("nodes", lambda r: f"{r['nodes']}"),
+        ("nodes", lambda r: f"{r['nodes'] + r.get('placements', 0)}"),
         ("seconds", lambda r: f"{r['seconds']:.3g}"),
         ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
         ("check [s]", lambda r: _or_dash(r["check_seconds"], ".2g")),

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 MEGA = 1e6
 # What a row says of its search, in Plan.statistics.
-COUNTERS = ("z_evaluations", "bounded_tests", "pivots", "nodes", "supports", "candidates")
+COUNTERS = ("z_evaluations", "bounded_tests", "pivots", "nodes", "placements", "supports", "candidates")
 
 
 @dataclasses.dataclass

@@ -13,8 +13,9 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kFine = 1.01;      // relaxations are found to 1 %
-constexpr double kFarthest = 1000;  // how far limits are turned at most, as a factor
+constexpr double kFine = 1.01;           // relaxations are found to 1 %
+constexpr double kFarthest = 1000;       // how far limits are turned at most, as a factor
+constexpr double kLeastFriction = 0.05;  // coefficient from which a friction of 0 is scaled
 // Factors tried on coefficients of friction. Solvable values may lie between others, so each factor
 // is tried.
 constexpr double kLadder[] = {1.05, 1.1, 1.2, 1.4, 1.8, 2.6, 4.2, 7.4, 13.8};
@@ -22,13 +23,16 @@ constexpr double kLadder[] = {1.05, 1.1, 1.2, 1.4, 1.8, 2.6, 4.2, 7.4, 13.8};
 /// A parameter that can be changed to make a problem easier.
 struct Knob {
   std::string field, limit;
-  double value;
+  double given;  ///< value in the problem
+  double value;  ///< the same, or the value that factors scale where it is 0
   std::function<void(Problem&, Options&, double factor)> turn;
 };
 
+double scalable(double friction) { return friction > 0 ? friction : kLeastFriction; }
+
 void scale(FrictionInterval& friction, double factor) {
-  friction.lower *= factor;
-  friction.upper *= factor;
+  friction.lower = scalable(friction.lower) * factor;
+  friction.upper = scalable(friction.upper) * factor;
 }
 
 const auto turn_finger_friction = [](Problem& problem, Options&, double factor) {
@@ -120,11 +124,13 @@ struct Found {
 
 std::vector<Found> find_helpful(const Problem& problem, const Options& options, Trials& trials) {
   const Knob force = {"fingers.max_normal_force", "force limit", problem.fingers.max_normal_force,
-                      turn_force};
+                      problem.fingers.max_normal_force, turn_force};
   const Knob fingers = {"fingers.friction", "friction", problem.fingers.friction.lower,
-                        turn_finger_friction};
-  const Knob environment = {"friction", "friction", problem.friction.lower, turn_friction};
-  const Knob stability = {"min_stability", "stability", options.min_stability, turn_stability};
+                        scalable(problem.fingers.friction.lower), turn_finger_friction};
+  const Knob environment = {"friction", "friction", problem.friction.lower,
+                            scalable(problem.friction.lower), turn_friction};
+  const Knob stability = {"min_stability", "stability", options.min_stability,
+                          options.min_stability, turn_stability};
   std::vector<Found> found;
   const auto keep = [&](const Knob& knob, std::optional<double> factor) {
     if (factor) found.push_back({knob, *factor});
@@ -172,7 +178,7 @@ bool all_at_once_solve(Trials& trials) {
 std::string sentence(const Found& best) {
   std::ostringstream out;
   out << "; " << best.knob.field << " " << best.knob.value * best.factor << " instead of "
-      << best.knob.value << " would do";
+      << best.knob.given << " would do";
   return out.str();
 }
 

@@ -40,8 +40,8 @@ void require_moderate(const std::string& field, double value) {
 }
 
 void check_friction(const std::string& field, const FrictionInterval& friction) {
-  require_moderate(field + ".lower", friction.lower);
-  require_moderate(field + ".upper", friction.upper);
+  require(friction.lower >= 0, field + ".lower", friction.lower, "must be at least 0");
+  require(friction.upper <= kLargest, field + ".upper", friction.upper, "must be at most 1e9");
   require(friction.lower <= friction.upper, field + ".lower", friction.lower,
           "must not exceed " + field + ".upper = " + std::to_string(friction.upper));
 }

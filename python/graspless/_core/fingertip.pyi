@@ -705,7 +705,7 @@ class Statistics:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, locations: typing.SupportsInt | typing.SupportsIndex = 0, z_evaluations: typing.SupportsInt | typing.SupportsIndex = 0, bounded_tests: typing.SupportsInt | typing.SupportsIndex = 0, pivots: typing.SupportsInt | typing.SupportsIndex = 0, ill_conditioned: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, supports: typing.SupportsInt | typing.SupportsIndex = 0, candidates: typing.SupportsInt | typing.SupportsIndex = 0, memory: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
+    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, locations: typing.SupportsInt | typing.SupportsIndex = 0, z_evaluations: typing.SupportsInt | typing.SupportsIndex = 0, bounded_tests: typing.SupportsInt | typing.SupportsIndex = 0, pivots: typing.SupportsInt | typing.SupportsIndex = 0, ill_conditioned: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, placements: typing.SupportsInt | typing.SupportsIndex = 0, supports: typing.SupportsInt | typing.SupportsIndex = 0, candidates: typing.SupportsInt | typing.SupportsIndex = 0, memory: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
         """
         Any field by keyword; the others are zero.
         """
@@ -762,7 +762,7 @@ class Statistics:
     @property
     def nodes(self) -> int:
         """
-        Nodes expanded by the search; for the fast search of a path, placements considered.
+        Nodes that the search of a graph expanded; 0 for the fast search of a path.
         """
     @nodes.setter
     def nodes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -774,6 +774,14 @@ class Statistics:
         """
     @pivots.setter
     def pivots(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def placements(self) -> int:
+        """
+        Placements of the fingers that the fast search of a path considered.
+        """
+    @placements.setter
+    def placements(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def seconds(self) -> float:

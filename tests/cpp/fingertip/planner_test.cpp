@@ -108,6 +108,18 @@ TEST(FingertipPlanner, DoesNotDependOnWhereTheWorldIs) {
   EXPECT_NEAR(after.cost, before.cost, 1e-9);
 }
 
+TEST(FingertipPlanner, PushesWithoutFriction) {
+  Problem problem = slide_case(10, 5);
+  problem.friction = {0, 0};
+  Options options;
+  options.locations_per_side = 3;
+  const Plan found = plan(problem, options);
+  expect_well_formed(problem, options, found);
+  EXPECT_TRUE(check(problem, found, options).empty());
+  problem.fingers.friction = {0, 0};
+  EXPECT_EQ(plan(problem, options).status, Status::unstable);
+}
+
 TEST(FingertipPlanner, SaysWhyNothingWasFound) {
   Options options;
   options.explain = false;

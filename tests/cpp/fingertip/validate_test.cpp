@@ -49,9 +49,11 @@ TEST(FingertipValidate, RefusesBadNumbers) {
     expect_problem_refused([&](Problem& p) { p.fingers.radius = bad; }, "fingers.radius");
     expect_problem_refused([&](Problem& p) { p.fingers.max_normal_force = bad; },
                            "fingers.max_normal_force must be positive");
-    expect_problem_refused([&](Problem& p) { p.fingers.friction.lower = bad; },
-                           "fingers.friction.lower");
-    expect_problem_refused([&](Problem& p) { p.friction.upper = bad; }, "friction.upper");
+  }
+  for (const double bad : {-1.0, kNan, HUGE_VAL}) {
+    expect_problem_refused([&](Problem& p) { p.fingers.friction = {bad, bad}; },
+                           "fingers.friction.");
+    expect_problem_refused([&](Problem& p) { p.friction = {bad, bad}; }, "friction.");
   }
   expect_problem_refused([](Problem& p) { p.friction = {0.6, 0.5}; }, "must not exceed");
   expect_problem_refused([](Problem& p) { p.fingers.count = 5; }, "fingers.count must be 1 to 4");

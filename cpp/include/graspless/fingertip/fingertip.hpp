@@ -85,6 +85,7 @@ struct Statistics {
   std::int64_t pivots = 0;
   std::int64_t ill_conditioned = 0;
   std::int64_t nodes = 0;
+  std::int64_t placements = 0;
   std::int64_t supports = 0;
   std::int64_t candidates = 0;
   std::int64_t memory = 0;
@@ -112,7 +113,9 @@ constexpr auto fields(const Statistics&) {
       Field{"ill_conditioned", &Statistics::ill_conditioned, "",
             "Problems (5) and (6) with ill-conditioned contacts, solved by the reference engine."},
       Field{"nodes", &Statistics::nodes, "",
-            "Nodes expanded by the search; for the fast search of a path, placements considered."},
+            "Nodes that the search of a graph expanded; 0 for the fast search of a path."},
+      Field{"placements", &Statistics::placements, "",
+            "Placements of the fingers that the fast search of a path considered."},
       Field{"supports", &Statistics::supports, "",
             "Wrench functionals that bound the stability from above."},
       Field{"candidates", &Statistics::candidates, "",

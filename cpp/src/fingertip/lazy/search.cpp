@@ -284,7 +284,7 @@ Route search_fast(const PoseGraph& graph, std::vector<Evaluator>& evaluators,
   lazy.note_memory();
   share_stabilities(graph, route, evaluators);
   statistics.supports += lazy.bounds.count();
-  statistics.nodes += lazy.candidates.size();
+  statistics.placements += lazy.candidates.size();
   return route;
 }
 

@@ -17,7 +17,7 @@ from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
-from ..shapes import Fields, MeshFile, Point3, Positive, Size3, Triangle
+from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3, Triangle
 from .motion import Motion
 
 Count = Annotated[int, Field(ge=1)]
@@ -39,9 +39,9 @@ def _in_order(bounds: list[float]) -> list[float]:
 
 
 Friction = Annotated[
-    Annotated[Positive, Tag("number")]
+    Annotated[NotNegative, Tag("number")]
     | Annotated[
-        Annotated[list[Positive], Field(min_length=2, max_length=2), AfterValidator(_in_order)],
+        Annotated[list[NotNegative], Field(min_length=2, max_length=2), AfterValidator(_in_order)],
         Tag("interval"),
     ],
     Discriminator(_kind_of_friction),
