@@ -13,6 +13,7 @@
 #include <Eigen/Cholesky>
 
 #include "fingertip/model/screw.hpp"
+#include "geometry/turn.hpp"
 
 namespace graspless::realize {
 namespace {
@@ -49,7 +50,7 @@ Eigen::Isometry3d plane_pose(const Plane& plane, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d n_W = plane.n_W.normalized();
   Eigen::Isometry3d X_WB;
   X_WB = Eigen::Translation3d(p_W + (plane.offset - n_W.dot(p_W)) * n_W) *
-         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n_W);
+         geometry::turn_from_z(n_W);
   return X_WB;
 }
 
