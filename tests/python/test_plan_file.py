@@ -69,7 +69,7 @@ def test_file_has_the_planner_s_own_numbers(task):
     np.testing.assert_allclose(plan.X_WH_grasp, found.X_WH_grasp, atol=1e-12)
     assert plan.overhang == found.overhang
     assert plan.status is found.status
-    assert plan.statistics.placements == found.statistics.placements > 0
+    assert plan.statistics.nodes == found.statistics.nodes
 
 
 def test_same_seed_gives_the_same_file(task, plan):
