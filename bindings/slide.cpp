@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/slide/slide.hpp"
 
-
 #include "graspless/slide/torsion.hpp"
 
 #include "conversions.hpp"

@@ -49,8 +49,8 @@ geometry::PlacedShape plane_box() {
 Eigen::Isometry3d plane_pose(const Plane& plane, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d n_W = plane.n_W.normalized();
   Eigen::Isometry3d X_WB;
-  X_WB = Eigen::Translation3d(p_W + (plane.offset - n_W.dot(p_W)) * n_W) *
-         geometry::turn_from_z(n_W);
+  X_WB =
+      Eigen::Translation3d(p_W + (plane.offset - n_W.dot(p_W)) * n_W) * geometry::turn_from_z(n_W);
   return X_WB;
 }
 

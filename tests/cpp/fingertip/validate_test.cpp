@@ -51,8 +51,11 @@ TEST(FingertipValidate, RefusesBadNumbers) {
                            "fingers.max_normal_force must be positive");
   }
   for (const double bad : {-1.0, kNan, HUGE_VAL}) {
-    expect_problem_refused([&](Problem& p) { p.fingers.friction = {bad, bad}; },
-                           "fingers.friction.");
+    expect_problem_refused(
+        [&](Problem& p) {
+          p.fingers.friction = {bad, bad};
+        },
+        "fingers.friction.");
     expect_problem_refused([&](Problem& p) { p.friction = {bad, bad}; }, "friction.");
   }
   expect_problem_refused([](Problem& p) { p.friction = {0.6, 0.5}; }, "must not exceed");

@@ -12,9 +12,8 @@ namespace {
 using Eigen::Vector3d;
 
 TEST(Turn, PutsZOnTheDirection) {
-  for (const Vector3d& direction :
-       {Vector3d(0, 0, 2), Vector3d(0, 0, -3), Vector3d(1, 0, 0), Vector3d(-0.2, 0.5, -0.1),
-        Vector3d(1e-9, 0, -1)}) {
+  for (const Vector3d& direction : {Vector3d(0, 0, 2), Vector3d(0, 0, -3), Vector3d(1, 0, 0),
+                                    Vector3d(-0.2, 0.5, -0.1), Vector3d(1e-9, 0, -1)}) {
     const Eigen::Quaterniond turn = turn_from_z(direction);
     EXPECT_NEAR(turn.norm(), 1, 1e-12);
     EXPECT_TRUE((turn * Vector3d::UnitZ()).isApprox(direction.normalized(), 1e-7));
