@@ -16,9 +16,9 @@ PAGE = pathlib.Path(__file__).parents[1] / "docs" / "reference" / "options.md"
 HEAD = """# Options, statistics and status
 
 Made by `make stubs` from the tables in the C++ headers: change those, not this page. Task files
-name the options under `options`, those of the budget under `budget`, and those of joint paths
-under `realize`, those of the hand under `hand`. Symbols and equations are those of the planner's paper
-([notation](../notation.md)).
+name the options under `options`, those of the budget under `budget`, those of joint paths under
+`realize`, and those of the hand under `hand`. Symbols and equations are those of the planner's
+paper ([notation](../notation.md)).
 """
 
 SECTIONS = [
