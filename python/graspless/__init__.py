@@ -15,9 +15,11 @@ themselves, for problems that are made in Python.
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
 
+TYPE_CHECKING = False  # that of `typing` takes time, in which Ctrl-C would be a traceback
 if TYPE_CHECKING:
+    from typing import Any
+
     from . import (
         carry,
         chain,

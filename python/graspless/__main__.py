@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Entry point of the commands `graspless` and `python -m graspless`."""
 
-import atexit
-import gc
+import _signal  # the module `signal` takes time to import, in which a signal may come
 import os
 import sys
-import threading
 
-from . import cli
+TYPE_CHECKING = False  # that of `typing` takes time too
+if TYPE_CHECKING:
+    from types import FrameType
 
 # A command keeps one core busy, so threads for linear algebra only cost time. Looking for plugins
 # of pydantic in every installed package takes longer than a plan.
@@ -17,17 +17,84 @@ DEFAULTS = {"OPENBLAS_NUM_THREADS": "1", "PYDANTIC_DISABLE_PLUGINS": "__all__"}
 
 def main() -> int:
     """Runs one command; returns its exit code."""
+    signals = _Signals()
     for name, value in DEFAULTS.items():
         os.environ.setdefault(name, value)
+    import gc
+    import threading
+
+    from . import cli
+
     gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
-    code = cli.main()
+    try:
+        signals.is_running = True
+        code = cli.main()
+        signals.is_running = False
+    except BaseException:
+        signals.is_running = False
+        if signals.came:
+            signals.leave()
+        raise
+    if signals.came and code == cli.INTERRUPTED:
+        code = 128 + signals.came
     if threading.active_count() == 1:
         _leave(code)
     return code
 
 
+class _Signals:
+    """Answers SIGINT and SIGTERM by KeyboardInterrupt, so that a command cleans up.
+
+    Before and after the command, and while it imports, the process ends at once: there is nothing
+    to clean up, and modules that are half imported answer KeyboardInterrupt by errors of their own.
+    """
+
+    def __init__(self) -> None:
+        self.came = 0
+        self.is_running = False
+        for number, default in (
+            (_signal.SIGINT, _signal.default_int_handler),
+            (_signal.SIGTERM, _signal.SIG_DFL),
+        ):
+            if _signal.getsignal(number) == default:  # neither ignored nor answered already
+                _signal.signal(number, self._answer)
+
+    def _answer(self, number: int, frame: "FrameType | None") -> None:
+        self.came = self.came or number
+        if not self.is_running or (_is_importing(frame) and not _has_threads()):
+            self.leave()
+        if (
+            number == _signal.SIGTERM
+        ):  # `timeout` sends it twice; the second would stop the clean-up
+            _signal.signal(number, _signal.SIG_IGN)
+        raise KeyboardInterrupt
+
+    def leave(self) -> None:
+        """Ends the process at once."""
+        try:
+            os.write(2, b"interrupted\n")
+        except OSError:
+            pass
+        os._exit(128 + self.came)
+
+
+def _is_importing(frame: "FrameType | None") -> bool:
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            return True
+        frame = frame.f_back
+    return False
+
+
+def _has_threads() -> bool:
+    threading = sys.modules.get("threading")
+    return threading is not None and threading.active_count() > 1
+
+
 def _leave(code: int) -> None:
     """Ends the process at once: taking a thousand modules apart takes as long as a plan."""
+    import atexit
+
     atexit._run_exitfuncs()
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:
