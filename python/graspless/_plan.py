@@ -160,7 +160,14 @@ class AnyPlan:
     @classmethod
     def _search(cls: type[Self], task: Any, budget: planning.Budget) -> Self:
         """Plans; `budget` instead of the task's."""
-        return cls._of(cls._planner.plan(task.problem, task.options, budget), task)
+        try:
+            found = cls._planner.plan(task.problem, task.options, budget)
+        except ValueError as error:
+            name, _, what = str(error).partition(" ")
+            if not hasattr(task.options, name):
+                raise
+            raise task.source.error(("options", name), what) from None
+        return cls._of(found, task)
 
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan."""

@@ -10,6 +10,7 @@ import importlib
 import json
 import os
 import sys
+import traceback
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,7 +27,7 @@ from ._commands import (
     read_stdin,
     terminable,
 )
-from .errors import TaskError
+from .errors import TaskError, explain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -54,8 +55,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _drop_stdout()
         return CLOSED_PIPE
     except OSError as error:
-        if error.filename is not None:  # no stream's
-            raise
         _drop_stdout()
         print(f"stdout: cannot be written: {error.strerror}", file=sys.stderr)
         return BAD_INPUT
@@ -63,11 +62,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
+    command = next((word for word in given if not word.startswith("-")), "")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
             warnings.showwarning = _show_warning
-            command = next((word for word in given if not word.startswith("-")), "")
             options = make_parser(command).parse_args(given)
             run: Callable[[argparse.Namespace], int] = options.run
             return run(options)
@@ -77,6 +76,16 @@ def _run(arguments: Sequence[str] | None) -> int:
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
+    except OSError as error:
+        if error.filename is None:  # a stream's
+            raise
+        print(f"{command}: {explain(error)}", file=sys.stderr)
+        return BAD_INPUT
+    except Exception as error:  # whatever a library raises: exit code 1 would mean "not found"
+        print(f"{command}: {explain(error)}", file=sys.stderr)
+        if os.environ.get("GRASPLESS_TRACEBACK"):
+            traceback.print_exception(error)
+        return BAD_INPUT
 
 
 def _drop_stdout() -> None:

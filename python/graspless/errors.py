@@ -4,8 +4,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 EXTRAS = {  # that bring a package, the smallest first
     "dask": ("cluster",),
@@ -26,6 +31,32 @@ class TaskError(ValueError):
 
     The message has one line per fault, ``file:line: field: value: what is allowed``.
     """
+
+
+def explain(error: BaseException) -> str:
+    """Returns one line about a fault that a library raised, for people who do not read Python."""
+    if isinstance(error, MemoryError):
+        return "needs more memory than there is; should be smaller, or its options coarser"
+    if isinstance(error, RecursionError):
+        return "nested too deeply"
+    if isinstance(error, OSError) and error.strerror:
+        name = "" if error.filename is None else f"{str(error.filename)[:60]!r}: "
+        return f"{name}{error.strerror}"
+    first = str(error).splitlines()[0] if str(error) else ""
+    if isinstance(error, ValueError) and first:
+        return first
+    return f"{type(error).__name__}: {first}" if first else type(error).__name__
+
+
+@contextlib.contextmanager
+def told(where: str) -> Iterator[None]:
+    """Turns whatever a library raises into a TaskError that begins with `where`."""
+    try:
+        yield
+    except TaskError:
+        raise
+    except Exception as error:
+        raise TaskError(f"{where}: {explain(error)}") from error
 
 
 def missing(error: ImportError, extra: str, purpose: str = "") -> TaskError:

@@ -25,6 +25,14 @@ def check_writable(path: str | Path) -> None:
 
 def _check_place(path: Path) -> None:
     """Raises TaskError unless the folder exists and the file can be written."""
+    try:
+        path.stat()
+    except FileNotFoundError:
+        pass
+    except OSError as error:  # a loop of links, a name that is too long
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+    except ValueError as error:
+        raise TaskError(f"{str(path)!r}: cannot be written: {error}") from None
     if path.is_dir():
         raise TaskError(f"{path}: cannot be written: is a folder")
     if not path.parent.is_dir():

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from .._arguments import require_path
 from .._plan import AnyPlan
-from ..errors import TaskError
+from ..errors import TaskError, told
 from ..tasks import task_from_dict, task_kind
+from ..tasks.bounds import MOST_DIGITS
 from ..tasks.source import Source, parse_yaml, read_text
 
 if TYPE_CHECKING:
@@ -51,10 +52,11 @@ def read_plan(text: str, file: str) -> Plan:
     """Reads a plan from text, like `load_plan`. `file` is the name in error messages."""
     from .table import table
 
-    source = Source(file, _parsed(text, file))
-    task_kind(source)  # raises unless there is such a kind
-    source.validate(table(source.data["kind"]))
-    return plan_of(source.data, f"{file}: task")
+    with told(file):
+        source = Source(file, _parsed(text, file))
+        task_kind(source)  # raises unless there is such a kind
+        source.validate(table(source.data["kind"]))
+        return plan_of(source.data, f"{file}: task")
 
 
 def plan_of(document: dict[str, Any], where: str) -> Plan:
@@ -87,7 +89,9 @@ _TASK = "{}: this is a task, not a plan; graspless plan reads it"
 
 def _parsed(text: str, file: str) -> dict[str, Any]:
     try:
-        data = json.loads(text, parse_constant=_refuse)
+        data = json.loads(text, parse_constant=_refuse, parse_int=_integer)
+    except RecursionError:
+        raise TaskError(f"{file}: not valid JSON: nested too deeply") from None
     except ValueError as error:
         if _is_task(text):
             raise TaskError(_TASK.format(file)) from None
@@ -111,6 +115,11 @@ def _is_task(text: str) -> bool:
         return "kind" in parse_yaml(text, "").data
     except TaskError:
         return False
+
+
+def _integer(text: str) -> int | str:
+    """Returns a number; as text, which names no field, one that is too long to be any field's."""
+    return int(text) if len(text) <= MOST_DIGITS else text
 
 
 def _refuse(name: str) -> float:

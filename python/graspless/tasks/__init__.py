@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, Protocol, overload
 
 from typing_extensions import TypeVar
 
-from ..errors import TaskError
+from ..errors import TaskError, told
 from ..kinds import KINDS, part
 from .meshes import check_files
 from .source import Source, parse_yaml, read_text
@@ -257,11 +257,12 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
     """
     if _is_plan(text):
         raise TaskError(f"{file}: this is a plan, not a task; graspless check reads it")
-    source = parse_yaml(text, file)
-    kind = task_kind(source)
-    named = source.validate(kind.Fields)
-    fields, other = kind.resolve(named, source, Path(directory).resolve())
-    return build_task(fields, source, other)
+    with told(file):
+        source = parse_yaml(text, file)
+        kind = task_kind(source)
+        named = source.validate(kind.Fields)
+        fields, other = kind.resolve(named, source, Path(directory).resolve())
+        return build_task(fields, source, other)
 
 
 def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
@@ -276,15 +277,16 @@ def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
     resolve : bool
         Read the files that it names, relative to the working folder.
     """
-    source = Source(file, document)
-    kind = task_kind(source)
-    fields = source.validate(kind.Fields)
-    if resolve and not fields.files:
-        fields, other = kind.resolve(fields, source, Path.cwd())
-        return build_task(fields, source, other)
-    kind.require_resolved(fields, source)
-    check_files(fields.files, source)
-    return build_task(fields, source, source)
+    with told(file):
+        source = Source(file, document)
+        kind = task_kind(source)
+        fields = source.validate(kind.Fields)
+        if resolve and not fields.files:
+            fields, other = kind.resolve(fields, source, Path.cwd())
+            return build_task(fields, source, other)
+        kind.require_resolved(fields, source)
+        check_files(fields, source)
+        return build_task(fields, source, source)
 
 
 def build_task(fields: Any, source: Source, other: Source) -> Task:
@@ -323,8 +325,8 @@ def _is_plan(text: str) -> bool:
     if not text.lstrip().startswith("{"):  # a task may be JSON too, as all JSON is YAML
         return False
     try:
-        document = json.loads(text)
-    except ValueError:
+        document = json.loads(text, parse_int=str)
+    except (ValueError, RecursionError):
         return False
     return isinstance(document, dict) and "format" in document and "segments" in document
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -143,24 +144,15 @@ def _read_xml(
 
 def _expand_xacro(path: Path, arguments: dict[str, Any], packages: dict[str, str]) -> str:
     """Returns the URDF of a xacro file. $(find NAME) is looked up in `packages` first."""
-    try:
-        import xacro
-        from xacro import substitution_args
-    except ImportError:
-        raise ValueError("needs xacro to be read: pip install xacro") from None
+    from .xacro_process import expand
+
+    if find_spec("xacro") is None:
+        raise ValueError("needs xacro to be read: pip install xacro")
     words = {
         name: str(value).lower() if isinstance(value, bool) else str(value)
         for name, value in arguments.items()
     }
-    find = substitution_args._eval_find
-    substitution_args._eval_find = lambda name: packages.get(name) or find(name)
-    try:
-        return str(xacro.process_file(str(path), mappings=words).toprettyxml(indent="  "))
-    except Exception as error:  # xacro raises many kinds, some of them private
-        first = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise ValueError(f"xacro cannot expand it: {first}") from None
-    finally:
-        substitution_args._eval_find = find
+    return expand(path, words, packages)
 
 
 def build_robot(robot: Robot, source: Source) -> robots.Robot:
@@ -210,14 +202,17 @@ def build_home(
 
 def robot_meshes(robot: Robot) -> set[Path]:
     """Returns the existing mesh files of a resolved robot."""
+    paths = mesh_files(robot.urdf_text or "", robot.packages, robot.directory)
+    return {path for path in paths if path.is_file()}
+
+
+def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> set[Path]:
+    """Returns the paths of a URDF's meshes, whether they exist or not."""
     try:
-        names = [
-            mesh.get("filename", "") for mesh in ET.fromstring(robot.urdf_text or "").iter("mesh")
-        ]
+        names = [mesh.get("filename", "") for mesh in ET.fromstring(urdf).iter("mesh")]
     except ET.ParseError:
         return set()  # the robot's reader says what is wrong
-    paths = (mesh_path(name, robot.packages, robot.directory) for name in names)
-    return {path for path in paths if path.is_file()}
+    return {mesh_path(name, packages, directory) for name in names}
 
 
 def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:

@@ -11,7 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import TaskError
+from ..errors import TaskError, explain
+from .bounds import MOST_DIGITS, check_yaml, faults
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     import pydantic
 
 Location = tuple["str | int", ...]
+MOST_FAULTS = 20  # lines of one message
 
 
 @dataclass
@@ -67,11 +69,17 @@ class Source:
         """Returns the data as a `model`. Raises TaskError with one line per fault."""
         from pydantic import ValidationError
 
+        self.require_bounds()
         try:
             return model.model_validate(self.data)
         except ValidationError as error:
             faults = [self._explain(model, dict(fault)) for fault in error.errors()]
             raise TaskError("\n".join(faults)) from None
+
+    def require_bounds(self) -> None:
+        """Raises TaskError if a value is one that no field can have."""
+        if found := [self.message(*fault) for fault in faults(self.data)]:
+            raise TaskError("\n".join(found[:MOST_FAULTS]))
 
     def _look_up(self, place: Location) -> tuple[Any, bool]:
         value = self.data
@@ -119,6 +127,8 @@ def at(source: Source, *location: str | int) -> Iterator[None]:
         yield
     except TaskError:
         raise
+    except (ArithmeticError, MemoryError, RuntimeError, TypeError) as error:
+        raise source.error(location, explain(error)) from error
     except ValueError as error:
         text = str(error).removeprefix(f"{location[0]}: ")
         named = re.match(r"(\w+)\.(\w+) (.*)", text, re.DOTALL)
@@ -162,8 +172,8 @@ def parse_yaml(text: str, file: str) -> Source:
         raise TaskError(f"{file}:{line}: not valid YAML: {problem}") from None
     except TaskError:
         raise
-    except (ValueError, RecursionError) as error:  # !!int x; a thousand brackets
-        raise TaskError(f"{file}:1: not valid YAML: {error}") from None
+    except Exception as error:  # text that libyaml cannot encode
+        raise TaskError(f"{file}:1: not valid YAML: {error}") from error
     if not isinstance(data, dict):
         raise TaskError(f"{file}:1: should be a mapping of fields, see docs/task-files.md")
     return Source(file, data, lines)
@@ -173,7 +183,9 @@ def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
     import yaml
 
     # libyaml's parser where PyYAML has it: ten times as fast, with the same nodes and marks.
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)(text)
+    make = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    check_yaml(text, file, make)
+    loader = make(text)
     loader.yaml_implicit_resolvers = {
         key: [rule for rule in rules if rule[0] != "tag:yaml.org,2002:timestamp"]
         for key, rules in yaml.SafeLoader.yaml_implicit_resolvers.items()
@@ -183,7 +195,7 @@ def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
         rules.insert(0, ("tag:yaml.org,2002:float", _FLOAT))
     try:
         root = loader.get_single_node()
-        _note_lines(root, (), lines, file, ())
+        _note_lines(root, (), lines, file, (), loader)
         return None if root is None else loader.construct_document(root)
     finally:
         loader.dispose()
@@ -193,7 +205,12 @@ _FLOAT = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
 
 
 def _note_lines(
-    node: Any, place: Location, lines: dict[Location, int], file: str, above: tuple[int, ...]
+    node: Any,
+    place: Location,
+    lines: dict[Location, int],
+    file: str,
+    above: tuple[int, ...],
+    loader: Any,
 ) -> None:
     import yaml
 
@@ -221,10 +238,27 @@ def _note_lines(
             seen.add(key.value)
             inner = (*place, key.value)
             lines[inner] = key.start_mark.line + 1
-            _note_lines(value, inner, lines, file, above)
+            _note_lines(value, inner, lines, file, above, loader)
     elif isinstance(node, yaml.SequenceNode):
         for i, value in enumerate(node.value):
-            _note_lines(value, (*place, i), lines, file, above)
+            _note_lines(value, (*place, i), lines, file, above, loader)
+    else:
+        _require_value(node, place, file, loader)
+
+
+def _require_value(node: Any, place: Location, file: str, loader: Any) -> None:
+    """Raises TaskError if text is not what its tag says, such as !!timestamp x."""
+    import yaml
+
+    try:
+        loader.construct_object(node)
+    except yaml.YAMLError:
+        raise
+    except Exception as error:  # PyYAML's constructors raise whatever they stumble over
+        where = f"{file}:{node.start_mark.line + 1}: {_dotted(place)}{_shorten(node.value)}"
+        kind = node.tag.rpartition(":")[2]
+        long = f" of at most {MOST_DIGITS} digits" if kind == "int" else ""
+        raise TaskError(f"{where}: should be a value of type {kind}{long}") from error
 
 
 def _fields_at(model: Any, location: Location) -> set[str]:
@@ -263,7 +297,10 @@ def _dotted(place: Location) -> str:
 
 
 def _shorten(value: Any) -> str:
-    text = value if isinstance(value, str) else repr(value)
+    try:
+        text = value if isinstance(value, str) and value.isprintable() else repr(value)
+    except ValueError:  # more digits than Python writes
+        return "a whole number" if isinstance(value, int) else "a list"
     if isinstance(value, bool):
         text = str(value).lower()
     return text if len(text) <= 60 else text[:57] + "..."
