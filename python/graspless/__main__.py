@@ -71,7 +71,7 @@ class _Signals:
 
     def leave(self) -> None:
         """Ends the process at once."""
-        try:
+        try:  # noqa: SIM105, contextlib takes time to import
             os.write(2, b"interrupted\n")
         except OSError:
             pass

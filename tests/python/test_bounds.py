@@ -3,6 +3,7 @@
 """Hostile files: each is refused with one message and exit code 2, soon and in little memory."""
 
 import json
+import re
 import time
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 import graspless
 from graspless import TaskError
+from graspless.tasks import task_from_dict
 from graspless.tasks.source import parse_yaml
 from tasks_common import GOOD, changed, fault, run
 
@@ -142,3 +144,39 @@ def test_output_at_a_loop_of_links(write, tmp_path, capsys):
     assert err == f"{tmp_path / 'a'}: cannot be written: Too many levels of symbolic links\n"
     with pytest.raises(TaskError, match="cannot be written: embedded null byte"):
         graspless.plan(write(GOOD), iterations=0).save("a\0b")
+
+
+@pytest.mark.parametrize(
+    ("expression", "what"),
+    [("9**9**9", r"within (10 s|1024 MiB)"), ("'a' * 10**10", "1024 MiB"), ("1/0", "division")],
+)
+def test_xacro_that_never_ends(write, expression, what):
+    write(
+        f'<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="${{{expression}}}"/></robot>',
+        "a.xacro",
+    )
+    told = fault(write(changed("urdf: wam_t42", "urdf: a.xacro")))
+    assert re.match(rf"task.yaml:3: robot.urdf: a.xacro: xacro cannot expand it.*{what}", told)
+
+
+@pytest.mark.parametrize("name", ["secret", "secret.stl"])
+def test_plan_file_opens_no_path_of_its_own(write, tmp_path, monkeypatch, name):
+    secret = tmp_path / name
+    secret.write_text("password")
+    document = graspless.load_task(write(GOOD)).to_dict() | {"files": {str(secret): "0" * 64}}
+    monkeypatch.setattr("graspless.tasks.meshes.checksum", lambda _: pytest.fail("opened"))
+    with pytest.raises(TaskError, match=rf"files: .*{name}: should be a mesh .* of the task's"):
+        task_from_dict(document, "plan.json")
+
+
+@pytest.mark.parametrize("limit", ["0", "-1"])
+def test_velocity_limit_of_no_motion(limit):
+    from graspless.timing.settings import joint_limits
+
+    text = graspless.robot.builtin("wam_t42").read_text()
+    one = re.search(r'<joint name="wam_joint_1".*?</joint>', text, re.DOTALL)[0]
+    text = text.replace(one, re.sub(r'velocity="[^"]*"', f'velocity="{limit}"', one))
+    robot = graspless.robot.Robot.from_urdf(text)
+    with pytest.raises(TaskError, match=f"robot: wam_joint_1: velocity limit {limit}: should be"):
+        joint_limits(robot, None, None)
+    assert joint_limits(robot, {"wam_joint_1": 0.5}, None)[0][0] == 0.5

@@ -69,9 +69,10 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
             for key, item in items:
                 if isinstance(key, str) and (what := _fault(key)):
                     yield place, f"the name {key!r} {what}"
-                elif type(item) in _CHECKED:
-                    if not (type(item) is float and -LARGEST <= item <= LARGEST):
-                        pending.append(((*place, key), item))
+                elif type(item) in _CHECKED and not (
+                    type(item) is float and -LARGEST <= item <= LARGEST
+                ):
+                    pending.append(((*place, key), item))
         elif what := _fault(value):
             yield place, what
 

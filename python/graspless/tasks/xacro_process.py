@@ -55,10 +55,12 @@ def _main() -> None:
     _limit_resources()
     try:
         answer = {"text": _expanded(asked)}
-    except MemoryError:
-        answer = {"error": f"needs more than {MEMORY >> 20} MiB"}
     except Exception as error:  # xacro raises many kinds, some of them private
-        answer = {"error": str(error).splitlines()[0] if str(error) else type(error).__name__}
+        inner = getattr(error, "exc", None) or error
+        told_lines = [line for line in str(error).splitlines() if line.strip()]
+        answer = {"error": told_lines[0] if told_lines else type(inner).__name__}
+        if isinstance(inner, MemoryError):
+            answer = {"error": f"needs more than {MEMORY >> 20} MiB"}
     json.dump(answer, told)
 
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -86,6 +87,7 @@ def joint_limits(
             if given is not None:
                 raise TaskError(f"{name}: {given}: this plan moves no joints: should be left out")
         return np.zeros(0), np.zeros(0)
+    _require_velocities(robot, max_velocity)
     slides = _slides(robot)
     velocity = np.asarray(robot.max_velocity, dtype=float).copy()
     unknown = ~(np.isfinite(velocity) & (velocity > 0))
@@ -126,6 +128,20 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
     elif given is not None:
         values[:] = require_positive(name, given)
     return values
+
+
+def _require_velocities(robot: Robot, given: PerJoint | None) -> None:
+    """Raises TaskError if the URDF's velocity limit of a joint is none, and the caller has none."""
+    if given is not None and not isinstance(given, Mapping):
+        return
+    for joint in ET.fromstring(robot.urdf).iter("joint"):
+        name, limit = joint.get("name"), joint.find("limit")
+        if name not in robot.joint_names or limit is None or name in (given or {}):
+            continue
+        text = limit.get("velocity", "1")
+        if not float(text) > 0:
+            what = "should be positive in the URDF, or be given as max_velocity of this joint"
+            raise TaskError(f"robot: {name}: velocity limit {text}: {what}")
 
 
 def _slides(robot: Robot) -> NDArray[np.bool_]:
