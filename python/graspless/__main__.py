@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Entry point of the commands `graspless` and `python -m graspless`."""
 
-import _signal  # the module `signal` takes time to import, in which a signal may come
+import _signal  # type: ignore[import-not-found]  # the module `signal` takes time to import, in which a signal may come
 import os
 import sys
 
@@ -24,6 +24,7 @@ def main() -> int:
     import threading
 
     from . import cli
+    from ._commands import INTERRUPTED
 
     gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
     try:
@@ -35,7 +36,7 @@ def main() -> int:
         if signals.came:
             signals.leave()
         raise
-    if signals.came and code == cli.INTERRUPTED:
+    if signals.came and code == INTERRUPTED:
         code = 128 + signals.came
     if threading.active_count() == 1:
         _leave(code)

@@ -27,7 +27,7 @@ def check_yaml(text: str, file: str, loader: Any) -> None:
     """
     import yaml
 
-    sizes: dict[str, int] = {}  # nodes below each anchor
+    sizes: dict[str | None, int] = {}  # nodes below each anchor
     open_nodes: list[tuple[str | None, int]] = []  # anchor, and nodes before it
     nodes = 0
     events = loader(text)
