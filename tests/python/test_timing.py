@@ -326,13 +326,13 @@ SLIDER = """<robot name="slider"><link name="a"/><link name="b"/><link name="c"/
 <limit lower="0" upper="1" effort="1" velocity="3"/></joint></robot>"""
 
 
-def test_limits_that_a_urdf_does_not_have():
+def test_limits_beside_those_of_the_urdf():
     slider = Robot.from_urdf(SLIDER)
     order = [slider.joint("rail"), slider.joint("turn")]
-    velocity, acceleration = settings.joint_limits(slider, None, None)
+    velocity, acceleration = settings.joint_limits(slider, {"rail": 0.25}, None)
     np.testing.assert_array_equal(velocity[order], [settings.VELOCITY[1], 3.0])
     np.testing.assert_array_equal(acceleration[order], settings.ACCELERATION[::-1])
-    velocity, acceleration = settings.joint_limits(slider, {"turn": 5}, {"rail": 0.3})
+    velocity, acceleration = settings.joint_limits(slider, {"turn": 5, "rail": 0.25}, {"rail": 0.3})
     np.testing.assert_array_equal(velocity[order], [settings.VELOCITY[1], 3.0])  # the URDF's
     np.testing.assert_array_equal(acceleration[order], [0.3, settings.ACCELERATION[0]])
     velocity, _ = settings.joint_limits(slider, 0.2, None)
