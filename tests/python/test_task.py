@@ -369,6 +369,41 @@ def test_broken_clouds(write):
         assert message.startswith(f"task.yaml:7: object.cloud: {name}: cannot be read"), message
 
 
+PCD = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 {}\nWIDTH {}\nPOINTS {}\nDATA {}\n"
+
+
+@pytest.mark.parametrize(
+    ("count", "points", "data", "what"),
+    [
+        (4_000_000_000, 1, "ascii", "COUNT has 4000000002 values a point, but the file only 1"),
+        (4_000_000_000, 0, "binary", "COUNT has 4000000002 values a point, but the file only 1"),
+        (1, 4_000_000_000, "ascii", "POINTS is 4000000000, which takes at least 24000000000 byte"),
+        (1, 4_000_000_000, "binary", "POINTS is 4000000000, which takes at least 48000000000 byte"),
+        (1, 2, "binary_compressed", "states 858982960 bytes of points, packed in 12 bytes"),
+    ],
+)
+def test_pcd_that_states_more_than_it_holds(write, count, points, data, what):
+    write(PCD.format(count, points, points, data) + "0 0 0\n333333", "a.pcd")
+    message = fault(write(cloud_task("a.pcd")))
+    assert f"object.cloud: a.pcd: cannot be read as a point cloud: {what}" in message
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "property float x\n",
+        "element vertex 4000000000\nproperty float x\n",
+        "element vertex 1\nproperty list uint int x\n",
+    ],
+)
+@pytest.mark.parametrize("code", ["ascii", "binary_little_endian"])
+def test_ply_that_states_more_than_it_holds(write, header, code):
+    write(f"ply\nformat {code} 1.0\n{header}end_header\n44444444444 1", "a.ply")
+    assert "object.cloud: a.ply: cannot be read as a point cloud" in fault(
+        write(cloud_task("a.ply"))
+    )
+
+
 def test_millimetres_are_told_and_can_be_said(write, tmp_path):
     np.savetxt(tmp_path / "a.xyz", 1000 * grid(n=20, spacing=0.15))
     with pytest.warns(UserWarning, match=r"task.yaml:7: object.cloud: a.xyz: is 2850 x .*unit: mm"):

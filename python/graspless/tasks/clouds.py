@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 SUFFIXES = (".ply", ".pcd", ".xyz")
+LZF_RATIO = 100  # of bytes unpacked to packed, at most: three bytes make 264
 
 
 def read_cloud(path: str | Path) -> Matrix:
@@ -79,5 +80,42 @@ def _read_xyz(path: Path) -> Matrix:
 def _read_pcd(path: Path) -> Matrix:
     from pypcd4.pypcd4 import PointCloud
 
+    _check_counts(path)
     points = PointCloud.from_path(path).numpy(("x", "y", "z"))
     return np.asarray(points, dtype=float).reshape(-1, 3)
+
+
+def _check_counts(path: Path) -> None:
+    """Raises ValueError if the header of a PCD states more values than the file can hold.
+
+    The reader takes memory for each of them, before it looks for them.
+    """
+    from pypcd4.pypcd4 import Encoding, MetaData
+
+    lines: list[str] = []
+    with path.open("rb") as file:
+        for line in file:  # as the reader finds the header's end
+            if (words := line.decode().strip()) and not words.startswith("#"):
+                lines.append(words)
+            if words.startswith("DATA") or len(lines) >= 10:
+                break
+        size = path.stat().st_size
+        rest = size - file.tell()
+        sizes = file.read(8)
+    header = MetaData.parse_header(lines)
+    columns = sum(header.count)
+    needed = header.points * sum(
+        width * n for width, n in zip(header.size, header.count, strict=True)
+    )
+    room = rest
+    if header.data == Encoding.ASCII:
+        needed, room = 2 * columns * header.points, rest + 1  # a digit and a space each
+    elif header.data != Encoding.BINARY:
+        room = int.from_bytes(sizes[4:], "little")
+        if room > LZF_RATIO * rest:
+            raise ValueError(f"states {room} bytes of points, packed in {rest} bytes")
+    if columns > size:
+        raise ValueError(f"COUNT has {columns} values a point, but the file only {size} bytes")
+    if needed > room:
+        what = f"POINTS is {header.points}, which takes at least {needed} bytes"
+        raise ValueError(f"{what}; {room} bytes follow the header")
