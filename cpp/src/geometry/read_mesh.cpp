@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,15 +16,12 @@
 
 #include "graspless/geometry/shape.hpp"
 
+#include "geometry/read_ply.hpp"
+
 namespace graspless::geometry {
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-
-struct Soup {
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
-};
 
 constexpr std::array<const char*, 4> kExtensions{".stl", ".obj", ".off", ".ply"};
 
@@ -49,59 +46,60 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-/// Numbers of elements stated in the header of a .ply file.
-std::vector<double> counts_of_ply(std::istream& file) {
-  std::vector<double> counts;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string word, name;
-    double count = 0;
-    words >> word;
-    if (word == "end_header") break;
-    if (word == "element" && words >> name >> count) counts.push_back(count);
-  }
-  return counts;
-}
+thread_local std::size_t file_size = 0;  // of the file that CGAL reads [bytes]
 
-/// Numbers of vertices and faces stated in the header of an .off file.
-std::vector<double> counts_of_off(std::istream& file, const std::string& path) {
-  std::vector<double> counts;
+/// A vector for CGAL's readers, which reserve memory for the numbers that a file states. Every
+/// element takes at least a byte, so a number above the file's size is wrong.
+template <typename T>
+struct Bounded : std::vector<T> {
+  void resize(std::size_t size) {
+    if (size > file_size) {
+      throw std::length_error("it states " + std::to_string(size) + " elements, but has only " +
+                              std::to_string(file_size) + " bytes");
+    }
+    std::vector<T>::resize(size);
+  }
+};
+
+/// Refuses binary .off files.
+void require_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     for (std::string word; words >> word;) {
-      if (word == "BINARY") refuse_file(path, "is a binary .off file; save it as text");
-      if (word.find("OFF") != std::string::npos) continue;
-      counts.push_back(std::strtod(word.c_str(), nullptr));
-      if (counts.size() == 2) return counts;
+      if (word.find("BINARY") != std::string::npos)
+        refuse_file(path, "is a binary .off file; save it as text");
+      if (word.find("OFF") == std::string::npos) return;
     }
   }
-  return counts;
 }
 
-/// CGAL's readers reserve memory for the numbers stated in the header. Every element takes at least
-/// a byte, so larger numbers than the file's size are wrong.
-void require_plausible_header(const std::string& path, const std::string& extension) {
-  if (extension != ".ply" && extension != ".off") return;
-  const auto size = static_cast<double>(std::filesystem::file_size(path));
-  std::ifstream file(path, std::ios::binary);
-  for (const double count : extension == ".ply" ? counts_of_ply(file) : counts_of_off(file, path)) {
-    if (count > size)
-      refuse_file(path, "is damaged: its header states more elements than the file can hold");
+PolygonSoup read_by_cgal(const std::string& path) {
+  Bounded<Point> points;
+  Bounded<Bounded<std::size_t>> polygons;
+  file_size = std::filesystem::file_size(path);
+  if (!CGAL::IO::read_polygon_soup(path, points, polygons)) {
+    throw std::invalid_argument("it is damaged, or its format does not match its extension");
   }
+  PolygonSoup soup;
+  for (const Point& p : points) soup.points.emplace_back(p.x(), p.y(), p.z());
+  for (auto& polygon : polygons) soup.polygons.push_back(std::move(polygon));
+  return soup;
 }
 
-Soup read_soup(const std::string& path) {
-  Soup soup;
+PolygonSoup read_soup(const std::string& path, const std::string& extension) {
+  if (extension == ".off") require_text(path);
   try {
-    if (CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons)) return soup;
+    if (extension != ".ply") return read_by_cgal(path);
+    std::ifstream file(path, std::ios::binary);
+    return read_ply({std::istreambuf_iterator<char>(file), {}});
   } catch (const std::exception& error) {
     refuse_file(path, std::string("cannot be read: ") + error.what());
   }
-  refuse_file(path, "cannot be read: it is damaged, or its format does not match its extension");
 }
 
 /// Splits each polygon into a fan of triangles. Drops triangles that repeat a vertex.
-Eigen::Matrix3Xi triangulate(const Soup& soup, const std::string& path) {
+Eigen::Matrix3Xi triangulate(const PolygonSoup& soup, const std::string& path) {
   std::vector<Eigen::Vector3i> triangles;
   for (const auto& polygon : soup.polygons) {
     for (const std::size_t corner : polygon) {
@@ -129,15 +127,12 @@ Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   const std::string extension = extension_of(path);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse_file(path, "is missing");
-  require_plausible_header(path, extension);
 
-  const Soup soup = read_soup(path);
+  const PolygonSoup soup = read_soup(path, extension);
   Mesh mesh;
   mesh.vertices.resize(3, static_cast<Eigen::Index>(soup.points.size()));
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
-    const Point& p = soup.points[i];
-    mesh.vertices.col(static_cast<Eigen::Index>(i)) =
-        scale.cwiseProduct(Eigen::Vector3d(p.x(), p.y(), p.z()));
+    mesh.vertices.col(static_cast<Eigen::Index>(i)) = scale.cwiseProduct(soup.points[i]);
   }
   mesh.triangles = triangulate(soup, path);
   if (mesh.triangles.cols() == 0) refuse_file(path, "is empty: it has no triangle");

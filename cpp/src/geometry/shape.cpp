@@ -21,9 +21,9 @@ constexpr double kMinThinness = 1e-9;
 }
 
 void require_length(double value, const std::string& what) {
-  if (value > 0 && value <= kMaxLength) return;
+  if (value >= kMinLength && value <= kMaxLength) return;
   std::ostringstream fault;
-  fault << "must be in (0, " << kMaxLength << "] m, not " << value;
+  fault << "must be in [" << kMinLength << ", " << kMaxLength << "] m, not " << value;
   refuse(what, fault.str());
 }
 

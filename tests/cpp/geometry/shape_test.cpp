@@ -45,11 +45,11 @@ TEST(Validate, AcceptsWholeShapes) {
 }
 
 TEST(Validate, NamesTheFieldAndTheValue) {
-  EXPECT_EQ(complaint_about(Box{{1, 0, 3}}), "link2.size[1] must be in (0, 10000] m, not 0");
-  EXPECT_EQ(complaint_about(Sphere{-1}), "link2.radius must be in (0, 10000] m, not -1");
+  EXPECT_EQ(complaint_about(Box{{1, 0, 3}}), "link2.size[1] must be in [1e-06, 10000] m, not 0");
+  EXPECT_EQ(complaint_about(Sphere{-1}), "link2.radius must be in [1e-06, 10000] m, not -1");
   EXPECT_EQ(complaint_about(Capsule{kNotANumber, 1}),
-            "link2.radius must be in (0, 10000] m, not nan");
-  EXPECT_EQ(complaint_about(Capsule{1, kInf}), "link2.length must be in (0, 10000] m, not inf");
+            "link2.radius must be in [1e-06, 10000] m, not nan");
+  EXPECT_EQ(complaint_about(Capsule{1, kInf}), "link2.length must be in [1e-06, 10000] m, not inf");
 }
 
 TEST(Validate, RefusesAHullWithoutVolume) {
@@ -249,6 +249,15 @@ TEST_F(ReadMesh, RefusesDamagedFiles) {
   for (const std::string& path : bad) {
     EXPECT_NE(error_of_file(path).find(path), std::string::npos) << path;
   }
+}
+
+TEST_F(ReadMesh, RefusesCountsAboveTheSizeOfTheFile) {
+  const std::string corners = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n400000000 0 1 2\n";
+  const std::string named = "nOFF\n3\n3 1000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_NE(error_of_file(write("corners.off", corners)).find("states 400000000 elements"),
+            std::string::npos);
+  EXPECT_NE(error_of_file(write("named.off", named)).find("states 1000000000 elements"),
+            std::string::npos);
 }
 
 TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {

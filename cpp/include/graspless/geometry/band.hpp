@@ -18,7 +18,7 @@ namespace graspless::geometry {
 /// corner.
 class GRASPLESS_API Band {
  public:
-  /// Throws std::invalid_argument unless `width` [m] is finite and positive.
+  /// Throws std::invalid_argument unless `width` [m] lies in [kMinLength, kMaxLength].
   Band(const Polygon& polygon, double width);
 
   /// True if `p` lies in the band.

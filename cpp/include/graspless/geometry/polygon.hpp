@@ -22,7 +22,7 @@ class GRASPLESS_API Polygon {
   };
 
   /// `vertices`: 2 x n [m]; a clockwise list is reversed. Throws std::invalid_argument that names
-  /// `what` on fewer than three vertices, a value that is not finite, a repeated vertex, or a
+  /// `what` on fewer than three vertices, a coordinate beyond kMaxLength, a repeated vertex, or a
   /// boundary that crosses or touches itself.
   explicit Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what = "polygon");
 

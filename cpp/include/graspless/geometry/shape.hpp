@@ -14,6 +14,8 @@ namespace graspless::geometry {
 
 /// Largest length or coordinate [m]. Beyond 1e6 m the collision library may loop forever.
 constexpr double kMaxLength = 1e4;
+/// Smallest length that must be positive, such as a radius [m].
+constexpr double kMinLength = 1e-6;
 
 /// Box centred at its frame's origin, sides along the axes.
 struct Box {
@@ -51,9 +53,9 @@ struct PlacedShape {
   Eigen::Isometry3d X_BG = Eigen::Isometry3d::Identity();  ///< pose of the shape's frame G in B
 };
 
-/// Throws std::invalid_argument that names `what` unless every length is positive, nothing exceeds
-/// kMaxLength, a hull has at least four points and spans a volume, and every triangle index refers
-/// to a vertex of its mesh.
+/// Throws std::invalid_argument that names `what` unless every length is at least kMinLength,
+/// nothing exceeds kMaxLength, a hull has at least four points and spans a volume, and every
+/// triangle index refers to a vertex of its mesh.
 GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 
 /// Support function of a shape: its largest coordinate along a unit direction of B, from B's origin

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+
+#include "graspless/geometry/shape.hpp"
 
 #include "geometry/polygon/cgal_polygon.hpp"
 
@@ -75,8 +78,10 @@ std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double
 }  // namespace
 
 Band::Band(const Polygon& polygon, double width) : polygon_(polygon), width_(width) {
-  if (!(width > 0) || !std::isfinite(width)) {
-    throw std::invalid_argument("band width must be positive, not " + std::to_string(width));
+  if (!(width >= kMinLength && width <= kMaxLength)) {
+    std::ostringstream fault;
+    fault << "band width must lie in [" << kMinLength << ", " << kMaxLength << "] m, not " << width;
+    throw std::invalid_argument(fault.str());
   }
   auto core = verified_core(polygon, width);
   exact_ = core.has_value();

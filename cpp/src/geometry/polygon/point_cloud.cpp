@@ -18,6 +18,8 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "graspless/geometry/shape.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -160,7 +162,7 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
   }
   const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
   const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
-  const double points = (upper - lower).prod() / (spacing * spacing);
+  const double points = ((upper - lower) / spacing).cwiseMax(1).prod();
   if (points > kMaxGridPoints) {
     throw std::invalid_argument("spacing " + number(spacing) + " m gives " + number(points) +
                                 " points on " + number((upper - lower).x()) + " x " +
@@ -180,6 +182,11 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
 
 Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
   if (!points.allFinite()) throw std::invalid_argument(what + " has a value that is not finite");
+  if (points.size() > 0 && points.cwiseAbs().maxCoeff() > kMaxLength) {
+    throw std::invalid_argument(what + " must lie within " + number(kMaxLength) +
+                                " m of the origin along x and y, not at " +
+                                number(points.cwiseAbs().maxCoeff()) + " m");
+  }
   std::vector<Kernel::Point_2> cloud;
   for (const auto& p : points.colwise()) cloud.emplace_back(p.x(), p.y());
   AlphaShape shape(cloud.begin(), cloud.end(), 0, AlphaShape::REGULARIZED);

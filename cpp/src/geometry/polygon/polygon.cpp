@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/geometry/shape.hpp"
+
 #include "geometry/polygon/cgal_polygon.hpp"
 
 namespace graspless::geometry {
@@ -42,9 +44,11 @@ void check_vertices(const Eigen::Matrix2Xd& v, const std::string& what) {
                                 std::to_string(v.cols()));
   }
   for (Eigen::Index i = 0, j = v.cols() - 1; i < v.cols(); j = i++) {
-    if (!v.col(i).allFinite()) {
-      throw std::invalid_argument(what + " vertex " + std::to_string(i) +
-                                  " is not finite: " + to_text(v.col(i)));
+    if (!(v.col(i).cwiseAbs().array() <= kMaxLength).all()) {
+      std::ostringstream fault;
+      fault << what << " vertex " << i << " must lie within " << kMaxLength
+            << " m of the origin along x and y, not at " << to_text(v.col(i));
+      throw std::invalid_argument(fault.str());
     }
     if (v.col(i) == v.col(j)) {
       throw std::invalid_argument(what + " repeats vertex " + std::to_string(j) + " at " +

@@ -109,7 +109,9 @@ TEST(Polygon, RefusesWhatIsNotOne) {
   };
   refused({{0, 0}, {1, 0}}, "at least 3");
   refused({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "crosses");
-  refused({{0, 0}, {1, 0}, {nan, 1}}, "not finite");
+  refused({{0, 0}, {1, 0}, {nan, 1}}, "vertex 2 must lie within 10000 m");
+  refused({{0, 0}, {1e160, 0}, {0, 1e160}},
+          "vertex 1 must lie within 10000 m of the origin along x and y, not at (1e+160, 0)");
   refused({{0, 0}, {1, 0}, {1, 0}, {0, 1}}, "repeats");
   refused({{0, 0}, {1, 0}, {2, 0}}, "crosses");                            // flat
   refused({{0, 0}, {1, 0}, {1, 1}, {0.5, 0}, {0, 1}}, "crosses");          // touches itself
