@@ -11,11 +11,14 @@
 
 #include "robot/model.hpp"
 #include "robot/names.hpp"
+#include "robot/xml_depth.hpp"
 
 namespace graspless::robot {
 namespace {
 
 constexpr double kStateSlack = 1e-3;  // SRDF files hold limits rounded to a few digits [rad or m]
+
+constexpr std::size_t kMaxGroupDepth = 100;  // of groups in groups, which are read by recursion
 
 class SrdfReader {
  public:
@@ -87,6 +90,10 @@ class SrdfReader {
     const auto done = model_.groups.find(name);
     if (done != model_.groups.end()) return done->second;
     if (!open_.insert(name).second) fail(group, "group '" + name + "' contains itself");
+    if (open_.size() > kMaxGroupDepth) {
+      fail(group, "group '" + name + "' is contained in " + std::to_string(open_.size() - 1) +
+                      " others, more than " + std::to_string(kMaxGroupDepth - 1));
+    }
     std::set<int> joints;
     for_each(group, "joint", [&](const TiXmlElement& e) { add(carried(e), joints); });
     for_each(group, "link",
@@ -144,6 +151,7 @@ class SrdfReader {
 }  // namespace
 
 void read_srdf(const std::string& xml, Robot::Model& model) {
+  require_shallow(xml, "SRDF");
   TiXmlDocument document;
   document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {

@@ -8,8 +8,14 @@
 
 #include <tinyxml.h>
 
+#include "robot/xml_depth.hpp"
+
 namespace graspless::robot {
 namespace {
+
+// Tables of a robot grow with the product of both. urdfdom recurses once a link of a chain.
+constexpr std::size_t kMaxLinks = 10000;
+constexpr int kMaxChain = 1000;
 
 struct Edge {
   std::string joint, parent, child;
@@ -66,6 +72,10 @@ std::set<std::string> declared_links(const TiXmlElement& robot) {
     if (!links.insert(name).second) fail(*e, "link '" + name + "' occurs twice");
   }
   if (links.empty()) fail(robot, "the robot has no links");
+  if (links.size() > kMaxLinks) {
+    fail(robot, "the robot has " + std::to_string(links.size()) + " links, more than " +
+                    std::to_string(kMaxLinks));
+  }
   return links;
 }
 
@@ -119,9 +129,26 @@ std::vector<std::string> depth_first(const std::string& root, const std::vector<
   return order;
 }
 
+/// Refuses chains of more than kMaxChain joints. `edges` in any order, `order` from the root on.
+void check_chains(const TiXmlElement& robot, const std::vector<Edge>& edges,
+                  const std::vector<std::string>& order) {
+  std::map<std::string, const Edge*> by_joint;
+  for (const Edge& edge : edges) by_joint.emplace(edge.joint, &edge);
+  std::map<std::string, int> depth;  // of a link
+  for (const std::string& joint : order) {
+    const Edge& edge = *by_joint.at(joint);
+    const int joints = depth[edge.child] = depth[edge.parent] + 1;
+    if (joints > kMaxChain) {
+      fail(robot, "link '" + edge.child + "' is " + std::to_string(joints) +
+                      " joints away from the root, more than " + std::to_string(kMaxChain));
+    }
+  }
+}
+
 }  // namespace
 
 UrdfTree read_urdf_tree(const std::string& xml) {
+  require_shallow(xml, "URDF");
   TiXmlDocument document;
   document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
@@ -137,6 +164,7 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   tree.joints = depth_first(tree.root, edges);
   // Every link has one parent and there is one root, so joints that were not reached form a cycle.
   if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
+  check_chains(*robot, edges, tree.joints);
   return tree;
 }
 

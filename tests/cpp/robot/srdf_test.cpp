@@ -87,5 +87,21 @@ TEST(Srdf, OursNamesArmAndHand) {
   }
 }
 
+TEST(Srdf, RefusesDeepNesting) {
+  std::string elements, groups = "<group name='g0'><joint name='joint2'/></group>";
+  for (int i = 0; i < 100000; ++i) elements += "<group name='g'>\n";
+  EXPECT_CONTAINS(refused_srdf(elements), "SRDF line 101: elements may be nested 100 deep at most");
+  const auto add = [&](int from, int to) {
+    for (int i = from; i < to; ++i) {
+      groups += "<group name='g" + std::to_string(i) + "'><group name='g" + std::to_string(i - 1) +
+                "'/></group>\n";
+    }
+  };
+  add(1, 100);
+  EXPECT_EQ(with(groups).group("g99").size(), 1u);
+  add(100, 100000);
+  EXPECT_CONTAINS(refused_srdf(groups), "is contained in 100 others, more than 99");
+}
+
 }  // namespace
 }  // namespace graspless::robot

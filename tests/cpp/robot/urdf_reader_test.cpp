@@ -158,5 +158,40 @@ TEST(UrdfReader, IsTheSameUnderACommaLocale) {
   EXPECT_EQ(distance(after.pose(9, q), before.pose(9, q)), 0);
 }
 
+TEST(UrdfReader, RefusesDeepNesting) {
+  const auto nested = [](int levels, const std::string& start, const std::string& end) {
+    std::string text = links({"a"});
+    for (int i = 0; i < levels; ++i) text += start;
+    for (int i = 0; i < levels; ++i) text += end;
+    return text;
+  };
+  EXPECT_NO_THROW(read(nested(99, "<x>", "</x>")));
+  EXPECT_NO_THROW(read(nested(1000, "<x/>", "<!-- <x> --><![CDATA[<x>]]>")));
+  EXPECT_NO_THROW(read(nested(1000, "<x y='<x>'></x>", "")));
+  const std::string fault = "URDF line 1: elements may be nested 100 deep at most";
+  EXPECT_CONTAINS(refused(nested(100, "<x>", "</x>")), fault);
+  // Parts that look like end tags, to a reader less strict than TinyXML.
+  for (const std::string start : {"<x>", "<x><!-- </x> -->", "<x y='/>'>", "<x y=\"</x>\">",
+                                  "<x>/>", "<x><![CDATA[</x>]]>", "<x><1 '>", "<x><?y ?>"}) {
+    EXPECT_CONTAINS(refused(nested(50000, start, "")), fault);
+  }
+  const std::string ends = nested(50000, "</x>", ""), starts = nested(50000, "<x>", "");
+  EXPECT_CONTAINS(complaint([&] { Robot::from_urdf(ends + starts, {}); }), fault);
+}
+
+TEST(UrdfReader, RefusesLongChainsAndManyLinks) {
+  const auto chain = [](int count) {
+    const auto name = [&](int i) { return "l" + std::to_string(1000000 - i); };
+    std::string text = links({name(0)});
+    for (int i = 1; i <= count; ++i) {
+      text += links({name(i)}) + joint("j" + std::to_string(i), name(i - 1), name(i));
+    }
+    return text;
+  };
+  EXPECT_EQ(read(chain(1000)).dof(), 1000);
+  EXPECT_CONTAINS(refused(chain(1001)), "link 'l998999' is 1001 joints away from the root");
+  EXPECT_CONTAINS(refused(chain(10000)), "the robot has 10001 links, more than 10000");
+}
+
 }  // namespace
 }  // namespace graspless::robot
