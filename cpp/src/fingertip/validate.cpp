@@ -31,17 +31,16 @@ void require_positive(const std::string& field, double value) {
   require(value > 0 && std::isfinite(value), field, value, "must be positive and finite");
 }
 
-// Beyond this the kernels' arithmetic would overflow.
-constexpr double kLargest = 1e9;
-
-void require_moderate(const std::string& field, double value) {
-  require_positive(field, value);
-  require(value <= kLargest, field, value, "must be at most 1e9");
+void require_within(const std::string& field, double value, double least, double largest,
+                    const std::string& unit) {
+  std::ostringstream must;
+  must << "must lie in [" << least << ", " << largest << "]" << unit;
+  require(value >= least && value <= largest, field, value, must.str());
 }
 
 void check_friction(const std::string& field, const FrictionInterval& friction) {
-  require(friction.lower >= 0, field + ".lower", friction.lower, "must be at least 0");
-  require(friction.upper <= kLargest, field + ".upper", friction.upper, "must be at most 1e9");
+  require_within(field + ".lower", friction.lower, 0, mechanics::kMaxFriction, "");
+  require_within(field + ".upper", friction.upper, 0, mechanics::kMaxFriction, "");
   require(friction.lower <= friction.upper, field + ".lower", friction.lower,
           "must not exceed " + field + ".upper = " + std::to_string(friction.upper));
 }
@@ -49,9 +48,10 @@ void check_friction(const std::string& field, const FrictionInterval& friction) 
 void check_fingers(const Fingers& fingers) {
   require(fingers.count >= 1 && fingers.count <= mechanics::kMaxFingers, "fingers.count",
           fingers.count, "must be 1 to " + std::to_string(mechanics::kMaxFingers));
-  require(fingers.radius > 0 && fingers.radius <= geometry::kMaxLength, "fingers.radius",
-          fingers.radius, "must lie in (0, 1e4] m");
-  require_moderate("fingers.max_normal_force", fingers.max_normal_force);
+  require_within("fingers.radius", fingers.radius, geometry::kMinLength, geometry::kMaxLength,
+                 " m");
+  require_within("fingers.max_normal_force", fingers.max_normal_force, mechanics::kMinForce,
+                 mechanics::kMaxForce, " N");
   check_friction("fingers.friction", fingers.friction);
   require(fingers.max_span >= 2 * fingers.radius, "fingers.max_span", fingers.max_span,
           "must be at least two radii (infinity: any)");
@@ -247,6 +247,15 @@ void require_memory_for_lattice(const Problem& problem, const Options& options, 
   throw std::invalid_argument(text.str());
 }
 
+void check_weight(const Problem& problem) {
+  const double mass = problem.object.mass(), gravity = problem.gravity_W.cwiseAbs().maxCoeff();
+  if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
+  require_within("gravity_W", gravity, 0, mechanics::kMaxGravity, " m/s^2, along each axis");
+  require_within("object.mass", mass, mechanics::kMinMass, mechanics::kMaxMass, " kg");
+  require_within("weight of the object, object.mass times gravity_W", mass * gravity, 0,
+                 mechanics::kMaxForce, " N");
+}
+
 }  // namespace
 
 void validate(const Problem& problem) {
@@ -254,10 +263,7 @@ void validate(const Problem& problem) {
   check_friction("friction", problem.friction);
   check_planes(problem.planes);
   collision::require_obstacles(problem.obstacles);
-  if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
-  require(problem.gravity_W.cwiseAbs().maxCoeff() <= kLargest, "gravity_W",
-          problem.gravity_W.cwiseAbs().maxCoeff(), "must lie within 1e9 m/s^2");
-  require_moderate("object.mass", problem.object.mass());
+  check_weight(problem);
   check_motion(problem);
 }
 

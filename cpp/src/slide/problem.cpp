@@ -4,23 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/point_cloud.hpp"
+#include "graspless/mechanics/contact.hpp"
 
 namespace graspless::slide {
 namespace {
 
+constexpr double kMinFriction = 1e-6;
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
-void check_positive(const std::string& what, double value) {
-  if (!(value > 0) || !std::isfinite(value)) {
-    throw std::invalid_argument(what + " must be positive, not " + std::to_string(value));
-  }
+void check_within(const std::string& what, double value, double least, double largest,
+                  const std::string& unit) {
+  if (value >= least && value <= largest) return;
+  std::ostringstream fault;
+  fault << what << " must lie in [" << least << ", " << largest << "]" << unit << ", not " << value;
+  throw std::invalid_argument(fault.str());
 }
 
-double positive(const std::string& what, double value) {
-  check_positive(what, value);
+double length(const std::string& what, double value) {
+  check_within(what, value, geometry::kMinLength, geometry::kMaxLength, " m");
+  return value;
+}
+
+double friction(const std::string& what, double value) {
+  check_within(what, value, kMinFriction, mechanics::kMaxFriction, "");
   return value;
 }
 
@@ -53,7 +63,7 @@ void check_thin(const std::string& what, const std::vector<double>& z, double th
                                 std::to_string(spread) + " m (5th to 95th percentile); at most " +
                                 std::to_string(kMaxHeightSpread) + " m is allowed");
   }
-  check_positive(what + " thickness", thickness);
+  length(what + " thickness", thickness);
   if (thickness > width / 2) {
     throw std::invalid_argument(what + " is not thin: thickness " + std::to_string(thickness) +
                                 " m exceeds half its width of " + std::to_string(width) + " m");
@@ -135,14 +145,15 @@ Object Object::with_com(const Eigen::Vector3d& com_O) const {
 }
 
 Object Object::with_mass(double mass) const {
-  check_positive("object '" + name_ + "' mass", mass);
+  check_within("object '" + name_ + "' mass", mass, mechanics::kMinMass, mechanics::kMaxMass,
+               " kg");
   Object other = *this;
   other.mass_ = mass;
   return other;
 }
 
 Object Object::scaled(double scale) const {
-  check_positive("object '" + name_ + "' scale", scale);
+  check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
   Object other(name_, scale * points_, geometry::Polygon(scale * outline_.vertices()), thickness_,
                scale * com_.head<2>());
   other.com_.z() = com_.z();
@@ -166,8 +177,8 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
                  double band_width, double friction)
     : goal_band_(polygon, band_width),
       X_WS_(X_WS),
-      slab_(positive("support slab", slab)),
-      friction_(positive("support friction", friction)),
+      slab_(length("support slab", slab)),
+      friction_(slide::friction("support friction", friction)),
       shapes_(prisms(polygon, -slab, 0)),
       solid_(shapes_, "support") {
   const Eigen::Matrix3d R = X_WS.linear();

@@ -33,14 +33,21 @@ TEST(FingertipValidate, TakesThePapersCases) {
 
 TEST(FingertipValidate, RefusesNumbersThatWouldOverflow) {
   expect_problem_refused([](Problem& p) { p.fingers.max_normal_force = 1e300; },
-                         "fingers.max_normal_force must be at most 1e9, not 1e+300");
-  expect_problem_refused([](Problem& p) { p.gravity_W.z() = -1e300; }, "gravity_W must lie within");
+                         "fingers.max_normal_force must lie in [1e-06, 1e+06] N, not 1e+300");
+  expect_problem_refused([](Problem& p) { p.gravity_W.z() = -1e300; },
+                         "gravity_W must lie in [0, 1000]");
   expect_problem_refused([](Problem& p) { p.friction.upper = 1e300; }, "friction.upper must be");
+  expect_refused(
+      [] {
+        Object::box("heavy", {1, 1, 1}, 1e300);
+      },
+      "mass must lie in [1e-09, 100000] kg, not 1e+300");
   expect_problem_refused(
       [](Problem& p) {
-        p.object = Object::box("heavy", {1, 1, 1}, 1e300);
+        p.object = Object::box("heavy", {1, 1, 1}, 1e5);
+        p.gravity_W.z() = -900;
       },
-      "object.mass must be at most 1e9");
+      "weight of the object, object.mass times gravity_W must lie in [0, 1e+06] N, not 9e+07");
   expect_options_refused([](Options& o) { o.min_stability = 1e300; }, "options.min_stability");
 }
 
@@ -48,7 +55,7 @@ TEST(FingertipValidate, RefusesBadNumbers) {
   for (const double bad : {0.0, -1.0, kNan, HUGE_VAL}) {
     expect_problem_refused([&](Problem& p) { p.fingers.radius = bad; }, "fingers.radius");
     expect_problem_refused([&](Problem& p) { p.fingers.max_normal_force = bad; },
-                           "fingers.max_normal_force must be positive");
+                           "fingers.max_normal_force must lie in");
   }
   for (const double bad : {-1.0, kNan, HUGE_VAL}) {
     expect_problem_refused(

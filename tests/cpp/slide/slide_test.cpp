@@ -311,7 +311,11 @@ TEST(Object, RefusesWhatIsNotThinOrNotThere) {
                  "spacing 0.006 m gives 2.77778e+08 points on 100 x 100 m");
   expect_refused([&] { objects()[0].with_com({1, 0, 0}); }, "com");
   expect_refused([&] { objects()[0].with_mass(-1); }, "mass");
-  expect_refused([&] { objects()[0].scaled(0); }, "scale");
+  expect_refused([&] { objects()[0].with_mass(1e6); }, "mass must lie in [1e-09, 100000] kg");
+  expect_refused([&] { objects()[0].scaled(0); }, "scale must lie in [1e-06, 1e+06], not 0");
+  expect_refused([&] { objects()[0].scaled(1e300); }, "scale must lie in");
+  expect_refused([&] { Object::from_cloud("far", 1e160 * Eigen::Matrix3Xd::Random(3, 9)); },
+                 "must lie within 10000 m of the origin along x and y");
 }
 
 TEST(Object, CenterOfMassOfADistribution) {
@@ -327,6 +331,12 @@ TEST(Support, RefusesNonsense) {
   const Eigen::Isometry3d steep(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitX()));
   expect_refused([&] { Support(geometry::square(1), steep); }, "tilted");
   expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), -1); }, "slab");
+  expect_refused([&] { Support(geometry::square(1), steep, 1e300); },
+                 "slab must lie in [1e-06, 10000] m, not 1e+300");
+  expect_refused([&] { Support(geometry::square(1), steep, .04, 1e300); },
+                 "band width must lie in [1e-06, 10000] m, not 1e+300");
+  expect_refused([&] { Support(geometry::square(1), steep, .04, .06, 1e300); },
+                 "friction must lie in [1e-06, 10000], not 1e+300");
   expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), .04, 0); },
                  "band");
 }

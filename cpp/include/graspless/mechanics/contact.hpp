@@ -15,6 +15,15 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;  ///< wrench or twist, linear part
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
+// Physical bounds of all planners' input. Beyond them, rounding errors of the linear programs reach
+// the size of the answers.
+constexpr double kMinForce = 1e-6;    ///< least force limit [N]
+constexpr double kMaxForce = 1e6;     ///< largest force, as limit or load [N]
+constexpr double kMinMass = 1e-9;     ///< [kg]
+constexpr double kMaxMass = 1e5;      ///< [kg]; it weighs nearly kMaxForce
+constexpr double kMaxGravity = 1e3;   ///< largest acceleration [m/s^2]
+constexpr double kMaxFriction = 1e4;  ///< largest coefficient of friction
+
 enum class ContactMode {
   stick,  ///< any force within the friction cone
   slide,  ///< a force on the cone's edge against the motion
@@ -24,7 +33,7 @@ enum class ContactMode {
 struct Contact {
   Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d n_O = Eigen::Vector3d::UnitZ();  ///< into the object, unit
-  double friction = 0.5;                           ///< coefficient, in [0, inf)
+  double friction = 0.5;                           ///< coefficient, in [0, kMaxFriction]
   ContactMode mode = ContactMode::stick;
   /// Direction along the surface, of any length. Sliding: the direction in which the object moves.
   /// Sticking: the direction of the first edge of the friction cone; tangent() chooses one for
@@ -36,8 +45,8 @@ struct Contact {
 struct Finger {
   Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d n_O = Eigen::Vector3d::UnitZ();  ///< into the object, unit
-  double friction = 0.5;                           ///< coefficient, in [0, inf)
-  double max_normal_force = 10;                    ///< f_max [N]
+  double friction = 0.5;                           ///< coefficient, in [0, kMaxFriction]
+  double max_normal_force = 10;                    ///< f_max, in [kMinForce, kMaxForce] [N]
   Eigen::Vector3d t_O = Eigen::Vector3d::Zero();   ///< first edge of the cone; zero: any
 };
 
@@ -59,10 +68,11 @@ struct ContactSet {
 };
 
 /// Throws std::invalid_argument that names the field and its value, prefixed by `what`. Refused are
-/// values that are not finite, negative friction, force limits that are not positive, normals that
-/// are not unit vectors (normalized() corrects those), sliding contacts without a direction along
-/// the surface, cones of fewer than three edges, more than kMaxFingers fingers and a singular
-/// scale.
+/// values that are not finite, friction and forces outside the bounds above, positions beyond
+/// geometry::kMaxLength, moments beyond kMaxForce at that distance, normals that are not unit
+/// vectors (normalized() corrects those), sliding contacts without a direction along the surface,
+/// cones of fewer than three edges, more than kMaxFingers fingers, and a scale that is singular or
+/// has values beyond 1e9.
 GRASPLESS_API void validate(const ContactSet& set, const std::string& what = "contact set");
 
 /// Returns the set with unit normals. Throws std::invalid_argument for a normal of length zero.
@@ -87,7 +97,8 @@ GRASPLESS_API Eigen::Matrix3Xd friction_cone(const Eigen::Vector3d& n_O, double 
 /// is positive and the inertia is symmetric, positive definite and fulfils the triangle inequality.
 GRASPLESS_API Matrix6d wrench_scale(double mass, const Eigen::Matrix3d& inertia_O);
 
-/// Wrench of gravity on a mass [kg] about its centre, for an acceleration in O [m/s^2].
+/// Wrench of gravity on a mass [kg] about its centre, for an acceleration in O [m/s^2]. Throws
+/// std::invalid_argument for a mass outside [kMinMass, kMaxMass] or values beyond kMaxGravity.
 GRASPLESS_API Vector6d gravity_wrench(double mass, const Eigen::Vector3d& gravity_O);
 
 /// {l_i} (6 x 76): vertices of a polyhedron around the unit sphere in scaled wrench space. They are

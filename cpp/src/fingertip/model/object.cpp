@@ -4,7 +4,7 @@
 // A polyhedron and what the planner asks of it.
 #include "graspless/fingertip/object.hpp"
 
-#include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -19,8 +19,11 @@ namespace {
 std::string called(const std::string& name) { return "object '" + name + "'"; }
 
 void require_mass(const std::string& name, double mass) {
-  if (mass > 0 && std::isfinite(mass)) return;
-  throw std::invalid_argument(called(name) + " mass must be positive, not " + std::to_string(mass));
+  if (mass >= mechanics::kMinMass && mass <= mechanics::kMaxMass) return;
+  std::ostringstream text;
+  text << called(name) << " mass must lie in [" << mechanics::kMinMass << ", "
+       << mechanics::kMaxMass << "] kg, not " << mass;
+  throw std::invalid_argument(text.str());
 }
 
 /// Without what is rounding only: symmetric objects are to have symmetric properties.

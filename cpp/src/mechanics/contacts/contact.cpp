@@ -5,19 +5,25 @@
 #include "graspless/mechanics/contact.hpp"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "graspless/geometry/shape.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
 constexpr double kUnit = 1e-9;      // tolerance of a unit normal's length
+constexpr double kMaxScale = 1e9;   // of a force or moment [1 or 1/m]
 constexpr double kParallel = 1e-9;  // sine below which a direction is along the normal
 
 [[noreturn]] void refuse(const std::string& field, const std::string& must, double value) {
-  throw std::invalid_argument(field + " must " + must + ", not " + std::to_string(value));
+  std::ostringstream text;
+  text << field << " must " << must << ", not " << value;
+  throw std::invalid_argument(text.str());
 }
 
 void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::string& field) {
@@ -27,8 +33,23 @@ void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::st
   }
 }
 
-void check_positive(double value, const std::string& field) {
-  if (!(value > 0) || !std::isfinite(value)) refuse(field, "be positive and finite", value);
+/// Requires that every value is finite and at most `largest`, positive or negative.
+void check_within(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::string& field,
+                  double largest, const std::string& unit) {
+  check_finite(values, field);
+  const double value = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+  if (value <= largest) return;
+  std::ostringstream must;
+  must << "lie within +-" << largest << unit;
+  refuse(field, must.str(), value);
+}
+
+void check_in_range(double value, const std::string& field, double least, double largest,
+                    const std::string& unit) {
+  if (value >= least && value <= largest) return;
+  std::ostringstream must;
+  must << "lie in [" << least << ", " << largest << "]" << unit;
+  refuse(field, must.str(), value);
 }
 
 Eigen::Vector3d along_surface(const Eigen::Vector3d& n_O, const Eigen::Vector3d& t_O) {
@@ -38,14 +59,12 @@ Eigen::Vector3d along_surface(const Eigen::Vector3d& n_O, const Eigen::Vector3d&
 /// Validates the fields that contacts and fingers have in common.
 template <typename Touch>
 void check_touch(const Touch& touch, const std::string& field) {
-  check_finite(touch.p_OC, field + ".p_OC");
+  check_within(touch.p_OC, field + ".p_OC", geometry::kMaxLength, " m");
   check_finite(touch.n_O, field + ".n_O");
   check_finite(touch.t_O, field + ".t_O");
   const double length = touch.n_O.norm();
   if (std::abs(length - 1) > kUnit) refuse(field + ".n_O", "be a unit vector", length);
-  if (!(touch.friction >= 0) || !std::isfinite(touch.friction)) {
-    refuse(field + ".friction", "be finite, and zero or positive", touch.friction);
-  }
+  check_in_range(touch.friction, field + ".friction", 0, kMaxFriction, "");
 }
 
 void check_slide(const Contact& contact, const std::string& field) {
@@ -80,11 +99,14 @@ void validate(const ContactSet& set, const std::string& what) {
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const std::string field = what + ": fingers[" + std::to_string(i) + "]";
     check_touch(set.fingers[i], field);
-    check_positive(set.fingers[i].max_normal_force, field + ".max_normal_force");
+    check_in_range(set.fingers[i].max_normal_force, field + ".max_normal_force", kMinForce,
+                   kMaxForce, " N");
   }
-  check_finite(set.com_O, what + ": com_O");
-  check_finite(set.known_wrench_O, what + ": known_wrench_O");
-  check_finite(set.wrench_scale, what + ": wrench_scale");
+  check_within(set.com_O, what + ": com_O", geometry::kMaxLength, " m");
+  check_within(set.known_wrench_O.head<3>(), what + ": force of known_wrench_O", kMaxForce, " N");
+  check_within(set.known_wrench_O.tail<3>(), what + ": moment of known_wrench_O",
+               kMaxForce * geometry::kMaxLength, " N m");
+  check_within(set.wrench_scale, what + ": wrench_scale", kMaxScale, "");
   if (!Eigen::FullPivLU<Matrix6d>(set.wrench_scale).isInvertible()) {
     throw std::invalid_argument(what + ": wrench_scale must be regular");
   }
@@ -125,8 +147,8 @@ Eigen::Matrix3Xd friction_cone(const Eigen::Vector3d& n_O, double friction, int 
 }
 
 Vector6d gravity_wrench(double mass, const Eigen::Vector3d& gravity_O) {
-  check_positive(mass, "mass");
-  check_finite(gravity_O, "gravity_O");
+  check_in_range(mass, "mass", kMinMass, kMaxMass, " kg");
+  check_within(gravity_O, "gravity_O", kMaxGravity, " m/s^2");
   Vector6d wrench = Vector6d::Zero();
   wrench.head<3>() = mass * gravity_O;
   return wrench;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/Eigenvalues>
@@ -67,8 +68,10 @@ Principal principal_axes(const Eigen::Matrix3d& inertia) {
 }
 
 void check_inertia(double mass, const Eigen::Matrix3d& inertia) {
-  if (!(mass > 0) || !std::isfinite(mass)) {
-    throw std::invalid_argument("mass must be positive and finite, not " + std::to_string(mass));
+  if (!(mass >= kMinMass && mass <= kMaxMass)) {
+    std::ostringstream text;
+    text << "mass must lie in [" << kMinMass << ", " << kMaxMass << "] kg, not " << mass;
+    throw std::invalid_argument(text.str());
   }
   if (!inertia.allFinite()) throw std::invalid_argument("inertia_O must be finite");
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() >

@@ -63,7 +63,10 @@ TEST(Contact, ConeIsInscribedAndTurnsCounterClockwise) {
 TEST(Contact, GravityPassesThroughTheCentreOfMass) {
   const Vector6d wrench = gravity_wrench(2, Vector3d(0, 1, -9.8));
   EXPECT_EQ(wrench, (Vector6d() << 0, 2, -19.6, 0, 0, 0).finished());
-  expect_refused([] { gravity_wrench(0, Vector3d::UnitZ()); }, "mass must be positive");
+  expect_refused([] { gravity_wrench(0, Vector3d::UnitZ()); },
+                 "mass must lie in [1e-09, 100000] kg, not 0");
+  expect_refused([] { gravity_wrench(1, 1e4 * Vector3d::UnitZ()); },
+                 "gravity_O must lie within +-1000 m/s^2, not 10000");
 }
 
 ContactSet good() {
@@ -86,13 +89,24 @@ TEST(Contact, ValidateNamesTheField) {
   };
   refused([&](ContactSet& s) { s.contacts[1].p_OC.y() = nan; }, "contacts[1].p_OC must be finite");
   refused([](ContactSet& s) { s.contacts[0].friction = -0.1; },
-          "contacts[0].friction must be finite, and zero or positive, not -0.1");
+          "contacts[0].friction must lie in [0, 10000], not -0.1");
   refused([](ContactSet& s) { s.contacts[0].n_O *= 1.1; },
           "contacts[0].n_O must be a unit vector, not 1.1");
   refused([](ContactSet& s) { s.contacts[1].t_O = Vector3d(0, 0, 5); }, "contacts[1].t_O must");
   refused([](ContactSet& s) { s.contacts[1].t_O.setZero(); }, "contacts[1].t_O must");
   refused([](ContactSet& s) { s.fingers[1].max_normal_force = -1; },
-          "fingers[1].max_normal_force must be positive");
+          "fingers[1].max_normal_force must lie in [1e-06, 1e+06] N, not -1");
+  refused([](ContactSet& s) { s.fingers[0].max_normal_force = 1e12; },
+          "fingers[0].max_normal_force must lie in [1e-06, 1e+06] N, not 1e+12");
+  refused([](ContactSet& s) { s.fingers[1].friction = 1e300; }, "fingers[1].friction must lie in");
+  refused([](ContactSet& s) { s.contacts[1].p_OC.z() = -2e4; },
+          "contacts[1].p_OC must lie within +-10000 m, not 20000");
+  refused([](ContactSet& s) { s.com_O.z() = 1e300; }, "com_O must lie within +-10000 m");
+  refused([](ContactSet& s) { s.known_wrench_O[2] = -1e300; },
+          "force of known_wrench_O must lie within +-1e+06 N, not 1e+300");
+  refused([](ContactSet& s) { s.known_wrench_O[4] = 1e300; },
+          "moment of known_wrench_O must lie within +-1e+10 N m, not 1e+300");
+  refused([](ContactSet& s) { s.wrench_scale(0, 4) = 1e300; }, "wrench_scale must lie within");
   refused([&](ContactSet& s) { s.fingers[0].friction = nan; }, "fingers[0].friction must be");
   refused([](ContactSet& s) { s.fingers.resize(5); }, "fingers must be at most 4, not 5");
   refused([&](ContactSet& s) { s.known_wrench_O[3] = nan; }, "known_wrench_O must be finite");

@@ -54,7 +54,7 @@ TEST(WrenchScale, FreeAxesStayNearTheObjects) {
 }
 
 TEST(WrenchScale, RefusesWhatNoBodyHas) {
-  expect_refused([] { wrench_scale(-1, kMoments.asDiagonal()); }, "mass must be positive");
+  expect_refused([] { wrench_scale(-1, kMoments.asDiagonal()); }, "mass must lie in");
   expect_refused([] { wrench_scale(1, Vector3d(1, 1, 3).asDiagonal()); }, "inertia_O must have no");
   expect_refused([] { wrench_scale(1, Vector3d(0, 1, 1).asDiagonal()); }, "positive definite");
   expect_refused(
