@@ -107,9 +107,10 @@ TEST(Contact, ValidateNamesTheField) {
   refused([](ContactSet& s) { s.known_wrench_O[4] = 1e300; },
           "moment of known_wrench_O must lie within +-1e+10 N m, not 1e+300");
   refused([](ContactSet& s) { s.wrench_scale(0, 4) = 1e300; }, "wrench_scale must lie within");
-  refused([&](ContactSet& s) { s.fingers[0].friction = nan; }, "fingers[0].friction must be");
+  refused([&](ContactSet& s) { s.fingers[0].friction = nan; }, "fingers[0].friction must lie in");
   refused([](ContactSet& s) { s.fingers.resize(5); }, "fingers must be at most 4, not 5");
-  refused([&](ContactSet& s) { s.known_wrench_O[3] = nan; }, "known_wrench_O must be finite");
+  refused([&](ContactSet& s) { s.known_wrench_O[3] = nan; },
+          "moment of known_wrench_O must be finite");
   refused([&](ContactSet& s) { s.com_O[0] = nan; }, "com_O must be finite");
   refused([](ContactSet& s) { s.wrench_scale(2, 2) = 0; }, "wrench_scale must be regular");
   refused([](ContactSet& s) { s.cone_edges = 2; }, "cone_edges must be at least 3, not 2");
