@@ -24,8 +24,16 @@ if TYPE_CHECKING:
     from .grid import Trial
 
 MEGA = 1e6
-# What a row says of its search, in Plan.statistics.
-COUNTERS = ("z_evaluations", "bounded_tests", "pivots", "nodes", "placements", "supports", "candidates")
+# Counters of the search in each row, from Plan.statistics.
+COUNTERS = (
+    "z_evaluations",
+    "bounded_tests",
+    "pivots",
+    "nodes",
+    "placements",
+    "supports",
+    "candidates",
+)
 
 
 @dataclasses.dataclass
