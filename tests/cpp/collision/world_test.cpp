@@ -155,7 +155,7 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   EXPECT_EQ(complaint([&] {
               world.add_body("d", {{geometry::Sphere{1}}, {geometry::Sphere{0}}});
             }),
-            "body 'd' shapes[1].radius must be in (0, 10000] m, not 0");
+            "body 'd' shapes[1].radius must be in [1e-06, 10000] m, not 0");
   EXPECT_EQ(world.num_bodies(), 3);
   EXPECT_NE(complaint([&] { world.add_pair(0, 3); }).find("not 3"), std::string::npos);
   EXPECT_NE(complaint([&] { world.add_pair(c, c); }).find("itself"), std::string::npos);

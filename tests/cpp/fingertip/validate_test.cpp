@@ -36,7 +36,8 @@ TEST(FingertipValidate, RefusesNumbersThatWouldOverflow) {
                          "fingers.max_normal_force must lie in [1e-06, 1e+06] N, not 1e+300");
   expect_problem_refused([](Problem& p) { p.gravity_W.z() = -1e300; },
                          "gravity_W must lie in [0, 1000]");
-  expect_problem_refused([](Problem& p) { p.friction.upper = 1e300; }, "friction.upper must be");
+  expect_problem_refused([](Problem& p) { p.friction.upper = 1e300; },
+                         "friction.upper must lie in [0, 10000]");
   expect_refused(
       [] {
         Object::box("heavy", {1, 1, 1}, 1e300);
