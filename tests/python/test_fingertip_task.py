@@ -196,8 +196,8 @@ def test_mesh_in_millimetres_and_its_density(write, tmp_path):
     thing = graspless.load_task(write(mesh)).problem.object
     assert thing.mass == pytest.approx(0.25)
     np.testing.assert_allclose(np.ptp(thing.hull, axis=0), [0.05, 0.10, 0.05], atol=1e-9)
+    light = mesh.replace(", unit: mm", "").replace("density: 1000", "density: 0.1")
     with pytest.warns(UserWarning, match=r"object.mesh: is 50 x 100 x 50 m; .*unit: mm"):
-        light = mesh.replace(", unit: mm", "").replace("density: 1000", "density: 0.1")
         graspless.load_task(write(light))
 
 
