@@ -64,9 +64,8 @@ class _Signals:
         self.came = self.came or number
         if not self.is_running or (_is_importing(frame) and not _has_threads()):
             self.leave()
-        if (
-            number == _signal.SIGTERM
-        ):  # `timeout` sends it twice; the second would stop the clean-up
+        if number == _signal.SIGTERM:
+            # `timeout` sends it twice; the second would stop the clean-up.
             _signal.signal(number, _signal.SIG_IGN)
         raise KeyboardInterrupt
 

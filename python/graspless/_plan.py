@@ -174,11 +174,13 @@ class AnyPlan:
         return list(self._planner.check(self.task.problem, self, self.task.options))
 
 
-def of_solved(base: Any, name: str) -> Any:
-    """Returns an attribute of the core's plan as one that is None unless the plan is solved."""
+def of_found(base: Any, name: str, *statuses: Any) -> Any:
+    """Returns an attribute of the core's plan as one that is None unless the status is given."""
     core = getattr(base, name)
     return property(
-        lambda self: core.fget(self) if base.__bool__(self) else None, core.fset, doc=core.__doc__
+        lambda self: core.fget(self) if self.status in statuses else None,
+        core.fset,
+        doc=core.__doc__,
     )
 
 

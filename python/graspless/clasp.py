@@ -42,7 +42,7 @@ from ._core.clasp import (
     test_stability,
     validate,
 )
-from ._plan import AnyPlan, of_solved, own_segments
+from ._plan import AnyPlan, of_found, own_segments
 from .collision import Obstacle
 
 if TYPE_CHECKING:
@@ -101,9 +101,9 @@ class Plan(AnyPlan, _core.Plan):
         stability: Stability | None  # type: ignore[assignment]
     else:
         segments = own_segments(_core.Plan)
-        loop = of_solved(_core.Plan, "loop")
-        target = of_solved(_core.Plan, "target")
-        stability = of_solved(_core.Plan, "stability")
+        loop = of_found(_core.Plan, "loop", Status.solved)
+        target = of_found(_core.Plan, "target", Status.solved)
+        stability = of_found(_core.Plan, "stability", Status.solved)
 
     @classmethod
     def _of(cls, found: Any, task: Any, **changes: Any) -> Plan:

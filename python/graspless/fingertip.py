@@ -50,7 +50,7 @@ from ._core.fingertip import (
     validate,
 )
 from ._core.mechanics import Compliance, FingerMode
-from ._plan import AnyPlan, own_segments
+from ._plan import AnyPlan, of_found, own_segments
 from .collision import Obstacle
 
 Motion = Path | Lattice | Goal
@@ -146,9 +146,6 @@ class JointSegment(_core.JointSegment):
         return self.X_WO
 
 
-_FOUND = (Status.solved, Status.not_realized)
-
-
 class Weakest(NamedTuple):
     """Place of the least stability in a plan."""
 
@@ -175,11 +172,7 @@ class Plan(AnyPlan, _core.Plan):
         lower_bound: float | None  # type: ignore[assignment]
     else:
         segments = own_segments(_core.Plan)
-        cost = property(
-            lambda self: _core.Plan.cost.fget(self) if self.status in _FOUND else None,
-            _core.Plan.cost.fset,
-            doc="Cost by Eqs. (9) and (10) [m]; None without a plan of the fingertips.",
-        )
+        cost = of_found(_core.Plan, "cost", Status.solved, Status.not_realized)
         lower_bound = property(
             lambda self: _finite(_core.Plan.lower_bound.fget(self)),
             _core.Plan.lower_bound.fset,
