@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the slide planner is measured against.
+// Planners to compare the slide planner with.
 #pragma once
 
 #include <cstdint>

@@ -61,7 +61,7 @@ def test_engines_agree_with_highs(kind):
         assert max(found.values()) < AGREE, (seed, found)
 
 
-# Of 40,000 sets, those that an earlier condition estimate let through: contacts that hardly span the
+# Sets among 40,000 that an earlier condition estimate let through: contacts that hardly span the
 # space of wrenches, small prices with a large condition, and forces that jam up to rounding.
 @pytest.mark.parametrize("index", [156, 4139, 4670, 6901, 11710, 25246, 25894, 28259, 30467, 32134])
 def test_engines_agree_on_sets_found_by_search(index):

@@ -31,16 +31,16 @@ void require_positive(const std::string& field, double value) {
   require(value > 0 && std::isfinite(value), field, value, "must be positive and finite");
 }
 
-void require_within(const std::string& field, double value, double least, double largest,
+using planning::Range;
+
+void require_within(const std::string& field, double value, const Range& range,
                     const std::string& unit) {
-  std::ostringstream must;
-  must << "must lie in [" << least << ", " << largest << "]" << unit;
-  require(value >= least && value <= largest, field, value, must.str());
+  require(range.contains(value), field, value, "must lie in " + planning::to_string(range) + unit);
 }
 
 void check_friction(const std::string& field, const FrictionInterval& friction) {
-  require_within(field + ".lower", friction.lower, 0, mechanics::kMaxFriction, "");
-  require_within(field + ".upper", friction.upper, 0, mechanics::kMaxFriction, "");
+  require_within(field + ".lower", friction.lower, Range::closed(0, mechanics::kMaxFriction), "");
+  require_within(field + ".upper", friction.upper, Range::closed(0, mechanics::kMaxFriction), "");
   require(friction.lower <= friction.upper, field + ".lower", friction.lower,
           "must not exceed " + field + ".upper = " + std::to_string(friction.upper));
 }
@@ -48,10 +48,10 @@ void check_friction(const std::string& field, const FrictionInterval& friction) 
 void check_fingers(const Fingers& fingers) {
   require(fingers.count >= 1 && fingers.count <= mechanics::kMaxFingers, "fingers.count",
           fingers.count, "must be 1 to " + std::to_string(mechanics::kMaxFingers));
-  require_within("fingers.radius", fingers.radius, geometry::kMinLength, geometry::kMaxLength,
-                 " m");
-  require_within("fingers.max_normal_force", fingers.max_normal_force, mechanics::kMinForce,
-                 mechanics::kMaxForce, " N");
+  require_within("fingers.radius", fingers.radius,
+                 Range::closed(geometry::kMinLength, geometry::kMaxLength), " m");
+  require_within("fingers.max_normal_force", fingers.max_normal_force,
+                 Range::closed(mechanics::kMinForce, mechanics::kMaxForce), " N");
   check_friction("fingers.friction", fingers.friction);
   require(fingers.max_span >= 2 * fingers.radius, "fingers.max_span", fingers.max_span,
           "must be at least two radii (infinity: any)");
@@ -250,10 +250,12 @@ void require_memory_for_lattice(const Problem& problem, const Options& options, 
 void check_weight(const Problem& problem) {
   const double mass = problem.object.mass(), gravity = problem.gravity_W.cwiseAbs().maxCoeff();
   if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
-  require_within("gravity_W", gravity, 0, mechanics::kMaxGravity, " m/s^2, along each axis");
-  require_within("object.mass", mass, mechanics::kMinMass, mechanics::kMaxMass, " kg");
-  require_within("weight of the object, object.mass times gravity_W", mass * gravity, 0,
-                 mechanics::kMaxForce, " N");
+  require_within("gravity_W", gravity, Range::closed(0, mechanics::kMaxGravity),
+                 " m/s^2, along each axis");
+  require_within("object.mass", mass, Range::closed(mechanics::kMinMass, mechanics::kMaxMass),
+                 " kg");
+  require_within("weight of the object, object.mass times gravity_W", mass * gravity,
+                 Range::closed(0, mechanics::kMaxForce), " N");
 }
 
 }  // namespace

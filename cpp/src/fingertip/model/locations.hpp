@@ -58,7 +58,7 @@ class Locations {
   double min_distance2_ = 0, max_distance2_ = 0;
 };
 
-/// Whether a fingertip's sphere, or the object, is clear of planes and obstacles.
+/// Tests that a fingertip's sphere, or the object, is clear of planes and obstacles.
 class Clearance {
  public:
   explicit Clearance(const Problem& problem);

@@ -125,7 +125,7 @@ Eigen::Matrix3Xi neighbours(const geometry::Mesh& mesh) {
   return across;
 }
 
-/// Whether a triangle lies in the plane through `p` with outward normal n.
+/// Returns true if a triangle lies in the plane through `p` with outward normal n.
 bool lies_in(const geometry::Mesh& mesh, int triangle, const Eigen::Vector3d& area,
              const Eigen::Vector3d& p, const Eigen::Vector3d& n, double tolerance) {
   for (int k = 0; k < 3; ++k) {

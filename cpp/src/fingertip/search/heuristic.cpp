@@ -47,7 +47,7 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
   const auto push = [&](int pose, double distance) {
     double& known = distances[ix(pose)];
     if (distance >= known) return;
-    // What was below the limit before is so at a smaller distance.
+    // Pairs below the limit before are below it at a smaller distance, too.
     if (known == kInfinity) {
       const Eigen::Vector3d center_W = centers_W[ix(graph_.turn(pose))] + origins_W_[ix(pose)];
       const double straight = (center_W - start_W).norm() * kSlack;

@@ -227,23 +227,30 @@ TEST(Lattice, MirroredProblemsCostTheSame) {
   EXPECT_NEAR(a.cost, b.cost, 1e-9);
 }
 
+double uniform(std::mt19937& random, double a, double b) {
+  return std::uniform_real_distribution<double>(a, b)(random);
+}
+
+/// A block on a lattice of 4 x 4 x 4 poses, beside a wall if asked.
+std::pair<Problem, Options> random_case(std::mt19937& random, bool has_wall) {
+  const double step = uniform(random, 0.01, 0.03), turn = uniform(random, 0.1, 0.4);
+  const Eigen::Vector3d last(3 * step, 3 * step, 3 * turn);
+  const Eigen::Vector3d goal(step * static_cast<double>(random() % 4), 3 * step,
+                             turn * static_cast<double>(random() % 4));
+  Problem problem = block_problem(goal, Eigen::Vector3d::Zero(), last, {4, 4, 4});
+  problem.fingers.max_normal_force = uniform(random, 2.5, 8);
+  if (has_wall) problem.planes.push_back({"wall", -Eigen::Vector3d::UnitY(), -3 * step - 0.06});
+  Options options = coarse(2);
+  options.min_stability = uniform(random, 0.1, 0.5);
+  return {problem, options};
+}
+
 TEST(Lattice, CostsWhatBruteForceFinds) {
   std::mt19937 random(3);
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
   std::map<int, int> by_regrasps;
   for (int i = 0; i < 8; ++i) {
-    const double step = uniform(0.01, 0.03), turn = uniform(0.1, 0.4);
-    const Eigen::Vector3d last(3 * step, 3 * step, 3 * turn);
-    const Eigen::Vector3d goal(step * static_cast<double>(random() % 4), 3 * step,
-                               turn * static_cast<double>(random() % 4));
-    Problem problem = block_problem(goal, Eigen::Vector3d::Zero(), last, {4, 4, 4});
-    problem.fingers.max_normal_force = uniform(2.5, 8);
+    auto [problem, options] = random_case(random, i % 3 == 0);
     problem.fingers.friction = {0.5, 0.5};
-    if (i % 3 == 0) problem.planes.push_back({"wall", -Eigen::Vector3d::UnitY(), -3 * step - 0.06});
-    Options options = coarse(2);
-    options.min_stability = uniform(0.1, 0.5);
     const Plan plan = fingertip::plan(problem, options);
     const double expected = BruteForce(problem, options).cost();
     if (expected == kInfinity) {
@@ -282,21 +289,10 @@ TEST(Lattice, WeighsARegraspAgainstADearRoute) {
 
 TEST(Lattice, EnginesAgreeToTheLastBit) {
   std::mt19937 random(5);
-  const auto uniform = [&](double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(random);
-  };
   std::map<int, int> by_regrasps;
   for (int i = 0; i < 12; ++i) {
-    const double step = uniform(0.01, 0.03), turn = uniform(0.1, 0.4);
-    const Eigen::Vector3d last(3 * step, 3 * step, 3 * turn);
-    const Eigen::Vector3d goal(step * static_cast<double>(random() % 4), 3 * step,
-                               turn * static_cast<double>(random() % 4));
-    Problem problem = block_problem(goal, Eigen::Vector3d::Zero(), last, {4, 4, 4});
-    problem.fingers.max_normal_force = uniform(2.5, 8);
-    if (i % 3 == 0) problem.planes.push_back({"wall", -Eigen::Vector3d::UnitY(), -3 * step - 0.06});
-    Options options = coarse(2);
-    options.min_stability = uniform(0.1, 0.5);
-    if (i % 4 == 3) options.regrasp_cost = uniform(0.001, 0.01);
+    auto [problem, options] = random_case(random, i % 3 == 0);
+    if (i % 4 == 3) options.regrasp_cost = uniform(random, 0.001, 0.01);
     const Route fast = route_of(problem, options);
     for (const Search engine : {Search::paper, Search::dijkstra}) {
       options.search = engine;
