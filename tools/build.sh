@@ -24,7 +24,7 @@ show_steps() {
 pip_install() {
   local log=$1
   mkdir -p "$(dirname "$log")"
-  .venv/bin/pip install --verbose --no-compile --no-build-isolation "${@:2}" 2>&1 | tee "$log" | show_steps && return
+  .venv/bin/pip install --verbose --no-build-isolation "${@:2}" 2>&1 | tee "$log" | show_steps && return
   cat "$log" >&2
   return 1
 }
