@@ -66,6 +66,15 @@ def given_plan(path: str) -> Plan:
     return plan_files.read_plan(read_stdin(), "stdin")
 
 
+def add_trust(parser: argparse.ArgumentParser) -> None:
+    """Adds the flag --trust, for commands that read tasks."""
+    parser.add_argument(
+        "--trust",
+        action="store_true",
+        help="let xacro files read any file and run code (docs/security.md)",
+    )
+
+
 def add_unchecked(parser: argparse.ArgumentParser) -> None:
     """Adds the flag --unchecked, for commands that check their plan first."""
     parser.add_argument(

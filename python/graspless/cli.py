@@ -23,6 +23,7 @@ from ._commands import (
     FOUND,
     INTERRUPTED,
     NOT_FOUND,
+    add_trust,
     given_plan,
     read_stdin,
     terminable,
@@ -71,21 +72,24 @@ def _run(arguments: Sequence[str] | None) -> int:
             run: Callable[[argparse.Namespace], int] = options.run
             return run(options)
     except TaskError as error:
-        print(error, file=sys.stderr)
-        return BAD_INPUT
+        return _refuse(str(error), error)
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
     except OSError as error:
         if error.filename is None:  # a stream's
             raise
-        print(f"{command}: {explain(error)}", file=sys.stderr)
-        return BAD_INPUT
+        return _refuse(f"{command}: {explain(error)}", error)
     except Exception as error:  # whatever a library raises: exit code 1 would mean "not found"
-        print(f"{command}: {explain(error)}", file=sys.stderr)
-        if os.environ.get("GRASPLESS_TRACEBACK"):
-            traceback.print_exception(error)
-        return BAD_INPUT
+        return _refuse(f"{command}: {explain(error)}", error)
+
+
+def _refuse(message: str, error: Exception) -> int:
+    """Prints a message, and where the error came from if the user wants to know."""
+    print(message, file=sys.stderr)
+    if os.environ.get("GRASPLESS_TRACEBACK"):
+        traceback.print_exception(error)
+    return BAD_INPUT
 
 
 def _drop_stdout() -> None:
@@ -173,6 +177,7 @@ def _add_plan(parser: argparse.ArgumentParser) -> None:
         help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
         "(fingertip tasks only); clasp tasks have a single algorithm",
     )
+    add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     _add_pictures(parser)
     parser.set_defaults(run=_plan)
@@ -240,7 +245,10 @@ def _plan(options: argparse.Namespace) -> int:
     if not to_stdout:
         files.check_writable(options.output)
     _check_pictures(options)
-    given = load_task(options.task) if options.task != "-" else read_task(read_stdin(), "stdin")
+    if options.task != "-":
+        given = load_task(options.task, trust=options.trust)
+    else:
+        given = read_task(read_stdin(), "stdin", trust=options.trust)
     task = _change(given, options)
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
         plan = _api.plan(task)

@@ -136,6 +136,23 @@ def test_faults_of_libraries_are_no_tracebacks(write, capsys, monkeypatch, error
     assert json.dumps(err).count("bad_alloc") == 0
 
 
+@pytest.mark.parametrize(
+    "error", [KeyError("abc"), TaskError("task.yaml: wrong"), OSError(2, "x", "a")]
+)
+def test_traceback_on_request(capsys, monkeypatch, error):
+    def fail(_):
+        raise error
+
+    monkeypatch.setattr("graspless.cli.given_plan", fail)
+    monkeypatch.setenv("GRASPLESS_TRACEBACK", "1")
+    code, _, err = run(capsys, "check", "plan.json")
+    first, _, rest = err.partition("\n")
+    assert code == 2
+    assert "Traceback" not in first
+    assert rest.startswith("Traceback")
+    assert f"{type(error).__name__}: {error}" in rest
+
+
 def test_output_at_a_loop_of_links(write, tmp_path, capsys):
     (tmp_path / "a").symlink_to("b")
     (tmp_path / "b").symlink_to("a")

@@ -145,7 +145,7 @@ def test_robot_without_visuals_is_drawn_by_its_collision_shapes(plan, tmp_path):
         ("none.stl", "none.stl: no such file"),
         ("package://nopkg/x.dae", "package://nopkg/x.dae: robot.packages has no nopkg"),
         ("broken.dae", "broken.dae: cannot be read"),
-        ("broken.nonsense", "broken.nonsense: cannot be read"),
+        ("broken.nonsense", "broken.nonsense: unknown kind of mesh"),
         ("empty.obj", "empty.obj: "),
     ],
 )

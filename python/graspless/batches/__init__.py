@@ -41,6 +41,7 @@ def batch(
     seconds: float | None = None,
     iterations: int | None = None,
     patience: float = PATIENCE,
+    trust: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Summary:
     """Plans many tasks, checks every plan, and writes results as they arrive.
@@ -64,6 +65,8 @@ def batch(
     patience : float
         Time beyond its budget after which the process of a task is stopped [s]. It has no effect
         on Dask workers with several threads.
+    trust : bool
+        Let xacro files read any file and run code, see docs/security.md.
     progress : callable, optional
         Called with the number of finished tasks and the number of all tasks.
 
@@ -86,7 +89,7 @@ def batch(
     if any(value is not None for value in changes.values()):
         _check(changes)
     found = names.find(tasks)
-    run = _Run(found, Path(output), changes, patience, progress)
+    run = _Run(found, Path(output), changes, patience, progress, trust)
     with pools.opened(min(jobs, len(found)), dask) as pool:
         return run.carry_out(pool, work.carry_out)
 
@@ -115,9 +118,10 @@ class _Run:
         changes: dict[str, Any],
         patience: float = PATIENCE,
         progress: Callable[[int, int], None] | None = None,
+        trust: bool = False,
     ) -> None:
         self.entries, self.output, self.changes = entries, output, changes
-        self.patience, self.progress = patience, progress
+        self.patience, self.progress, self.trust = patience, progress, trust
         self.manifest = output / manifest.NAME
         work.make_folder(output)
         files.check_writable(self.manifest)
@@ -151,6 +155,7 @@ class _Run:
                 self._known(entry.name),
                 output=None if pool.is_elsewhere else str(self.output),
                 patience=patience,
+                trust=self.trust,
             )
             yield work.inline(job) if pool.is_elsewhere else job
 

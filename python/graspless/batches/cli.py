@@ -11,7 +11,7 @@ import shlex
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND
+from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust
 
 if TYPE_CHECKING:
     import argparse
@@ -79,6 +79,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="S",
         help="time beyond its budget after which a task is stopped [s] (default: %(default)s)",
     )
+    add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.set_defaults(run=_batch)
 
@@ -98,6 +99,7 @@ def _batch(options: argparse.Namespace) -> int:
             seconds=options.time,
             iterations=options.iterations,
             patience=options.patience,
+            trust=options.trust,
             progress=progress,
         )
     print(json.dumps(summary.as_dict()) if options.json else summary.as_text())

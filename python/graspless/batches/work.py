@@ -62,6 +62,8 @@ class Job:
         Error in the task file, if already known.
     patience : float or None
         Time beyond its budget that the task may take [s].
+    trust : bool
+        Let xacro files read any file and run code.
     """
 
     name: str
@@ -72,6 +74,7 @@ class Job:
     output: str | None = None
     fault: str | None = None
     patience: float | None = None
+    trust: bool = False
 
 
 @dataclass(frozen=True)
@@ -203,7 +206,7 @@ def _read(job: Job) -> Task:
         raise TaskError(job.fault)
     if job.document is not None:
         return task_from_dict(job.document, job.path)
-    task = load_task(job.path)
+    task = load_task(job.path, trust=job.trust)
     return task.with_changes(**job.changes)
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import importlib
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, Literal, Protocol, overload
 
@@ -210,18 +211,22 @@ def is_problem(value: Any) -> bool:
 
 
 @overload
-def load_task(path: str | Path, kind: Literal["slide"]) -> slide.Task: ...
+def load_task(path: str | Path, kind: Literal["slide"], *, trust: bool = False) -> slide.Task: ...
 @overload
-def load_task(path: str | Path, kind: Literal["fingertip"]) -> fingertip.Task: ...
+def load_task(
+    path: str | Path, kind: Literal["fingertip"], *, trust: bool = False
+) -> fingertip.Task: ...
 @overload
-def load_task(path: str | Path, kind: Literal["clasp"]) -> clasp.Task: ...
+def load_task(path: str | Path, kind: Literal["clasp"], *, trust: bool = False) -> clasp.Task: ...
 @overload
-def load_task(path: str | Path, kind: Literal["carry"]) -> carry.Task: ...
+def load_task(path: str | Path, kind: Literal["carry"], *, trust: bool = False) -> carry.Task: ...
 @overload
-def load_task(path: str | Path, kind: Literal["chain"]) -> chain.Task: ...
+def load_task(path: str | Path, kind: Literal["chain"], *, trust: bool = False) -> chain.Task: ...
 @overload
-def load_task(path: str | Path, kind: None = None) -> Task[Any, Any, Plan]: ...
-def load_task(path: str | Path, kind: str | None = None) -> Any:
+def load_task(
+    path: str | Path, kind: None = None, *, trust: bool = False
+) -> Task[Any, Any, Plan]: ...
+def load_task(path: str | Path, kind: str | None = None, *, trust: bool = False) -> Any:
     """Reads a task file and everything that it names.
 
     Parameters
@@ -231,19 +236,21 @@ def load_task(path: str | Path, kind: str | None = None) -> Any:
     kind : str, optional
         Kind that the task must have: slide, fingertip, clasp, carry or chain. Type checkers then
         know the type of its plan.
+    trust : bool
+        Let its xacro files read any file and run code, see docs/security.md.
 
     Raises
     ------
     TaskError
         A ValueError whose lines read ``file:line: field: value: what it may be``.
     """
-    task = read_task(read_text(path), str(path), Path(path).resolve().parent)
+    task = read_task(read_text(path), str(path), Path(path).resolve().parent, trust=trust)
     if kind is not None and task.kind != kind:
         raise task.source.error(("kind",), f"should be '{kind}'")
     return task
 
 
-def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
+def read_task(text: str, file: str, directory: str | Path = ".", *, trust: bool = False) -> Task:
     """Reads a task from text, like `load_task`.
 
     Parameters
@@ -254,11 +261,13 @@ def read_task(text: str, file: str, directory: str | Path = ".") -> Task:
         For errors.
     directory : str or Path
         Folder to which its paths are relative.
+    trust : bool
+        Let its xacro files read any file and run code, see docs/security.md.
     """
     if _is_plan(text):
         raise TaskError(f"{file}: this is a plan, not a task; graspless check reads it")
     with told(file):
-        source = parse_yaml(text, file)
+        source = replace(parse_yaml(text, file), is_trusted=trust)
         kind = task_kind(source)
         named = source.validate(kind.Fields)
         fields, other = kind.resolve(named, source, Path(directory).resolve())

@@ -13,7 +13,12 @@ if TYPE_CHECKING:
     from .source import Source
 
 
-SUFFIXES = (".stl", ".obj", ".off", ".ply")  # that graspless reads
+SUFFIXES = (".stl", ".obj", ".off", ".ply", ".dae", ".glb", ".gltf")  # the last three: to draw
+
+
+def is_mesh(path: Path) -> bool:
+    """Returns True if the file's ending is that of a mesh; other files are never opened as one."""
+    return path.suffix.lower() in SUFFIXES
 
 
 def checksum(path: Path) -> str:
@@ -33,14 +38,18 @@ def checksums(paths: Iterable[Path]) -> dict[str, str]:
 
 
 def check_files(fields: Any, source: Source) -> None:
-    """Raises TaskError if a mesh has changed since the plan was made.
+    """Raises TaskError if a mesh has changed since the plan was made, or has no checksum.
 
     Opens the meshes of the task's own robots and shapes only: a plan file may come from anybody.
     """
     named = _named(fields.model_dump(exclude_none=True))
+    unlisted = named - {Path(name) for name in fields.files}
+    if unknown := sorted(path for path in unlisted if is_mesh(path) and path.is_file()):
+        what = "was not there when the plan was made: its checksum is missing"
+        raise source.error(("files",), f"{unknown[0]}: {what}")
     for name, expected in fields.files.items():
         path = Path(name)
-        if path not in named or path.suffix.lower() not in SUFFIXES:
+        if path not in named or not is_mesh(path):
             kinds = ", ".join(SUFFIXES)
             what = f"should be a mesh ({kinds}) of the task's robot, object or obstacles"
             raise source.error(("files",), f"{name}: {what}")
@@ -50,18 +59,22 @@ def check_files(fields: Any, source: Source) -> None:
             raise source.error(("files",), f"{name}: has changed since the plan was made")
 
 
-def _named(value: Any) -> set[Path]:
-    """Returns the mesh files that the fields of a task name."""
+def _named(value: Any, place: str = "") -> set[Path]:
+    """Returns the mesh files that the fields of a task name. `place` is for errors."""
     from .robots import mesh_files
 
     if isinstance(value, list):
-        return set().union(*map(_named, value))
+        return set().union(*(_named(item, f"{place}[{i}]") for i, item in enumerate(value)))
     if not isinstance(value, dict):
         return set()
-    found = set().union(*map(_named, value.values()))
+    inner = f"{place}." if place else ""
+    found = set().union(*(_named(item, f"{inner}{key}") for key, item in value.items()))
     if isinstance(value.get("urdf_text"), str):
         packages, folder = value.get("packages", {}), value.get("directory")
-        found |= mesh_files(value["urdf_text"], packages, folder)
+        try:
+            found |= mesh_files(value["urdf_text"], packages, folder)
+        except ValueError as error:
+            raise ValueError(f"{inner}urdf_text: {error}") from None
     mesh = value.get("mesh")
     if isinstance(mesh, dict) and isinstance(mesh.get("file"), str):
         found.add(Path(mesh["file"]))

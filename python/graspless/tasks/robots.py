@@ -4,15 +4,16 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
+from xml.parsers import expat
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from .. import _data
+from .meshes import is_mesh
 from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
 
@@ -71,6 +72,8 @@ class Robot(Fields):
 def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
     """Returns the robot with the content of its files, and the folder of its URDF."""
     if robot.urdf is None:
+        with at(source, "robot", "urdf_text"):
+            robot_meshes(robot)
         return robot, None
     path = directory / robot.urdf
     if not path.is_file():
@@ -100,6 +103,8 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
             "xacro_args": {},
         }
     )
+    with at(source, "robot", "urdf"):
+        robot_meshes(resolved)
     return resolved, path
 
 
@@ -132,7 +137,7 @@ def _read_xml(
 ) -> str:
     try:
         if path.suffix == ".xacro":
-            return _expand_xacro(path, robot.xacro_args, packages)
+            return _expand_xacro(path, robot.xacro_args, packages, source.is_trusted)
         return path.read_text(encoding="utf-8")
     except OSError as error:
         raise source.error(location, f"cannot be read: {error.strerror}") from None
@@ -142,8 +147,10 @@ def _read_xml(
         raise source.error(location, str(error)) from None
 
 
-def _expand_xacro(path: Path, arguments: dict[str, Any], packages: dict[str, str]) -> str:
-    """Returns the URDF of a xacro file. $(find NAME) is looked up in `packages` first."""
+def _expand_xacro(
+    path: Path, arguments: dict[str, Any], packages: dict[str, str], trust: bool
+) -> str:
+    """Returns the URDF of a xacro file."""
     from .xacro_process import expand
 
     if find_spec("xacro") is None:
@@ -152,7 +159,7 @@ def _expand_xacro(path: Path, arguments: dict[str, Any], packages: dict[str, str
         name: str(value).lower() if isinstance(value, bool) else str(value)
         for name, value in arguments.items()
     }
-    return expand(path, words, packages)
+    return expand(path, words, packages, trust)
 
 
 def build_robot(robot: Robot, source: Source) -> robots.Robot:
@@ -203,15 +210,37 @@ def build_home(
 def robot_meshes(robot: Robot) -> set[Path]:
     """Returns the existing mesh files of a resolved robot."""
     paths = mesh_files(robot.urdf_text or "", robot.packages, robot.directory)
-    return {path for path in paths if path.is_file()}
+    return {path for path in paths if is_mesh(path) and path.is_file()}
 
 
 def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> set[Path]:
-    """Returns the paths of a URDF's meshes, whether they exist or not."""
+    """Returns the paths of a URDF's meshes, whether they exist or not.
+
+    Raises
+    ------
+    ValueError
+        The text is one that other readers of XML may understand in another way.
+    """
+    names: list[str] = []
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        if name == "mesh":
+            names.append(attributes.get("filename", ""))
+
+    def instruct(_: str, data: str) -> None:
+        if "<" in data or ">" in data:
+            refuse()
+
+    def refuse(*_: Any) -> None:
+        raise ValueError("should have neither a DOCTYPE nor elements in <? ?>")
+
+    reader = expat.ParserCreate()  # without namespaces, which urdfdom does not know
+    reader.StartElementHandler = start
+    reader.ProcessingInstructionHandler, reader.StartDoctypeDeclHandler = instruct, refuse
     try:
-        names = [mesh.get("filename", "") for mesh in ET.fromstring(urdf).iter("mesh")]
-    except ET.ParseError:
-        return set()  # the robot's reader says what is wrong
+        reader.Parse(urdf, True)
+    except expat.ExpatError as error:
+        raise ValueError(f"is not well-formed XML: {error}") from None
     return {mesh_path(name, packages, directory) for name in names}
 
 
@@ -219,5 +248,7 @@ def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Pat
     """Returns the path of a URDF's mesh: package://, file://, or relative to `directory`."""
     if name.startswith("package://"):
         package, _, rest = name.removeprefix("package://").partition("/")
-        return Path(packages.get(package, package)) / rest
-    return Path(directory or ".") / name.removeprefix("file://")
+        return Path(packages.get(package, package)) / rest.lstrip("/")
+    if name.startswith("file://"):
+        return Path(name.removeprefix("file://"))
+    return Path(directory or ".") / name

@@ -25,11 +25,15 @@ MOST_FAULTS = 20  # lines of one message
 
 @dataclass
 class Source:
-    """A file that people write, as data, and the line of every field in it."""
+    """A file that people write, as data, and the line of every field in it.
+
+    `is_trusted` is True if the user trusts the files that it names: see docs/security.md.
+    """
 
     file: str
     data: Any
     lines: dict[Location, int] = field(default_factory=dict)
+    is_trusted: bool = False
 
     def line(self, location: Iterable[str | int]) -> int:
         """Returns the line of a field, or of the nearest field around it."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
+from ..tasks.meshes import SUFFIXES, is_mesh
 from ..tasks.robots import mesh_path
 
 if TYPE_CHECKING:
@@ -23,6 +24,8 @@ def read_visual(name: str, robot: Robot) -> Any:
 
     package = name.removeprefix("package://").partition("/")[0]
     path = mesh_path(name, robot.packages, robot.directory)
+    if not is_mesh(path):
+        raise UnreadableError(f"{name}: unknown kind of mesh (one of: {', '.join(SUFFIXES)})")
     if not path.is_file():
         known = not name.startswith("package://") or package in robot.packages
         why = "no such file" if known else f"robot.packages has no {package}"

@@ -110,7 +110,7 @@ def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
     found = []
     for i, document in enumerate(chain.stages):
         fields = {key: value for key, value in document.items() if key != "name"}
-        stage = StageSource(source.file, fields, {}, [(source, ("stages", i))])
+        stage = StageSource(source.file, fields, parts=[(source, ("stages", i))])
         kind = part("tasks", _kind(stage))
         validated = stage.validate(kind.Fields)
         kind.require_resolved(validated, stage)
@@ -132,7 +132,7 @@ def _merged(source: Source, index: int, directory: Path) -> StageSource:
         parts.append((read, ()))
         given = _absolute(read.data, Path(read.file).parent)
         given.pop("budget", None)  # the chain's stands for all
-    stage = StageSource(source.file, {**given, **own}, {}, parts)
+    stage = StageSource(source.file, {**given, **own}, {}, source.is_trusted, parts)
     if "budget" in own:
         raise source.error((*place, "budget"), "must not be given: all stages share the chain's")
     kind = part("tasks", _kind(stage))
