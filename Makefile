@@ -43,11 +43,9 @@ wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with thos
 	@tools/build-wheel
 	@tools/test-wheel wheelhouse/*.whl
 
-asan:  ## the C++ tests under address and undefined-behaviour sanitizers, leaks included
-	@tools/install
-	cmake --preset asan
-	cmake --build --preset asan
-	ctest --preset asan
+asan tsan:  ## the tests under address and undefined-behaviour sanitizers, leaks included; under the thread sanitizer
+	@tools/install test,all GRASPLESS_TESTS=ON
+	@tools/sanitize $@
 
 clean:
 	rm -rf build dist wheelhouse demo .venv

@@ -363,7 +363,9 @@ void bind_rows(py::module_& m) {
       .def_property_readonly(
           "X_WO", [](const Segment& self) { return from_poses(self.X_WO); },
           "(K, 4, 4) poses of the lattice in the world, first to last.")
-      .def_readonly("rows", &Segment::rows, "Instants, in order.")
+      // Copies: a segment that keeps its rows, and is kept by them, would never be freed.
+      .def_property_readonly(
+          "rows", [](const Segment& self) { return self.rows; }, "Instants, in order.")
       .def_readonly("finger", &Segment::finger,
                     "Index of the finger that regrasps; -1 for a motion of the object.")
       .def(

@@ -12,12 +12,6 @@
 #include "robot/wraps.hpp"
 
 namespace graspless::robot {
-namespace {
-
-using Eigen::Isometry3d;
-using Eigen::VectorXd;
-
-constexpr double kSame = 1e-4;  // solutions this close in every joint count as equal [rad or m]
 
 /// The links on the path to a frame: before the group, moved by the group, and after it.
 struct Split {
@@ -27,6 +21,13 @@ struct Split {
   bool moves_before = false;  // joints before the group move the base
   bool moves_within = false;  // joints outside the group lie between its joints
 };
+
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::VectorXd;
+
+constexpr double kSame = 1e-4;  // solutions this close in every joint count as equal [rad or m]
 
 bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
