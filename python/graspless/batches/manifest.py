@@ -22,7 +22,7 @@ NAME = "batch.jsonl"
 
 def read(path: Path, key: str = "name") -> dict[str, Row]:
     """Returns the rows by name, the last one of each; truncated lines are skipped."""
-    if not path.exists():
+    if not path.is_file():
         return {}
     rows = {}
     for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
@@ -39,7 +39,8 @@ class Log:
     def __init__(self, path: Path) -> None:
         """Raises TaskError if the file cannot be written, or another process is writing it."""
         files.check_writable(path)
-        self._file = path.open("ab")
+        self._path = path
+        self._file = path.open("ab", buffering=0)  # what is left unwritten shall not be tried again
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -48,12 +49,18 @@ class Log:
         except OSError:  # a file system without locks
             pass
         if self._file.tell() and not path.read_bytes().endswith(b"\n"):
-            self._file.write(b"\n")  # after a line that was cut short
+            self._write(b"\n")  # after a line that was cut short
 
     def add(self, row: Row) -> None:
-        """Writes a row and flushes it, so that no result is lost."""
-        self._file.write(_line(row).encode())
-        self._file.flush()
+        """Writes a row at once, so that no result is lost; raises TaskError."""
+        self._write(_line(row).encode())
+
+    def _write(self, data: bytes) -> None:
+        try:
+            while data:
+                data = data[self._file.write(data) :]
+        except OSError as error:
+            raise TaskError(f"{self._path}: cannot be written: {error.strerror}") from None
 
     def close(self) -> None:
         self._file.close()

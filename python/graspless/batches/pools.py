@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import re
 import signal
 import threading
@@ -22,6 +23,7 @@ Given = TypeVar("Given")
 Result = TypeVar("Result")
 Crashes = tuple[type[BaseException], ...]
 
+ORPHAN_SECONDS = 0.1  # between looks whether the parent of a worker is alive
 CONNECT_SECONDS = 10.0  # to a Dask scheduler, and until it has a worker
 GONE = "dask: {}; what is done is kept, and the same call goes on"
 ADDRESS = r"(\w+://)?(\[[\da-fA-F:.]+\]|[^/\s:\[\]]+):\d+"
@@ -74,7 +76,7 @@ class Processes:
         self.capacity = 2 * jobs
         self.crashes: Crashes = (process_executor.BrokenProcessPool,)
         self._make: Any = process_executor.ProcessPoolExecutor
-        self._executor = self._make(jobs, env=ONE_THREAD)
+        self._start()
 
     def submit(self, work: Callable[[Given], Result], given: Given) -> Future[Result]:
         with _shielded():  # this may start a worker
@@ -86,7 +88,12 @@ class Processes:
 
     def restart(self) -> None:
         self.close(at_once=True)
-        self._executor = self._make(self.workers, env=ONE_THREAD)
+        self._start()
+
+    def _start(self) -> None:
+        self._executor = self._make(
+            self.workers, env=ONE_THREAD, initializer=_end_without, initargs=(os.getpid(),)
+        )
 
     def close(self, at_once: bool = False) -> None:
         with _without_last_words():
@@ -159,6 +166,17 @@ class Cluster:
     def close(self, at_once: bool = False) -> None:
         self._executor.shutdown(wait=not at_once)
         self._client.close(timeout=2)
+
+
+def _end_without(parent: int) -> None:
+    """Makes this worker end soon after its parent: a killed one cannot tell it to."""
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(ORPHAN_SECONDS)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 def _version() -> str:

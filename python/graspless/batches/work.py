@@ -195,8 +195,9 @@ def make_folder(path: Path) -> None:
 
 def sweep(output: Path) -> None:
     """Removes unfinished files of processes that were killed."""
-    for path in output.rglob(plan_file(".*") + ".*"):
-        path.unlink(missing_ok=True)
+    for name in (plan_file(".*"), ".batch.jsonl", ".summary.json"):
+        for path in output.rglob(f"{name}.*"):
+            path.unlink(missing_ok=True)
 
 
 def _read(job: Job) -> Task:
