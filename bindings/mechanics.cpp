@@ -9,6 +9,7 @@
 #include "graspless/mechanics/friction_interval.hpp"
 #include "graspless/mechanics/stability.hpp"
 
+#include "fields.hpp"
 #include "conversions.hpp"
 
 namespace graspless::bindings {
@@ -600,18 +601,9 @@ void bind_equilibrium(py::module_& m) {
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"margin", "contact_forces_O", "finger_forces_O"});
       });
-  py::class_<Compliance> compliance(
+  bind_options_struct<Compliance>(
       m, "Compliance",
       "Stiffness of the springs that model the contacts. Only ratios matter to the stability.");
-  bind_fields(compliance, "Any field by keyword; the others keep their defaults.",
-              Field{"environment_normal", &Compliance::environment_normal,
-                    "Stiffness of contacts with the environment along the normal."},
-              Field{"environment_tangential", &Compliance::environment_tangential,
-                    "Stiffness of sticking contacts with the environment along the surface."},
-              Field{"finger_normal", &Compliance::finger_normal,
-                    "Stiffness of fingers in position control along the normal."},
-              Field{"finger_tangential", &Compliance::finger_tangential,
-                    "Stiffness of all fingers along the surface."});
   m.def(
       "interior_equilibrium",
       [](const ContactSet& set, const std::vector<FingerMode>& modes,

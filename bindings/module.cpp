@@ -9,8 +9,8 @@ void bind_geometry(py::module_ m);
 void bind_robot(py::module_ m);
 void bind_collision(py::module_ m);
 void bind_scene(py::module_ m);
-void bind_mechanics(py::module_ m);
 void bind_planning(py::module_ m);
+void bind_mechanics(py::module_ m);
 void bind_slide(py::module_ m);
 void bind_fingertip(py::module_ m);
 void bind_clasp(py::module_ m);
@@ -27,9 +27,9 @@ PYBIND11_MODULE(_core, m) {
   bind_robot(m.def_submodule("robot", "Robots read from URDF, and their inverse kinematics."));
   bind_collision(m.def_submodule("collision", "Bodies at poses, and tests whether they touch."));
   bind_scene(m.def_submodule("scene", "A robot among bodies."));
+  bind_planning(m.def_submodule("planning", "Budget of a query, shared by all planners."));
   bind_mechanics(
       m.def_submodule("mechanics", "Stability of objects with frictional contacts (Maeda, Arai)."));
-  bind_planning(m.def_submodule("planning", "Budget of a query, shared by all planners."));
   bind_slide(
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
   bind_fingertip(m.def_submodule(

@@ -34,7 +34,7 @@ SECTIONS = [
         "Fingertip",
         "Maeda and Arai 2005.",
         fingertip,
-        ["Options", "RealizeOptions", "Statistics"],
+        ["Options", "Compliance", "RealizeOptions", "Statistics"],
     ),
     ("Carry", "Straight paths of a held object.", carry, ["Options", "Statistics"]),
 ]

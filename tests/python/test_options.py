@@ -26,6 +26,7 @@ MODELS = {
     "clasp.Options": (clasp.Options, clasp_model.Options),
     "clasp.StabilityOptions": (clasp.StabilityOptions, clasp_model.Stability),
     "fingertip.Options": (fingertip.Options, fingertip_model.Options),
+    "mechanics.Compliance": (fingertip.Compliance, fingertip_model.Compliance),
     "fingertip.RealizeOptions": (fingertip.RealizeOptions, fingertip_model.Realize),
 }
 VALIDATED = [
@@ -86,6 +87,16 @@ def test_core_and_task_files_refuse_the_same_values(room, core, field):
             model(**{field.name: value})
 
 
+@pytest.mark.parametrize("field", fingertip.Compliance.fields(), ids=name)
+def test_springs_are_bounded_like_options(field):
+    for value in just_outside(field):
+        springs = fingertip.Compliance(**{field.name: value})
+        with pytest.raises(ValueError, match=rf"options\.compliance\.{field.name} must lie in"):
+            fingertip.validate(fingertip.Options(compliance=springs))
+        with pytest.raises(ValueError, match=field.name):
+            fingertip_model.Compliance(**{field.name: value})
+
+
 @pytest.mark.parametrize(("core", "model"), MODELS.values(), ids=MODELS)
 def test_defaults_lie_in_their_ranges(core, model):
     for field in core.fields():
@@ -96,8 +107,17 @@ def test_defaults_lie_in_their_ranges(core, model):
 
 def test_an_end_of_a_range_belongs_to_it_or_not():
     slide.validate(slide.Options(resolution=0.01))
-    with pytest.raises(ValueError, match=r"options.resolution must lie in \(0, 0.01\] rad, not 0"):
-        slide.validate(slide.Options(resolution=0))
+    slide.validate(slide.Options(max_depth=0.099, min_depth=0))
+    with pytest.raises(ValueError, match=r"options.min_overhang must lie in \(0, inf\) m, not 0"):
+        slide.validate(slide.Options(min_overhang=0))
+
+
+@pytest.mark.parametrize("room", [slide, carry, clasp])
+def test_a_resolution_that_would_fill_the_memory_is_refused(room):
+    room.validate(room.Options(resolution=1e-4))
+    what = r"options.resolution must lie in \[0.0001, 0.01\] rad, not 1e-09"
+    with pytest.raises(ValueError, match=what):
+        room.validate(room.Options(resolution=1e-9))
 
 
 CONSTANTS = [

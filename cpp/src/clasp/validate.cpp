@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "graspless/clasp/clasp.hpp"
@@ -37,9 +38,11 @@ void check_marks(const Problem& problem) {
 void check_pull(const Problem& problem) {
   if (!problem.pull_W) return;
   const double length = problem.pull_W->norm();
-  if (std::isfinite(length) && length > 1e-9) return;
-  throw std::invalid_argument("pull_W must be finite and not zero: its length is " +
-                              std::to_string(length));
+  if (length >= geometry::kMinLength && length <= geometry::kMaxLength) return;
+  std::ostringstream text;
+  text << "pull_W must be a direction whose length lies in [" << geometry::kMinLength << ", "
+       << geometry::kMaxLength << "], not " << length;
+  throw std::invalid_argument(text.str());
 }
 
 void check_obstacles(const Problem& problem) {

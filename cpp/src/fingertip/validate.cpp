@@ -27,10 +27,6 @@ void require(bool holds, const std::string& field, double value, const std::stri
   throw std::invalid_argument(text.str());
 }
 
-void require_positive(const std::string& field, double value) {
-  require(value > 0 && std::isfinite(value), field, value, "must be positive and finite");
-}
-
 using planning::Range;
 
 void require_within(const std::string& field, double value, const Range& range,
@@ -271,11 +267,7 @@ void validate(const Problem& problem) {
 
 void validate(const Options& o) {
   planning::require_in_range("options.", o);
-  require_positive("options.compliance.environment_normal", o.compliance.environment_normal);
-  require_positive("options.compliance.environment_tangential",
-                   o.compliance.environment_tangential);
-  require_positive("options.compliance.finger_normal", o.compliance.finger_normal);
-  require_positive("options.compliance.finger_tangential", o.compliance.finger_tangential);
+  planning::require_in_range("options.compliance.", o.compliance);
   mechanics::StabilitySolver positively_spanning(o.disturbance_directions);
 }
 

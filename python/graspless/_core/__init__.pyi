@@ -6,8 +6,8 @@ from . import geometry
 from . import robot
 from . import collision
 from . import scene
-from . import mechanics
 from . import planning
+from . import mechanics
 from . import slide
 from . import fingertip
 from . import clasp

@@ -113,7 +113,7 @@ class Options:
         """
         Largest joint step between checked configurations. check() uses 0.01.
         
-        Unit: rad. Range: (0, 0.01]. Default: 0.01.
+        Unit: rad. Range: [0.0001, 0.01]. Default: 0.01.
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

@@ -1033,7 +1033,7 @@ class RealizeOptions:
         """
         Largest joint step between checked configurations.
         
-        Unit: rad. Range: (0, inf). Default: 0.01.
+        Unit: rad. Range: [0.0001, inf). Default: 0.01.
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

@@ -3,6 +3,7 @@ Stability of objects with frictional contacts (Maeda, Arai).
 """
 from __future__ import annotations
 import collections.abc
+import graspless._core.planning
 import enum
 import numpy
 import numpy.typing
@@ -463,6 +464,11 @@ class Equilibrium:
 class Compliance:
     """
     Stiffness of the springs that model the contacts. Only ratios matter to the stability.
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
     """
     def __init__(self, *, environment_normal: typing.SupportsFloat | typing.SupportsIndex = 1.0, environment_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.8, finger_normal: typing.SupportsFloat | typing.SupportsIndex = 0.2, finger_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.2) -> None:
         """
@@ -473,6 +479,8 @@ class Compliance:
     @property
     def environment_normal(self) -> float:
         """
+        
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 1.0.
         Stiffness of contacts with the environment along the normal.
         """
     @environment_normal.setter
@@ -481,6 +489,8 @@ class Compliance:
     @property
     def environment_tangential(self) -> float:
         """
+        
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.8.
         Stiffness of sticking contacts with the environment along the surface.
         """
     @environment_tangential.setter
@@ -489,6 +499,8 @@ class Compliance:
     @property
     def finger_normal(self) -> float:
         """
+        
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.2.
         Stiffness of fingers in position control along the normal.
         """
     @finger_normal.setter
@@ -497,6 +509,8 @@ class Compliance:
     @property
     def finger_tangential(self) -> float:
         """
+        
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.2.
         Stiffness of all fingers along the surface.
         """
     @finger_tangential.setter

@@ -184,7 +184,10 @@ TEST(FingertipValidate, RefusesBadOptions) {
   expect_options_refused([](Options& o) { o.threads = 0; }, "threads");
   expect_options_refused([](Options& o) { o.max_regrasps = -1; }, "max_regrasps");
   expect_options_refused([](Options& o) { o.max_memory = 0; }, "max_memory");
-  expect_options_refused([](Options& o) { o.compliance.finger_normal = 0; }, "compliance");
+  expect_options_refused([](Options& o) { o.compliance.finger_normal = 0; },
+                         "options.compliance.finger_normal must lie in [1e-09, 1e+09] N/m, not 0");
+  expect_options_refused([](Options& o) { o.disturbance_directions.col(2) *= 1e30; },
+                         "the length of directions[2] is");
   expect_options_refused([](Options& o) { o.disturbance_directions.resize(6, 3); }, "direction");
 }
 

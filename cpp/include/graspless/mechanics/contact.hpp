@@ -17,12 +17,14 @@ using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 // Physical bounds of all planners' input. Beyond them, rounding errors of the linear programs reach
 // the size of the answers.
-constexpr double kMinForce = 1e-6;    ///< least force limit [N]
-constexpr double kMaxForce = 1e6;     ///< largest force, as limit or load [N]
-constexpr double kMinMass = 1e-9;     ///< [kg]
-constexpr double kMaxMass = 1e5;      ///< [kg]; it weighs nearly kMaxForce
-constexpr double kMaxGravity = 1e3;   ///< largest acceleration [m/s^2]
-constexpr double kMaxFriction = 1e4;  ///< largest coefficient of friction
+constexpr double kMinForce = 1e-6;      ///< least force limit [N]
+constexpr double kMaxForce = 1e6;       ///< largest force, as limit or load [N]
+constexpr double kMinMass = 1e-9;       ///< [kg]
+constexpr double kMaxMass = 1e5;        ///< [kg]; it weighs nearly kMaxForce
+constexpr double kMaxGravity = 1e3;     ///< largest acceleration [m/s^2]
+constexpr double kMaxFriction = 1e4;    ///< largest coefficient of friction
+constexpr double kMinDirection = 1e-3;  ///< least length of a disturbance's direction l_i
+constexpr double kMaxDirection = 1e3;   ///< its largest length
 
 enum class ContactMode {
   stick,  ///< any force within the friction cone

@@ -9,6 +9,7 @@
 
 #include "graspless/export.hpp"
 #include "graspless/mechanics/contact.hpp"
+#include "graspless/planning/fields.hpp"
 
 namespace graspless::mechanics {
 
@@ -36,13 +37,29 @@ GRASPLESS_API std::optional<Equilibrium> interior_equilibrium(
 /// Stiffness of the springs that model the contacts. Only ratios matter to compliant_stability().
 /// Along the surface, a contact of elastic bodies is 2 (1 - nu) / (2 - nu) times as stiff as along
 /// its normal (Mindlin), 0.8 for most materials. A finger is as stiff as its servo, alike in all
-/// directions, and softer than a floor; the default of five times softer is a guess.
+/// directions, and softer than a floor; the default of five times softer is a guess. fields()
+/// describes the members.
 struct Compliance {
-  double environment_normal = 1;        ///< stiffness along the normal [any unit of N/m]
-  double environment_tangential = 0.8;  ///< along the surface, for sticking contacts
-  double finger_normal = 0.2;           ///< along the normal, for fingers in position control
-  double finger_tangential = 0.2;       ///< along the surface, for all fingers
+  double environment_normal = 1;
+  double environment_tangential = 0.8;
+  double finger_normal = 0.2;
+  double finger_tangential = 0.2;
 };
+
+/// Table of the members: name, unit, text, range and source.
+constexpr auto fields(const Compliance&) {
+  using planning::Field, planning::Range;
+  constexpr Range kStiffness = Range::closed(1e-9, 1e9);
+  return std::make_tuple(
+      Field{"environment_normal", &Compliance::environment_normal, "N/m",
+            "Stiffness of contacts with the environment along the normal.", kStiffness},
+      Field{"environment_tangential", &Compliance::environment_tangential, "N/m",
+            "Stiffness of sticking contacts with the environment along the surface.", kStiffness},
+      Field{"finger_normal", &Compliance::finger_normal, "N/m",
+            "Stiffness of fingers in position control along the normal.", kStiffness},
+      Field{"finger_tangential", &Compliance::finger_tangential, "N/m",
+            "Stiffness of all fingers along the surface.", kStiffness});
+}
 
 /// Stability margin that does not assume that passive friction redistributes freely. Each contact
 /// is a spring about its nominal force: sticking contacts in all directions, sliding contacts along

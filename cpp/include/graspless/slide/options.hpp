@@ -84,7 +84,7 @@ constexpr auto fields(const Options&) {
             Range::left_open(0, 1)},
       Field{"resolution", &Options::resolution, "rad",
             "Largest joint step between checked configurations. check() uses 0.01.",
-            Range::left_open(0, 0.01)});
+            Range::closed(1e-4, 0.01)});
 }
 
 /// Throws std::invalid_argument that names the option, its value and its range.

@@ -8,6 +8,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/geometry/shape.hpp"
+
+#include "geometry/require_points.hpp"
 #include "mechanics/contacts/patch_corners.hpp"
 
 namespace graspless::mechanics {
@@ -25,34 +28,38 @@ std::string text(const Eigen::Vector3d& v) {
 }
 
 void require(bool holds, const std::string& field, double value, const std::string& must) {
-  if (!holds) throw std::invalid_argument(field + " " + must + ", not " + std::to_string(value));
+  if (holds) return;
+  std::ostringstream text;
+  text << field << " " << must << ", not " << value;
+  throw std::invalid_argument(text.str());
 }
 
 void validate_plane(const Plane& plane, const std::string& what) {
   require(plane.n_W.allFinite() && std::abs(plane.n_W.norm() - 1) <= 1e-6, what + ".n_W",
           plane.n_W.norm(), "must be of length 1");
-  require(std::isfinite(plane.offset), what + ".offset", plane.offset, "must be finite");
-  require(std::isfinite(plane.friction) && plane.friction >= 0, what + ".friction", plane.friction,
-          "must be finite, and zero or positive");
+  require(std::abs(plane.offset) <= geometry::kMaxLength, what + ".offset", plane.offset,
+          "must lie in [-10000, 10000] m");
+  require(plane.friction >= 0 && plane.friction <= kMaxFriction, what + ".friction", plane.friction,
+          "must lie in [0, 10000]");
 }
 
 void validate_arguments(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3d& com_O,
                         const std::vector<Plane>& planes, const BodyState& state,
                         double tolerance) {
   require(vertices_O.cols() > 0, "vertices_O", 0, "must hold at least one vertex");
-  if (!vertices_O.allFinite()) throw std::invalid_argument("vertices_O must be finite");
-  if (!com_O.allFinite()) throw std::invalid_argument("com_O must be finite");
+  geometry::require_points(vertices_O, "vertices_O");
+  geometry::require_points(com_O, "com_O");
   for (std::size_t i = 0; i < planes.size(); ++i) {
     validate_plane(planes[i], "planes[" + std::to_string(i) + "]");
   }
   const Eigen::Matrix3d R = state.X_WO.linear();
-  if (!state.X_WO.matrix().allFinite() ||
-      !(R * R.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-6) || R.determinant() < 0) {
+  geometry::require_points(state.X_WO.translation(), "translation of state.X_WO");
+  if (!(R * R.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-6) || R.determinant() < 0) {
     throw std::invalid_argument("state.X_WO must be a rigid displacement");
   }
   if (!state.twist_W.allFinite()) throw std::invalid_argument("state.twist_W must be finite");
-  require(std::isfinite(tolerance) && tolerance >= 0, "tolerance", tolerance,
-          "must be a length of 0 m or more");
+  require(tolerance >= 0 && tolerance <= geometry::kMaxLength, "tolerance", tolerance,
+          "must lie in [0, 10000] m");
 }
 
 /// Motion of the object in W, and the speed below which one of its points stands still.

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -88,18 +86,6 @@ bool holds(const Matrix6d& stiffness, const Matrix6d& scale, bool slides) {
   return scaled.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > soft;
 }
 
-void validate_compliance(const Compliance& compliance) {
-  const auto positive = [](double value, const std::string& field) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw std::invalid_argument("compliance." + field + " must be positive and finite, not " +
-                                std::to_string(value));
-  };
-  positive(compliance.environment_normal, "environment_normal");
-  positive(compliance.environment_tangential, "environment_tangential");
-  positive(compliance.finger_normal, "finger_normal");
-  positive(compliance.finger_tangential, "finger_tangential");
-}
-
 /// Largest t at which force + t change lies within Coulomb's cone, for a nominal force inside it.
 /// The quadratic a t^2 + 2 b t + c is negative inside.
 double slip_limit(const Spring& spring, const Eigen::Vector3d& force,
@@ -148,10 +134,8 @@ std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
                                                  const Matrix6Xd& directions) {
   validate(set);
   validate_modes(set, modes);
-  validate_compliance(compliance);
-  if (directions.cols() == 0 || !directions.allFinite()) {
-    throw std::invalid_argument("directions must be finite, one at least");
-  }
+  planning::require_in_range("compliance.", compliance);
+  validate_directions(directions);
   const std::vector<LocatedSpring> all = all_of(set, modes, compliance);
   Matrix6d stiffness = Matrix6d::Zero();
   bool slides = false;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Validation of control modes and commanded forces.
+// Validation of control modes, commanded forces and directions of disturbances.
 #include "mechanics/stability/control.hpp"
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -43,6 +44,18 @@ void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMo
     throw std::invalid_argument("commanded_forces[" + std::to_string(i) +
                                 "] must lie between 0 and the finger's max_normal_force " +
                                 std::to_string(limit) + " N, not " + std::to_string(force));
+  }
+}
+
+void validate_directions(const Matrix6Xd& directions) {
+  if (directions.cols() == 0) throw std::invalid_argument("directions must be one at least");
+  for (Eigen::Index i = 0; i < directions.cols(); ++i) {
+    const double length = directions.col(i).stableNorm();
+    if (length >= kMinDirection && length <= kMaxDirection) continue;
+    std::ostringstream text;
+    text << "directions must be finite, with lengths in [" << kMinDirection << ", " << kMaxDirection
+         << "]; the length of directions[" << i << "] is " << length;
+    throw std::invalid_argument(text.str());
   }
 }
 

@@ -19,4 +19,8 @@ ForceMask force_mask(const ContactSet& set, const std::vector<FingerMode>& modes
 void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMode>& modes,
                                const Eigen::VectorXd& commanded_forces);
 
+/// Throws std::invalid_argument unless there is a direction, and all have a length within the
+/// bounds of contact.hpp.
+void validate_directions(const Matrix6Xd& directions);
+
 }  // namespace graspless::mechanics

@@ -36,7 +36,7 @@ bool span_positively(const Matrix6Xd& directions) {
 }
 
 const Matrix6Xd& checked(const Matrix6Xd& directions) {
-  if (!directions.allFinite()) throw std::invalid_argument("directions must be finite");
+  validate_directions(directions);
   if (!span_positively(directions)) {
     throw std::invalid_argument(
         "directions must positively span the space of wrenches: these " +

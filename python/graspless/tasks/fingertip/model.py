@@ -131,14 +131,10 @@ class Wall(Fields):
         self.one_of("offset", "point")
         return self
 
+@described_by(fingertip.Compliance)
 
 class Compliance(Fields):
-    """Springs at the contacts; only their ratios matter: graspless.mechanics.Compliance."""
-
-    environment_normal: Positive | None = None
-    environment_tangential: Positive | None = None
-    finger_normal: Positive | None = None
-    finger_tangential: Positive | None = None
+    """Springs at the contacts, of which only ratios matter: docs/reference/options.md."""
 
 
 @described_by(fingertip.Options)
@@ -148,7 +144,7 @@ class Options(Fields):
     disturbance_directions: list[Direction] | None = Field(
         default=None, description="[N][6] directions; default: the paper's 76"
     )
-    compliance: Compliance = Compliance()
+    compliance: Compliance = Compliance.model_construct()
 
 
 class Carrier(Fields):

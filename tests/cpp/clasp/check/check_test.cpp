@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // check() must see every way in which a plan can lie: each test breaks one promise of a good plan.
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -248,7 +249,10 @@ TEST(ClaspValidate, NamesFieldAndChoices) {
   expect_refused(with([](Problem& p) { p.loops = {3}; }), "loops[0] is 3; object 'ring' has 1");
   expect_refused(with([](Problem& p) { p.loops = {0, 0}; }), "loops[1] is 0 again");
   expect_refused(with([](Problem& p) { p.marks = {{0, 0, 1e9}}; }), "marks[0] must be finite");
-  expect_refused(with([](Problem& p) { p.pull_W = Eigen::Vector3d::Zero(); }), "pull_W");
+  for (const double length : {0.0, 1e-9, 1e5, std::nan("")}) {
+    expect_refused(with([&](Problem& p) { p.pull_W = length * Eigen::Vector3d::UnitX(); }),
+                   "pull_W must be a direction whose length lies in [1e-06, 10000], not ");
+  }
   expect_refused(with([](Problem& p) { p.q_start[1] = 9; }), "q_start: joint");
   expect_refused(with([](Problem& p) { p.X_WO.linear() *= 2; }), "X_WO must be a rigid pose");
   expect_refused(with([](Problem& p) {

@@ -209,11 +209,15 @@ TEST(ContactPatch, BadInputIsNamed) {
   plane.n_W *= 2;
   expect_refused([&] { with(plane); }, "planes[1].n_W");
   plane = {};
-  plane.offset = nan;
-  expect_refused([&] { with(plane); }, "planes[1].offset");
+  for (const double bad : {nan, 2e4, -1e300}) {
+    plane.offset = bad;
+    expect_refused([&] { with(plane); }, "planes[1].offset must lie in [-10000, 10000] m, not ");
+  }
   plane = {};
-  plane.friction = -0.1;
-  expect_refused([&] { with(plane); }, "planes[1].friction");
+  for (const double bad : {nan, -0.1, 2e4}) {
+    plane.friction = bad;
+    expect_refused([&] { with(plane); }, "planes[1].friction must lie in [0, 10000], not ");
+  }
   BodyState state;
   state.twist_W[2] = nan;
   expect_refused([&] { patches(state); }, "state.twist_W");
@@ -222,6 +226,11 @@ TEST(ContactPatch, BadInputIsNamed) {
   expect_refused([&] { patches(state); }, "state.X_WO");
   expect_refused([&] { patches({}, {Plane{}}, Matrix3Xd(3, 0)); }, "vertices_O");
   expect_refused([&] { patches({}, {Plane{}}, nan * box(1, 1, 1)); }, "vertices_O");
+  expect_refused([&] { patches({}, {Plane{}}, 1e300 * box(1, 1, 1)); },
+                 "vertices_O must be within");
+  state = {};
+  state.X_WO.translation().x() = 1e300;
+  expect_refused([&] { patches(state); }, "state.X_WO");
   expect_refused([&] { contact_patches(box(1, 1, 1), Vector3d::Zero(), {}, BodyState{}, -1); },
                  "tolerance");
 }

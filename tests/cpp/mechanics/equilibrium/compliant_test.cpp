@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -141,8 +142,11 @@ TEST(Compliant, BadInputIsNamed) {
   const Equilibrium nominal = *interior_equilibrium(set, modes, Eigen::Vector2d(10, 0));
   Compliance soft;
   soft.finger_normal = 0;
-  expect_refused([&] { compliant_stability(set, modes, nominal, soft); },
-                 "compliance.finger_normal");
+  for (const double bad : {0.0, -1.0, 1e-10, 1e10, std::nan("")}) {
+    soft.finger_normal = bad;
+    expect_refused([&] { compliant_stability(set, modes, nominal, soft); },
+                   "compliance.finger_normal must lie in [1e-09, 1e+09] N/m, not ");
+  }
   expect_refused([&] { compliant_stability(set, modes, Equilibrium{}); }, "nominal");
   expect_refused([&] { compliant_stability(set, {kForce}, nominal); }, "modes");
   expect_refused([&] { compliant_stability(set, modes, nominal, {}, Matrix6Xd(6, 0)); },

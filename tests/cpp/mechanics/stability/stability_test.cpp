@@ -183,6 +183,12 @@ TEST(Stability, RefusesWhatItCannotMeasure) {
                  "directions must positively span");
   directions(0, 0) = std::numeric_limits<double>::quiet_NaN();
   expect_refused([&] { max_stability(set, modes, directions); }, "directions must be finite");
+  for (const double length : {0.0, 1e-4, 1e4, 1e300}) {
+    directions = disturbance_directions();
+    directions.col(5) = length * Vector6d::Unit(1);
+    expect_refused([&] { max_stability(set, modes, directions); },
+                   "with lengths in [0.001, 1000]; the length of directions[5] is ");
+  }
   ContactSet bad = set;
   bad.contacts[0].friction = -1;
   expect_refused([&] { max_stability(bad, modes); }, "contacts[0].friction");
