@@ -181,14 +181,18 @@ void bind_object(py::module_& m) {
 }
 
 void bind_surroundings(py::module_& m) {
+  using Friction = Python<Interval>;
   py::class_<Plane>(
       m, "Plane",
       "Solid half-space that the object may touch and fingertips may not: a floor or a wall.")
-      .def(py::init([](const std::string& name, const Array& n_W, double offset) {
-             return Plane{name, to_vector3(n_W, "n_W"), offset};
+      .def(py::init([](const std::string& name, const Array& n_W, double offset,
+                       const std::optional<Friction::Given>& friction) {
+             Plane plane{name, to_vector3(n_W, "n_W"), offset};
+             if (friction) plane.friction = Friction::from(*friction, "friction");
+             return plane;
            }),
            py::arg("name") = "floor", Python<Eigen::Vector3d>::arg("n_W", Plane{}.n_W),
-           py::arg("offset") = 0.0,
+           py::arg("offset") = 0.0, py::arg("friction") = py::none(),
            "Parameters\n"
            "----------\n"
            "name : str\n"
@@ -196,14 +200,25 @@ void bind_surroundings(py::module_& m) {
            "n_W : (3,) array\n"
            "    Unit normal in the world, pointing out of the solid.\n"
            "offset : float\n"
-           "    n_W . p of the points p on its surface [m].")
+           "    n_W . p of the points p on its surface [m].\n"
+           "friction : float or (lower, upper), optional\n"
+           "    Coefficient of friction with the object. By default it is that of the problem,\n"
+           "    which all such planes share. The coefficient of a plane with its own interval\n"
+           "    varies independently.")
       .def_readonly("name", &Plane::name, "Name in error messages and pictures.")
       .def_property_readonly(
           "n_W", [](const Plane& self) { return self.n_W; },
           "(3,) unit normal in the world, pointing out of the solid.")
       .def_readonly("offset", &Plane::offset, "n_W . p of the points p on its surface [m].")
+      .def_property_readonly(
+          "friction",
+          [](const Plane& self) {
+            using Bounds = std::optional<std::pair<double, double>>;
+            return self.friction ? Bounds(Friction::shown(*self.friction)) : Bounds();
+          },
+          "(lower, upper) coefficient of friction with the object; None: that of the problem.")
       .def("__repr__", [](const py::object& self) {
-        return represent(self, {"name", "n_W", "offset"});
+        return represent(self, {"name", "n_W", "offset", "friction"});
       });
 
   py::class_<Fingers> fingers(
@@ -305,7 +320,9 @@ void bind_problem(py::module_& m) {
            py::arg_v("gravity_W", Array(py::cast(Eigen::Vector3d(0, 0, -9.8))), "[0, 0, -9.8]"),
            "planes: the floor first, then walls. friction: coefficient between object and planes, "
            "a number or\n"
-           "(lower, upper). gravity_W: (3,) acceleration of gravity in the world [m/s^2].")
+           "(lower, upper); a plane may have its own. gravity_W: (3,) acceleration of gravity in "
+           "the\n"
+           "world [m/s^2].")
       .def_property_readonly(
           "object", [](const Problem& self) { return self.object; }, "Object to move.")
       .def_property_readonly(
@@ -313,7 +330,7 @@ void bind_problem(py::module_& m) {
       .def_readonly("planes", &Problem::planes, "The floor first, then walls.")
       .def_property_readonly(
           "friction", [](const Problem& self) { return Friction::shown(self.friction); },
-          "(lower, upper) coefficient of friction between object and planes.")
+          "(lower, upper) coefficient of friction between object and planes without their own.")
       .def_readonly("motion", &Problem::motion, "A Path, Lattice or Goal; a copy.")
       .def_readonly("obstacles", &Problem::obstacles, "Obstacles in the world.")
       .def_property_readonly(
@@ -382,7 +399,8 @@ void bind_statistics(py::module_& m) {
   bind_fields(
       relaxation, "Any field by keyword; the others keep their defaults.",
       Field{"field", &Relaxation::field,
-            "Name of the parameter: fingers.friction, fingers.max_normal_force, friction or "
+            "Name of the parameter: fingers.friction, fingers.max_normal_force, friction,\n"
+            "planes[1] 'wall'.friction and the like, or "
             "min_stability."},
       Field{"value", &Relaxation::value, "Value nearest to the given one that helps, to 1 %."});
 }

@@ -9,8 +9,8 @@
 #include "graspless/mechanics/friction_interval.hpp"
 #include "graspless/mechanics/stability.hpp"
 
-#include "fields.hpp"
 #include "conversions.hpp"
+#include "fields.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -735,6 +735,16 @@ void bind_friction_interval(py::module_& m) {
   interval.def("__repr__", [](const py::object& self) {
     return represent(self, {"lower", "upper"});
   });
+  py::class_<Surfaces> surfaces(
+      m, "Surfaces",
+      "Surfaces of the environment, such as the floor and a wall.\n\n"
+      "All contacts with a surface share its coefficient of friction. The coefficients of "
+      "different\n"
+      "surfaces vary independently.");
+  bind_fields(surfaces, "Any field by keyword.",
+              Field{"friction", &Surfaces::friction,
+                    "Bounds of the coefficient of each surface. At most 6 may have lower < upper."},
+              Field{"of_contact", &Surfaces::of_contact, "Index of each contact's surface."});
   py::class_<FrictionVerdict> verdict(m, "FrictionVerdict",
                                       "Verdict on a contact set over intervals of friction.");
   bind_fields(verdict, "Any field by keyword.",
@@ -743,7 +753,8 @@ void bind_friction_interval(py::module_& m) {
               Field{"least_stability", &FrictionVerdict::least_stability,
                     "Proven lower bound on z over the intervals [N], if the set holds."},
               Field{"environment", &FrictionVerdict::environment,
-                    "Coefficient of the environment at which the set fails, if it does."},
+                    "Coefficient of each surface of the environment at which the set fails, if it "
+                    "does."},
               Field{"fingers", &FrictionVerdict::fingers,
                     "Coefficient of the fingers at which the set fails, if it does."},
               Field{"reason", &FrictionVerdict::reason, "Reason of the failure in words."});
@@ -752,14 +763,19 @@ void bind_friction_interval(py::module_& m) {
   m.def(
       "holds_over_friction",
       [](const ContactSet& set, const std::vector<FingerMode>& modes, const Array& commanded_forces,
-         const FrictionInterval& environment, const FrictionInterval& fingers, double needed,
-         const MaybeArray& directions) {
+         const std::variant<FrictionInterval, Surfaces>& environment,
+         const FrictionInterval& fingers, double needed, const MaybeArray& directions) {
         const ContactSet unit = with_unit_normals(set);
         const Eigen::VectorXd forces = to_vector(commanded_forces, "commanded_forces");
         const Matrix6Xd l = to_directions(directions);
-        const FrictionInterval env = environment, fin = fingers;
+        const FrictionInterval fin = fingers;
+        const auto env = environment;
         const py::gil_scoped_release release;
-        return holds_over_friction(unit, modes, forces, env, fin, needed, l);
+        return std::visit(
+            [&](const auto& given) {
+              return holds_over_friction(unit, modes, forces, given, fin, needed, l);
+            },
+            env);
       },
       py::arg("set"), py::arg("modes"), py::arg("commanded_forces"), py::kw_only(),
       py::arg("environment"), py::arg("fingers"), py::arg("needed"),
@@ -767,9 +783,8 @@ void bind_friction_interval(py::module_& m) {
       "Proves that a contact set holds over intervals of friction, or finds where it fails.\n\n"
       "The set holds if z >= needed and nothing can jam, for all coefficients in the intervals. "
       "All\n"
-      "contacts share one coefficient, and so do all fingers. The coefficients in `set` are "
-      "ignored.\n"
-      "Not in the paper.\n\n"
+      "fingers share one coefficient. The coefficients in `set` are ignored. Not in the "
+      "paper.\n\n"
       "Parameters\n"
       "----------\n"
       "set : ContactSet\n"
@@ -779,8 +794,11 @@ void bind_friction_interval(py::module_& m) {
       "    One control mode for each finger.\n"
       "commanded_forces : array (n,)\n"
       "    Commanded normal forces [N]. Entries of fingers in position control are ignored.\n"
-      "environment, fingers : FrictionInterval\n"
-      "    Bounds of the coefficients of friction.\n"
+      "environment : FrictionInterval or Surfaces\n"
+      "    Bounds of the coefficient that all contacts share, or of the coefficient of each "
+      "surface.\n"
+      "fingers : FrictionInterval\n"
+      "    Bounds of the coefficient of the fingers.\n"
       "needed : float\n"
       "    Stability that is needed, not negative [N].\n"
       "directions : array (N, 6), optional\n"

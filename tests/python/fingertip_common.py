@@ -18,6 +18,12 @@ options: {locations_per_side: 5}
 budget: {seconds: 20, seed: 3}
 """
 
+# Along a wall with friction of its own, on the side of -y.
+ALONG_WALL = PUSH.replace(
+    "motion:",
+    "walls:\n  - {name: rail, normal: [0, 1, 0], offset: -0.05, friction: 0.2}\nmotion:",
+)
+
 TUMBLE = """\
 kind: fingertip
 object: {name: block, box: [0.05, 0.05, 0.10], mass: 1.0}

@@ -440,7 +440,7 @@ def test_mujoco_of_a_chain_has_the_obstacles_of_all_stages(tmp_path):
 def test_mujoco_of_a_chain_has_the_table_of_a_later_stage(tmp_path):
     """Its top was the floor of the fingertips: one of both, or no hand could reach below."""
     text = (ROOT / "examples" / "23_tumble_slide_lift.yaml").read_text()
-    wall = "    walls: [{name: wall, normal: [-1, 0, 0], offset: -0.9}]\n"
+    wall = "    walls: [{name: wall, normal: [-1, 0, 0], offset: -0.9, friction: 0.3}]\n"
     text = text.replace("    friction: 0.8\n", "    friction: 0.8\n" + wall)
     model, data = chain(tmp_path, text)
     down, geoms = np.array([0.0, 0.0, -1.0]), np.zeros(1, dtype=np.int32)
@@ -451,6 +451,8 @@ def test_mujoco_of_a_chain_has_the_table_of_a_later_stage(tmp_path):
     assert at == {"on the table": pytest.approx(0.5), "beside it": -1}
     planes = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE)
     assert [model.geom(i).name for i in planes] == ["wall"]
+    wall = model.geom("wall")  # with priority, or the larger friction of the object would count
+    assert (wall.friction[0], wall.priority[0]) == (0.3, 1)
 
 
 L_SHAPE = """\

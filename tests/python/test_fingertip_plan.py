@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import graspless
-from fingertip_common import PUSH, TUMBLE, changed
+from fingertip_common import ALONG_WALL, PUSH, TUMBLE, changed
 from graspless import TaskError, fingertip, planning, report
 from graspless.plan_files.fingertip import FingertipPlanFile
 from graspless.tasks import read_task
@@ -154,6 +154,62 @@ def test_broken_plan_files(document, tmp_path, change, what):
     with pytest.raises(TaskError, match=what) as caught:
         reread(broken, tmp_path / "plan.json")
     assert str(caught.value).startswith(str(tmp_path / "plan.json"))
+
+
+@pytest.fixture(scope="module")
+def along_wall():
+    plan = graspless.plan(read_task(ALONG_WALL, "rail.yaml"))
+    assert plan, plan.reason
+    return plan
+
+
+def test_a_wall_with_friction_of_its_own(along_wall, tmp_path):
+    assert graspless.check(along_wall) == []
+    document = json.loads(along_wall.to_json())
+    assert document["task"]["walls"][0]["friction"] == 0.2
+    again = reread(document, tmp_path / "plan.json")
+    assert again.to_json() == along_wall.to_json()
+    assert graspless.check(again) == []
+    for friction in (0.1, 0.3, [0.2, 40]):
+        document["task"]["walls"][0]["friction"] = friction
+        assert graspless.check(reread(document, tmp_path / "plan.json"))
+    del document["task"]["walls"][0]["friction"]
+    assert graspless.check(reread(document, tmp_path / "plan.json"))
+
+
+def test_friction_of_its_own_that_is_the_tasks_changes_nothing():
+    def document(text):
+        found = without_clock(graspless.plan(read_task(text, "rail.yaml")))
+        del found["task"]
+        return found
+
+    own = changed("friction: 0.2}", "friction: 0.5}", ALONG_WALL)
+    common = changed(", friction: 0.2}", "}", ALONG_WALL)
+    assert document(own) == document(common)
+    floor = changed("walls:", "floor: {friction: 0.5}\nwalls:", own)
+    assert document(floor) == document(common)
+    assert document(ALONG_WALL) != document(common)
+
+
+def test_a_wall_of_a_problem_made_in_python_keeps_its_friction(along_wall, tmp_path):
+    task = along_wall.task
+    made = fingertip.plan(task.problem, task.options)
+    assert made.cost == along_wall.cost
+    made.save(tmp_path / "plan.json")
+    document = json.loads((tmp_path / "plan.json").read_text())
+    assert document["task"]["walls"][0]["friction"] == [0.2, 0.2]
+    assert "friction" not in document["task"]["floor"]
+    assert graspless.check(graspless.load_plan(tmp_path / "plan.json")) == []
+
+
+def test_a_wall_that_is_too_rough_is_named():
+    rough = changed("friction: 0.2}", "friction: 1}", ALONG_WALL)
+    rough = changed("_side: 5", "_side: 5, min_stability: 8.3", rough)
+    plan = graspless.plan(read_task(rough, "rail.yaml"))
+    assert plan.status == "unstable"
+    helpful = {found.field: found.value for found in plan.relaxations}
+    assert 0.2 < helpful["planes[1] 'rail'.friction"] < 1
+    assert "planes[1] 'rail'.friction" in report.as_text(plan)
 
 
 def test_failed_plan_says_what_blocks_and_what_would_help(tmp_path):

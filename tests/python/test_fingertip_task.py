@@ -58,6 +58,18 @@ budget:"""
     assert problem.motion.X_WO[0][2, 3] == pytest.approx(0.225)
 
 
+def test_planes_with_friction_of_their_own(write):
+    more = """\
+floor: {friction: 0.3}
+walls:
+  - {name: a, normal: [1, 0, 0], offset: -0.3, friction: [0.1, 0.2]}
+  - {name: b, normal: [0, -1, 0], offset: -0.5}
+budget:"""
+    problem = graspless.load_task(write(changed("budget:", more))).problem
+    assert problem.friction == (0.5, 0.5)
+    assert [plane.friction for plane in problem.planes] == [(0.3, 0.3), (0.1, 0.2), None]
+
+
 def test_a_normal_that_is_not_of_unit_length_is_normalised_with_a_warning(write):
     more = "walls: [{name: a, normal: [0, -3, 4], offset: -0.5}]\nbudget:"
     with pytest.warns(
@@ -72,6 +84,8 @@ def more(text):
     """A change that adds a section on line 11."""
     return "budget:", f"{text}\nbudget:"
 
+
+WALL = "walls: [{name: a, normal: [1, 0, 0], offset: -1, friction: %s}]"
 
 # A change of the good task, the line that is blamed, and what must be said.
 FAULTS = [
@@ -106,14 +120,20 @@ FAULTS = [
     (more("walls: [{name: a, normal: [0, 0, 0], offset: 0}]"), 11, r"walls\[0\].normal: .*zero"),
     (more("walls: [{name: a, normal: [1, 0, 0]}]"), 11, r"walls\[0\]: exactly one of offset, point"),
     (more("walls: [{name: floor, normal: [1, 0, 0], offset: -1}]"), 1, r"given twice: floor"),
+    (more(WALL % -0.1), 11, r"walls\[0\].friction: -0.1: should be greater than or equal to 0"),
+    (more(WALL % "[0.6, 0.5]"), 11, r"walls\[0\].friction: \[0.6, 0.5\]: the first must not exceed"),
+    (more(WALL % ".nan"), 11, r"walls\[0\].friction: nan: .*finite"),
+    (more(WALL % "[0.5, 20000]"), 11, r"walls\[0\]: .*friction.upper must lie in \[0, 10000\], not 20000"),
+    (more("floor: {friction: 1e5}"), 11, r"floor: .*friction.lower must lie in \[0, 10000\], not 1"),
+    (more("floor: {friction: slippery}"), 11, r"floor.friction: slippery: should be a valid number"),
     (more("gravity: [0, 0]"), 11, r"gravity: \[0, 0\]: .*at least 3"),
     (more("obstacles: [{name: a, box: [1, 1, 1]}]"), 9, r"motion.slide: .*touches obstacle a"),
     (("options: {locations_per_side: 5}", "options: {cone_edges: 2}"), 10, r"cone_edges: 2: .*3"),
     (("{locations_per_side: 5}", "{search: best}"), 10, r"options.search: best: .*'dijkstra'"),
     (("{locations_per_side: 5}", "{min_stability: 0}"), 10, r"min_stability: 0: .*greater than 0"),
     (("{locations_per_side: 5}", "{locations_per_side: 1000}"), 10, r"options: .* MB, more than"),
-    (("{locations_per_side: 5}", "{compliance: {finger_normal: 1e10}}"), 10, r"finger_normal: .*1000000000"),
     (("{locations_per_side: 5}", "{compliance: {finger: 1}}"), 10, r"compliance.finger: unknown"),
+    (("{locations_per_side: 5}", "{compliance: {finger_normal: 1e10}}"), 10, r"finger_normal: .*1000000000"),
     (
         ("{locations_per_side: 5}", "{disturbance_directions: [[1, 0, 0, 0, 0, 0]]}"),
         10,

@@ -20,6 +20,7 @@ from graspless.mechanics import (
     FingerMode,
     FrictionInterval,
     Plane,
+    Surfaces,
 )
 
 FORCE, POSITION = FingerMode.force, FingerMode.position
@@ -133,8 +134,31 @@ def test_friction_intervals():
     assert good.least_stability >= 0.5
     bad = verdict(1.5)
     assert not bad
-    assert 0.45 <= bad.environment <= 1.5
+    assert 0.45 <= bad.environment[0] <= 1.5
     assert "friction" in bad.reason
+
+
+def test_surfaces_have_friction_of_their_own():
+    def verdict(*intervals, of_contact=(0, 1, 0, 1)):
+        friction = [FrictionInterval(*interval) for interval in intervals]
+        return mechanics.holds_over_friction(
+            cuboid(),
+            [FORCE, POSITION],
+            [10, 0],
+            environment=Surfaces(friction=friction, of_contact=of_contact),
+            fingers=FrictionInterval(0.7, 0.7),
+            needed=0.5,
+        )
+
+    good = verdict((0.45, 0.5), (0.3, 0.4))
+    assert good
+    assert good.least_stability >= 0.5
+    bad = verdict((0.5, 0.5), (0.3, 9.0))
+    assert not bad
+    assert bad.environment[0] == 0.5
+    assert 0.3 < bad.environment[1] <= 9
+    with pytest.raises(ValueError, match="each of the 4 contacts, not of 1"):
+        verdict((0.5, 0.5), of_contact=[0])
 
 
 def test_contact_patches_of_a_sliding_cuboid():

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import graspless
+from fingertip_common import ALONG_WALL
 from graspless import _data, frames
 from graspless.report import simulation as simulation_report
 from graspless.simulation.fingertip import (
@@ -143,6 +144,12 @@ def test_planes_have_the_supports_friction_and_fingers_the_robots(tumble):
     assert model.pair_friction[:planes, 0] == pytest.approx(friction)
     friction = 0.9 * np.mean(problem.fingers.friction)
     assert model.pair_friction[planes:, 0] == pytest.approx(friction)
+
+
+def test_a_plane_has_its_own_friction():
+    task = read_task(ALONG_WALL, "rail.yaml")
+    model = build_world(task.problem, Variation(support_friction=1.1)).model
+    assert model.pair_friction[:2, 0] == pytest.approx([1.1 * 0.5, 1.1 * 0.2])
 
 
 def test_without_friction_the_pinch_fails(tumble):

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "fingertip/model/instants.hpp"
 #include "fingertip/planner.hpp"
 
 namespace graspless::fingertip {
@@ -122,13 +123,30 @@ struct Found {
   double factor;
 };
 
+/// Friction that planes share, and that of each plane with its own.
+std::vector<Knob> friction_knobs(const Problem& problem) {
+  std::vector<Knob> knobs;
+  const auto add = [&](const std::string& field, const FrictionInterval& given,
+                       const std::function<void(Problem&, Options&, double)>& turn) {
+    knobs.push_back({field, "friction", given.lower, scalable(given.lower), turn});
+  };
+  if (shares_friction(problem)) add("friction", problem.friction, turn_friction);
+  for (std::size_t i = 0; i < problem.planes.size(); ++i) {
+    const Plane& plane = problem.planes[i];
+    if (!plane.friction) continue;
+    add("planes[" + std::to_string(i) + "] '" + plane.name + "'.friction", *plane.friction,
+        [i](Problem& changed, Options&, double factor) {
+          scale(*changed.planes[i].friction, factor);
+        });
+  }
+  return knobs;
+}
+
 std::vector<Found> find_helpful(const Problem& problem, const Options& options, Trials& trials) {
   const Knob force = {"fingers.max_normal_force", "force limit", problem.fingers.max_normal_force,
                       problem.fingers.max_normal_force, turn_force};
   const Knob fingers = {"fingers.friction", "friction", problem.fingers.friction.lower,
                         scalable(problem.fingers.friction.lower), turn_finger_friction};
-  const Knob environment = {"friction", "friction", problem.friction.lower,
-                            scalable(problem.friction.lower), turn_friction};
   const Knob stability = {"min_stability", "stability", options.min_stability,
                           options.min_stability, turn_stability};
   std::vector<Found> found;
@@ -140,7 +158,9 @@ std::vector<Found> find_helpful(const Problem& problem, const Options& options, 
   }
   keep(force, least_of_monotone(trials, force, kFarthest));
   keep(fingers, least_of_ladder(trials, fingers, false));
-  keep(environment, least_of_ladder(trials, environment, true));
+  for (const Knob& plane : friction_knobs(problem)) {
+    keep(plane, least_of_ladder(trials, plane, true));
+  }
   return found;
 }
 

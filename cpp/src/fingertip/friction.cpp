@@ -13,11 +13,12 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr int kRounds = 6;
+constexpr int kRounds = 6;  // for each uncertain surface
 
-bool is_interval(const Problem& problem) {
-  return problem.friction.lower < problem.friction.upper ||
-         problem.fingers.friction.lower < problem.fingers.friction.upper;
+/// Maximum number of searches after the first.
+int max_rounds(const Problem& problem) {
+  const FrictionInterval& fingers = problem.fingers.friction;
+  return kRounds * std::max(num_intervals(problem), fingers.lower < fingers.upper ? 1 : 0);
 }
 
 /// A row's contacts, modes and forces.
@@ -39,8 +40,9 @@ bool are_same(const Asked& a, const Asked& b) {
 }
 
 mechanics::FrictionVerdict verdict(const Problem& problem, const Options& options,
-                                   const Instant& instant,
+                                   const Instants& instants, int at,
                                    const std::vector<FingerState>& fingers) {
+  const Instant& instant = instants[at];
   mechanics::ContactSet set = instant.set;
   std::vector<FingerMode> modes;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fingers.size()));
@@ -52,9 +54,9 @@ mechanics::FrictionVerdict verdict(const Problem& problem, const Options& option
                            problem.fingers.max_normal_force, Eigen::Vector3d::Zero()});
   }
   forces.conservativeResize(static_cast<Eigen::Index>(modes.size()));
-  return mechanics::holds_over_friction(set, modes, forces, problem.friction,
-                                        problem.fingers.friction, options.min_stability,
-                                        options.disturbance_directions);
+  return mechanics::holds_over_friction(
+      set, modes, forces, {instants.frictions(), instant.surfaces}, problem.fingers.friction,
+      options.min_stability, options.disturbance_directions);
 }
 
 /// The object's state at a row; a regrasp's cones turn with the motion that goes on after it.
@@ -71,12 +73,25 @@ mechanics::BodyState state_at(const Options& options, const Plan& plan, std::siz
   return rests ? resting_state(at, twist_O) : moving_state(at, twist_O);
 }
 
-std::string sentence(const Plan& plan, const FrictionFailure& failure, bool gave_up) {
+/// "0.5 (environment), 0.2 (plane 'behind') and 0.7 (fingers)"
+std::string coefficients_of(const Problem& problem, const mechanics::FrictionVerdict& verdict) {
+  std::ostringstream out;
+  auto coefficient = verdict.environment.begin();
+  if (shares_friction(problem)) out << *coefficient << " (environment)";
+  for (const Plane& plane : problem.planes) {
+    if (!plane.friction) continue;
+    out << (out.tellp() > 0 ? ", " : "") << *++coefficient << " (plane '" << plane.name << "')";
+  }
+  out << " and " << verdict.fingers << " (fingers)";
+  return out.str();
+}
+
+std::string sentence(const Problem& problem, const Plan& plan, const FrictionFailure& failure,
+                     bool gave_up) {
   std::ostringstream out;
   out << (gave_up ? "the search gave up, having found no plan that holds" : "no plan holds")
       << " for every friction in the intervals: the last one found fails at "
-      << failure.verdict.environment << " (environment) and " << failure.verdict.fingers
-      << " (fingers) in segment " << failure.segment << " ("
+      << coefficients_of(problem, failure.verdict) << " in segment " << failure.segment << " ("
       << plan.segments[static_cast<std::size_t>(failure.segment)].name << "), row " << failure.row
       << ": " << failure.verdict.reason;
   return out.str();
@@ -96,7 +111,7 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
         continue;
       }
       const mechanics::FrictionVerdict found =
-          verdict(problem, options, instants[asked.instant], asked.fingers);
+          verdict(problem, options, instants, asked.instant, asked.fingers);
       if (!found.holds) {
         return FrictionFailure{static_cast<int>(s), static_cast<int>(r), found};
       }
@@ -109,12 +124,17 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
 Plan plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
                         const std::function<Plan()>& search) {
   Plan plan = search();
-  if (!is_interval(problem)) return plan;
+  const int rounds = max_rounds(problem);
+  if (rounds == 0) return plan;
+  std::vector<double> last;
   for (int round = 0; plan; ++round) {
     const auto failure = find_friction_failure(problem, options, instants, plan);
     if (!failure) break;
-    const std::string why = sentence(plan, *failure, round == kRounds);
-    if (round < kRounds) {
+    // Coefficients that can be neither proven nor refuted come again, and teach the search nothing.
+    const bool gives_up = round == rounds || failure->verdict.environment == last;
+    last = failure->verdict.environment;
+    const std::string why = sentence(problem, plan, *failure, gives_up);
+    if (!gives_up) {
       instants.add_friction(failure->verdict.environment);
       plan = search();
     } else {

@@ -63,7 +63,15 @@ void check_planes(const std::vector<Plane>& planes) {
             "must be a unit vector: its length must be 1");
     require(std::abs(planes[i].offset) <= geometry::kMaxLength, field + ".offset", planes[i].offset,
             "must lie within 1e4 m");
+    if (planes[i].friction) check_friction(field + ".friction", *planes[i].friction);
   }
+}
+
+void check_number_of_intervals(const Problem& problem) {
+  const int count = num_intervals(problem);
+  require(count <= mechanics::kMaxUncertainSurfaces, "friction and planes[i].friction", count,
+          "must have lower < upper at most " + std::to_string(mechanics::kMaxUncertainSurfaces) +
+              " times");
 }
 
 using mechanics::Vector6d;
@@ -82,8 +90,8 @@ constexpr double kMaxLatticePoses = 1e9;  // they are counted by an int
 void check_state(const Problem& problem, const mechanics::BodyState& state,
                  const std::string& where) {
   const auto patches = mechanics::contact_patches(problem.object.hull(), problem.object.com(),
-                                                  contact_planes(problem, problem.friction.lower),
-                                                  state, kContactTolerance * problem.object.size());
+                                                  contact_planes(problem), state,
+                                                  kContactTolerance * problem.object.size());
   if (!patches.fault.empty()) refuse(where, patches.fault);
   if (!patches.contacts.empty()) return;
   double gap = std::numeric_limits<double>::infinity();
@@ -260,6 +268,7 @@ void validate(const Problem& problem) {
   check_fingers(problem.fingers);
   check_friction("friction", problem.friction);
   check_planes(problem.planes);
+  check_number_of_intervals(problem);
   collision::require_obstacles(problem.obstacles);
   check_weight(problem);
   check_motion(problem);

@@ -151,7 +151,7 @@ class Plane:
     """
     Solid half-space that the object may touch and fingertips may not: a floor or a wall.
     """
-    def __init__(self, name: str = 'floor', n_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., offset: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+    def __init__(self, name: str = 'floor', n_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., offset: typing.SupportsFloat | typing.SupportsIndex = 0.0, friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] | None = None) -> None:
         """
         Parameters
         ----------
@@ -161,9 +161,18 @@ class Plane:
             Unit normal in the world, pointing out of the solid.
         offset : float
             n_W . p of the points p on its surface [m].
+        friction : float or (lower, upper), optional
+            Coefficient of friction with the object. By default it is that of the problem,
+            which all such planes share. The coefficient of a plane with its own interval
+            varies independently.
         """
     def __repr__(self) -> str:
         ...
+    @property
+    def friction(self) -> tuple[float, float] | None:
+        """
+        (lower, upper) coefficient of friction with the object; None: that of the problem.
+        """
     @property
     def n_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
@@ -355,7 +364,8 @@ class Problem:
     def __init__(self, *, object: Object, motion: Path | Lattice | Goal, fingers: Fingers = ..., planes: collections.abc.Sequence[Plane] = ..., friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.5, 0.5), obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], gravity_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = [0, 0, -9.8]) -> None:
         """
         planes: the floor first, then walls. friction: coefficient between object and planes, a number or
-        (lower, upper). gravity_W: (3,) acceleration of gravity in the world [m/s^2].
+        (lower, upper); a plane may have its own. gravity_W: (3,) acceleration of gravity in the
+        world [m/s^2].
         """
     def __repr__(self) -> str:
         ...
@@ -367,7 +377,7 @@ class Problem:
     @property
     def friction(self) -> tuple[float, float]:
         """
-        (lower, upper) coefficient of friction between object and planes.
+        (lower, upper) coefficient of friction between object and planes without their own.
         """
     @property
     def gravity_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -824,7 +834,8 @@ class Relaxation:
     @property
     def field(self) -> str:
         """
-        Name of the parameter: fingers.friction, fingers.max_normal_force, friction or min_stability.
+        Name of the parameter: fingers.friction, fingers.max_normal_force, friction,
+        planes[1] 'wall'.friction and the like, or min_stability.
         """
     @field.setter
     def field(self, arg0: str) -> None:

@@ -3,12 +3,12 @@ Stability of objects with frictional contacts (Maeda, Arai).
 """
 from __future__ import annotations
 import collections.abc
-import graspless._core.planning
 import enum
+import graspless._core.planning
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'wrench_scale']
+__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'Surfaces', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'wrench_scale']
 class ContactMode(enum.Enum):
     """
     Motion of the object at a contact with the environment, Eq. (1).
@@ -464,12 +464,12 @@ class Equilibrium:
 class Compliance:
     """
     Stiffness of the springs that model the contacts. Only ratios matter to the stability.
+    """
     @staticmethod
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
         """
-    """
     def __init__(self, *, environment_normal: typing.SupportsFloat | typing.SupportsIndex = 1.0, environment_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.8, finger_normal: typing.SupportsFloat | typing.SupportsIndex = 0.2, finger_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.2) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -479,9 +479,9 @@ class Compliance:
     @property
     def environment_normal(self) -> float:
         """
+        Stiffness of contacts with the environment along the normal.
         
         Unit: N/m. Range: [1e-09, 1e+09]. Default: 1.0.
-        Stiffness of contacts with the environment along the normal.
         """
     @environment_normal.setter
     def environment_normal(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -489,9 +489,9 @@ class Compliance:
     @property
     def environment_tangential(self) -> float:
         """
+        Stiffness of sticking contacts with the environment along the surface.
         
         Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.8.
-        Stiffness of sticking contacts with the environment along the surface.
         """
     @environment_tangential.setter
     def environment_tangential(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -499,9 +499,9 @@ class Compliance:
     @property
     def finger_normal(self) -> float:
         """
+        Stiffness of fingers in position control along the normal.
         
         Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.2.
-        Stiffness of fingers in position control along the normal.
         """
     @finger_normal.setter
     def finger_normal(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -509,9 +509,9 @@ class Compliance:
     @property
     def finger_tangential(self) -> float:
         """
+        Stiffness of all fingers along the surface.
         
         Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.2.
-        Stiffness of all fingers along the surface.
         """
     @finger_tangential.setter
     def finger_tangential(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -545,6 +545,35 @@ class FrictionInterval:
     @upper.setter
     def upper(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class Surfaces:
+    """
+    Surfaces of the environment, such as the floor and a wall.
+    
+    All contacts with a surface share its coefficient of friction. The coefficients of different
+    surfaces vary independently.
+    """
+    def __init__(self, *, friction: collections.abc.Sequence[FrictionInterval] = [], of_contact: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = []) -> None:
+        """
+        Any field by keyword.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def friction(self) -> tuple[FrictionInterval, ...]:
+        """
+        Bounds of the coefficient of each surface. At most 6 may have lower < upper.
+        """
+    @friction.setter
+    def friction(self, arg1: collections.abc.Sequence[FrictionInterval]) -> None:
+        ...
+    @property
+    def of_contact(self) -> tuple[int, ...]:
+        """
+        Index of each contact's surface.
+        """
+    @of_contact.setter
+    def of_contact(self, arg1: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]) -> None:
+        ...
 class FrictionVerdict:
     """
     Verdict on a contact set over intervals of friction.
@@ -553,19 +582,19 @@ class FrictionVerdict:
         """
         Returns `holds`.
         """
-    def __init__(self, *, holds: bool = False, least_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, environment: typing.SupportsFloat | typing.SupportsIndex = 0.0, fingers: typing.SupportsFloat | typing.SupportsIndex = 0.0, reason: str = '') -> None:
+    def __init__(self, *, holds: bool = False, least_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, environment: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [], fingers: typing.SupportsFloat | typing.SupportsIndex = 0.0, reason: str = '') -> None:
         """
         Any field by keyword.
         """
     def __repr__(self) -> str:
         ...
     @property
-    def environment(self) -> float:
+    def environment(self) -> tuple[float, ...]:
         """
-        Coefficient of the environment at which the set fails, if it does.
+        Coefficient of each surface of the environment at which the set fails, if it does.
         """
     @environment.setter
-    def environment(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def environment(self, arg1: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None:
         ...
     @property
     def fingers(self) -> float:
@@ -783,13 +812,12 @@ def gravity_wrench(mass: typing.SupportsFloat | typing.SupportsIndex, gravity_O:
     array (6,)
         Force and moment in O [N, N m]. The moment is zero.
     """
-def holds_over_friction(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], *, environment: FrictionInterval, fingers: FrictionInterval, needed: typing.SupportsFloat | typing.SupportsIndex, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> FrictionVerdict:
+def holds_over_friction(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], *, environment: FrictionInterval | Surfaces, fingers: FrictionInterval, needed: typing.SupportsFloat | typing.SupportsIndex, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> FrictionVerdict:
     """
     Proves that a contact set holds over intervals of friction, or finds where it fails.
     
     The set holds if z >= needed and nothing can jam, for all coefficients in the intervals. All
-    contacts share one coefficient, and so do all fingers. The coefficients in `set` are ignored.
-    Not in the paper.
+    fingers share one coefficient. The coefficients in `set` are ignored. Not in the paper.
     
     Parameters
     ----------
@@ -800,8 +828,10 @@ def holds_over_friction(set: ContactSet, modes: collections.abc.Sequence[FingerM
         One control mode for each finger.
     commanded_forces : array (n,)
         Commanded normal forces [N]. Entries of fingers in position control are ignored.
-    environment, fingers : FrictionInterval
-        Bounds of the coefficients of friction.
+    environment : FrictionInterval or Surfaces
+        Bounds of the coefficient that all contacts share, or of the coefficient of each surface.
+    fingers : FrictionInterval
+        Bounds of the coefficient of the fingers.
     needed : float
         Stability that is needed, not negative [N].
     directions : array (N, 6), optional

@@ -33,7 +33,9 @@ def add_surroundings(spec: Any, stages: list[Plan]) -> None:
         _add_fixed(spec, TABLE, shapes, X_WS)
     tops = [(X_WS[:3, 2], float(X_WS[:3, 2] @ X_WS[:3, 3])) for X_WS, _ in tables]
     for plane, friction in _planes(stages, tops):
-        given = {"friction": [friction, 0.005, 0.0001]}
+        given: dict[str, Any] = {"friction": [friction, 0.005, 0.0001]}
+        if plane.friction is not None:
+            given["priority"] = 1  # else MuJoCo takes the larger friction of plane and object
         add_plane(spec, plane, _free_name(spec.geoms, plane.name), **given)
     for obstacle in obstacles_of(stages):
         _add_fixed(spec, obstacle.name, obstacle.shapes, obstacle.X_WB)
@@ -69,7 +71,7 @@ def _planes(stages: list[Plan], known: list[tuple[Matrix, float]]) -> list[tuple
                 for n, offset in known
             ):
                 known.append((normal, plane.offset))
-                found.append((plane, float(np.mean(problem.friction))))
+                found.append((plane, float(np.mean(plane.friction or problem.friction))))
     return found
 
 

@@ -32,12 +32,14 @@ void set(Problem& problem, Options& options, const std::string& field, double va
   if (field == "fingers.friction") problem.fingers.friction = {value, value};
   if (field == "fingers.max_normal_force") problem.fingers.max_normal_force = value;
   if (field == "friction") problem.friction = {value, value};
+  if (field == "planes[1] 'beside'.friction") problem.planes[1].friction = {value, value};
   if (field == "min_stability") options.min_stability = value;
 }
 
 double value_of(const Problem& problem, const Options& options, const std::string& field) {
   if (field == "fingers.friction") return problem.fingers.friction.lower;
   if (field == "fingers.max_normal_force") return problem.fingers.max_normal_force;
+  if (field == "planes[1] 'beside'.friction") return problem.planes[1].friction->lower;
   return field == "friction" ? problem.friction.lower : options.min_stability;
 }
 
@@ -88,6 +90,18 @@ TEST(Explain, MoreStabilityThanThereIs) {
   const Plan plan = planned(problem, options, true);
   EXPECT_EQ(plan.status, Status::unstable);
   EXPECT_TRUE(names(plan, "min_stability")) << plan.reason;
+  expect_least(problem, options, plan);
+}
+
+/// Pushed along a wall that is too rough to slide on.
+TEST(Explain, AWallThatIsTooRough) {
+  Problem problem = slide_case(10, 3);
+  problem.planes.push_back({"beside", -Eigen::Vector3d::UnitY(), -5, FrictionInterval{3, 3}});
+  Options options = coarse();
+  options.min_stability = 7;
+  const Plan plan = planned(problem, options, true);
+  ASSERT_EQ(plan.status, Status::unstable) << plan.reason;
+  EXPECT_TRUE(names(plan, "planes[1] 'beside'.friction")) << plan.reason;
   expect_least(problem, options, plan);
 }
 

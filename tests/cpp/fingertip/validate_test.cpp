@@ -67,6 +67,25 @@ TEST(FingertipValidate, RefusesBadNumbers) {
     expect_problem_refused([&](Problem& p) { p.friction = {bad, bad}; }, "friction.");
   }
   expect_problem_refused([](Problem& p) { p.friction = {0.6, 0.5}; }, "must not exceed");
+  for (const double bad : {-1.0, kNan, 2e4}) {
+    expect_problem_refused(
+        [&](Problem& p) {
+          p.planes[1].friction = FrictionInterval{0.5, bad};
+        },
+        "planes[1] 'behind'.friction.upper must lie in [0, 10000]");
+  }
+  expect_problem_refused(
+      [](Problem& p) {
+        p.planes[0].friction = FrictionInterval{0.6, 0.5};
+      },
+      "planes[0] 'floor'.friction.lower must not exceed planes[0] 'floor'.friction.upper");
+  expect_problem_refused(
+      [](Problem& p) {
+        p.friction = {0.4, 0.6};
+        p.planes.resize(7, p.planes[1]);
+        for (Plane& plane : p.planes) plane.friction = p.friction;
+      },
+      "friction and planes[i].friction must have lower < upper at most 6 times, not 8");
   expect_problem_refused([](Problem& p) { p.fingers.count = 5; }, "fingers.count must be 1 to 4");
   expect_problem_refused([](Problem& p) { p.gravity_W.z() = kNan; }, "gravity_W");
   expect_problem_refused([](Problem& p) { p.planes.clear(); }, "planes");

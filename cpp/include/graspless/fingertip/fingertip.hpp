@@ -125,8 +125,10 @@ constexpr auto fields(const Statistics&) {
 
 /// Smallest change of one parameter that makes a failed search succeed.
 struct Relaxation {
-  std::string field;  ///< fingers.friction, fingers.max_normal_force, friction or min_stability
-  double value = 0;   ///< value nearest to the given one that helps, to 1 %
+  /// fingers.friction, fingers.max_normal_force, friction, min_stability, or the friction of a
+  /// plane such as planes[1] 'wall'.friction
+  std::string field;
+  double value = 0;  ///< value nearest to the given one that helps, to 1 %
 };
 
 /// Result of plan(): a plan, or the reason why there is none.

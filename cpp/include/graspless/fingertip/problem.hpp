@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,6 +27,9 @@ struct Plane {
   std::string name = "floor";
   Eigen::Vector3d n_W = Eigen::Vector3d::UnitZ();  ///< unit normal, out of the solid
   double offset = 0;                               ///< n_W . p of the points p on its surface [m]
+  /// Friction between object and plane. By default it is Problem::friction, and all such planes
+  /// share one coefficient. The coefficient of a plane with its own interval varies independently.
+  std::optional<FrictionInterval> friction = std::nullopt;
 };
 
 using collision::Obstacle;  // neither object nor fingertips may touch it
@@ -87,14 +91,15 @@ struct Problem {
   Object object;
   Fingers fingers;
   std::vector<Plane> planes;               ///< the floor first, then walls
-  FrictionInterval friction = {0.5, 0.5};  ///< between object and planes
+  FrictionInterval friction = {0.5, 0.5};  ///< between object and planes without their own
   Motion motion;
   std::vector<Obstacle> obstacles;
   Eigen::Vector3d gravity_W = {0, 0, -9.8};  ///< [m/s^2]
 };
 
 /// Throws std::invalid_argument that names the field, the value and the choices in these cases:
-/// - a value is not finite, or friction, radius, mass or force limit is not positive;
+/// - a value is not finite, or radius, mass or force limit is not positive;
+/// - friction is negative or more than 1e4, or has more than kMaxUncertainSurfaces intervals;
 /// - a path has fewer than two poses;
 /// - the object touches no plane or penetrates one;
 /// - the goal lies in a wall or off the lattice;

@@ -29,6 +29,7 @@ using mechanics::Vector6d;
 /// Contacts and the fingers that touch, with the modes and forces that a plan gives them.
 struct Instant {
   mechanics::ContactSet set;  // friction at the lower ends
+  mechanics::Surfaces surfaces;
   std::vector<mechanics::FingerMode> modes;
   Eigen::VectorXd commanded_forces;
 };
@@ -36,9 +37,11 @@ struct Instant {
 /// True if two instants are the same but for rounding.
 bool is_near(const Instant& a, const Instant& b, double length, double force);
 
-/// The same contacts under other coefficients of friction.
-mechanics::ContactSet with_friction(mechanics::ContactSet set, double slide, double stick,
-                                    double fingers);
+/// End of an interval of friction.
+using End = double mechanics::FrictionInterval::*;
+
+/// The contacts of an instant with friction at these ends.
+mechanics::ContactSet with_friction(const Instant& instant, End slide, End stick, double fingers);
 
 /// Problem (6) with f_com fixed: the least over the directions l_d of the largest z with z l_d in
 /// balance; 0 without an equilibrium.

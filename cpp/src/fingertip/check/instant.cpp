@@ -107,17 +107,20 @@ bool is_near(const Instant& a, const Instant& b, double length, double force) {
            std::equal(x.begin(), x.end(), y.begin(),
                       [&](const auto& p, const auto& q) { return is_near(p, q, length); });
   };
-  return a.modes == b.modes &&
+  return a.modes == b.modes && a.surfaces.of_contact == b.surfaces.of_contact &&
          (a.commanded_forces - b.commanded_forces).lpNorm<Eigen::Infinity>() <= force &&
          is_near(a.set.known_wrench_O.head<3>(), b.set.known_wrench_O.head<3>(), force) &&
          same_contacts(a.set.contacts, b.set.contacts) &&
          same_contacts(a.set.fingers, b.set.fingers);
 }
 
-mechanics::ContactSet with_friction(mechanics::ContactSet set, double slide, double stick,
-                                    double fingers) {
-  for (mechanics::Contact& contact : set.contacts) {
-    contact.friction = contact.mode == ContactMode::slide ? slide : stick;
+mechanics::ContactSet with_friction(const Instant& instant, End slide, End stick, double fingers) {
+  mechanics::ContactSet set = instant.set;
+  for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+    mechanics::Contact& contact = set.contacts[i];
+    const auto surface = static_cast<std::size_t>(instant.surfaces.of_contact[i]);
+    const End end = contact.mode == ContactMode::slide ? slide : stick;
+    contact.friction = instant.surfaces.friction[surface].*end;
   }
   for (mechanics::Finger& finger : set.fingers) finger.friction = fingers;
   return set;

@@ -22,16 +22,35 @@ bool differs(double a, double b) {
 std::vector<mechanics::Plane> planes_of(const Problem& problem) {
   std::vector<mechanics::Plane> planes;
   for (const Plane& plane : problem.planes) {
-    planes.push_back({plane.name, plane.n_W.normalized(), plane.offset, problem.friction.lower});
+    const double friction = (plane.friction ? *plane.friction : problem.friction).lower;
+    planes.push_back({plane.name, plane.n_W.normalized(), plane.offset, friction});
   }
   return planes;
+}
+
+bool is_wide(const FrictionInterval& friction) { return friction.lower < friction.upper; }
+
+/// Planes that have no friction of their own are one surface, each of the others is another.
+mechanics::Surfaces surfaces_of(const Problem& problem, const std::vector<int>& plane_of_contact) {
+  mechanics::Surfaces surfaces;
+  surfaces.friction = {problem.friction};
+  std::vector<int> of_plane;
+  for (const Plane& plane : problem.planes) {
+    of_plane.push_back(plane.friction ? static_cast<int>(surfaces.friction.size()) : 0);
+    if (plane.friction) surfaces.friction.push_back(*plane.friction);
+  }
+  for (const int plane : plane_of_contact) {
+    surfaces.of_contact.push_back(of_plane[static_cast<std::size_t>(plane)]);
+  }
+  return surfaces;
 }
 
 }  // namespace
 
 bool Examination::is_interval() const {
-  return problem_.friction.lower < problem_.friction.upper ||
-         problem_.fingers.friction.lower < problem_.fingers.friction.upper;
+  return is_wide(problem_.friction) || is_wide(problem_.fingers.friction) ||
+         std::any_of(problem_.planes.begin(), problem_.planes.end(),
+                     [](const Plane& plane) { return plane.friction && is_wide(*plane.friction); });
 }
 
 /// Pose and twist of the object. At rest the twist only turns the friction cones, and is that of
@@ -56,6 +75,7 @@ std::string Examination::find_instant(std::size_t s, std::size_t r, Instant& ins
   if (!patches.fault.empty()) return patches.fault;
   if (patches.contacts.empty()) return "the object touches nothing";
   instant.set.contacts = patches.contacts;
+  instant.surfaces = surfaces_of(problem_, patches.plane);
   instant.set.com_O = object.com();
   instant.set.known_wrench_O =
       mechanics::gravity_wrench(object.mass(), at.X_WO.linear().transpose() * problem_.gravity_W);
@@ -86,24 +106,24 @@ const Verdict& Examination::judged(const Instant& instant) {
 
 Verdict Examination::judge(const Instant& instant) const {
   const mechanics::Matrix6Xd& directions = options_.disturbance_directions;
-  const FrictionInterval &env = problem_.friction, &fingers = problem_.fingers.friction;
+  const FrictionInterval& fingers = problem_.fingers.friction;
+  const End lower = &FrictionInterval::lower, upper = &FrictionInterval::upper;
   Verdict verdict;
   verdict.instant = instant;
   verdict.stability = stability_at(instant, directions);
-  const auto cannot_jam = [&](double slide) {
-    return mechanics::internal_force_is_bounded(
-        with_friction(instant.set, slide, env.upper, fingers.upper), instant.modes,
-        mechanics::Engine::reference);
+  const auto cannot_jam = [&](End slide) {
+    return mechanics::internal_force_is_bounded(with_friction(instant, slide, upper, fingers.upper),
+                                                instant.modes, mechanics::Engine::reference);
   };
-  verdict.is_bounded = cannot_jam(env.lower) && (!is_interval() || cannot_jam(env.upper));
+  verdict.is_bounded = cannot_jam(lower) && (!is_interval() || cannot_jam(upper));
   if (is_interval()) {
     // A wider cone can only help a contact that sticks. It turns the force of one that slides.
-    Instant upper = instant;
-    upper.set = with_friction(instant.set, env.upper, env.lower, fingers.lower);
-    verdict.stability = std::min(verdict.stability, stability_at(upper, directions));
-    verdict.over_friction =
-        mechanics::holds_over_friction(instant.set, instant.modes, instant.commanded_forces, env,
-                                       fingers, options_.min_stability, directions);
+    Instant turned = instant;
+    turned.set = with_friction(instant, upper, lower, fingers.lower);
+    verdict.stability = std::min(verdict.stability, stability_at(turned, directions));
+    verdict.over_friction = mechanics::holds_over_friction(
+        instant.set, instant.modes, instant.commanded_forces, instant.surfaces, fingers,
+        options_.min_stability, directions);
   }
   const auto nominal = mechanics::compliant_equilibrium(
       instant.set, instant.modes, instant.commanded_forces, options_.compliance, directions);
@@ -130,8 +150,9 @@ void Examination::check_mechanics(std::size_t s, std::size_t r) {
                            ")");
   }
   if (is_interval() && !found.over_friction.holds) {
-    fault(place(s, r), "friction: fails at " + figure(found.over_friction.environment) + ", " +
-                           figure(found.over_friction.fingers) +
+    std::string at;
+    for (const double mu : found.over_friction.environment) at += figure(mu) + ", ";
+    fault(place(s, r), "friction: fails at " + at + figure(found.over_friction.fingers) +
                            " (environment, fingers): " + found.over_friction.reason);
   }
   if (differs(row.compliant_stability, found.compliant_stability)) {

@@ -37,33 +37,47 @@ bool are_equal(const std::vector<double>& a, const std::vector<double>& b) {
          });
 }
 
-/// R^1/2 W C of all contacts; those that slide have one coefficient, those that stick another.
-mechanics::EnvironmentWrenches wrenches(mechanics::ContactSet set, double slide, double stick) {
-  for (mechanics::Contact& contact : set.contacts) {
-    contact.friction = contact.mode == mechanics::ContactMode::slide ? slide : stick;
-  }
-  return mechanics::environment_wrenches(set);
-}
-
 }  // namespace
 
-std::vector<mechanics::Plane> contact_planes(const Problem& problem, double friction) {
+std::vector<mechanics::Plane> contact_planes(const Problem& problem) {
   std::vector<mechanics::Plane> planes;
   for (const Plane& plane : problem.planes) {
-    planes.push_back({plane.name, plane.n_W.normalized(), plane.offset, friction});
+    const FrictionInterval friction = plane.friction.value_or(problem.friction);
+    planes.push_back({plane.name, plane.n_W.normalized(), plane.offset, friction.lower});
   }
   return planes;
+}
+
+bool shares_friction(const Problem& problem) {
+  return std::any_of(problem.planes.begin(), problem.planes.end(),
+                     [](const Plane& plane) { return !plane.friction; });
+}
+
+int num_intervals(const Problem& problem) {
+  int count = problem.friction.lower < problem.friction.upper ? 1 : 0;
+  for (const Plane& plane : problem.planes) {
+    count += plane.friction && plane.friction->lower < plane.friction->upper ? 1 : 0;
+  }
+  return count;
 }
 
 Instants::Instants(const Problem& problem, const Options& options)
     : problem_(problem),
       options_(options),
       wrench_scale_(mechanics::wrench_scale(problem.object.mass(), problem.object.inertia())),
-      planes_(contact_planes(problem, problem.friction.lower)),
-      frictions_{problem.friction.lower} {
-  if (problem.friction.upper > problem.friction.lower) {
-    frictions_.push_back(problem.friction.upper);
+      planes_(contact_planes(problem)),
+      frictions_{problem.friction} {
+  for (const Plane& plane : problem.planes) {
+    surface_of_plane_.push_back(plane.friction ? static_cast<int>(frictions_.size()) : 0);
+    if (plane.friction) frictions_.push_back(*plane.friction);
   }
+  std::vector<double> lower, upper;
+  for (const FrictionInterval& friction : frictions_) {
+    lower.push_back(friction.lower);
+    upper.push_back(friction.upper);
+  }
+  coefficients_ = {lower};
+  if (num_intervals(problem) > 0) coefficients_.push_back(upper);
 }
 
 int Instants::add(const mechanics::BodyState& state) {
@@ -76,6 +90,9 @@ int Instants::add(const mechanics::BodyState& state) {
   }
   Instant instant;
   instant.set.contacts = std::move(patches.contacts);
+  for (const int plane : patches.plane) {
+    instant.surfaces.push_back(surface_of_plane_[static_cast<std::size_t>(plane)]);
+  }
   instant.set.com_O = object.com();
   instant.set.known_wrench_O = mechanics::gravity_wrench(
       object.mass(), state.X_WO.linear().transpose() * problem_.gravity_W);
@@ -84,27 +101,41 @@ int Instants::add(const mechanics::BodyState& state) {
   turns_in_plane_ = turns_in_plane_ || patches.turns_in_plane;
 
   std::vector<double> key = key_of(instant.set, object.size());
+  key.insert(key.end(), instant.surfaces.begin(), instant.surfaces.end());
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     if (are_equal(keys_[i], key)) return static_cast<int>(i);
   }
-  for (const double friction : frictions_) add_environment(instant, friction);
+  for (const auto& coefficients : coefficients_) add_environment(instant, coefficients);
   all_.push_back(std::move(instant));
   keys_.push_back(std::move(key));
   return size() - 1;
 }
 
-void Instants::add_environment(Instant& instant, double coefficient) const {
-  const FrictionInterval& friction = problem_.friction;
-  instant.environments.push_back(wrenches(instant.set, coefficient, friction.lower));
-  if (friction.upper > friction.lower) {
+/// R^1/2 W C of all contacts. Those that slide have the given coefficients, those that stick the
+/// ends of their intervals.
+mechanics::EnvironmentWrenches Instants::wrenches(const Instant& instant,
+                                                  const std::vector<double>& sliding,
+                                                  double FrictionInterval::*sticking) const {
+  mechanics::ContactSet set = instant.set;
+  for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+    const auto surface = static_cast<std::size_t>(instant.surfaces[i]);
+    const bool slides = set.contacts[i].mode == mechanics::ContactMode::slide;
+    set.contacts[i].friction = slides ? sliding[surface] : frictions_[surface].*sticking;
+  }
+  return mechanics::environment_wrenches(set);
+}
+
+void Instants::add_environment(Instant& instant, const std::vector<double>& coefficients) const {
+  instant.environments.push_back(wrenches(instant, coefficients, &FrictionInterval::lower));
+  if (num_intervals(problem_) > 0) {
     instant.environments.back().jam_generators =
-        wrenches(instant.set, coefficient, friction.upper).generators;
+        wrenches(instant, coefficients, &FrictionInterval::upper).generators;
   }
 }
 
-void Instants::add_friction(double coefficient) {
-  frictions_.push_back(coefficient);
-  for (Instant& instant : all_) add_environment(instant, coefficient);
+void Instants::add_friction(const std::vector<double>& coefficients) {
+  coefficients_.push_back(coefficients);
+  for (Instant& instant : all_) add_environment(instant, coefficients);
 }
 
 }  // namespace graspless::fingertip

@@ -17,14 +17,21 @@ constexpr double kContactTolerance = 1e-6;
 /// has one for all its samples, a tumble one a sample.
 struct Instant {
   mechanics::ContactSet set;  // without fingers, friction at the nominal (lower) coefficient
-  // One for each environment coefficient that is looked at: both ends of the interval, and
-  // counter-examples found later. Cones that may only help are taken at the lower end, and those
-  // that may jam at the upper: contacts that slide alone follow the coefficient.
+  std::vector<int> surfaces;  // of each contact: index into Instants::frictions()
+  // One for each choice of environment coefficients that is checked: both ends of the intervals,
+  // and counter-examples found later. Cones that may only help are taken at the lower end, and
+  // those that may jam at the upper. Only contacts that slide follow the coefficients.
   std::vector<mechanics::EnvironmentWrenches> environments;
 };
 
-/// The planes as mechanics sees them, with this coefficient of friction.
-std::vector<mechanics::Plane> contact_planes(const Problem& problem, double friction);
+/// The planes as mechanics sees them, with friction at the lower end.
+std::vector<mechanics::Plane> contact_planes(const Problem& problem);
+
+/// True if a plane has no friction of its own.
+bool shares_friction(const Problem& problem);
+
+/// Number of coefficients between object and planes of which only bounds are known.
+int num_intervals(const Problem& problem);
 
 /// The distinct instants of a problem.
 class Instants {
@@ -39,19 +46,27 @@ class Instants {
   int size() const { return static_cast<int>(all_.size()); }
   bool turns_in_plane() const { return turns_in_plane_; }  // whether any face turned while it slid
 
-  /// Looks at another coefficient of environment friction too from now on.
-  void add_friction(double coefficient);
+  /// Friction of each surface: first that of the problem, which planes without their own share,
+  /// then that of each plane with its own.
+  const std::vector<FrictionInterval>& frictions() const { return frictions_; }
+  /// From now on also checks these coefficients, one for each surface.
+  void add_friction(const std::vector<double>& coefficients);
 
   const Problem& problem() const { return problem_; }
   const Options& options() const { return options_; }
 
  private:
-  void add_environment(Instant& instant, double coefficient) const;
+  mechanics::EnvironmentWrenches wrenches(const Instant& instant,
+                                          const std::vector<double>& sliding,
+                                          double FrictionInterval::*sticking) const;
+  void add_environment(Instant& instant, const std::vector<double>& coefficients) const;
   const Problem& problem_;
   const Options& options_;
   mechanics::Matrix6d wrench_scale_;
   std::vector<mechanics::Plane> planes_;
-  std::vector<double> frictions_;
+  std::vector<FrictionInterval> frictions_;
+  std::vector<int> surface_of_plane_;
+  std::vector<std::vector<double>> coefficients_;  // that are checked
   std::vector<Instant> all_;
   std::vector<std::vector<double>> keys_;  // contents in units of their size, for comparison
   bool turns_in_plane_ = false;

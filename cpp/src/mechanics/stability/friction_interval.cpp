@@ -12,8 +12,8 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
-#include "mechanics/stability/control.hpp"
 #include "mechanics/stability/fixed_forces.hpp"
+#include "mechanics/stability/friction_query.hpp"
 #include "mechanics/stability/reference.hpp"
 
 namespace graspless::mechanics {
@@ -23,35 +23,9 @@ constexpr double kSameStability = 1e-9;  // tolerance of z, relative to `needed`
 constexpr double kSeparated = 1e-9;      // least distance of unit wrenches from a separating plane
 constexpr double kWithin = 1e-9;         // fraction by which targets stay within reach
 constexpr double kNarrow = 1e-6;         // width of the smallest piece
+constexpr int kMaxPieces = 1000;         // of several surfaces; each takes milliseconds
 
-void validate_interval(const FrictionInterval& interval, const std::string& what) {
-  if (interval.lower >= 0 && interval.lower <= interval.upper && std::isfinite(interval.upper)) {
-    return;
-  }
-  throw std::invalid_argument(what + " must be an interval with 0 <= lower <= upper, not " +
-                              std::to_string(interval.lower) + " to " +
-                              std::to_string(interval.upper));
-}
-
-struct FrictionQuery {
-  const ContactSet& set;
-  const std::vector<FingerMode>& modes;
-  const Eigen::VectorXd& commanded_forces;
-  FrictionInterval fingers;
-  double needed;
-  const Matrix6Xd& directions;
-};
-
-ContactSet with_friction(const FrictionQuery& q, double stick, double slide, double fingers) {
-  ContactSet set = q.set;
-  for (Contact& contact : set.contacts) {
-    contact.friction = contact.mode == ContactMode::stick ? stick : slide;
-  }
-  for (Finger& finger : set.fingers) finger.friction = fingers;
-  return set;
-}
-
-FrictionVerdict fails(double environment, double fingers, const std::string& reason) {
+FrictionVerdict fails(const Coefficients& environment, double fingers, const std::string& reason) {
   FrictionVerdict verdict;
   verdict.environment = environment;
   verdict.fingers = fingers;
@@ -59,36 +33,51 @@ FrictionVerdict fails(double environment, double fingers, const std::string& rea
   return verdict;
 }
 
-std::string at(double environment, double fingers) {
-  return " at friction " + std::to_string(environment) + " (environment), " +
-         std::to_string(fingers) + " (fingers)";
+std::string at(const Coefficients& environment, double fingers) {
+  std::string text = " at friction ";
+  for (const double coefficient : environment) text += std::to_string(coefficient) + ", ";
+  text.resize(text.size() - 2);
+  return text + " (environment), " + std::to_string(fingers) + " (fingers)";
 }
 
-/// Property of a contact set, for one coefficient of friction and for an interval of them.
+/// Property of a contact set, for certain coefficients of friction and for intervals of them.
 struct Property {
   virtual ~Property() = default;
-  virtual bool holds_at(double environment) = 0;
+  virtual bool holds_at(const Coefficients& environment) = 0;
   /// True if the property is proven over the piece.
-  virtual bool proven(const FrictionInterval& piece) = 0;
-  virtual FrictionVerdict failure(double environment) = 0;
+  virtual bool proven(const Intervals& piece) = 0;
+  virtual FrictionVerdict failure(const Coefficients& environment) = 0;
+  /// Ends at which cones of sticking contacts are worst.
+  virtual Coefficients worst_sticking(const Intervals& all) = 0;
 };
 
-/// Halves the interval until every piece is proven or a coefficient fails.
-FrictionVerdict settle(const FrictionInterval& interval, Property* property) {
-  for (const double end : {interval.lower, interval.upper}) {
+/// Halves the intervals until every piece is proven or coefficients fail.
+FrictionVerdict settle(const FrictionQuery& query, Property* property) {
+  const Intervals& whole = query.environment.friction;
+  std::vector<std::size_t> varied = uncertain_surfaces(query, ContactMode::slide);
+  for (const Coefficients& end : ends(whole, varied, property->worst_sticking(whole))) {
     if (!property->holds_at(end)) return property->failure(end);
   }
-  std::vector<FrictionInterval> open = {interval};
-  while (!open.empty()) {
-    const FrictionInterval piece = open.back();
+  if (varied.empty()) varied = uncertain_surfaces(query, ContactMode::stick);
+  std::vector<Intervals> open = {whole};
+  for (int pieces = 0; !open.empty(); ++pieces) {
+    Intervals piece = std::move(open.back());
     open.pop_back();
     if (property->proven(piece)) continue;
-    const double middle = (piece.lower + piece.upper) / 2;
-    if (!property->holds_at(middle) || piece.upper - piece.lower < kNarrow) {
+    const Coefficients middle = middles(piece);
+    std::size_t widest = varied.empty() ? 0 : varied.front();
+    for (const std::size_t s : varied) {
+      if (width(piece[s]) > width(piece[widest])) widest = s;
+    }
+    const bool is_last =
+        width(piece[widest]) < kNarrow || (varied.size() > 1 && pieces > kMaxPieces);
+    if (!property->holds_at(middle) || is_last) {
       return property->failure(middle);
     }
-    open.push_back({piece.lower, middle});
-    open.push_back({middle, piece.upper});
+    open.push_back(piece);
+    open.back()[widest].upper = middle[widest];
+    piece[widest].lower = middle[widest];
+    open.push_back(std::move(piece));
   }
   FrictionVerdict verdict;
   verdict.holds = true;
@@ -102,16 +91,16 @@ FrictionVerdict settle(const FrictionInterval& interval, Property* property) {
 class NoJam : public Property {
  public:
   explicit NoJam(const FrictionQuery& query) : q_(query) {}
-  bool holds_at(double environment) override {
+  bool holds_at(const Coefficients& environment) override {
     return Reference(with_friction(q_, environment, environment, q_.fingers.upper))
         .internal_force_is_bounded(force_mask(q_.set, q_.modes));
   }
-  bool proven(const FrictionInterval& piece) override {
+  bool proven(const Intervals& piece) override {
     LinearProgram program;
     for (int i = 0; i < 6; ++i) program.add_variable(-1, 1);  // y
     program.add_variable(0, 1, 1);                            // separation
-    for (const double slide : {piece.lower, piece.upper}) {
-      const ContactSet set = with_friction(q_, piece.upper, slide, q_.fingers.upper);
+    for (const auto& slide : {lower_ends(piece), upper_ends(piece)}) {
+      const ContactSet set = with_friction(q_, upper_ends(piece), slide, q_.fingers.upper);
       add(environment_wrenches(set).generators, &program);
       for (std::size_t i = 0; i < q_.modes.size(); ++i) {
         if (q_.modes[i] == FingerMode::force) continue;
@@ -120,11 +109,12 @@ class NoJam : public Property {
     }
     return solve_lp(program).objective > kSeparated;
   }
-  FrictionVerdict failure(double environment) override {
+  FrictionVerdict failure(const Coefficients& environment) override {
     return fails(environment, q_.fingers.upper,
                  "contact forces may grow without bound against each other" +
                      at(environment, q_.fingers.upper));
   }
+  Coefficients worst_sticking(const Intervals& all) override { return upper_ends(all); }
 
  private:
   static void add(const Matrix6Xd& generators, LinearProgram* program) {
@@ -141,36 +131,39 @@ class NoJam : public Property {
 class StableEnough : public Property {
  public:
   explicit StableEnough(const FrictionQuery& query) : q_(query) {
-    for (const Contact& contact : q_.set.contacts) {
+    for (std::size_t i = 0; i < q_.set.contacts.size(); ++i) {
+      const Contact& contact = q_.set.contacts[i];
       if (contact.mode != ContactMode::slide) continue;
       const Eigen::Vector3d t = tangent(contact.n_O, contact.t_O);
       Vector6d wrench;
       wrench << t, (contact.p_OC - q_.set.com_O).cross(t);
-      drag_.push_back(q_.set.wrench_scale * wrench);
+      drag_.push_back({q_.set.wrench_scale * wrench, q_.surface(i)});
     }
   }
-  bool holds_at(double environment) override {
+  bool holds_at(const Coefficients& environment) override {
     z_ = FixedForces(with_friction(q_, environment, environment, q_.fingers.lower), q_.modes,
                      q_.commanded_forces)
              .stability(q_.directions);
     return enough(z_);
   }
-  bool proven(const FrictionInterval& piece) override {
-    const double middle = (piece.lower + piece.upper) / 2;
-    const double delta = (piece.upper - piece.lower) / 2;
-    const FixedForces balance(with_friction(q_, piece.lower, middle, q_.fingers.lower), q_.modes,
-                              q_.commanded_forces);
+  bool proven(const Intervals& piece) override {
+    const FixedForces balance(
+        with_friction(q_, lower_ends(piece), middles(piece), q_.fingers.lower), q_.modes,
+        q_.commanded_forces);
     double bound = balance.stability(q_.directions);
     if (!std::isfinite(bound)) return false;  // the contacts jam
-    if (delta > 0 && !drag_.empty() && enough(bound)) {
+    const bool varies = std::any_of(drag_.begin(), drag_.end(), [&](const Drag& drag) {
+      return width(piece[drag.surface]) > 0;
+    });
+    if (varies && enough(bound)) {
       bound *= 1 - kWithin;
-      bound -= delta * decrease(balance, bound);
+      bound -= decrease(balance, bound, piece);
     }
     if (!enough(bound)) return false;
     least_ = std::min(least_, bound);
     return true;
   }
-  FrictionVerdict failure(double environment) override {
+  FrictionVerdict failure(const Coefficients& environment) override {
     const double fingers = q_.fingers.lower;
     const std::string what = enough(z_) ? "a stability of " + std::to_string(q_.needed) +
                                               " N can be neither proven nor refuted"
@@ -178,63 +171,70 @@ class StableEnough : public Property {
                                               " N, less than " + std::to_string(q_.needed) + " N";
     return fails(environment, fingers, what + at(environment, fingers));
   }
+  Coefficients worst_sticking(const Intervals& all) override { return lower_ends(all); }
   double least() const { return least_; }
 
  private:
   bool enough(double z) const { return z >= q_.needed - kSameStability * std::max(1.0, q_.needed); }
 
-  /// Decrease of z per unit of the coefficient: at another one, the forces k_d that reach z l_d
-  /// miss it by sum k_i t_i, to either side.
-  double decrease(const FixedForces& balance, double z) const {
-    std::vector<Vector6d> misses;
+  /// R^1/2 W_i t_i of a sliding contact.
+  struct Drag {
+    Vector6d wrench;
+    std::size_t surface;
+  };
+
+  /// Largest decrease of z over the piece: away from its middle, the forces k_d that reach z l_d
+  /// miss it by delta sum k_i t_i for each surface, to either side.
+  double decrease(const FixedForces& balance, double z, const Intervals& piece) const {
+    std::vector<std::vector<Vector6d>> misses(piece.size());
     for (Eigen::Index d = 0; d < q_.directions.cols(); ++d) {
       const Eigen::VectorXd forces = balance.sliding_forces(z * q_.directions.col(d));
-      Vector6d drag = Vector6d::Zero();
+      std::vector<Vector6d> drags(piece.size(), Vector6d::Zero());
       for (std::size_t i = 0; i < drag_.size(); ++i) {
-        drag += forces[static_cast<Eigen::Index>(i)] * drag_[i];
+        drags[drag_[i].surface] += forces[static_cast<Eigen::Index>(i)] * drag_[i].wrench;
       }
-      misses.push_back(drag);
-      misses.push_back(-drag);
+      for (std::size_t s = 0; s < piece.size(); ++s) {
+        misses[s].push_back(drags[s]);
+        misses[s].push_back(-drags[s]);
+      }
     }
-    return largest_gauge(q_.directions, misses);
+    double sum = 0;
+    for (std::size_t s = 0; s < piece.size(); ++s) {
+      const double delta = width(piece[s]) / 2;
+      if (delta > 0) sum += delta * largest_gauge(q_.directions, misses[s]);
+    }
+    return sum;
   }
 
   const FrictionQuery& q_;
-  std::vector<Vector6d> drag_;  // R^1/2 W_i t_i of each sliding contact
+  std::vector<Drag> drag_;
   double z_ = 0, least_ = kInfinity;
 };
 
-void validate_query(const FrictionQuery& q, const FrictionInterval& environment) {
-  validate(q.set);
-  validate_modes(q.set, q.modes);
-  validate_commanded_forces(q.set, q.modes, q.commanded_forces);
-  validate_interval(environment, "environment");
-  validate_interval(q.fingers, "fingers");
-  if (!(q.needed >= 0) || !std::isfinite(q.needed)) {
-    throw std::invalid_argument("needed must be a stability of 0 N or more, not " +
-                                std::to_string(q.needed));
-  }
-  if (q.directions.cols() == 0 || !q.directions.allFinite()) {
-    throw std::invalid_argument("directions must be finite, one at least");
-  }
-}
-
 }  // namespace
+
+FrictionVerdict holds_over_friction(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                    const Eigen::VectorXd& commanded_forces,
+                                    const Surfaces& environment, const FrictionInterval& fingers,
+                                    double needed, const Matrix6Xd& directions) {
+  const FrictionQuery query{set, modes, commanded_forces, environment, fingers, needed, directions};
+  validate(query);
+  NoJam no_jam(query);
+  FrictionVerdict verdict = settle(query, &no_jam);
+  if (!verdict.holds) return verdict;
+  StableEnough stable(query);
+  verdict = settle(query, &stable);
+  if (verdict.holds) verdict.least_stability = stable.least();
+  return verdict;
+}
 
 FrictionVerdict holds_over_friction(const ContactSet& set, const std::vector<FingerMode>& modes,
                                     const Eigen::VectorXd& commanded_forces,
                                     const FrictionInterval& environment,
                                     const FrictionInterval& fingers, double needed,
                                     const Matrix6Xd& directions) {
-  const FrictionQuery query{set, modes, commanded_forces, fingers, needed, directions};
-  validate_query(query, environment);
-  NoJam no_jam(query);
-  FrictionVerdict verdict = settle(environment, &no_jam);
-  if (!verdict.holds) return verdict;
-  StableEnough stable(query);
-  verdict = settle(environment, &stable);
-  if (verdict.holds) verdict.least_stability = stable.least();
-  return verdict;
+  const Surfaces one{{environment}, std::vector<int>(set.contacts.size(), 0)};
+  return holds_over_friction(set, modes, commanded_forces, one, fingers, needed, directions);
 }
 
 }  // namespace graspless::mechanics

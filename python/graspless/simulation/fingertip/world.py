@@ -184,10 +184,10 @@ def add_scene(
         _add_skin(spec, body, problem.object, Fingertip().skin * problem.fingers.radius)
     for obstacle in problem.obstacles:
         add_obstacle(spec, obstacle, Fingertip().obstacle_skin, **_OBSTACLE_TOUCHES)
-    friction = friction_at(problem.friction) * variation.support_friction
     for i, plane in enumerate(problem.planes):
         add_plane(spec, plane, f"{PLANE}{i}", **_PLANE_TOUCHES)
-        _add_pair(spec, f"{PLANE}{i}", friction)
+        friction = friction_at(plane.friction or problem.friction)
+        _add_pair(spec, f"{PLANE}{i}", friction * variation.support_friction)
 
 
 def add_finger_pairs(

@@ -75,8 +75,11 @@ def state(problem: fingertip.Problem, arm: Arm | None) -> dict[str, Any]:
             **struct_fields(thing.mesh, ["vertices", "triangles"]),
         },
         "fingers": struct_fields(problem.fingers, list(Fingers.model_fields)),
-        "floor": {"height": floor.offset},
-        "walls": [{"normal": plain(w.n_W), "name": w.name, "offset": w.offset} for w in walls],
+        "floor": {"height": floor.offset, **_own_friction(floor)},
+        "walls": [
+            {"normal": plain(w.n_W), "name": w.name, "offset": w.offset, **_own_friction(w)}
+            for w in walls
+        ],
         "friction": list(problem.friction),
         "gravity": plain(problem.gravity_W),
         "motion": motion_fields(problem.motion),
@@ -87,6 +90,10 @@ def state(problem: fingertip.Problem, arm: Arm | None) -> dict[str, Any]:
         stated["carrier"] = struct_fields(arm.carrier, list(Carrier.model_fields))
         stated["realize"] = struct_fields(arm.options, list(Realize.model_fields))
     return stated
+
+
+def _own_friction(plane: fingertip.Plane) -> dict[str, Any]:
+    return {} if plane.friction is None else {"friction": list(plane.friction)}
 
 
 __all__ = [

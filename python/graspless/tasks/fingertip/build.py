@@ -77,7 +77,8 @@ def build_object(thing: model.Object, source: Source) -> fingertip.Object:
 
 def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Plane]:
     """Returns the floor, then the walls."""
-    planes = [fingertip.Plane("floor", np.array([0.0, 0.0, 1.0]), task.floor.height)]
+    friction = build_own_friction(task.floor.friction)
+    planes = [fingertip.Plane("floor", np.array([0.0, 0.0, 1.0]), task.floor.height, friction)]
     for i, wall in enumerate(task.walls):
         normal = np.array(wall.normal)
         length = float(np.linalg.norm(normal))
@@ -90,7 +91,8 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
         # An offset is along the unit normal, as it says.
         offset = float(normal @ wall.point) if wall.point is not None else wall.offset or 0.0
         with at(source, "walls", i):
-            planes.append(fingertip.Plane(wall.name, normal, offset))
+            friction = build_own_friction(wall.friction)
+            planes.append(fingertip.Plane(wall.name, normal, offset, friction))
     return planes
 
 
@@ -110,6 +112,11 @@ def build_friction(friction: float | list[float]) -> tuple[float, float]:
     """Lower and upper bound of a coefficient."""
     lower, upper = friction if isinstance(friction, list) else (friction, friction)
     return lower, upper
+
+
+def build_own_friction(friction: float | list[float] | None) -> tuple[float, float] | None:
+    """Bounds of a plane's own coefficient; None: that of the task."""
+    return None if friction is None else build_friction(friction)
 
 
 def build_options(

@@ -53,6 +53,9 @@ Inertia = Annotated[
 ]
 
 
+OWN_FRICTION = "coefficient of friction of the object on this plane, instead of the task's"
+
+
 class ObjectMesh(MeshFile):
     """A closed triangle mesh in a file."""
 
@@ -112,6 +115,7 @@ class Floor(Fields):
     """Level plane under the object."""
 
     height: float = Field(default=0.0, description="height in the world [m]")
+    friction: Friction | None = Field(default=None, description=OWN_FRICTION)
 
 
 class Wall(Fields):
@@ -125,14 +129,15 @@ class Wall(Fields):
     point: Point3 | None = Field(
         default=None, description="instead of offset: point on the surface [m]"
     )
+    friction: Friction | None = Field(default=None, description=OWN_FRICTION)
 
     @model_validator(mode="after")
     def _check(self) -> Wall:
         self.one_of("offset", "point")
         return self
 
-@described_by(fingertip.Compliance)
 
+@described_by(fingertip.Compliance)
 class Compliance(Fields):
     """Springs at the contacts, of which only ratios matter: docs/reference/options.md."""
 
@@ -173,7 +178,8 @@ class FingertipTask(Fields):
     walls: list[Wall] = []
     friction: Friction = Field(
         default=0.5,
-        description="coefficient of friction of the object on floor and walls, or [lower, upper]",
+        description="coefficient of friction of the object on floor and walls without their own, "
+        "or [lower, upper]",
     )
     gravity: Point3 = Field(
         default=[0.0, 0.0, -9.8], description="acceleration of gravity in the world [m/s^2]"

@@ -114,7 +114,8 @@ class Builder {
     const Object& object = problem_.object;
     std::vector<mechanics::Plane> planes;
     for (const Plane& plane : problem_.planes) {
-      planes.push_back({plane.name, plane.n_W, plane.offset, problem_.friction.lower});
+      planes.push_back(
+          {plane.name, plane.n_W, plane.offset, plane.friction.value_or(problem_.friction).lower});
     }
     mechanics::ContactSet set;
     set.contacts = mechanics::contact_patches(object.hull(), object.com(), planes,

@@ -4,6 +4,8 @@
 
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,8 +16,12 @@
 namespace graspless::mechanics {
 namespace {
 
-ContactSet with_friction(ContactSet set, double environment, double fingers) {
-  for (Contact& contact : set.contacts) contact.friction = environment;
+ContactSet with_friction(ContactSet set, const std::vector<double>& environment, double fingers,
+                         const std::vector<int>& surface = {}) {
+  for (std::size_t i = 0; i < set.contacts.size(); ++i) {
+    const int s = surface.empty() ? 0 : surface[i];
+    set.contacts[i].friction = environment[static_cast<std::size_t>(s)];
+  }
   for (Finger& finger : set.fingers) finger.friction = fingers;
   return set;
 }
@@ -24,8 +30,10 @@ ContactSet with_friction(ContactSet set, double environment, double fingers) {
 Matrix6Xd axes() { return disturbance_directions().leftCols(12); }
 
 double z_at(const ContactSet& set, const std::vector<FingerMode>& modes,
-            const Eigen::VectorXd& forces, double environment, double fingers) {
-  return FixedForces(with_friction(set, environment, fingers), modes, forces).stability(axes());
+            const Eigen::VectorXd& forces, const std::vector<double>& environment, double fingers,
+            const std::vector<int>& surface = {}) {
+  return FixedForces(with_friction(set, environment, fingers, surface), modes, forces)
+      .stability(axes());
 }
 
 /// Against samples of the intervals: a proof is true everywhere, a counter-example at itself.
@@ -55,8 +63,8 @@ TEST(FrictionInterval, AgreesWithSamples) {
     for (int i = 0; i <= 6; ++i) {
       for (const double finger : {0.5, 0.6, 0.7}) {
         const double mu = environment.lower + (environment.upper - environment.lower) * i / 6;
-        EXPECT_GE(z_at(set, modes, forces, mu, finger), verdict.least_stability - 1e-8);
-        EXPECT_TRUE(internal_force_is_bounded(with_friction(set, mu, finger), modes));
+        EXPECT_GE(z_at(set, modes, forces, {mu}, finger), verdict.least_stability - 1e-8);
+        EXPECT_TRUE(internal_force_is_bounded(with_friction(set, {mu}, finger), modes));
       }
     }
   }
@@ -68,7 +76,7 @@ TEST(FrictionInterval, APointIsTheStabilityItself) {
   const ContactSet set = sliding_cuboid();
   const std::vector<FingerMode> modes = {kForce, kPosition};
   const Eigen::Vector2d forces(10, 0);
-  const double z = z_at(set, modes, forces, 0.5, 0.7);
+  const double z = z_at(set, modes, forces, {0.5}, 0.7);
   ASSERT_GT(z, 1);
   const auto verdict = [&](double needed) {
     return holds_over_friction(set, modes, forces, {0.5, 0.5}, {0.7, 0.7}, needed, axes());
@@ -96,6 +104,89 @@ TEST(FrictionInterval, WideConesJam) {
   EXPECT_FALSE(verdict.holds);
   EXPECT_EQ(verdict.fingers, 0.7);
   EXPECT_NE(verdict.reason.find("without bound"), std::string::npos);
+}
+
+/// Two surfaces, such as floor and wall, whose coefficients vary independently.
+TEST(FrictionInterval, SurfacesAgreeWithSamples) {
+  std::mt19937 rng(18);
+  int proofs = 0, refutations = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    ContactSet set = trial % 2 == 0 ? sliding_cuboid() : random_contact_set(&rng, 4, 2);
+    for (Finger& finger : set.fingers) finger.max_normal_force = 10;
+    const std::vector<FingerMode> modes = {kForce, kPosition};
+    const Eigen::Vector2d forces(4 + 0.1 * trial, 0);
+    const Surfaces surfaces{{{0.3, 0.3 + 0.01 * trial}, {0.2, 0.6 - 0.01 * trial}}, {0, 1, 1, 0}};
+    const double needed = 0.3;
+    const FrictionVerdict verdict =
+        holds_over_friction(set, modes, forces, surfaces, {0.6, 0.6}, needed, axes());
+    if (!verdict.holds) {
+      ++refutations;
+      ASSERT_EQ(verdict.environment.size(), 2U);
+      const ContactSet at =
+          with_friction(set, verdict.environment, verdict.fingers, surfaces.of_contact);
+      EXPECT_TRUE(!internal_force_is_bounded(at, modes) ||
+                  z_at(set, modes, forces, verdict.environment, 0.6, surfaces.of_contact) < needed)
+          << verdict.reason;
+      continue;
+    }
+    ++proofs;
+    for (int i = 0; i <= 4; ++i) {
+      for (int j = 0; j <= 4; ++j) {
+        std::vector<double> mu;
+        for (const auto& [interval, part] :
+             {std::pair{surfaces.friction[0], i / 4.0}, std::pair{surfaces.friction[1], j / 4.0}}) {
+          mu.push_back(interval.lower + (interval.upper - interval.lower) * part);
+        }
+        EXPECT_GE(z_at(set, modes, forces, mu, 0.6, surfaces.of_contact),
+                  verdict.least_stability - 1e-8);
+        EXPECT_TRUE(
+            internal_force_is_bounded(with_friction(set, mu, 0.6, surfaces.of_contact), modes));
+      }
+    }
+  }
+  EXPECT_GT(proofs, 5);
+  EXPECT_GT(refutations, 5);
+}
+
+/// One surface is the shared coefficient, to the last bit. More freedom never holds better.
+TEST(FrictionInterval, SurfacesThatVaryAloneHoldNoBetter) {
+  const ContactSet set = sliding_cuboid();
+  const std::vector<FingerMode> modes = {kForce, kPosition};
+  const Eigen::Vector2d forces(10, 0);
+  const auto least = [&](const Surfaces& surfaces) {
+    return holds_over_friction(set, modes, forces, surfaces, {0.7, 0.7}, 0.5, axes())
+        .least_stability;
+  };
+  const FrictionInterval interval{0.45, 0.5};
+  const double shared =
+      holds_over_friction(set, modes, forces, interval, {0.7, 0.7}, 0.5, axes()).least_stability;
+  ASSERT_GT(shared, 0.5);
+  EXPECT_EQ(least({{interval}, {0, 0, 0, 0}}), shared);
+  EXPECT_EQ(least({{{9, 9}, interval}, {1, 1, 1, 1}}), shared);  // no contact with the first
+  const double alone = least({{interval, interval}, {0, 1, 0, 1}});
+  EXPECT_LE(alone, shared);
+  EXPECT_GT(alone, 0);
+}
+
+/// Mixtures of ends: each surface alone may be rough, but not both differ.
+TEST(FrictionInterval, FindsAMixtureOfEndsThatFails) {
+  const ContactSet set = sliding_cuboid();
+  const std::vector<FingerMode> modes = {kForce, kPosition};
+  const Eigen::Vector2d forces(10, 0);
+  const FrictionInterval wide{0.1, 0.6};
+  const std::vector<int> sides = {0, 1, 0, 1};
+  const FrictionVerdict shared =
+      holds_over_friction(set, modes, forces, wide, {0.7, 0.7}, 0.5, axes());
+  ASSERT_TRUE(shared.holds) << shared.reason;
+  // Between the least stability of the shared coefficient and that of a mixture.
+  const double mixed = z_at(set, modes, forces, {0.1, 0.6}, 0.7, sides);
+  ASSERT_LT(mixed, shared.least_stability);
+  const double needed = (mixed + shared.least_stability) / 2;
+  EXPECT_TRUE(holds_over_friction(set, modes, forces, wide, {0.7, 0.7}, needed, axes()).holds);
+  const FrictionVerdict alone = holds_over_friction(
+      set, modes, forces, Surfaces{{wide, wide}, sides}, {0.7, 0.7}, needed, axes());
+  ASSERT_FALSE(alone.holds);
+  EXPECT_NE(alone.environment[0], alone.environment[1]);
 }
 
 TEST(FrictionInterval, GaugeOfAPolyhedron) {
@@ -132,6 +223,22 @@ TEST(FrictionInterval, BadInputIsNamed) {
   expect_refused(ask({0.5, 0.5}, {0.5, nan}, 1), "fingers must be an interval");
   expect_refused(ask({0.5, 0.5}, {0.5, 0.5}, -1), "needed");
   expect_refused(ask({0.5, 0.5}, {0.5, 0.5}, nan), "needed");
+  expect_refused(ask({0.5, 2e4}, {0.5, 0.5}, 1), "0 <= lower <= upper <= 10000");
+  const auto on = [](const Surfaces& surfaces, const Matrix6Xd& directions) {
+    return [=] {
+      holds_over_friction(sliding_cuboid(), {kForce, kPosition}, Eigen::Vector2d(10, 0), surfaces,
+                          {0.5, 0.5}, 1, directions);
+    };
+  };
+  expect_refused(on({{}, {0, 0, 0, 0}}, axes()), "environment must have one surface");
+  expect_refused(on({{{0.5, 0.5}}, {0, 0, 0}}, axes()), "each of the 4 contacts, not of 3");
+  expect_refused(on({{{0.5, 0.5}}, {0, 0, 1, 0}}, axes()), "must be 0 to 0, not 1");
+  expect_refused(on({{{0.5, 0.5}}, {0, 0, -1, 0}}, axes()), "must be 0 to 0, not -1");
+  expect_refused(on({{{0.5, 0.5}, {0.5, nan}}, {0, 0, 0, 0}}, axes()), "environment must be");
+  expect_refused(on({std::vector<FrictionInterval>(7, {0.4, 0.5}), {0, 0, 0, 0}}, axes()),
+                 "at most 6 surfaces with lower < upper, not 7");
+  expect_refused(on({{{0.5, 0.5}}, {0, 0, 0, 0}}, 1e30 * axes()), "the length of directions[0]");
+  expect_refused(on({{{0.5, 0.5}}, {0, 0, 0, 0}}, axes().leftCols(0)), "directions");
 }
 
 }  // namespace
