@@ -4,21 +4,17 @@
 
 from __future__ import annotations
 
-import contextlib
-import signal
 import sys
-import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Callable, Iterator
 
     from ._plan import Plan
 
-FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE, TERMINATED = 0, 1, 2, 130, 141, 143
+FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
 EXIT_CODES = """exit codes:
   0    success: a plan was found, and it passes its check
@@ -27,34 +23,6 @@ EXIT_CODES = """exit codes:
   130  interrupted
   141  the reader of the output closed the pipe
   143  terminated (SIGTERM)"""
-
-
-@contextlib.contextmanager
-def terminable() -> Iterator[Callable[[int], int]]:
-    """Makes SIGTERM end the block as Ctrl-C does, so that workers and unfinished files go too.
-
-    Yields a function of an exit code: it turns INTERRUPTED into TERMINATED after a SIGTERM.
-    """
-    came = False
-
-    def end(*_: Any) -> None:
-        nonlocal came
-        came = True
-        # `timeout` sends it twice; the second would stop the clean-up.
-        signal.signal(signal.SIGTERM, signal.SIG_IGN)
-        raise KeyboardInterrupt
-
-    is_ours = (
-        threading.current_thread() is threading.main_thread()
-        and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL  # nobody else answers it
-    )
-    if is_ours:
-        signal.signal(signal.SIGTERM, end)
-    try:
-        yield lambda code: TERMINATED if came and code == INTERRUPTED else code
-    finally:
-        if is_ours:
-            signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def given_plan(path: str) -> Plan:

@@ -26,7 +26,6 @@ from ._commands import (
     add_trust,
     given_plan,
     read_stdin,
-    terminable,
 )
 from .errors import TaskError, explain
 
@@ -43,12 +42,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     -------
     int
         0 found or holds, 1 not found or does not hold, 2 bad input or output that cannot be
-        written, 130 interrupted, 141 the reader of our output has gone, 143 terminated.
+        written, 130 interrupted, 141 the reader of our output has gone. After SIGTERM, __main__
+        makes 143 of 130.
     """
     try:
         try:
-            with terminable() as told:
-                return told(_run(arguments))
+            return _run(arguments)
         finally:  # here, not while Python ends, where it would be a traceback
             if sys.stdout is not None:
                 sys.stdout.flush()
