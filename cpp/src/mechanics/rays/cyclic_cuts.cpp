@@ -60,7 +60,9 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
     environment.unreached.restart(directions_);
     if (environment.basis.resume(environment.columns)) continue;
     environment.basis.begin(environment.columns);
-    if (!environment.basis.complete(target(e, critical_, 0))) return false;
+    if (environment.basis.complete(target(e, critical_, 0))) continue;
+    used_ = e + 1;  // the bases of those after it are not those of their columns
+    return false;
   }
   return true;
 }

@@ -188,6 +188,13 @@ TEST(StabilitySolver, CountsWhatItDoes) {
   EXPECT_GT(solver.counters().pivots, 0);
 }
 
+TEST(StabilitySolver, FindsNoStabilityInTwoEnvironmentsThatSpanNothing) {
+  const EnvironmentWrenches environment;
+  StabilitySolver solver;
+  solver.set({&environment, &environment}, {});
+  EXPECT_EQ(solver.evaluate(0).z, 0);
+}
+
 TEST(StabilitySolver, RefusesTooManyFingersAndNoEnvironment) {
   StabilitySolver solver;
   expect_refused([&] { solver.set({}, {}); }, "environments must not be empty");
