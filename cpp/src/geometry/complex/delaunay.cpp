@@ -47,7 +47,6 @@ double shift(const Eigen::Vector3d& p, std::uint64_t axis) {
 
 std::vector<Point> perturbed(const Eigen::Matrix3Xd& points) {
   std::vector<Point> result;
-  if (points.cols() == 0) return result;
   result.reserve(static_cast<std::size_t>(points.cols()));
   const double scale =
       kShift * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
@@ -91,6 +90,7 @@ int number_regions(Triangulation& triangulation) {
 }  // namespace
 
 Delaunay delaunay(const Eigen::Matrix3Xd& points) {
+  if (points.cols() == 0) return {};  // CGAL's map takes the address of the first point
   Triangulation triangulation = triangulate(perturbed(points));
 
   Delaunay result;
