@@ -1,5 +1,5 @@
 # Each target installs what it needs first: Debian packages (with sudo unless root), .venv and the build.
-.PHONY: demo test lint format docs stubs bench bench-install wheel asan clean
+.PHONY: demo test lint format docs stubs bench bench-install wheel asan tsan fuzz clean
 
 demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.html
 	@tools/install view,timing
@@ -46,6 +46,10 @@ wheel:  ## a wheel in wheelhouse/ that needs no Debian library, tested with thos
 asan tsan:  ## the tests under address and undefined-behaviour sanitizers, leaks included; under the thread sanitizer
 	@tools/install test,all GRASPLESS_TESTS=ON
 	@tools/sanitize $@
+
+fuzz:  ## mutated input for every reader and planner: a fixed set, two minutes; or for a time: make fuzz HOURS=1
+	@tools/install test,fuzz,all
+	@tools/fuzz $(if $(HOURS),--hours $(HOURS))
 
 clean:
 	rm -rf build dist wheelhouse demo .venv
