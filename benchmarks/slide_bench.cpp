@@ -90,7 +90,8 @@ void BM_SlideProjection(benchmark::State& state) {
   const Problem problem = make_problem();
   Options options = paper_terms();
   options.max_depth = options.min_depth + static_cast<double>(state.range(0)) / 1000;
-  Query query(problem, options, {});
+  planning::Clock clock({});
+  Query query(problem, options, clock, 1);
   const auto arms = draw_steps(query, 0.1);
   std::size_t i = 0, projected = 0;
   VectorXd arm;
@@ -105,7 +106,8 @@ BENCHMARK(BM_SlideProjection)->ArgName("range_mm")->Arg(0)->Arg(5)->Arg(20);
 void BM_SlideConstraintRows(benchmark::State& state) {
   const Problem problem = make_problem();
   const Options options = paper_terms();
-  Query query(problem, options, {});
+  planning::Clock clock({});
+  Query query(problem, options, clock, 1);
   const auto arms = draw_steps(query, 0.1);
   BandProjection::Values value(3);
   BandProjection::Jacobian J(3, query.arm.dof());
@@ -120,7 +122,8 @@ BENCHMARK(BM_SlideConstraintRows)->ArgName("jacobian")->Arg(0)->Arg(1);
 void BM_SlideIsValid(benchmark::State& state) {
   const Problem problem = make_problem();
   const Options options = paper_terms();
-  Query query(problem, options, {});
+  planning::Clock clock({});
+  Query query(problem, options, clock, 1);
   const auto arms = draw_steps(query, 0);
   const auto carried = query.carried_from(arms.front());
   std::size_t i = 0;
@@ -133,7 +136,8 @@ BENCHMARK(BM_SlideIsValid);
 void BM_SlideQuery(benchmark::State& state) {
   const Problem problem = make_problem();
   const Options options = paper_terms();
-  for (auto _ : state) benchmark::DoNotOptimize(Query(problem, options, {}));
+  planning::Clock clock({});
+  for (auto _ : state) benchmark::DoNotOptimize(Query(problem, options, clock, 1));
 }
 BENCHMARK(BM_SlideQuery);
 

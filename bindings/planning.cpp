@@ -2,13 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
 #include <pybind11/stl.h>
+
+#include "graspless/watch.hpp"
 
 #include "conversions.hpp"
 #include "fields.hpp"
 
 namespace graspless::bindings {
 namespace {
+
+constexpr double kLongest = 1e8;  // deadlines farther away are none [s]
+
+/// The exception class; never destroyed, as Python may have ended by then.
+py::object& out_of_time() {
+  static auto* type = new py::object();
+  return *type;
+}
 
 void bind_field_description(py::module_& m) {
   py::class_<FieldDescription>(m, "Field", "Description of an option or of a counter.")
@@ -33,10 +47,59 @@ std::string doc_of(const std::string& name) {
   return "";
 }
 
+using Steady = std::chrono::steady_clock;
+
+thread_local std::optional<Steady::time_point> deadline;   // of work outside planners
+thread_local std::optional<py::error_already_set> raised;  // what ended the work, for Python
+
+/// Ends work for signals whose Python handler raises, and at the deadline.
+void check_signals() {
+  if (PyGILState_GetThisThreadState() == nullptr) return;  // not a thread of Python
+  const py::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() == 0) {
+    if (!deadline || Steady::now() < *deadline) return;
+    deadline.reset();
+    PyErr_SetString(out_of_time().ptr(), "the time limit was reached");
+  }
+  raised.emplace();
+  throw Stop{};
+}
+
+/// Translates Stop into what ended the work.
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Stop&) {
+    raised->restore();
+    raised.reset();
+  }
+}
+
+void bind_polling(py::module_& m) {
+  out_of_time() = py::exception<Stop>(m, "OutOfTime", PyExc_BaseException);
+  m.attr("OutOfTime").attr("__doc__") = "Raised where a deadline ends work outside planners.";
+  set_default_check(check_signals);
+  py::register_exception_translator(translate);
+  m.def(
+      "set_deadline",
+      [](std::optional<double> seconds) {
+        deadline.reset();
+        if (seconds && *seconds < kLongest) {
+          const std::chrono::duration<double> wait(std::max(0.0, *seconds));
+          deadline = Steady::now() + std::chrono::duration_cast<Steady::duration>(wait);
+        }
+      },
+      py::arg("seconds"),
+      "Makes work of this thread outside planners, such as reading a mesh, raise OutOfTime after "
+      "so many seconds. None: no deadline.");
+  m.def("poll", &poll, "Raises OutOfTime if this thread's deadline has passed.");
+}
+
 }  // namespace
 
 void bind_planning(py::module_ m) {
   bind_field_description(m);
+  bind_polling(m);
   py::class_<StoppableBudget>(m, "Budget",
                               "Limits of a query in time and iterations, and its random seed.")
       .def(py::init([](double seconds, std::optional<std::int64_t> iterations, std::uint64_t seed) {

@@ -38,15 +38,12 @@ std::string failure(const Search& search, const Statistics& statistics, bool out
   return text.str();
 }
 
-}  // namespace
-
-Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+Plan searched(const Problem& problem, const Options& options, const planning::Budget& budget,
+              planning::Clock& clock) {
   validate(problem);
   validate(options);
-  planning::Clock clock(budget);
   Search search(problem, options, clock);
   Plan plan;
-  plan.joint_names = problem.robot.joint_names();
   if (const auto [a, b] = search.touching_at_start(); !a.empty()) {
     plan.status = Status::start_in_collision;
     plan.reason = "at the start, '" + a + "' touches '" + b + "'";
@@ -60,6 +57,25 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   }
   plan.reached = search.reached();
   plan.statistics = search.statistics();
+  return plan;
+}
+
+}  // namespace
+
+Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+  planning::Clock clock(budget, options.max_memory);
+  Plan plan;
+  if (!clock.run([&] { plan = searched(problem, options, budget, clock); })) {
+    plan.reason = clock.reason();
+    plan.statistics.seconds = clock.seconds();
+    plan.statistics.iterations = clock.iterations();
+    if (clock.was_interrupted()) plan.status = Status::interrupted;
+  }
+  if (!plan && clock.is_out_of_memory()) {
+    plan.status = Status::out_of_memory;
+    plan.reason = clock.reason() + "; take a larger options.step";
+  }
+  plan.joint_names = problem.robot.joint_names();
   return plan;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::carry {
 namespace {
 
@@ -149,6 +151,7 @@ bool Search::is_motion_valid(const VectorXd& from, const VectorXd& to) {
   const int pieces =
       rows * std::max(1, static_cast<int>(std::ceil(span / rows / options_.resolution)));
   for (int i = 1; i <= pieces; ++i) {
+    poll();
     if (object_path_.contains(object_at(from + (to - from) * i / pieces), options_)) continue;
     refuse("off the straight path");
     return false;

@@ -12,12 +12,10 @@ namespace graspless::clasp {
 namespace {
 
 /// Plan for an object without a hole. Such an object may not even have a surface.
-Plan without_hole(const Problem& problem, const planning::Budget& budget) {
-  const planning::Clock clock(budget);  // throws on an invalid budget
+Plan without_hole(const Problem& problem, const planning::Clock& clock) {
   Plan plan;
   plan.status = Status::no_reliable_hole;
   plan.reason = problem.object.loops().reason;
-  plan.joint_names = problem.robot.joint_names();
   plan.statistics.seconds = clock.seconds();
   return plan;
 }
@@ -51,15 +49,13 @@ Status failure(const Query& query) {
                                                               : Status::not_found;
 }
 
-}  // namespace
-
-Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
+              std::uint64_t seed) {
   validate(problem);
   validate(options);
-  if (problem.object.loops().loops.empty()) return without_hole(problem, budget);
-  Query query(problem, options, budget);
+  if (problem.object.loops().loops.empty()) return without_hole(problem, clock);
+  Query query(problem, options, clock, seed);
   Plan plan;
-  plan.joint_names = problem.robot.joint_names();
   std::vector<std::unique_ptr<LoopSearch>> searches;
   if (is_start_free(query, plan)) {
     const Eigen::VectorXd q_init = opened(query, plan);
@@ -76,6 +72,24 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   }
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);
+  return plan;
+}
+
+}  // namespace
+
+Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+  planning::Clock clock(budget, options.max_memory);
+  Plan plan;
+  if (!clock.run([&] { plan = searched(problem, options, clock, budget.seed); })) {
+    plan.reason = clock.reason();
+    plan.statistics.seconds = clock.seconds();
+    if (clock.was_interrupted()) plan.status = Status::interrupted;
+  }
+  if (!plan && clock.is_out_of_memory()) {
+    plan.status = Status::out_of_memory;
+    plan.reason = clock.reason() + "; take fewer points or options.targets";
+  }
+  plan.joint_names = problem.robot.joint_names();
   return plan;
 }
 

@@ -18,12 +18,12 @@ constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan 
 
 /// State of one call of plan().
 struct Query {
-  Query(const Problem& problem, const Options& options, const planning::Budget& budget)
-      : problem(problem), options(options), clock(budget), rng(budget.seed), free(problem) {}
+  Query(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed)
+      : problem(problem), options(options), clock(clock), rng(seed), free(problem) {}
 
   const Problem& problem;
   const Options& options;
-  planning::Clock clock;
+  planning::Clock& clock;
   std::mt19937_64 rng;
   FreeSpace free;
   std::optional<StabilityTester> tester;  ///< created with the first clasp to test

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::collision {
 namespace {
 
@@ -63,6 +65,7 @@ void ClearanceCells::grow() {
   old.swap(slots_);
   --shift_;
   for (const Slot& slot : old) {
+    poll();
     if (slot.root >= 0) slots_[find(slot.key)] = slot;
   }
 }

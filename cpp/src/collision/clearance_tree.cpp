@@ -11,6 +11,8 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::collision {
 namespace {
 
@@ -45,6 +47,7 @@ struct ClearanceTree::Impl {
 ClearanceTree::ClearanceTree(const std::vector<SurfaceTriangle>& triangles)
     : impl_(std::make_unique<Impl>()) {
   for (const SurfaceTriangle& triangle : triangles) {
+    poll();
     const Eigen::Vector3d &a = triangle.a, b = a + triangle.ab, c = a + triangle.ac;
     impl_->triangles.emplace_back(to_cgal(a), to_cgal(b), to_cgal(c));
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::collision {
 namespace {
 
@@ -44,6 +46,7 @@ std::vector<SurfaceTriangle> surface_triangles(const geometry::Mesh& mesh) {
   std::vector<SurfaceTriangle> triangles;
   triangles.reserve(static_cast<std::size_t>(mesh.triangles.cols()));
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    poll();
     const auto corners = mesh.triangles.col(i);
     triangles.push_back(with_width(mesh.vertices.col(corners[0]), mesh.vertices.col(corners[1]),
                                    mesh.vertices.col(corners[2])));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "graspless/watch.hpp"
+
 #include "collision/world_impl.hpp"
 
 namespace graspless::collision {
@@ -26,6 +28,7 @@ Solid::Solid(const std::vector<geometry::PlacedShape>& shapes, const std::string
   if (shapes.empty()) throw std::invalid_argument(what + " must have a shape");
   auto data = std::make_shared<Data>();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
+    poll();
     data->shapes.push_back(
         make_collision_shape(shapes[i], what + " shapes[" + std::to_string(i) + "]"));
     data->radius = std::max(data->radius, shape_radius(data->shapes.back()));

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/watch.hpp"
+
 #include "collision/world_impl.hpp"
 
 namespace graspless::collision {
@@ -131,6 +133,7 @@ std::vector<std::pair<int, int>> World::pairs() const {
 bool World::collides() { return first_collision().has_value(); }
 
 std::optional<std::pair<int, int>> World::first_collision() {
+  poll();
   ++impl_->checks;
   for (const Pair& pair : impl_->pairs) {
     if (impl_->touch(pair)) return std::make_pair(pair.a, pair.b);
@@ -139,6 +142,7 @@ std::optional<std::pair<int, int>> World::first_collision() {
 }
 
 std::vector<std::pair<int, int>> World::all_collisions() {
+  poll();
   std::vector<std::pair<int, int>> touching;
   for (const Pair& pair : impl_->pairs) {
     if (impl_->touch_by_fcl(pair)) touching.emplace_back(pair.a, pair.b);

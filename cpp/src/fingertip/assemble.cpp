@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/model/locations.hpp"
 #include "fingertip/model/screw.hpp"
 #include "fingertip/planner.hpp"
@@ -66,6 +68,7 @@ class Assembler {
     const int P = options_.samples_per_arc;
     double weight = 0, speed = 0;
     for (int j = 0; j < P; ++j) {
+      poll();
       const Eigen::Isometry3d X_WO_j = along_screw(X_WO, twist_O, (j + 0.5) / P);
       segment.rows.push_back(row(moving_state(X_WO_j, twist_O), -1));
       weight += (1 + options_.stability_weight / segment.rows.back().stability) / P;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graspless/collision/world.hpp"
+#include "graspless/watch.hpp"
 
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
@@ -20,6 +21,7 @@ namespace {
 /// True if `missing` more fingers fit beside those on `chosen`, on locations among clear[from ...].
 bool fit(const Locations& locations, const std::vector<int>& clear, std::size_t from, int missing,
          std::vector<int>& chosen) {
+  poll();
   if (missing == 0) return true;
   for (std::size_t i = from; i < clear.size(); ++i) {
     const bool apart = std::all_of(chosen.begin(), chosen.end(),
@@ -75,11 +77,7 @@ void blame_geometry_of_lattice(const PoseGraph& graph, Plan& plan) {
 
 void blame_incomplete_search(const PoseGraph& graph, const Route& route, planning::Clock& clock,
                              Plan& plan) {
-  if (clock.was_interrupted()) {
-    plan.status = Status::interrupted;
-    plan.reason = "interrupted before a plan was found";
-    return;
-  }
+  if (clock.was_interrupted() || clock.is_out_of_memory()) return blame_clock(clock, plan);
   plan.status = Status::out_of_time;
   plan.reason = graph.is_path() || !clock.spend()
                     ? "the budget was spent before a plan was found; none is cheaper than " +
@@ -122,6 +120,17 @@ std::string in_the_way(const Problem& problem, const Locations& locations,
 }
 
 }  // namespace
+
+void blame_clock(const planning::Clock& clock, Plan& plan) {
+  plan.status = clock.was_interrupted()    ? Status::interrupted
+                : clock.is_out_of_memory() ? Status::out_of_memory
+                                           : Status::out_of_time;
+  plan.reason = clock.reason();
+  if (plan.status == Status::out_of_memory) {
+    plan.reason +=
+        "; take fewer fingers, a smaller locations_per_side or a larger location_spacing";
+  }
+}
 
 void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,
                      Plan& plan) {

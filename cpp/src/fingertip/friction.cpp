@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/model/screw.hpp"
 #include "fingertip/planner.hpp"
 
@@ -104,6 +106,7 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
   std::vector<Asked> held;
   for (std::size_t s = 0; s < plan.segments.size(); ++s) {
     for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
+      poll();
       const Asked asked = {instants.add(state_at(options, plan, s, r)),
                            plan.segments[s].rows[r].fingers};
       if (std::any_of(held.begin(), held.end(),

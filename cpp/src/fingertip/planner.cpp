@@ -83,6 +83,10 @@ void count(const SearchContext& context, const planning::Clock& clock, Statistic
 }
 
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock) {
+  Plan refused;
+  refused.reason = lack_of_memory(problem, options);
+  refused.status = Status::out_of_memory;
+  if (!refused.reason.empty()) return refused;
   SearchContext context(problem, options);
   Plan plan = plan_over_friction(problem, options, context.instants, [&] {
     for (Evaluator& evaluator : context.evaluators) evaluator.forget();
@@ -100,10 +104,18 @@ Plan solve(const Problem& problem, const Options& options, planning::Clock& cloc
 }
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
-  planning::Clock clock(budget);
-  validate(problem, options);
-  Plan plan = solve(problem, options, clock);
-  if (options.explain) explain(problem, options, clock, plan);
+  planning::Clock clock(budget, options.max_memory);
+  Plan plan;
+  const bool has_ended = clock.run([&] {
+    validate(problem);
+    validate(options);
+    plan = solve(problem, options, clock);
+  });
+  if (!has_ended) blame_clock(clock, plan);
+  if (has_ended && options.explain) {
+    Plan explained = plan;
+    if (clock.run([&] { explain(problem, options, clock, explained); })) plan = explained;
+  }
   plan.statistics.seconds = clock.seconds();
   return plan;
 }

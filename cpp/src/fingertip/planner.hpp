@@ -38,10 +38,16 @@ Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& cl
 /// plan() without validation and explanation.
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock);
 
+/// Empty, or what to take less of: the search would need more than options.max_memory.
+std::string lack_of_memory(const Problem& problem, const Options& options);
+
 /// Adds the evaluators' counters to the statistics, and the time.
 void count(const SearchContext& context, const planning::Clock& clock, Statistics& statistics);
 
 // failure.cpp, explain.cpp
+
+/// Fills status and reason of a plan that was not found because the clock is out.
+void blame_clock(const planning::Clock& clock, Plan& plan);
 
 /// Fills status and reason of a plan that was not found: geometry, stability or time.
 void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,

@@ -11,6 +11,7 @@
 
 #include "graspless/geometry/pose.hpp"
 #include "graspless/mechanics/contact_patch.hpp"
+#include "graspless/watch.hpp"
 
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
@@ -119,6 +120,7 @@ void check_path(const Problem& problem, Clearance& clearance, const Path& path) 
   const auto at = [](std::size_t i) { return "motion.X_WO[" + std::to_string(i) + "]"; };
   check_standing(problem, clearance, X_WO[0], at(0));
   for (std::size_t i = 0; i + 1 < X_WO.size(); ++i) {
+    poll();
     const std::string where = at(i) + " to the next";
     geometry::require_pose(X_WO[i + 1], at(i + 1));
     const Vector6d twist_O = screw_between(X_WO[i], X_WO[i + 1]);
@@ -228,29 +230,6 @@ void check_motion(const Problem& problem) {
 }
 
 /// Least memory of a search over so many locations [bytes].
-double memory_needed(const Problem& problem, const Options& options, double num_locations) {
-  const auto* path = std::get_if<Path>(&problem.motion);
-  const double poses = path != nullptr ? static_cast<double>(path->X_WO.size()) : 1;
-  const double tables =
-      num_locations * (400 + 56.0 * options.cone_edges + poses * (1 + sizeof(double)));
-  // The graph's searches open every placement at the start; the fast one weighs pairs.
-  const int together =
-      options.search == Search::fast ? std::min(problem.fingers.count, 2) : problem.fingers.count;
-  double placements = 1;
-  for (int i = 0; i < together; ++i) placements *= (num_locations - i) / (i + 1);
-  return tables + std::max(placements, 0.0) * (options.search == Search::fast ? 16 : 72);
-}
-
-void require_memory_for_lattice(const Problem& problem, const Options& options, double locations) {
-  const auto* lattice = std::get_if<Lattice>(&problem.motion);
-  const double bytes = lattice != nullptr ? PoseGraph::memory_needed(*lattice, locations) : 0;
-  if (bytes <= options.max_memory) return;
-  std::ostringstream text;
-  text << "motion.counts: the lattice would need " << bytes / 1e9
-       << " GB, more than options.max_memory = " << options.max_memory / 1e9 << " GB";
-  throw std::invalid_argument(text.str());
-}
-
 void check_weight(const Problem& problem) {
   const double mass = problem.object.mass(), gravity = problem.gravity_W.cwiseAbs().maxCoeff();
   if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
@@ -283,16 +262,6 @@ void validate(const Options& o) {
 void validate(const Problem& problem, const Options& options) {
   validate(problem);
   validate(options);
-  const double locations = num_grid_points(problem.object, options);
-  require_memory_for_lattice(problem, options, locations);
-  const double bytes = memory_needed(problem, options, locations);
-  if (bytes <= options.max_memory) return;
-  std::ostringstream text;
-  text << "options: " << locations << " fingertip locations for " << problem.fingers.count
-       << " fingers need " << std::ceil(bytes / 1e6)
-       << " MB, more than options.max_memory = " << options.max_memory / 1e6
-       << " MB: take a smaller locations_per_side or a larger location_spacing";
-  throw std::invalid_argument(text.str());
 }
 
 std::string to_string(Status status) { return planning::name_of(status); }

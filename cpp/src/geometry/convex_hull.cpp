@@ -12,7 +12,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
+
+#include "graspless/watch.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -24,6 +27,21 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Surface::Vertex_index;
 using Edge = Surface::Halfedge_index;
 using Face = Surface::Face_index;
+using Side = std::vector<Kernel::Point_3>;  // corners counter-clockwise seen from outside
+
+// Clouds of this size and more are polled for, at the cost of CGAL's fastest predicate.
+constexpr std::size_t kMany = 2000;
+
+/// CGAL takes quadratic time where many points lie in one plane.
+struct PollingTraits : CGAL::Convex_hull_traits_3<Kernel, Surface, CGAL::Tag_true> {
+  struct Has_on_positive_side_3 : Convex_hull_traits_3::Has_on_positive_side_3 {
+    bool operator()(const Plane_3& plane, const Point_3& point) const {
+      poll();
+      return Convex_hull_traits_3::Has_on_positive_side_3::operator()(plane, point);
+    }
+  };
+  Has_on_positive_side_3 has_on_positive_side_3_object() const { return {}; }
+};
 
 // Relative difference of two volumes that counts as rounding.
 constexpr double kVolumeTolerance = 1e-9;
@@ -64,16 +82,17 @@ class HullSides {
     }
   }
 
-  /// Corners of every side in order, counter-clockwise seen from outside.
-  std::vector<std::vector<Vertex>> polygons() const {
-    std::vector<std::vector<Vertex>> polygons(static_cast<std::size_t>(num_sides_));
+  std::vector<Side> polygons() const {
+    std::vector<Side> polygons(static_cast<std::size_t>(num_sides_));
     for (const Edge edge : surface_.halfedges()) {
+      poll();
       if (side(edge) == kOutside) continue;
-      std::vector<Vertex>& polygon = polygons[static_cast<std::size_t>(side(edge))];
+      Side& polygon = polygons[static_cast<std::size_t>(side(edge))];
       if (!is_rim(edge) || !polygon.empty()) continue;
       Edge at = edge;
       do {
-        if (is_corner(surface_.target(at))) polygon.push_back(surface_.target(at));
+        const Vertex corner = surface_.target(at);
+        if (is_corner(corner)) polygon.push_back(surface_.point(corner));
         at = next_on_rim(at);
       } while (at != edge);
     }
@@ -130,11 +149,11 @@ class HullSides {
 };
 
 /// The hull with sorted corners and triangles. Each side is a fan from its first corner.
-Mesh canonical(const Surface& surface) {
-  const std::vector<std::vector<Vertex>> polygons = HullSides(surface).polygons();
+Mesh canonical(const std::vector<Side>& sides) {
   std::map<Kernel::Point_3, int> number;
-  for (const auto& polygon : polygons) {
-    for (const Vertex vertex : polygon) number[surface.point(vertex)] = 0;
+  for (const Side& side : sides) {
+    poll();
+    for (const Kernel::Point_3& corner : side) number[corner] = 0;
   }
   Mesh hull;
   hull.vertices.resize(3, static_cast<Eigen::Index>(number.size()));
@@ -144,9 +163,9 @@ Mesh canonical(const Surface& surface) {
     at = next++;
   }
   std::vector<std::array<int, 3>> triangles;
-  for (const auto& polygon : polygons) {
+  for (const Side& side : sides) {
     std::vector<int> corners;
-    for (const Vertex vertex : polygon) corners.push_back(number.at(surface.point(vertex)));
+    for (const Kernel::Point_3& corner : side) corners.push_back(number.at(corner));
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     for (std::size_t i = 2; i < corners.size(); ++i) {
       triangles.push_back({corners[0], corners[i - 1], corners[i]});
@@ -161,16 +180,50 @@ Mesh canonical(const Surface& surface) {
   return hull;
 }
 
+/// Corners of the hull of the points at this height, counter-clockwise seen from above.
+std::vector<Kernel::Point_2> hull_at(const Eigen::Matrix3Xd& points, double height) {
+  std::vector<Kernel::Point_2> level, corners;
+  for (const auto& p : points.colwise()) {
+    if (p.z() == height) level.emplace_back(p.x(), p.y());
+  }
+  CGAL::convex_hull_2(level.begin(), level.end(), std::back_inserter(corners));
+  return corners;
+}
+
+/// Sides of the hull of points at two heights with the same outline; of other points, nothing.
+std::vector<Side> prism_sides(const Eigen::Matrix3Xd& points) {
+  const double bottom = points.row(2).minCoeff(), top = points.row(2).maxCoeff();
+  const auto heights = points.row(2).array();
+  if (bottom == top || !(heights == bottom || heights == top).all()) return {};
+  const std::vector<Kernel::Point_2> outline = hull_at(points, top);
+  if (outline.size() < 3 || outline != hull_at(points, bottom)) return {};
+  std::vector<Side> sides(2);  // bottom and top
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Kernel::Point_2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    sides[0].emplace_back(p.x(), p.y(), bottom);
+    sides[1].emplace_back(p.x(), p.y(), top);
+    sides.push_back(
+        {{p.x(), p.y(), bottom}, {q.x(), q.y(), bottom}, {q.x(), q.y(), top}, {p.x(), p.y(), top}});
+  }
+  std::reverse(sides[0].begin(), sides[0].end());
+  return sides;
+}
+
 }  // namespace
 
 Mesh convex_hull(const Eigen::Matrix3Xd& points) {
+  if (const std::vector<Side> sides = prism_sides(points); !sides.empty()) return canonical(sides);
   std::vector<Kernel::Point_3> input;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     input.emplace_back(points(0, i), points(1, i), points(2, i));
   }
   Surface surface;
-  CGAL::convex_hull_3(input.begin(), input.end(), surface);
-  return canonical(surface);
+  if (input.size() < kMany) {
+    CGAL::convex_hull_3(input.begin(), input.end(), surface);
+  } else {
+    CGAL::convex_hull_3(input.begin(), input.end(), surface, PollingTraits());
+  }
+  return canonical(HullSides(surface).polygons());
 }
 
 bool is_convex(const Mesh& mesh, const Mesh& hull) {

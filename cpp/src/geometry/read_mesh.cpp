@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "graspless/geometry/shape.hpp"
+#include "graspless/watch.hpp"
 
 #include "geometry/read_ply.hpp"
 
@@ -102,6 +103,7 @@ PolygonSoup read_soup(const std::string& path, const std::string& extension) {
 Eigen::Matrix3Xi triangulate(const PolygonSoup& soup, const std::string& path) {
   std::vector<Eigen::Vector3i> triangles;
   for (const auto& polygon : soup.polygons) {
+    poll();
     for (const std::size_t corner : polygon) {
       if (corner >= soup.points.size()) {
         refuse_file(path, "refers to vertex " + std::to_string(corner) + " of " +
@@ -132,6 +134,7 @@ Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   Mesh mesh;
   mesh.vertices.resize(3, static_cast<Eigen::Index>(soup.points.size()));
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    poll();
     mesh.vertices.col(static_cast<Eigen::Index>(i)) = scale.cwiseProduct(soup.points[i]);
   }
   mesh.triangles = triangulate(soup, path);

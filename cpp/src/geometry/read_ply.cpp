@@ -14,6 +14,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -164,6 +166,7 @@ class PlyBodyReader {
     const std::size_t z = is_vertex ? scalar(element, "z") : 0;
     const std::size_t corners = is_face ? corner_list(element) : 0;
     for (std::uint64_t i = 0; i < element.count; ++i) {
+      poll();
       item_ = element.name + " " + std::to_string(i);
       read_item(element);
       if (is_vertex) soup.points.emplace_back(values_[x][0], values_[y][0], values_[z][0]);

@@ -2,14 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/budget.hpp"
 
+#include <cmath>
+
 namespace graspless::planning {
 namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{10};
+constexpr std::chrono::milliseconds kGrace{30};  // for loops that ask is_out() and end in order
+
+// Growth that is not held against a query: free lists of the allocator, other threads' small work.
+constexpr double kUnnoticed = 32e6;  // [bytes]
 
 }  // namespace
 
-Clock::Clock(const Budget& budget) : budget_(budget), start_(Steady::now()), next_poll_(start_) {
+Clock::Clock(const Budget& budget, double max_memory)
+    : budget_(budget),
+      max_memory_(max_memory),
+      start_(Steady::now()),
+      next_poll_(start_),
+      memory_at_start_(std::isfinite(max_memory) ? resident_memory() : 0) {
   require_in_range("budget.", budget);
 }
 
@@ -20,13 +31,34 @@ bool Clock::spend() {
 }
 
 bool Clock::is_out() {
-  if (interrupted_) return true;
+  if (out_since_) return true;
   const auto now = Steady::now();
-  if (budget_.interrupted && now >= next_poll_) {
+  if (now >= next_poll_) {
     next_poll_ = now + kPollInterval;
-    interrupted_ = budget_.interrupted();
+    look();
   }
-  return interrupted_ || std::chrono::duration<double>(now - start_).count() >= budget_.seconds;
+  const bool is_late = std::chrono::duration<double>(now - start_).count() >= budget_.seconds;
+  if (is_late || interrupted_ || out_of_memory_) out_since_ = now;
+  return out_since_.has_value();
+}
+
+void Clock::look() {
+  interrupted_ = budget_.interrupted && budget_.interrupted();
+  out_of_memory_ =
+      std::isfinite(max_memory_) && resident_memory() - memory_at_start_ > max_memory_ + kUnnoticed;
+}
+
+void Clock::require() {
+  if (is_out() && (out_of_memory_ || Steady::now() >= *out_since_ + kGrace)) throw Stop{};
+}
+
+std::string Clock::reason() const {
+  if (interrupted_) return "interrupted before a plan was found";
+  if (!out_of_memory_) return "the time was over before the search could begin or end";
+  const std::string limit = std::isfinite(max_memory_)
+                                ? std::to_string(std::llround(max_memory_ / 1e6)) + " MB"
+                                : "the system has";
+  return "the search needs more memory than options.max_memory = " + limit;
 }
 
 double Clock::seconds() const {

@@ -7,6 +7,8 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
 
+#include "graspless/watch.hpp"
+
 #include "planning/forest.hpp"
 #include "planning/root_components.hpp"
 
@@ -140,6 +142,7 @@ int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
   int last = from;
   double left = si_->distance(forest.state(last), target);
   while (left > 0) {
+    poll();
     const State* current = forest.state(last);
     si_->getStateSpace()->interpolate(current, target, std::min(1.0, range_ / left), next);
     if (project_ && !project_(next)) break;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::planning {
 
 double length(const Path& path) {
@@ -15,6 +17,7 @@ double length(const Path& path) {
 
 Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng) {
   for (int round = 0; round < rounds && path.size() > 2; ++round) {
+    poll();
     std::uniform_int_distribution<std::size_t> draw(0, path.size() - 1);
     std::size_t i = draw(rng), j = draw(rng);
     if (i > j) std::swap(i, j);
@@ -37,7 +40,7 @@ Path subdivided(const Path& path, double step) {
     if (!fine.empty()) {
       const Eigen::VectorXd from = fine.back();
       const int pieces = static_cast<int>(std::ceil((q - from).lpNorm<Eigen::Infinity>() / step));
-      for (int i = 1; i < pieces; ++i) fine.push_back(from + (q - from) * i / pieces);
+      for (int i = 1; i < pieces; ++i, poll()) fine.push_back(from + (q - from) * i / pieces);
     }
     fine.push_back(q);
   }

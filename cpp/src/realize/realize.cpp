@@ -65,32 +65,23 @@ std::string reason(const planning::Clock& clock, bool is_out, const Misses& miss
          misses.farthest();
 }
 
-}  // namespace
-}  // namespace graspless::realize
-
-namespace graspless::fingertip {
-
-Realization realize(const Problem& problem, const Plan& plan, const robot::Robot& robot,
-                    const Carrier& carrier, const Eigen::VectorXd& q_home,
-                    const RealizeOptions& options, const planning::Budget& budget) {
-  using namespace graspless::realize;  // the room's private names
+/// Fills the result; stops as soon as the fingertips hardly scrub.
+void search(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+            const Carrier& carrier, const Eigen::VectorXd& q_home, const RealizeOptions& options,
+            planning::Clock& clock, std::mt19937_64& rng, Realization& result) {
   validate_realization(problem, plan, robot, carrier, options);
   check_home(robot, q_home);
-  planning::Clock clock(budget);
-  std::mt19937_64 rng(budget.seed);
   Misses misses;
   std::vector<Attempts> attempts;
   for (const std::vector<int>& assignment : assignments(problem.fingers.count)) {
     Hand hand(problem, robot, carrier, assignment, options);
     attempts.emplace_back(problem, plan, q_home, std::move(hand), clock, rng, misses);
   }
-  Realization result;
-  result.joint_names = robot.joint_names();
   Hand home(problem, robot, carrier, assignments(problem.fingers.count).front(), options);
   result.reason = home_collision(home, plan, q_home);
   if (!result.reason.empty()) {
     result.reason = "q_home: " + result.reason;
-    return result;
+    return;
   }
   bool is_out = false;
   int found = 0;
@@ -101,11 +92,28 @@ Realization realize(const Problem& problem, const Plan& plan, const robot::Robot
       if (!attempt.run(round)) continue;
       ++found;
       keep_better(attempt, result);
-      if (total_scrub(result.segments) <= kLittle * problem.fingers.radius) return result;
+      if (total_scrub(result.segments) <= kLittle * problem.fingers.radius) return;
     }
   }
-  if (result) return result;
-  result.reason = reason(clock, is_out, misses);
+  if (!result) result.reason = reason(clock, is_out, misses);
+}
+
+}  // namespace
+}  // namespace graspless::realize
+
+namespace graspless::fingertip {
+
+Realization realize(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+                    const Carrier& carrier, const Eigen::VectorXd& q_home,
+                    const RealizeOptions& options, const planning::Budget& budget) {
+  planning::Clock clock(budget);
+  std::mt19937_64 rng(budget.seed);
+  Realization result;
+  result.joint_names = robot.joint_names();
+  const auto search = [&] {
+    graspless::realize::search(problem, plan, robot, carrier, q_home, options, clock, rng, result);
+  };
+  if (!clock.run(search) && !result) result.reason = clock.reason();
   return result;
 }
 

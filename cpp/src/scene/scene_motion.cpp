@@ -12,12 +12,14 @@
 #include <cmath>
 
 #include "graspless/scene/scene.hpp"
+#include "graspless/watch.hpp"
 
 #include "scene/motion.hpp"
 
 namespace graspless::scene {
 bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
   if (!robot_.is_within(q1) || !robot_.is_within(q2)) return false;
+  poll();
   const int steps = num_steps(q1, q2, resolution);
   const Eigen::VectorXd step = (q2 - q1) / steps;
   update_motion_bounds();
@@ -74,6 +76,7 @@ bool Scene::is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& st
                             int last, std::size_t begin) {
   const std::size_t end = open_.size();
   if (begin == end || last - first < 2) return true;
+  poll();
   const int middle = (first + last) / 2;
   place(q1 + middle * step);
   for (std::size_t i = begin; i < end; ++i) {

@@ -155,6 +155,8 @@ std::string reason(const Plan& plan) {
       return "no start could be connected with a goal" + refused;
     case Status::interrupted:
       return "interrupted before a plan was found," + refused;
+    case Status::out_of_memory:
+      break;
   }
   return "";
 }

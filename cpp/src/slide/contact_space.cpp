@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "slide/rows.hpp"
 
 namespace graspless::slide {
@@ -152,6 +154,7 @@ bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::Vec
   const int pieces = replay_steps(step.lpNorm<Eigen::Infinity>(), resolution);
   // Backwards from the far end, where a violation shows earliest.
   for (int i = pieces; i >= 1; --i) {
+    poll();
     if (!is_valid(from + step * i / pieces, carried)) return false;
   }
   return true;
@@ -162,6 +165,7 @@ std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from,
                                                     const std::optional<Carried>& carried) {
   planning::Path path{from};
   for (double left = (to - from).norm(); left > 0;) {
+    poll();
     Eigen::VectorXd next = path.back() + std::min(1.0, options_.range / left) * (to - path.back());
     if (left <= options_.range) next = to;
     if (!project(next)) return std::nullopt;

@@ -53,14 +53,8 @@ void fill_statistics(const planning::ForestCBiRRT& planner, Query& query, Statis
   statistics.projections = query.contact.num_projections();
 }
 
-}  // namespace
-
-Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
-  validate(problem, options);
-  Query query(problem, options, budget);
-  Plan plan;
-  plan.joint_names = problem.robot.joint_names();
-  if (!is_home_free(query, plan)) return plan;
+void search(Query& query, Plan& plan) {
+  if (!is_home_free(query, plan)) return;
 
   Motions motions(query);  // IsPairValid(), Section IV-C.1
   const ob::SpaceInformationPtr si = make_space(query);
@@ -78,6 +72,36 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   }
   fill_statistics(*search.planner, query, plan.statistics);
   plan.reason = reason(plan);
+}
+
+/// Overrides what a search without result says if the clock ended it from within, or memory did.
+void conclude(const planning::Clock& clock, bool has_ended, Plan& plan) {
+  if (plan || (has_ended && !clock.is_out_of_memory())) return;
+  plan = {};
+  plan.reason = clock.reason();
+  if (clock.was_interrupted()) plan.status = Status::interrupted;
+  if (clock.is_out_of_memory()) {
+    plan.status = Status::out_of_memory;
+    plan.reason += "; take a larger options.range, or shapes and outlines of fewer corners";
+  }
+  plan.statistics.seconds = clock.seconds();
+  plan.statistics.iterations = clock.iterations();
+}
+
+}  // namespace
+
+Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+  planning::Clock clock(budget, options.max_memory);
+  Plan plan;
+  const bool has_ended = clock.run([&] {
+    Plan found;
+    validate(problem, options);
+    Query query(problem, options, clock, budget.seed);
+    search(query, found);
+    plan = std::move(found);
+  });
+  conclude(clock, has_ended, plan);
+  plan.joint_names = problem.robot.joint_names();
   return plan;
 }
 

@@ -9,6 +9,7 @@
 
 #include "graspless/geometry/point_cloud.hpp"
 #include "graspless/mechanics/contact.hpp"
+#include "graspless/watch.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -73,6 +74,7 @@ void check_thin(const std::string& what, const std::vector<double>& z, double th
 double least_width(const geometry::Polygon& outline) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < outline.size(); ++i) {
+    poll();
     const Eigen::RowVectorXd across = outline.edge(i).inward.transpose() * outline.vertices();
     least = std::min(least, across.maxCoeff() - across.minCoeff());
   }
@@ -81,7 +83,10 @@ double least_width(const geometry::Polygon& outline) {
 
 Eigen::VectorXd depths_within(const geometry::Polygon& outline, const Eigen::Matrix2Xd& points) {
   Eigen::VectorXd depths(points.cols());
-  for (Eigen::Index i = 0; i < points.cols(); ++i) depths[i] = outline.depth(points.col(i));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    poll();
+    depths[i] = outline.depth(points.col(i));
+  }
   return depths;
 }
 
@@ -90,6 +95,7 @@ std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, doub
                                           double top) {
   std::vector<geometry::PlacedShape> shapes;
   for (const geometry::Polygon& part : polygon.convex_parts()) {
+    poll();
     Eigen::Matrix3Xd vertices(3, 2 * part.size());
     vertices.topRows<2>() << part.vertices(), part.vertices();
     vertices.row(2) << Eigen::RowVectorXd::Constant(part.size(), bottom),

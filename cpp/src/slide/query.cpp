@@ -4,11 +4,12 @@
 
 namespace graspless::slide {
 
-Query::Query(const Problem& problem, const Options& options, const planning::Budget& budget)
+Query::Query(const Problem& problem, const Options& options, planning::Clock& clock,
+             std::uint64_t seed)
     : problem(problem),
       options(options),
-      clock(budget),
-      rng(budget.seed),
+      clock(clock),
+      rng(seed),
       arm(problem),
       tip_ik(problem.robot, problem.robot.frame(problem.hand.fingertip), arm.joints()),
       grasp_ik(problem.robot, problem.robot.frame(problem.hand.grasp_frame), arm.joints()),

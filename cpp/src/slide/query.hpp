@@ -14,11 +14,11 @@ namespace graspless::slide {
 
 /// Working state of one plan(): the problem, its budget, and the solvers and scenes made from it.
 struct GRASPLESS_API Query {
-  Query(const Problem& problem, const Options& options, const planning::Budget& budget);
+  Query(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed);
 
   const Problem& problem;
   const Options& options;
-  planning::Clock clock;
+  planning::Clock& clock;
   std::mt19937_64 rng;
   Statistics statistics;
 

@@ -72,7 +72,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01) -> None:
+    def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -97,6 +97,16 @@ class Options:
         """
     @contact_depth.setter
     def contact_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_memory(self) -> float:
+        """
+        Largest memory that the search may take.
+        
+        Unit: bytes. Range: (0, inf). Default: 4000000000.0.
+        """
+    @max_memory.setter
+    def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_twist(self) -> float:
@@ -234,6 +244,7 @@ class Status(graspless._named.Named):
     """
     interrupted = ...
     not_found = ...
+    out_of_memory = ...
     solved = ...
     start_in_collision = ...
 class Plan:

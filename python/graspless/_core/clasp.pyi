@@ -422,7 +422,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, stability: StabilityOptions = ..., must_be_secure: bool = True) -> None:
+    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, stability: StabilityOptions = ..., must_be_secure: bool = True, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -437,6 +437,16 @@ class Options:
         """
     @attract.setter
     def attract(self, arg0: bool) -> None:
+        ...
+    @property
+    def max_memory(self) -> float:
+        """
+        Largest memory that the search may take.
+        
+        Unit: bytes. Range: (0, inf). Default: 4000000000.0.
+        """
+    @max_memory.setter
+    def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def min_linking(self) -> float:
@@ -660,6 +670,7 @@ class Status(graspless._named.Named):
     no_target_in_reach = ...
     not_found = ...
     not_secure = ...
+    out_of_memory = ...
     solved = ...
     start_in_collision = ...
 class Plan:

@@ -3,7 +3,7 @@ Budget of a query, shared by all planners.
 """
 from __future__ import annotations
 import typing
-__all__: list[str] = ['Budget', 'Field']
+__all__: list[str] = ['Budget', 'Field', 'OutOfTime', 'poll', 'set_deadline']
 class Field:
     """
     Description of an option or of a counter.
@@ -40,6 +40,10 @@ class Field:
         """
         Unit, such as "m"; may be empty.
         """
+class OutOfTime(BaseException):
+    """
+    Raised where a deadline ends work outside planners.
+    """
 class Budget:
     """
     Limits of a query in time and iterations, and its random seed.
@@ -89,3 +93,11 @@ class Budget:
         """
         Seed of all random numbers.
         """
+def poll() -> None:
+    """
+    Raises OutOfTime if this thread's deadline has passed.
+    """
+def set_deadline(seconds: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    """
+    Makes work of this thread outside planners, such as reading a mesh, raise OutOfTime after so many seconds. None: no deadline.
+    """

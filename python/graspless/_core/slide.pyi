@@ -324,7 +324,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01) -> None:
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -369,6 +369,16 @@ class Options:
         """
     @max_depth.setter
     def max_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_memory(self) -> float:
+        """
+        Largest memory that the search may take.
+        
+        Unit: bytes. Range: (0, inf). Default: 4000000000.0.
+        """
+    @max_memory.setter
+    def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def min_depth(self) -> float:
@@ -611,6 +621,7 @@ class Status(graspless._named.Named):
     no_start_root = ...
     no_valid_pair = ...
     not_connected = ...
+    out_of_memory = ...
     solved = ...
     start_in_collision = ...
 class Plan:

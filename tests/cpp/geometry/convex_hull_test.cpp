@@ -90,6 +90,37 @@ TEST(ConvexHull, OfFlatPointsIsOneSide) {
   EXPECT_EQ(convex_hull(points.leftCols(3)).triangles.cols(), 1);
 }
 
+TEST(ConvexHull, OfAPrismTakesNoQuadraticTime) {
+  constexpr int kCorners = 20000;
+  Eigen::Matrix3Xd points(3, 2 * kCorners);
+  for (int i = 0; i < 2 * kCorners; ++i) {
+    const double angle = 2 * M_PI * (i % kCorners) / kCorners;
+    points.col(i) << std::cos(angle), std::sin(angle), i / kCorners;
+  }
+  const Mesh hull = convex_hull(shuffled(points, 1));
+  EXPECT_EQ(hull.vertices.cols(), 2 * kCorners);
+  EXPECT_EQ(hull.triangles.cols(), 4 * kCorners - 4);
+  EXPECT_TRUE(is_convex(hull, hull));
+}
+
+TEST(ConvexHull, OfAPrismIsThatOfItsPointsAndOneInside) {
+  Eigen::Matrix3Xd points(3, 13);
+  for (int i = 0; i < 12; ++i) {
+    points.col(i) << std::cos(i % 6), std::sin(i % 6), i / 6;
+  }
+  points.col(12) << 0.1, 0.1, 0.5;
+  const Mesh prism = convex_hull(points.leftCols(12)), hull = convex_hull(points);
+  EXPECT_EQ(prism.vertices, hull.vertices);
+  EXPECT_EQ(prism.triangles, hull.triangles);
+}
+
+TEST(ConvexHull, OfManyPointsIsThatOfTheSameFewPoints) {
+  const Eigen::Matrix3Xd few = barrel();
+  const Mesh hull = convex_hull(few), of_many = convex_hull(few.replicate(1, 20));
+  EXPECT_EQ(of_many.vertices, hull.vertices);
+  EXPECT_EQ(of_many.triangles, hull.triangles);
+}
+
 TEST(SampleSurface, SameSeedSamePointsOnAnyHeap) {
   const std::vector<PlacedShape> shapes{{Convex{barrel()}}};
   const Eigen::Matrix3Xd points = sample_surface(shapes, 300, 7);

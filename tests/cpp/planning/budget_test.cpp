@@ -3,7 +3,9 @@
 #include "graspless/planning/budget.hpp"
 
 #include <limits>
+#include <new>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +42,65 @@ TEST(Budget, EndsWhenInterrupted) {
   }
   EXPECT_TRUE(clock.was_interrupted());
   EXPECT_EQ(asked, 2);
+}
+
+TEST(Budget, EndsWorkThatOnlyPolls) {
+  Budget budget;
+  budget.seconds = 0.01;
+  Clock clock(budget);
+  EXPECT_FALSE(clock.run([] {
+    for (;;) poll();
+  }));
+  EXPECT_GE(clock.seconds(), 0.01);
+  EXPECT_EQ(clock.reason(), "the time was over before the search could begin or end");
+}
+
+TEST(Budget, LetsWorkEndInOrderFirst) {
+  Budget budget;
+  budget.seconds = 0.01;
+  Clock clock(budget);
+  bool ended_in_order = false;
+  EXPECT_TRUE(clock.run([&] {
+    while (!clock.is_out()) poll();
+    ended_in_order = true;
+  }));
+  EXPECT_TRUE(ended_in_order);
+}
+
+TEST(Budget, InnerWorkLeavesTimeToConclude) {
+  Budget budget;
+  budget.seconds = 0.01;
+  Clock clock(budget);
+  bool concluded = false;
+  EXPECT_TRUE(clock.run([&] {
+    EXPECT_FALSE(clock.run([] {
+      for (;;) poll();
+    }));
+    poll();
+    concluded = true;
+  }));
+  EXPECT_TRUE(concluded);
+}
+
+TEST(Budget, EndsWorkThatGrows) {
+  Clock clock(Budget{}, 1e6);
+  std::vector<std::vector<char>> grown;
+  EXPECT_FALSE(clock.run([&] {
+    for (int i = 0; i < 2000; ++i) {
+      grown.emplace_back(1 << 20, 1);
+      poll();
+    }
+  }));
+  EXPECT_TRUE(clock.is_out_of_memory());
+  EXPECT_TRUE(clock.is_out());
+  EXPECT_EQ(clock.reason(), "the search needs more memory than options.max_memory = 1 MB");
+}
+
+TEST(Budget, TakesAFailedAllocationForTheLimit) {
+  Clock clock(Budget{});
+  EXPECT_FALSE(clock.run([] { throw std::bad_alloc(); }));
+  EXPECT_TRUE(clock.is_out_of_memory());
+  EXPECT_FALSE(clock.was_interrupted());
 }
 
 TEST(Budget, RefusesNonsense) {

@@ -47,7 +47,7 @@ struct Problem {
 /// Throws std::invalid_argument that names the field, its value and what is allowed.
 GRASPLESS_API void validate(const Problem& problem);
 
-enum class Status { solved, start_in_collision, not_found, interrupted };
+enum class Status { solved, start_in_collision, not_found, interrupted, out_of_memory };
 
 /// Table of the values: name and text.
 constexpr auto choices(Status) {
@@ -57,7 +57,9 @@ constexpr auto choices(Status) {
       Choice{Status::start_in_collision, "start_in_collision",
              "The robot touches something in its start configuration."},
       Choice{Status::not_found, "not_found", "The arm cannot follow the whole path."},
-      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
+      Choice{Status::out_of_memory, "out_of_memory",
+             "The search would need more memory than options.max_memory."}};
 }
 GRASPLESS_API std::string to_string(Status status);
 

@@ -24,6 +24,7 @@ enum class Status {
   not_found,
   not_secure,
   interrupted,
+  out_of_memory,
 };
 
 /// Table of the values: name and text.
@@ -40,7 +41,9 @@ constexpr auto choices(Status) {
       Choice{Status::not_found, "not_found", "No motion to a clasp was found within the budget."},
       Choice{Status::not_secure, "not_secure",
              "Clasps were found within the budget, and none passed the stability test."},
-      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
+      Choice{Status::out_of_memory, "out_of_memory",
+             "The search would need more memory than options.max_memory."}};
 }
 GRASPLESS_API std::string to_string(Status status);
 

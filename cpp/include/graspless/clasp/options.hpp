@@ -16,6 +16,7 @@ struct Options {
   double resolution = 0.01;
   StabilityOptions stability;
   bool must_be_secure = true;
+  double max_memory = 4e9;
 };
 
 /// Table of the members: name, unit, text, range and source.
@@ -45,7 +46,9 @@ constexpr auto fields(const Options&) {
             "Section V-A"},
       Field{"must_be_secure", &Options::must_be_secure, "",
             "Accept a clasp only if it passes the stability test; otherwise the search "
-            "continues."});
+            "continues."},
+      Field{"max_memory", &Options::max_memory, "bytes", "Largest memory that the search may take.",
+            Range::positive()});
 }
 
 /// Throws std::invalid_argument that names the option, its value and its range.

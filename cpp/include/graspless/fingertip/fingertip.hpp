@@ -20,11 +20,19 @@ namespace graspless::fingertip {
 
 using mechanics::FingerMode;
 
-/// Validates both, and also that the search fits into max_memory. Called by plan() and check().
+/// Validates both. Called by plan() and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
 /// plan() ends with all but not_realized, which is for callers of realize().
-enum class Status { solved, no_location, unstable, out_of_time, interrupted, not_realized };
+enum class Status {
+  solved,
+  no_location,
+  unstable,
+  out_of_time,
+  interrupted,
+  not_realized,
+  out_of_memory
+};
 
 /// Table of the values: name and text.
 constexpr auto choices(Status) {
@@ -40,7 +48,9 @@ constexpr auto choices(Status) {
              "excluded."},
       Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
       Choice{Status::not_realized, "not_realized",
-             "The fingertips have a plan, but the robot of the task cannot carry it out."}};
+             "The fingertips have a plan, but the robot of the task cannot carry it out."},
+      Choice{Status::out_of_memory, "out_of_memory",
+             "The search would need more memory than options.max_memory."}};
 }
 GRASPLESS_API std::string to_string(Status status);
 

@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <new>
+#include <optional>
+#include <string>
 
 #include "graspless/export.hpp"
 #include "graspless/planning/fields.hpp"
+#include "graspless/watch.hpp"
 
 namespace graspless::planning {
 
@@ -34,24 +38,51 @@ constexpr auto fields(const Budget&) {
       Field{"seed", &Budget::seed, "", "Seed of all random numbers.", Range::not_negative()});
 }
 
-/// Spends a budget: the clock of one query.
+/// Spends a budget: the clock of one query, and its limit of memory.
 class GRASPLESS_API Clock {
  public:
-  /// Throws std::invalid_argument when a field of the budget is out of its range.
-  explicit Clock(const Budget& budget);
+  /// `max_memory`: how much the process may grow while the query runs [bytes]. Throws
+  /// std::invalid_argument when a field of the budget is out of its range.
+  explicit Clock(const Budget& budget, double max_memory = std::numeric_limits<double>::infinity());
 
   bool spend();   ///< counts one iteration; false if the budget is used up
-  bool is_out();  ///< true if time is up or the query was interrupted; counts nothing
+  bool is_out();  ///< true if time or memory is up or the query was interrupted; counts nothing
   bool was_interrupted() const { return interrupted_; }
+  bool is_out_of_memory() const { return out_of_memory_; }
   double seconds() const;  ///< since construction
   std::int64_t iterations() const { return iterations_; }
+  std::string reason() const;  ///< of a query that ended without a plan because the clock was out
+
+  /// Runs `work` and returns true; or false if poll() ended it. That happens when the clock is out
+  /// and the loops that ask is_out() have not ended the work soon, or memory cannot be allocated.
+  /// Calls may nest.
+  template <class Work>
+  bool run(const Work& work) {
+    const Watch watch([this] { require(); });
+    try {
+      work();
+      return true;
+    } catch (const Stop&) {
+    } catch (const std::bad_alloc&) {
+      out_of_memory_ = true;
+    }
+    out_since_ = Steady::now();  // once more time to conclude with what was found
+    return false;
+  }
 
  private:
   using Steady = std::chrono::steady_clock;
+  void require();  // throws Stop
+  void look();     // at signals and memory, every 10 ms
+
   Budget budget_;
+  double max_memory_;
   Steady::time_point start_, next_poll_;
+  std::optional<Steady::time_point> out_since_;
+  double memory_at_start_;
   std::int64_t iterations_ = 0;
   bool interrupted_ = false;
+  bool out_of_memory_ = false;
 };
 
 }  // namespace graspless::planning

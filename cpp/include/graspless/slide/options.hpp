@@ -36,6 +36,7 @@ struct Options {
   double grasp_approach = 0.06;
   double range = 0.1;
   double resolution = 0.01;
+  double max_memory = 4e9;
 };
 
 /// Table of the members: name, unit, text, range and source.
@@ -84,7 +85,9 @@ constexpr auto fields(const Options&) {
             Range::left_open(0, 1)},
       Field{"resolution", &Options::resolution, "rad",
             "Largest joint step between checked configurations. check() uses 0.01.",
-            Range::closed(1e-4, 0.01)});
+            Range::closed(1e-4, 0.01)},
+      Field{"max_memory", &Options::max_memory, "bytes", "Largest memory that the search may take.",
+            Range::positive()});
 }
 
 /// Throws std::invalid_argument that names the option, its value and its range.

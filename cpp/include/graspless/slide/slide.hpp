@@ -27,6 +27,7 @@ enum class Status {
   no_valid_pair,
   not_connected,
   interrupted,
+  out_of_memory,
 };
 
 /// Table of the values: name and text.
@@ -44,7 +45,9 @@ constexpr auto choices(Status) {
              "Starts and goals were found, but no pair of them was valid."},
       Choice{Status::not_connected, "not_connected",
              "No valid pair was connected within the budget."},
-      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."}};
+      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
+      Choice{Status::out_of_memory, "out_of_memory",
+             "The search would need more memory than options.max_memory."}};
 }
 GRASPLESS_API std::string to_string(Status status);
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "graspless/collision/clearance.hpp"
+#include "graspless/watch.hpp"
 
 #include "clasp/free_space/link_spheres.hpp"
 #include "geometry/convex_hull.hpp"
@@ -55,6 +56,7 @@ std::vector<Sphere> cells(const Eigen::Vector3d& low, const Eigen::Vector3d& hig
   for (int x = 0; x < count.x(); ++x) {
     for (int y = 0; y < count.y(); ++y) {
       for (int z = 0; z < count.z(); ++z) {
+        poll();
         const Eigen::Vector3d center =
             low + cell.cwiseProduct(Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5));
         if (keep(center, radius)) spheres.push_back({center, radius});

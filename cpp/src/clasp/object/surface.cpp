@@ -8,6 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::clasp {
 namespace {
 
@@ -23,6 +25,7 @@ std::vector<int> bare_edges(const geometry::Complex& complex) {
   std::unordered_set<std::uint64_t> bounding;
   bounding.reserve(static_cast<std::size_t>(3 * complex.triangles.cols()));
   for (Eigen::Index i = 0; i < complex.triangles.cols(); ++i) {
+    poll();
     const auto corners = complex.triangles.col(i);  // ascending
     bounding.insert(edge_key(corners[0], corners[1]));
     bounding.insert(edge_key(corners[0], corners[2]));
@@ -30,6 +33,7 @@ std::vector<int> bare_edges(const geometry::Complex& complex) {
   }
   std::vector<int> bare;
   for (Eigen::Index i = 0; i < complex.edges.cols(); ++i) {
+    poll();
     if (bounding.count(edge_key(complex.edges(0, i), complex.edges(1, i))) == 0) {
       bare.push_back(static_cast<int>(i));
     }
@@ -61,6 +65,7 @@ class TriangleTable {
     const auto& triangles = complex.triangles;
     apexes_.reserve(static_cast<std::size_t>(2 * triangles.cols()));
     for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
+      poll();
       const auto corners = triangles.col(i);  // ascending
       apexes_[edge_key(corners[0], corners[1])].push_back(corners[2]);
       apexes_[edge_key(corners[0], corners[2])].push_back(corners[1]);
@@ -129,6 +134,7 @@ geometry::Mesh shell_of(const geometry::Complex& complex) {
   geometry::Mesh mesh = surface_of(complex);
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    poll();
     const Eigen::Vector3i corners = mesh.triangles.col(i);
     const bool is_of_complex = i < complex.triangles.cols();
     if (is_of_complex && table.is_enclosed(corners[0], corners[1], corners[2])) continue;

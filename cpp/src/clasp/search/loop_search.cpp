@@ -8,6 +8,7 @@
 #include <ompl/base/SpaceInformation.h>
 
 #include "graspless/planning/vector_states.hpp"
+#include "graspless/watch.hpp"
 
 #include "clasp/parameters.hpp"
 
@@ -159,6 +160,7 @@ void LoopSearch::tighten(planning::Path& path) {
   double least = 1e9;
   int stalled = 0;
   for (int i = 0; i < kMaxConnectSteps && stalled < kStall; ++i) {
+    poll();
     if (!controller_.step(path.back(), goal, kMaxStep, q_new)) return;
     const Eigen::VectorXd x = project(q_new);
     if (x[4] == 0 || !query_.is_motion_free(path.back(), q_new)) return;

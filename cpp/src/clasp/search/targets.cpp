@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "graspless/watch.hpp"
+
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/hand/reach.hpp"
 #include "clasp/parameters.hpp"
@@ -72,6 +74,7 @@ std::vector<RatedTarget> rate(Query& query, TargetRater& rater, const Eigen::Mat
   const PullCenters centers{loop_W.rowwise().mean(), rater.object_center};
   std::vector<RatedTarget> rated;
   for (const ClaspTarget& target : targets_W) {
+    poll();
     const double excess = rater.reach.excess(target.point);
     rater.least_excess = std::min(rater.least_excess, excess);
     if (excess > 0) {

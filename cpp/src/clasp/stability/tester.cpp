@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "graspless/watch.hpp"
+
 #include "clasp/stability/walk.hpp"
 
 namespace graspless::clasp {
@@ -75,6 +77,7 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
     walk.reset();
     double distance = distance_to_loop(loop_O, walk.p_OC());
     for (int move = 0; move < options.moves && distance <= escape; ++move) {
+      poll();
       if (move % 2 == 0) {
         walk.translate(random_direction(rng), max_steps);
         distance = distance_to_loop(loop_O, walk.p_OC());

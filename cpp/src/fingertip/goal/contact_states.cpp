@@ -9,6 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/model/mesh.hpp"
 #include "geometry/convex_hull.hpp"
 
@@ -51,6 +53,7 @@ ContactStates::ContactStates(const Object& object) {
   const std::vector<int> owner = face_of_triangles(faces, hull.triangles.cols());
   std::map<std::pair<int, int>, int> sides;  // directed edge of the mesh -> face to its left
   for (Eigen::Index t = 0; t < hull.triangles.cols(); ++t) {
+    poll();
     for (int k = 0; k < 3; ++k) {
       sides[{hull.triangles(k, t), hull.triangles((k + 1) % 3, t)}] =
           owner[static_cast<std::size_t>(t)];
@@ -78,6 +81,7 @@ int ContactStates::standing(const Eigen::Isometry3d& X_WO, const Plane& plane,
       (plane.n_W.transpose() * (X_WO * corners_O_)).transpose().array() - plane.offset;
   const double reach = corners_O_.cwiseAbs().maxCoeff() + tolerance;
   for (int i = 0; i < size(); ++i) {
+    poll();
     const ContactState& state = (*this)[i];
     const Eigen::Vector3d n_W = X_WO.linear() * state.n_O;
     if (n_W.dot(plane.n_W) < 0.99 || heights.minCoeff() < -tolerance) continue;
@@ -122,6 +126,7 @@ struct Enumeration {
     if (needed < 0 || needed > tumbles || found.size() >= limit) return;
     if (tumbles == 0) found.push_back(current);
     for (const TumbleEdge& edge : states[face].edges) {
+      poll();
       if (tumbles == 0 || edge.to == before) continue;
       current.push_back(&edge);
       extend(face, edge.to, tumbles - 1);

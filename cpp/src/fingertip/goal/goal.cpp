@@ -12,6 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/goal/contact_states.hpp"
 #include "fingertip/model/screw.hpp"
 
@@ -140,6 +142,7 @@ void GoalSearch::add(const std::vector<Path>& paths, const Path& tumbles) {
 std::string GoalSearch::fault(const Path& path) {
   const int P = context_.options.samples_per_arc;
   for (std::size_t i = 0; i < path.X_WO.size(); ++i) {
+    poll();
     const bool is_last = i + 1 == path.X_WO.size();
     const auto twist_O = is_last ? mechanics::Vector6d(mechanics::Vector6d::Zero())
                                  : screw_between(path.X_WO[i], path.X_WO[i + 1]);
@@ -186,7 +189,8 @@ bool GoalSearch::run() {
     for (Candidate& candidate : candidates_) {
       const double near = limit > X_regr ? best_cost_ * (1 - kGap) : best_cost_;
       if (clock_.is_out()) break;
-      if (candidate.bound < std::min(limit, near)) look_at(candidate, std::min(limit, best_cost_));
+      if (candidate.bound >= std::min(limit, near)) continue;
+      if (!clock_.run([&] { look_at(candidate, std::min(limit, best_cost_)); })) break;
     }
     if (best_cost_ < kInfinity) break;
   }
@@ -261,9 +265,8 @@ Plan GoalSearch::plan() {
 
 void GoalSearch::fail(Plan& plan) const {
   plan.lower_bound = lower_bound_;
-  if (clock_.was_interrupted()) {
-    plan.status = Status::interrupted;
-    plan.reason = "interrupted";
+  if (clock_.was_interrupted() || clock_.is_out_of_memory()) {
+    blame_clock(clock_, plan);
   } else if (lower_bound_ < kInfinity) {
     plan.status = Status::out_of_time;
     plan.reason = "nothing found in time over " + std::to_string(statistics_.candidates) +

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/goal/goal.hpp"
 
 namespace graspless::fingertip {
@@ -150,7 +152,10 @@ std::vector<Path> goal_paths(const Problem& problem, const Goal& goal, const Con
     }
   }
   std::vector<Path> paths;
-  for (const Schedule& schedule : schedules) paths.push_back(maker.make(schedule));
+  for (const Schedule& schedule : schedules) {
+    poll();
+    paths.push_back(maker.make(schedule));
+  }
   return paths;
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/lazy/bounds.hpp"
 
 namespace graspless::fingertip {
@@ -31,6 +33,7 @@ LatticeBounds::LatticeBounds(const PoseGraph& graph, Evaluator& evaluator)
   num_edges_ = L == 0 ? 0 : static_cast<int>(locations_.wrenches(0).generators.cols());
   edges_.resize(at(num_edges_) * 6 * L);
   for (int l = 0; l < locations_.size(); ++l) {
+    poll();
     const mechanics::FingerWrenches& wrenches = locations_.wrenches(l);
     for (int j = 0; j < num_edges_; ++j) {
       const Vector6d w =

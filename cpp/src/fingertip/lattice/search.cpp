@@ -11,6 +11,8 @@
 #include <random>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/search/graph_search.hpp"
 
 namespace graspless::fingertip {
@@ -51,7 +53,10 @@ class PlacementSearch {
     route_.cost = kInfinity;
   }
 
-  Route run() {
+  /// The best route so far.
+  const Route& route() const { return route_; }
+
+  void run() {
     const int count = graph_.num_fingers;
     find_any(count);
     // All placements whose farthest sphere is this one have the same bound.
@@ -59,12 +64,11 @@ class PlacementSearch {
       if (reaches_[last].distance >= route_.cost) break;
       if (!extend(with(kNoFingers, reaches_[last].location), last, count - 1)) {
         route_.lower_bound = std::min(route_.cost, reaches_[last].distance);
-        return route_;
+        return;
       }
     }
     route_.is_complete = !clock_.is_out();
     if (route_.is_complete) route_.lower_bound = route_.cost;
-    return route_;
   }
 
  private:
@@ -94,6 +98,7 @@ class PlacementSearch {
       return true;
     }
     for (std::size_t i = 0; i < last; ++i) {
+      poll();
       const int location = reaches_[i].location;
       if (!has_room(graph_, graph_.start(), placement, location)) continue;
       if (!extend(with(placement, location), i, missing - 1)) return false;
@@ -249,8 +254,16 @@ Route search_lattice(const PoseGraph& graph, Evaluator& evaluator, planning::Clo
                      Statistics& statistics) {
   LatticeBounds bounds(graph, evaluator);
   RemainingDistance remaining(graph);
-  Route route = PlacementSearch(graph, bounds, remaining, clock, statistics).run();
-  route = with_regrasps(graph, evaluator, bounds, remaining, std::move(route), clock, statistics);
+  PlacementSearch placements(graph, bounds, remaining, clock, statistics);
+  clock.run([&] { placements.run(); });
+  Route route = placements.route();
+  const auto regrasp = [&] {
+    route = with_regrasps(graph, evaluator, bounds, remaining, route, clock, statistics);
+  };
+  if (!clock.run(regrasp)) {
+    route.is_complete = false;
+    route.lower_bound = std::min(route.lower_bound, graph.options.regrasp_cost);
+  }
   statistics.supports += bounds.count();
   statistics.memory =
       std::max(statistics.memory, graph.memory() + bounds.memory() + remaining.memory());

@@ -9,6 +9,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
@@ -60,6 +62,7 @@ StabilityBounds::StabilityBounds(const PoseGraph& graph, const Instants& instant
   pools_.resize(static_cast<std::size_t>(instants.size()));
   const int P = graph.options.samples_per_arc;
   for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+    poll();
     for (int j = 0; j < P; ++j) {
       place(graph.instant(arc, j), along_screw(graph.X_WO(arc), graph.twist_O(arc), (j + 0.5) / P));
     }
@@ -80,6 +83,7 @@ void StabilityBounds::list_edges() {
   edge_wrenches_.resize(count * static_cast<std::size_t>(6 * edges_));
   components_.resize(count * static_cast<std::size_t>(6 * padded_), 0.0F);
   for (int location = 0; location < num_locations_; ++location) {
+    poll();
     const mechanics::FingerWrenches& wrenches = graph_.locations.wrenches(location);
     for (int j = 0; j < edges_; ++j) {
       const Vector6d w =
@@ -106,6 +110,7 @@ void StabilityBounds::place(int instant, const Eigen::Isometry3d& X_WO) {
 
 void StabilityBounds::find_standing() {
   for (const int instant : all_) {
+    poll();
     const Matrix6Xd generators =
         pool(instant).from_world.transpose() * instants_[instant].environments.front().generators;
     int& number = pool(instant).standing;
@@ -216,6 +221,7 @@ void StabilityBounds::add(int instant, const std::vector<Vector6d>& functionals,
   }
   const double needed = graph_.options.min_stability;
   for (const int target : all_) {
+    poll();
     if (target == instant) continue;
     const auto known = static_cast<double>(bound(target, placement));
     if (known < needed) continue;  // nothing to gain

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::fingertip {
 
 std::size_t PlacementHash::operator()(const Placement& placement) const {
@@ -166,6 +168,7 @@ bool Candidates::update(int c) {
 void Candidates::keep_inner_arcs() {
   keeps_inner_arcs_ = true;
   for (int c = 0; c < size(); ++c) {
+    poll();
     at(c).stamp = 0;
     update(c);
   }

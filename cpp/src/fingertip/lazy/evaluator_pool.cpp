@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace graspless::fingertip {
 
@@ -47,7 +48,7 @@ void EvaluatorPool::start(std::vector<StabilityQuery>& queries) {
 void EvaluatorPool::finish() {
   take_lanes();
   while (shared_ && busy_ > 0) std::this_thread::yield();
-  if (failure_) std::rethrow_exception(failure_);
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void EvaluatorPool::help() {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::fingertip {
 
 Hubs::Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Candidates& candidates)
@@ -32,6 +34,7 @@ int Hubs::open(const Placement& kept) {
 
 void Hubs::link() {
   for (; linked_ < candidates_.size(); ++linked_) {
+    poll();
     const Placement placement = candidates_.placement(linked_);
     for (const std::int32_t location : placement) {
       if (location < 0) break;

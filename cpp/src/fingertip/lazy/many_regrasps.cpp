@@ -3,7 +3,8 @@
 // Routes with any number of regrasps, by dynamic programming over bounds.
 #include <algorithm>
 #include <limits>
-#include <vector>
+
+#include "graspless/watch.hpp"
 
 #include "fingertip/lazy/state.hpp"
 
@@ -84,6 +85,7 @@ class DpTable {
   }
 
   void displace(int layer, int pose) {
+    poll();
     std::vector<double>& here = cell(layer, pose).arrived;
     here.assign(static_cast<std::size_t>(candidates_), kInfinity);
     if (pose == 0) {
@@ -100,7 +102,7 @@ class DpTable {
   // A finger goes.
   void lift(int layer, int pose) {
     const std::vector<double>& arrived = cell(layer, pose).arrived;
-    for (int hub = 0; hub < lazy_.hubs.size(); ++hub) {
+    for (int hub = 0; hub < lazy_.hubs.size(); ++hub, poll()) {
       if (lazy_.hubs.members(hub).empty() || !lazy_.hubs.may_be_stable(hub, pose)) continue;
       for (const int c : lazy_.hubs.members(hub)) {
         const double here = arrived[static_cast<std::size_t>(c)];
@@ -112,7 +114,7 @@ class DpTable {
   // A finger comes and another goes, through a placement that need not carry the object anywhere.
   void lift_again(int layer, int pose) {
     const std::vector<Step> before = cell(layer - 1, pose).hubs;
-    for (std::size_t hub = 0; hub < before.size(); ++hub) {
+    for (std::size_t hub = 0; hub < before.size(); ++hub, poll()) {
       if (before[hub].cost == kInfinity) continue;
       const Step step{before[hub].cost + lazy_.graph.options.regrasp_cost, static_cast<int>(hub),
                       true, layer - 1};
@@ -144,7 +146,7 @@ class DpTable {
   void set_down(int layer, int pose) {
     std::vector<Step>& hubs = cell(layer, pose).hubs;
     Cell& next = cell(is_counted_ ? layer + 1 : 0, pose);
-    for (int hub = 0; hub < static_cast<int>(hubs.size()); ++hub) {
+    for (int hub = 0; hub < static_cast<int>(hubs.size()); ++hub, poll()) {
       const double here = at(hubs, hub).cost + lazy_.graph.options.regrasp_cost;
       if (here == kInfinity) continue;
       next.set_down.resize(static_cast<std::size_t>(candidates_));
@@ -200,7 +202,7 @@ void list_all(LazyState& lazy) {
   for (int arc = 0; arc < lazy.graph.num_arcs(); ++arc) {
     open_all(lazy, clear_locations(lazy.graph, arc, arc + 1), lazy.candidates.instants(arc));
   }
-  for (int c = 0; c < lazy.candidates.size(); ++c) lazy.candidates.refresh(c);
+  for (int c = 0; c < lazy.candidates.size(); ++c, poll()) lazy.candidates.refresh(c);
   lazy.hubs.link();
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
@@ -71,6 +73,7 @@ class Enumeration {
 
   bool place(int depth, std::size_t first) {
     if (depth >= count_ || depth >= mechanics::kMaxFingers) return accept();
+    poll();
     const int missing = count_ - depth - 1;
     for (std::size_t i = first; i + static_cast<std::size_t>(missing) < locations_.size(); ++i) {
       if (!extend(depth, locations_[i], missing) || !is_apart(depth, locations_[i])) continue;
@@ -178,12 +181,16 @@ void open_all(LazyState& lazy, const std::vector<int>& locations,
                      });
   lazy.watch_memory(static_cast<std::int64_t>(found.size()));
   lazy.candidates.reserve(found.size());
-  for (const Placement& placement : found) lazy.candidates.open(placement);
+  for (const Placement& placement : found) {
+    poll();
+    lazy.candidates.open(placement);
+  }
 }
 
 std::vector<int> clear_locations(const PoseGraph& graph, int first, int last) {
   std::vector<int> clear;
   for (int location = 0; location < graph.locations.size(); ++location) {
+    poll();
     bool is_clear = true;
     for (int pose = first; pose <= last && is_clear; ++pose) {
       is_clear = graph.is_clear(pose, location);

@@ -15,6 +15,8 @@
 #include <queue>
 #include <tuple>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
@@ -140,6 +142,7 @@ class Frontier {
     lazy_.hubs.link();
     for (int pose = 1; pose < K; ++pose) {
       for (int hub = 0; hub < lazy_.hubs.size(); ++hub) {
+        poll();
         push_again({0, Entry::Kind::hub, hub, pose});
       }
     }
@@ -234,6 +237,7 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
                             std::vector<StabilityQuery>& queries) {
   queries.clear();
   while (queries.size() < kBatch && frontier.has_next()) {
+    poll();
     const Entry entry = frontier.pop();
     if (entry.kind == Entry::Kind::placement) {
       frontier.open(entry);  // bounded by its displacement all the way; now arc by arc
@@ -280,7 +284,11 @@ Route search(LazyState& lazy) {
 Route search_fast(const PoseGraph& graph, std::vector<Evaluator>& evaluators,
                   planning::Clock& clock, Statistics& statistics, double limit) {
   LazyState lazy(graph, evaluators, clock, statistics, limit);
-  const Route route = search(lazy);
+  Route route;
+  if (!clock.run([&] { route = search(lazy); })) {
+    lazy.finish();
+    route = unfinished(lazy, lazy.least_displacement);
+  }
   lazy.note_memory();
   share_stabilities(graph, route, evaluators);
   statistics.supports += lazy.bounds.count();

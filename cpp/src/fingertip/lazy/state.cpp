@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
-#include <string>
+#include <new>
+
+#include "graspless/watch.hpp"
 
 namespace graspless::fingertip {
 
@@ -70,11 +71,7 @@ std::int64_t LazyState::note_memory(std::int64_t more_candidates) {
 
 void LazyState::watch_memory(std::int64_t more_candidates) {
   const std::int64_t bytes = note_memory(more_candidates);
-  if (static_cast<double>(bytes) > graph.options.max_memory) {
-    throw std::length_error("options.max_memory: the search needs more than " +
-                            std::to_string(graph.options.max_memory) +
-                            " bytes for placements that may be stable; take fewer locations");
-  }
+  if (static_cast<double>(bytes) > graph.options.max_memory) throw std::bad_alloc();
 }
 
 std::vector<Node> nodes_of(const LazyState& lazy, int first, int second, int pose) {
@@ -98,9 +95,11 @@ Route best_solved(LazyState& lazy) {
   };
   Candidates& candidates = lazy.candidates;
   for (int c = 0; c < candidates.size(); ++c) {
+    poll();
     if (candidates.is_solved(c, 0, K)) take(candidates.after(c, 0), c, c, K);
   }
   for (int hub = 0; hub < lazy.hubs.size(); ++hub) {
+    poll();
     for (int pose = 1; pose < K; ++pose) {
       if (!lazy.hubs.is_stable(hub, pose)) continue;
       int first = -1, second = -1;

@@ -25,7 +25,7 @@ struct LazyState {
   void record_last();                                // records the results of those before
   void finish();
   std::int64_t note_memory(std::int64_t more_candidates = 0);  // of the tables, now [bytes]
-  /// Throws std::length_error when the tables have outgrown Options::max_memory.
+  /// Throws std::bad_alloc when the tables have outgrown Options::max_memory.
   void watch_memory(std::int64_t more_candidates = 0);
 
   static constexpr std::size_t kWatch = 4096;  // placements from one memory check to the next

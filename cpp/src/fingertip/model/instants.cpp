@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
@@ -81,6 +83,7 @@ Instants::Instants(const Problem& problem, const Options& options)
 }
 
 int Instants::add(const mechanics::BodyState& state) {
+  poll();
   const Object& object = problem_.object;
   mechanics::ContactPatches patches = mechanics::contact_patches(
       object.hull(), object.com(), planes_, state, kContactTolerance * object.size());
@@ -135,7 +138,10 @@ void Instants::add_environment(Instant& instant, const std::vector<double>& coef
 
 void Instants::add_friction(const std::vector<double>& coefficients) {
   coefficients_.push_back(coefficients);
-  for (Instant& instant : all_) add_environment(instant, coefficients);
+  for (Instant& instant : all_) {
+    poll();
+    add_environment(instant, coefficients);
+  }
 }
 
 }  // namespace graspless::fingertip

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/model/pose_graph.hpp"
 #include "fingertip/model/screw.hpp"
 
@@ -125,6 +127,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
     throw std::invalid_argument("motion.X_WO_goal must differ from motion.X_WO_start");
   }
   for (int pose = 0; pose < grid.num_poses(); ++pose) {
+    poll();
     X_WO_.push_back(grid.X_WO(pose));
     turns_.push_back(grid.yaw(pose));
     for (int move = 0; move < kMoves; ++move) next_.push_back(grid.next(pose, move));

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "graspless/collision/world.hpp"
+#include "graspless/watch.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -31,6 +32,7 @@ std::vector<Location> reachable(std::vector<Location> all, const Object& object,
       "fingertip", {{geometry::Sphere{radius - shrink}, Eigen::Isometry3d::Identity()}});
   world.add_pair(body, sphere);
   const auto touches = [&](const Location& location) {
+    poll();
     world.set_pose(sphere, Eigen::Isometry3d(Eigen::Translation3d(location.center_O)));
     return world.collides();
   };
@@ -53,6 +55,7 @@ std::vector<mechanics::FingerWrenches> wrenches_of(const std::vector<Location>& 
   std::vector<mechanics::FingerWrenches> wrenches;
   wrenches.reserve(all.size());
   for (const Location& at : all) {
+    poll();
     set.fingers[0] = {at.p_OC, at.n_O, fingers.friction.lower, fingers.max_normal_force, at.t_O};
     wrenches.push_back(at_friction(fingers.friction.lower));
     if (fingers.friction.upper > fingers.friction.lower) {
@@ -101,6 +104,7 @@ bool is_inside(const Eigen::Vector2d& p, const std::array<Eigen::Vector2d, 3>& c
 bool is_inside(const Eigen::Vector2d& p, const Face& face, const geometry::Mesh& mesh,
                double tolerance) {
   for (const int t : face.triangles) {
+    poll();
     std::array<Eigen::Vector2d, 3> corners;
     for (int k = 0; k < 3; ++k) {
       corners[static_cast<std::size_t>(k)] = in_face(face, mesh.vertices.col(mesh.triangles(k, t)));
@@ -208,6 +212,7 @@ std::vector<Location> grid_locations(const Object& object, double radius, const 
     const double columns = num_cells(r.size.x(), options), rows = num_cells(r.size.y(), options);
     for (int i = 0; i < columns; ++i) {
       for (int j = 0; j < rows; ++j) {
+        poll();
         const Eigen::Vector2d p = r.lower + Eigen::Vector2d((i + 0.5) / columns * r.size.x(),
                                                             (j + 0.5) / rows * r.size.y());
         if (!is_inside(p, face, object.mesh(), kEdge * object.size())) continue;

@@ -18,6 +18,7 @@
 
 #include "graspless/fingertip/object.hpp"
 #include "graspless/mechanics/contact.hpp"
+#include "graspless/watch.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -44,6 +45,7 @@ geometry::Mesh merged(const geometry::Mesh& mesh) {
   geometry::Mesh out{Eigen::Matrix3Xd(3, mesh.vertices.cols()),
                      Eigen::Matrix3Xi(3, mesh.triangles.cols())};
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
+    poll();
     const Eigen::Vector3d at = (mesh.vertices.col(i) - corner) / cell;
     const auto [entry, is_new] =
         known.try_emplace({std::llround(at.x()), std::llround(at.y()), std::llround(at.z())},
@@ -54,6 +56,7 @@ geometry::Mesh merged(const geometry::Mesh& mesh) {
   out.vertices.conservativeResize(3, static_cast<Eigen::Index>(known.size()));
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    poll();
     Eigen::Vector3i t;
     for (int k = 0; k < 3; ++k) t[k] = index[static_cast<std::size_t>(mesh.triangles(k, i))];
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.col(count++) = t;
@@ -78,6 +81,7 @@ void require_closed(const geometry::Mesh& mesh, const std::string& what) {
   };
   std::unordered_map<std::uint64_t, int> edges;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    poll();
     for (int k = 0; k < 3; ++k) {
       const int from = mesh.triangles(k, i), to = mesh.triangles((k + 1) % 3, i);
       if (++edges[edge(from, to)] == 1) continue;
@@ -86,6 +90,7 @@ void require_closed(const geometry::Mesh& mesh, const std::string& what) {
     }
   }
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    poll();
     for (int k = 0; k < 3; ++k) {
       const int from = mesh.triangles(k, i), to = mesh.triangles((k + 1) % 3, i);
       if (edges.count(edge(to, from)) > 0) continue;
@@ -112,12 +117,14 @@ Eigen::Matrix3Xi neighbours(const geometry::Mesh& mesh) {
   std::unordered_map<std::uint64_t, int> owner;
   const int count = static_cast<int>(mesh.triangles.cols());
   for (int i = 0; i < count; ++i) {
+    poll();
     for (int k = 0; k < 3; ++k) {
       owner[edge(mesh.triangles(k, i), mesh.triangles((k + 1) % 3, i))] = i;
     }
   }
   Eigen::Matrix3Xi across(3, count);
   for (int i = 0; i < count; ++i) {
+    poll();
     for (int k = 0; k < 3; ++k) {
       across(k, i) = owner.at(edge(mesh.triangles((k + 1) % 3, i), mesh.triangles(k, i)));
     }
@@ -196,6 +203,7 @@ MassProperties mass_properties(const geometry::Mesh& mesh) {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    poll();
     Eigen::Matrix3d corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices.col(mesh.triangles(k, i)) - origin;
     const double det = corners.determinant();
@@ -226,6 +234,7 @@ std::vector<Face> find_faces(const geometry::Mesh& mesh, double size) {
   std::vector<bool> taken(static_cast<std::size_t>(count), false);
   std::vector<Face> faces;
   for (const int seed : seeds) {
+    poll();
     if (taken[static_cast<std::size_t>(seed)] || area(seed).isZero(0)) continue;
     const Eigen::Vector3d n = area(seed).normalized();
     const Eigen::Vector3d p = mesh.vertices.col(mesh.triangles(0, seed));

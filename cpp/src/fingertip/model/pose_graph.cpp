@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "graspless/watch.hpp"
+
 #include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
@@ -87,6 +89,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& 
 
 void PoseGraph::add_motion(const mechanics::Vector6d& twist_O) {
   twist_O_.push_back(twist_O);
+  poll();
   for (int l = 0; l < locations.size(); ++l) {
     displacements_.push_back(sphere_speed(twist_O, locations[l]) / options.samples_per_arc);
   }

@@ -10,12 +10,13 @@
 #include "fingertip/search/graph_search.hpp"
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <queue>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "graspless/watch.hpp"
 
 #include "fingertip/search/nodes.hpp"
 
@@ -43,6 +44,7 @@ struct Open {
 template <typename Visit>
 void for_each_feasible(const PoseGraph& graph, int pose, const Placement& kept, int first,
                        int missing, Visit visit) {
+  poll();
   if (missing == 0) return visit(kept);
   for (int location = first; location < graph.locations.size(); ++location) {
     if (!has_room(graph, pose, kept, location)) continue;
@@ -211,10 +213,7 @@ class GraphSearchRun {
   }
 
   void watch_memory() const {
-    if (static_cast<double>(memory()) <= graph_.options.max_memory) return;
-    throw std::length_error("options.max_memory: the search needs more than " +
-                            std::to_string(graph_.options.max_memory) +
-                            " bytes for its nodes; take fewer locations, or search = 'fast'");
+    if (static_cast<double>(memory()) > graph_.options.max_memory) throw std::bad_alloc();
   }
 
   const PoseGraph& graph_;

@@ -42,7 +42,7 @@ struct GraphSearch {
 /// found: there is no route below the limit. In a lattice, the friction cones of a regrasp lie
 /// along the motion that goes on from there, which the search does not know when it comes to it:
 /// where the fingers kept then turn out not to hold the object, that regrasp is excluded and the
-/// search repeated; the result is not complete any more. Throws std::length_error when the tables
+/// search repeated; the result is not complete any more. Throws std::bad_alloc when the tables
 /// outgrow Options::max_memory.
 Route search_graph(const PoseGraph& graph, Evaluator& evaluator, const GraphSearch& settings,
                    planning::Clock& clock, Statistics& statistics);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
@@ -23,6 +25,7 @@ RemainingDistance::RemainingDistance(const PoseGraph& graph)
     return graph.center_W(graph.start(), location).head<2>();
   };
   for (int l = 0; l < graph.locations.size(); ++l) {
+    poll();
     int same = graph.is_path() ? l : 0;
     while (same < l && (in_plan(same) - in_plan(l)).norm() > kSamePoint) ++same;
     table_of_.push_back(same);
@@ -60,6 +63,7 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
   heap_.clear();
   push(graph_.goal(), 0);
   while (!heap_.empty()) {
+    poll();
     std::pop_heap(heap_.begin(), heap_.end());
     const Entry entry = heap_.back();
     heap_.pop_back();

@@ -11,6 +11,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "graspless/watch.hpp"
+
 #include "geometry/complex/delaunay.hpp"
 #include "geometry/complex/plateaus.hpp"
 #include "geometry/complex/reduction.hpp"
@@ -90,6 +92,7 @@ Complex Filtration::complex(double max_edge_length) const {
   result.edges.resize(2, static_cast<Eigen::Index>(all.edges.size()));
   Eigen::Index n = 0;
   for (std::size_t e = 0; e < all.edges.size(); ++e) {
+    poll();
     if (!(all.lengths[e] < max_edge_length)) continue;
     result.edges.col(n++) << all.edges[e][0], all.edges[e][1];
   }
@@ -97,6 +100,7 @@ Complex Filtration::complex(double max_edge_length) const {
   result.triangles.resize(3, static_cast<Eigen::Index>(all.triangles.size()));
   n = 0;
   for (const auto& triangle : all.triangles) {
+    poll();
     if (!(triangle.longest_edge < max_edge_length)) continue;
     result.triangles.col(n++) << triangle.vertices[0], triangle.vertices[1], triangle.vertices[2];
   }

@@ -16,6 +16,8 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -70,6 +72,7 @@ Triangulation triangulate(const std::vector<Point>& points) {
   Triangulation result;
   Triangulation::Cell_handle hint;
   for (const std::size_t i : order) {
+    poll();
     const auto before = result.number_of_vertices();
     const auto vertex = result.insert(points[i], hint);
     const bool is_new = result.number_of_vertices() > before;
@@ -82,6 +85,7 @@ Triangulation triangulate(const std::vector<Point>& points) {
 int number_regions(Triangulation& triangulation) {
   int next = 1;
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
+    poll();
     cell->info() = triangulation.is_infinite(cell) ? 0 : next++;
   }
   return next;
@@ -100,6 +104,7 @@ Delaunay delaunay(const Eigen::Matrix3Xd& points) {
   result.num_regions = number_regions(triangulation);
   result.facets.reserve(triangulation.tds().number_of_cells() * 2);
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
+    poll();
     if (cell->info() == 0) continue;
     for (int i = 0; i < 4; ++i) {
       const int beyond = cell->neighbor(i)->info();

@@ -8,6 +8,8 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -57,6 +59,7 @@ std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std
 void mark_fillings(const Simplices& simplices, const std::vector<int>& order, Ranking& out) {
   DisjointSets regions(simplices.num_regions);
   for (std::size_t i = order.size(); i-- > 0;) {
+    poll();
     const auto [one, other] = simplices.triangles[static_cast<std::size_t>(order[i])].regions;
     out.triangles[i].fills_loop = !regions.join(one, other);
   }
@@ -72,6 +75,7 @@ Ranking ranking(const Simplices& simplices) {
   result.makes_loop.reserve(order.size());
   DisjointSets pieces(static_cast<int>(simplices.first_edge.size()));
   for (const int edge : order) {
+    poll();
     const auto e = static_cast<std::size_t>(edge);
     result.rank[e] = static_cast<int>(result.lengths.size());
     result.lengths.push_back(simplices.lengths[e]);
@@ -81,6 +85,7 @@ Ranking ranking(const Simplices& simplices) {
   std::vector<Ranking::Triangle> triangles;
   triangles.reserve(simplices.triangles.size());
   for (const auto& triangle : simplices.triangles) {
+    poll();
     std::array<int, 3> r{};
     for (std::size_t k : {0u, 1u, 2u}) {
       r[k] = result.rank[static_cast<std::size_t>(triangle.edges[k])];
@@ -101,6 +106,7 @@ BettiCurve betti_curve(const Ranking& ranking) {
   int loops = 0;
   std::size_t t = 0;
   for (std::size_t e = 0; e < ranking.lengths.size(); ++e) {
+    poll();
     loops += ranking.makes_loop[e];
     for (; t < ranking.triangles.size() && ranking.triangles[t].longest == static_cast<int>(e);
          ++t) {

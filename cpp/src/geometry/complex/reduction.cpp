@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -37,6 +39,7 @@ Reduction::Reduction(Ranking ranking) : ranking_(std::move(ranking)) {
   columns_.resize(ranking_.lengths.size());
   entries_.reserve(4 * ranking_.lengths.size());
   for (std::size_t t = 0; t < ranking_.triangles.size(); ++t) {
+    poll();
     if (ranking_.triangles[t].fills_loop) add_column(static_cast<int>(t));
   }
   collect_pairs();
@@ -60,6 +63,7 @@ void Reduction::add_column(int triangle) {
 Reduction::Remainder Reduction::reduce(std::vector<int>& heap, int end_triangle) const {
   Remainder result{-1, -1};
   while ((result.pivot = pop_pivot(heap)) >= 0) {
+    poll();
     const Column& column = columns_[static_cast<std::size_t>(result.pivot)];
     if (column.triangle < 0 || column.triangle >= end_triangle) break;
     result.last_triangle = std::max(result.last_triangle, column.triangle);
@@ -72,6 +76,7 @@ Reduction::Remainder Reduction::reduce(std::vector<int>& heap, int end_triangle)
 
 void Reduction::collect_pairs() {
   for (std::size_t pivot = 0; pivot < columns_.size(); ++pivot) {
+    poll();
     if (columns_[pivot].triangle < 0) continue;
     const auto& filling = ranking_.triangles[static_cast<std::size_t>(columns_[pivot].triangle)];
     const double birth = ranking_.lengths[pivot];

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -25,10 +27,12 @@ std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
   std::vector<int> next = begin;
   std::vector<Facet> result(facets.size());
   for (const Facet& facet : facets) {
+    poll();
     int& place = next[static_cast<std::size_t>(facet.vertices[0])];
     result[static_cast<std::size_t>(place++)] = facet;
   }
   for (std::size_t a = 0; a < n; ++a) {
+    poll();
     std::sort(result.begin() + begin[a], result.begin() + begin[a + 1],
               [](const Facet& one, const Facet& other) { return one.vertices < other.vertices; });
   }
@@ -40,6 +44,7 @@ std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
 void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& out) {
   std::vector<int> counts(n + 1);
   for (const Facet& facet : facets) {
+    poll();
     counts[static_cast<std::size_t>(facet.vertices[0])] += 2;
     counts[static_cast<std::size_t>(facet.vertices[1])] += 1;
   }
@@ -49,6 +54,7 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
     larger[static_cast<std::size_t>(next[static_cast<std::size_t>(a)]++)] = b;
   };
   for (const Facet& facet : facets) {
+    poll();
     const auto [a, b, c] = facet.vertices;
     put(a, b);
     put(a, c);
@@ -56,6 +62,7 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
   }
   out.first_edge.assign(n + 1, 0);
   for (std::size_t a = 0; a < n; ++a) {
+    poll();
     const auto first = larger.begin() + begin[a], last = larger.begin() + begin[a + 1];
     std::sort(first, last);
     const auto end = std::unique(first, last);
@@ -85,10 +92,12 @@ Simplices simplices(const Eigen::Matrix3Xd& points, const Delaunay& delaunay) {
   collect_edges(facets, n, result);
   result.lengths.reserve(result.edges.size());
   for (const auto& [a, b] : result.edges) {
+    poll();
     result.lengths.push_back((points.col(a) - points.col(b)).norm());
   }
   result.triangles.reserve(facets.size());
   for (const Facet& facet : facets) {
+    poll();
     const auto [a, b, c] = facet.vertices;
     const std::array<int, 3> edges{result.edge(a, b), result.edge(a, c), result.edge(b, c)};
     double longest = 0;

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 #include "geometry/loops/shortest_paths.hpp"
 
 namespace graspless::geometry {
@@ -52,6 +54,7 @@ class LabelPropagation {
     triangles_.resize(index(static_cast<int>(complex.triangles.cols())));
     first_.assign(index(graph_.num_edges()) + 1, 0);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      poll();
       const auto corner = complex.triangles.col(static_cast<Eigen::Index>(t));
       triangles_[t] = {graph_.edge(corner[0], corner[1]), graph_.edge(corner[0], corner[2]),
                        graph_.edge(corner[1], corner[2])};
@@ -73,6 +76,7 @@ class LabelPropagation {
       if (depth_[index(root)] >= 0) continue;
       paths.start(root, std::numeric_limits<double>::infinity());
       for (int v = root; (v = paths.next()) >= 0;) {
+        poll();
         depth_[index(v)] = paths.distance(v);
         paths.expand(v);
         if (paths.via(v) >= 0) assign(paths.via(v), {});
@@ -85,6 +89,7 @@ class LabelPropagation {
   std::vector<int> by_cycle_length() const {
     std::vector<std::pair<double, int>> order;
     for (int e = 0; e < graph_.num_edges(); ++e) {
+      poll();
       const auto [a, b] = graph_.ends(e);
       if (!is_known_[index(e)])
         order.emplace_back(depth_[index(a)] + depth_[index(b)] + graph_.length(e), e);
@@ -103,6 +108,7 @@ class LabelPropagation {
 
   void propagate() {
     while (!queue_.empty()) {
+      poll();
       const int edge = queue_.back();
       queue_.pop_back();
       for (int i = first_[index(edge)]; i < first_[index(edge) + 1]; ++i)
@@ -149,6 +155,7 @@ class Relations {
  public:
   explicit Relations(const std::vector<Symbols>& relations) {
     for (const Symbols& relation : relations) {
+      poll();
       Symbols rest = reduced(relation);
       if (rest.empty()) continue;
       const int pivot = rest.back();
@@ -187,6 +194,7 @@ Annotation::Annotation(const Complex& complex, const EdgeGraph& graph) {
   }
   bits_.assign(labels.values().size() * static_cast<std::size_t>(words_), 0);
   for (std::size_t e = 0; e < labels.values().size(); ++e) {
+    poll();
     if (labels.values()[e].empty()) continue;
     for (const int symbol : relations.reduced(labels.values()[e])) {
       const auto b = static_cast<std::size_t>(bit[static_cast<std::size_t>(symbol)]);

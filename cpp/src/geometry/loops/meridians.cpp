@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "graspless/watch.hpp"
+
 #include "geometry/loops/shortest_basis.hpp"
 
 namespace graspless::geometry {
@@ -33,6 +35,7 @@ bool most_rays_blocked(const IsBlocked& is_blocked) {
   static const Eigen::Matrix3Xd rays = directions();
   int num_open = 0;
   for (int i = 0; i < kRays; ++i) {
+    poll();
     if (!is_blocked(rays.col(i)) && ++num_open > kMaxOpenRays) return false;
   }
   return true;

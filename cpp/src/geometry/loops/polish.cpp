@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "graspless/watch.hpp"
+
 #include "geometry/loops/rooted_cycles.hpp"
 #include "geometry/loops/shortest_basis.hpp"
 
@@ -23,6 +25,7 @@ using Class = std::vector<Annotation::Word>;
 Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& corners) {
   Cycle vertices;
   for (Eigen::Index i = 0; i < corners.cols(); ++i) {
+    poll();
     Eigen::Index nearest = 0;
     (points.colwise() - corners.col(i)).colwise().squaredNorm().minCoeff(&nearest);
     const auto vertex = static_cast<int>(nearest);
@@ -66,7 +69,10 @@ class LoopPolisher {
       const double straight = (complex_.points.col(from) - complex_.points.col(to)).norm();
       paths_.start(from, kMaxDetour * straight);
       int v = from;
-      while ((v = paths_.next()) >= 0 && v != to) paths_.expand(v);
+      while ((v = paths_.next()) >= 0 && v != to) {
+        poll();
+        paths_.expand(v);
+      }
       if (v < 0) return {};
       std::vector<int> path = paths_.path(to);  // back to `from`
       std::reverse(path.begin(), path.end());

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 
 RootedCycles::RootedCycles(const Complex& complex, const EdgeGraph& graph,
@@ -24,6 +26,7 @@ const std::vector<RootedCycles::ClosingEdge>& RootedCycles::from(int root, doubl
   closing_edges_.clear();
   paths_.start(root, longest / 2);
   for (int v = root; (v = paths_.next()) >= 0;) {
+    poll();
     set_path_class(v);
     paths_.expand(v, [&](const EdgeGraph::Arc& arc) {
       if (is_trivial(v, arc.to, arc.edge)) return;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <queue>
 
+#include "graspless/watch.hpp"
+
 #include "geometry/loops/cycle_basis.hpp"
 #include "geometry/loops/rooted_cycles.hpp"
 
@@ -28,6 +30,7 @@ std::vector<int> roots(const EdgeGraph& graph, const Annotation& annotation) {
     queue.push({degree[static_cast<std::size_t>(v)], -v});
   std::vector<int> cover;
   while (!queue.empty() && queue.top().first > 0) {
+    poll();
     const auto [count, vertex] = std::pair(queue.top().first, -queue.top().second);
     queue.pop();
     if (count != degree[static_cast<std::size_t>(vertex)]) continue;  // outdated entry
@@ -68,7 +71,10 @@ class Search {
     if (limit > 0) {
       const double longest = limit + 2 * margin_;
       const auto& edges = cycles_.from(root, longest);
-      for (const RootedCycles::ClosingEdge& edge : edges) offer(edge);
+      for (const RootedCycles::ClosingEdge& edge : edges) {
+        poll();
+        offer(edge);
+      }
       limit_others(edges, longest, rest);
     }
     cycles_.remove(root);  // all cycles through it have been offered
@@ -92,6 +98,7 @@ class Search {
     for (const RootedCycles::ClosingEdge& edge : edges)
       bounds_.push_back(basis_.bound(cycles_.class_of(edge)));
     for (auto other = rest.first; other != rest.last; ++other) {
+      poll();
       const double detour = 2 * cycles_.distance(*other) * kSlack;
       const double before = std::min(limit(*other), basis_.bound());
       if (before + detour > longest) continue;  // it may find cycles that this root did not

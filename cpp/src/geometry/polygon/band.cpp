@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "graspless/geometry/shape.hpp"
+#include "graspless/watch.hpp"
 
 #include "geometry/polygon/cgal_polygon.hpp"
 
@@ -28,6 +29,7 @@ double triangle_area(const Triangle& t) {
 std::vector<Triangle> triangulate(const Polygon& polygon) {
   std::vector<Triangle> triangles;
   for (const Polygon& part : polygon.convex_parts()) {
+    poll();
     const Eigen::Matrix2Xd& v = part.vertices();
     for (int i = 1; i + 1 < part.size(); ++i) {
       triangles.push_back((Triangle() << v.col(0), v.col(i), v.col(i + 1)).finished());
@@ -45,6 +47,7 @@ bool misses_interior(const Polygon& polygon, double width, const std::vector<Pol
   constexpr int kGrid = 24;
   for (int i = 1; i < kGrid; ++i) {
     for (int j = 1; j < kGrid; ++j) {
+      poll();
       const Eigen::Vector2d p = lower + (upper - lower).cwiseProduct(Eigen::Vector2d(i, j)) / kGrid;
       if (polygon.depth(p) <= kMitre * width) continue;
       if (std::none_of(core.begin(), core.end(), [&](const Polygon& c) { return c.contains(p); })) {
@@ -63,6 +66,7 @@ std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double
   try {
     for (const Eigen::Matrix2Xd& piece : contract(polygon.vertices(), width)) {
       for (const auto& v : piece.colwise()) {
+        poll();
         if (polygon.depth(v) < width - slack) return std::nullopt;
       }
       core.emplace_back(piece);
@@ -104,6 +108,7 @@ bool Band::contains(const Eigen::Vector2d& p) const {
 std::optional<Eigen::Vector2d> Band::sample(std::mt19937_64& rng, double margin) const {
   constexpr int kAttempts = 1000;
   for (int i = 0; i < kAttempts; ++i) {
+    poll();
     const Eigen::Vector2d p = exact_ ? draw_inside(rng) : draw_near_edge(rng);
     if (contains(p) && (margin <= 0 || polygon_.depth(p) >= margin)) return p;
   }

@@ -17,8 +17,10 @@
 #include <CGAL/Alpha_shape_vertex_base_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/spatial_sort.h>
 
 #include "graspless/geometry/shape.hpp"
+#include "graspless/watch.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -33,7 +35,31 @@ std::string number(double value) {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Alpha_shape_vertex_base_2<Kernel>;
-using Face = CGAL::Alpha_shape_face_base_2<Kernel>;
+
+/// A face that polls where CGAL's loops over all faces look at it.
+template <class Base = CGAL::Alpha_shape_face_base_2<Kernel>>
+class PollingFace : public Base {
+ public:
+  template <class Structure>
+  struct Rebind_TDS {
+    using Other = PollingFace<typename Base::template Rebind_TDS<Structure>::Other>;
+  };
+  using Base::Base;
+  const typename Base::Type_of_alpha& get_alpha() const {
+    poll();
+    return Base::get_alpha();
+  }
+  void set_alpha(const typename Base::Type_of_alpha& alpha) {
+    poll();
+    Base::set_alpha(alpha);
+  }
+  void set_ranges(int edge, const typename Base::Interval_3& ranges) {
+    poll();
+    Base::set_ranges(edge, ranges);
+  }
+};
+
+using Face = PollingFace<>;
 using Delaunay =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
 using AlphaShape = CGAL::Alpha_shape_2<Delaunay>;
@@ -44,6 +70,7 @@ std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> boundary(
     const AlphaShape& shape) {
   std::multimap<AlphaShape::Vertex_handle, AlphaShape::Vertex_handle> next;
   for (auto e = shape.alpha_shape_edges_begin(); e != shape.alpha_shape_edges_end(); ++e) {
+    poll();
     auto [face, i] = *e;
     if (shape.classify(*e) != AlphaShape::REGULAR) continue;
     if (shape.classify(face) != AlphaShape::INTERIOR) {
@@ -91,6 +118,7 @@ Eigen::Matrix2Xd simplified(const Loop& loop, double tolerance) {
   std::size_t anchor = 0;
   kept.push_back(loop[0]);
   for (std::size_t end = 2; end <= n; ++end) {
+    poll();
     const Eigen::Vector2d a = loop[anchor], d = (loop[end % n] - a);
     double worst = 0;
     for (std::size_t i = anchor + 1; i < end; ++i) {
@@ -127,6 +155,7 @@ std::optional<Polygon> outer_polygon(const AlphaShape& shape, double tolerance) 
 double median_spacing(const AlphaShape& shape) {
   std::map<AlphaShape::Vertex_handle, double> nearest;
   for (auto e = shape.finite_edges_begin(); e != shape.finite_edges_end(); ++e) {
+    poll();
     const auto a = e->first->vertex(AlphaShape::ccw(e->second));
     const auto b = e->first->vertex(AlphaShape::cw(e->second));
     const double length = std::sqrt(CGAL::squared_distance(a->point(), b->point()));
@@ -154,6 +183,20 @@ void require_one_piece(const AlphaShape& shape, double gap, const std::string& w
                               " m apart; remove stray points and other objects");
 }
 
+/// As CGAL inserts a range of points, but with polls.
+Delaunay delaunay(const Eigen::Matrix2Xd& points) {
+  std::vector<Kernel::Point_2> cloud;
+  for (const auto& p : points.colwise()) cloud.emplace_back(p.x(), p.y());
+  CGAL::spatial_sort(cloud.begin(), cloud.end(), Kernel());
+  Delaunay triangulation;
+  Delaunay::Face_handle hint;
+  for (const Kernel::Point_2& point : cloud) {
+    poll();
+    hint = triangulation.insert(point, hint)->face();
+  }
+  return triangulation;
+}
+
 }  // namespace
 
 Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
@@ -172,6 +215,7 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
   std::vector<Eigen::Vector2d> inside;
   for (double x = lower.x() + spacing / 2; x < upper.x(); x += spacing) {
     for (double y = lower.y() + spacing / 2; y < upper.y(); y += spacing) {
+      poll();
       if (polygon.contains({x, y})) inside.emplace_back(x, y);
     }
   }
@@ -187,9 +231,8 @@ Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
                                 " m of the origin along x and y, not at " +
                                 number(points.cwiseAbs().maxCoeff()) + " m");
   }
-  std::vector<Kernel::Point_2> cloud;
-  for (const auto& p : points.colwise()) cloud.emplace_back(p.x(), p.y());
-  AlphaShape shape(cloud.begin(), cloud.end(), 0, AlphaShape::REGULARIZED);
+  Delaunay triangulation = delaunay(points);
+  AlphaShape shape(triangulation, 0, AlphaShape::REGULARIZED);
   if (shape.dimension() < 2) {
     throw std::invalid_argument(what + " must span an area; got " + std::to_string(points.cols()) +
                                 " points on a line or fewer than three");

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "graspless/geometry/sampling.hpp"
+#include "graspless/watch.hpp"
 
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/point_grid.hpp"
@@ -35,6 +36,7 @@ std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
   const PointGrid grid(points, cell);
   std::vector<int> kept;
   for (int c = 0; c < grid.num_cells(); ++c) {
+    poll();
     const int* members = grid.members().data();
     kept.push_back(nearest_to_mean(points, members + grid.first(c), members + grid.first(c + 1)));
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -28,6 +30,7 @@ PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
 
   std::vector<int> cell_of(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
+    poll();
     const int c = find_or_insert(key_of(points.col(i)));
     cell_of[static_cast<std::size_t>(i)] = c;
     ++first_[static_cast<std::size_t>(c)];

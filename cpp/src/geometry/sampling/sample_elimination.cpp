@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 #include "geometry/sampling/point_grid.hpp"
 
 namespace graspless::geometry {
@@ -36,6 +38,7 @@ Neighbours find_neighbours(const Eigen::Matrix3Xd& points, double reach) {
   all.end.resize(all.begin.size());
   std::vector<int> around;
   for (int c = 0; c < grid.num_cells(); ++c) {
+    poll();
     grid.points_around(c, around);
     for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
       const int i = grid.members()[static_cast<std::size_t>(k)];
@@ -59,6 +62,7 @@ class CrowdingQueue {
       : neighbours_(neighbours), crowding_(neighbours.begin.size(), 0) {
     std::vector<std::pair<float, int>> entries;
     for (std::size_t i = 0; i < crowding_.size(); ++i) {
+      poll();
       for (std::size_t k = neighbours.begin[i]; k < neighbours.end[i]; ++k) {
         crowding_[i] += neighbours.entries[k].weight;
       }
@@ -97,6 +101,7 @@ std::vector<int> eliminate_samples(const Eigen::Matrix3Xd& points, int count, do
   const std::size_t n = static_cast<std::size_t>(points.cols());
   std::vector<bool> is_out(n, false);
   for (std::size_t left = n; left > static_cast<std::size_t>(count); --left) {
+    poll();
     is_out[queue.pop_most_crowded()] = true;
   }
   std::vector<int> kept;

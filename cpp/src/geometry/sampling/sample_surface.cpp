@@ -7,6 +7,7 @@
 
 #include "graspless/geometry/pose.hpp"
 #include "graspless/geometry/sampling.hpp"
+#include "graspless/watch.hpp"
 
 #include "geometry/sampling/hilbert_order.hpp"
 #include "geometry/sampling/interior.hpp"
@@ -44,6 +45,7 @@ class Surface {
     const std::int64_t limit = std::int64_t{kMaxDraws} * count;
     std::int64_t num_draws = 0;
     for (int found = 0; found < count; ++num_draws) {
+      poll();
       if (num_draws == limit) {
         throw std::invalid_argument("shapes have almost no surface outside one another");
       }

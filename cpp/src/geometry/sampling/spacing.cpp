@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "graspless/geometry/sampling.hpp"
+#include "graspless/watch.hpp"
 
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/point_grid.hpp"
@@ -43,6 +44,7 @@ double guess(const Eigen::Matrix3Xd& points) {
   std::vector<double> nearest;
   const Eigen::Index step = std::max<Eigen::Index>(1, points.cols() / kFew);
   for (Eigen::Index i = 0; i < points.cols(); i += step) {
+    poll();
     nearest.push_back(kInfinity);
     for (Eigen::Index j = 0; j < points.cols(); ++j) {
       keep_nearer((points.col(j) - points.col(i)).squaredNorm(), nearest.back());
@@ -56,6 +58,7 @@ void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
                   std::vector<double>& nearest) {
   std::vector<int> around;
   for (int c = 0; c < grid.num_cells(); ++c) {
+    poll();
     grid.points_around(c, around);
     for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
       const int i = grid.members()[static_cast<std::size_t>(k)];

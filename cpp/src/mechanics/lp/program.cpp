@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "graspless/watch.hpp"
+
 #include "mechanics/lp/basis.hpp"
 #include "mechanics/lp/glpk.hpp"
 
@@ -106,6 +108,7 @@ void LinearProgram::set_block(int row, int column, const Eigen::Ref<const Eigen:
 }
 
 LpSolution solve_lp(const LinearProgram& lp) {
+  poll();
   validate(lp);
   // The dual method was right on every contact set tried. The others are for programs on which it
   // stalls.

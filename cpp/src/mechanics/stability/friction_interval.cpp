@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "graspless/mechanics/stability_solver.hpp"
+#include "graspless/watch.hpp"
 
 #include "mechanics/stability/fixed_forces.hpp"
 #include "mechanics/stability/friction_query.hpp"
@@ -61,6 +62,7 @@ FrictionVerdict settle(const FrictionQuery& query, Property* property) {
   if (varied.empty()) varied = uncertain_surfaces(query, ContactMode::stick);
   std::vector<Intervals> open = {whole};
   for (int pieces = 0; !open.empty(); ++pieces) {
+    poll();
     Intervals piece = std::move(open.back());
     open.pop_back();
     if (property->proven(piece)) continue;

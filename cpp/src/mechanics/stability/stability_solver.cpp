@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "graspless/watch.hpp"
+
 #include "mechanics/rays/cyclic_cuts.hpp"
 #include "mechanics/rays/jamming.hpp"
 #include "mechanics/stability/mode_search.hpp"
@@ -155,6 +157,7 @@ Stability StabilitySolver::max_stability(ForceMask force, double needed) {
 }
 
 StabilitySolver::Evaluation StabilitySolver::evaluate(ForceMask force, double needed) {
+  poll();
   const auto result = impl_->evaluate(force, needed);
   return {result.z, Eigen::Map<const Eigen::Vector4d>(result.f_com.data())};
 }

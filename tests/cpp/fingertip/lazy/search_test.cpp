@@ -210,11 +210,13 @@ TEST(LazySearch, ShowsThatThereIsNone) {
   EXPECT_FALSE(route.found);
 }
 
-TEST(LazySearch, RefusesToOutgrowItsMemory) {
+TEST(LazySearch, DoesNotOutgrowItsMemory) {
   Options options;
   options.max_memory = 1e5;
-  LazyInstance instance(tumble_case(true), options);
-  EXPECT_THROW(instance.fast(), std::length_error);
+  const Plan plan = fingertip::plan(tumble_case(true), options);
+  EXPECT_EQ(plan.status, Status::out_of_memory);
+  EXPECT_NE(plan.reason.find("options.max_memory"), std::string::npos) << plan.reason;
+  EXPECT_NE(plan.reason.find("locations_per_side"), std::string::npos) << plan.reason;
 }
 
 }  // namespace

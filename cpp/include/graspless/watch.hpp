@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Cancellation of long work. Every loop whose length a caller's data decide calls poll(). Every
+// room may include this header.
+#pragma once
+
+#include <functional>
+
+#include "graspless/export.hpp"
+
+namespace graspless {
+
+/// What a check throws to end the work. Not a std::exception, so that no handler of errors takes it
+/// for one.
+struct GRASPLESS_API Stop {};
+
+/// Calls `check` from poll() on the thread that made it, at most every 5 ms, while it lives. The
+/// check ends the work by throwing Stop. Watches nest: poll() calls the
+/// checks of all.
+class GRASPLESS_API Watch {
+ public:
+  explicit Watch(std::function<void()> check);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+ private:
+  friend GRASPLESS_API void poll();
+  std::function<void()> check_;
+  Watch* outer_;
+};
+
+/// Calls the checks of this thread's watches when they are due. Costs a few nanoseconds otherwise.
+GRASPLESS_API void poll();
+
+/// Makes poll() call `check` on threads without a Watch. Must be called before other threads poll.
+GRASPLESS_API void set_default_check(std::function<void()> check);
+
+/// Resident memory of this process [bytes]; 0 where /proc does not exist.
+GRASPLESS_API double resident_memory();
+
+}  // namespace graspless

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/watch.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace graspless {
+namespace {
+
+constexpr std::int64_t kInterval = 5'000'000;  // between checks [ns]
+
+thread_local Watch* innermost = nullptr;
+thread_local std::int64_t next_check = 0;
+
+std::function<void()>& default_check() {
+  static std::function<void()> check;
+  return check;
+}
+
+/// Some milliseconds coarse where the system offers that: a fifth of the cost of the fine clock.
+std::int64_t nanoseconds() {
+#ifdef CLOCK_MONOTONIC_COARSE
+  timespec now;
+  clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+#else
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+#endif
+}
+
+}  // namespace
+
+Watch::Watch(std::function<void()> check)
+    : check_(std::move(check)), outer_(std::exchange(innermost, this)) {}
+
+Watch::~Watch() { innermost = outer_; }
+
+void poll() {
+  const std::int64_t now = nanoseconds();
+  if (now < next_check) return;
+  next_check = now + kInterval;
+  for (const Watch* watch = innermost; watch != nullptr; watch = watch->outer_) watch->check_();
+  if (innermost == nullptr && default_check()) default_check()();
+}
+
+void set_default_check(std::function<void()> check) { default_check() = std::move(check); }
+
+double resident_memory() {
+  const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  char text[64] = {};
+  const auto size = read(file, text, sizeof(text) - 1);
+  close(file);
+  long long total = 0, resident = 0;
+  if (size <= 0 || std::sscanf(text, "%lld %lld", &total, &resident) != 2) return 0;
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace graspless
