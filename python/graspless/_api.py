@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, overload
 
+from . import limits
 from ._arguments import require_path
 from .errors import TaskError
 from .kinds import plan_type
@@ -114,7 +116,8 @@ def plan(
     TaskError
         A ValueError: the task is not valid.
     """
-    task = as_task(task)
+    with limits.reading(seconds if budget is None else budget.seconds) as clock:
+        task = as_task(task)
     if budget is not None:
         if (seconds, iterations, seed) != (None, None, None):
             raise TaskError("budget: seconds, iterations and seed must not be given beside it")
@@ -122,7 +125,17 @@ def plan(
         if not math.isfinite(seconds):  # a plan file has no word for it
             raise TaskError(f"budget: seconds is {seconds}; should be finite")
     task = task.with_changes(search=search, seconds=seconds, iterations=iterations, seed=seed)
-    return plan_type(task.kind)._search(task, task.budget if budget is None else budget)
+    return plan_since(task, clock.began, budget)
+
+
+def plan_since(
+    task: Task[Any, Any, Any], began: float, budget: planning.Budget | None = None
+) -> Any:
+    """Plans a task within the seconds that are left of its budget since `began`."""
+    before = time.monotonic()
+    kind = plan_type(task.kind)
+    began += time.monotonic() - before  # imports do not count
+    return kind._search(task, limits.rest(task.budget if budget is None else budget, began))
 
 
 def as_task(task: Any) -> Task[Any, Any, Any]:

@@ -27,7 +27,7 @@ from ._commands import (
     given_plan,
     read_stdin,
 )
-from .errors import TaskError, explain
+from .errors import OutOfTimeError, TaskError, explain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -71,7 +71,8 @@ def _run(arguments: Sequence[str] | None) -> int:
             run: Callable[[argparse.Namespace], int] = options.run
             return run(options)
     except TaskError as error:
-        return _refuse(str(error), error)
+        code = _refuse(str(error), error)
+        return NOT_FOUND if isinstance(error, OutOfTimeError) else code
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
@@ -237,20 +238,21 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
 
 
 def _plan(options: argparse.Namespace) -> int:
-    from . import _api, files, progress, report
+    from . import _api, files, limits, progress, report
     from .tasks import load_task, read_task
 
     to_stdout = options.output == "-"
     if not to_stdout:
         files.check_writable(options.output)
     _check_pictures(options)
-    if options.task != "-":
-        given = load_task(options.task, trust=options.trust)
-    else:
-        given = read_task(read_stdin(), "stdin", trust=options.trust)
-    task = _change(given, options)
+    with limits.reading(options.time, alarm=True) as clock:
+        if options.task != "-":
+            given = load_task(options.task, trust=options.trust)
+        else:
+            given = read_task(read_stdin(), "stdin", trust=options.trust)
+        task = _change(given, options)
     with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
-        plan = _api.plan(task)
+        plan = _api.plan_since(task, clock.began)
     faults = _api.check(plan) if plan else []
     # Files first: who reads our output may go at any time.
     if not to_stdout:

@@ -33,6 +33,10 @@ class TaskError(ValueError):
     """
 
 
+class OutOfTimeError(TaskError):
+    """The time limit was reached before the task was read."""
+
+
 def explain(error: BaseException) -> str:
     """Returns one line about a fault that a library raised, for people who do not read Python."""
     if isinstance(error, MemoryError):

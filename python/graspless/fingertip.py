@@ -16,11 +16,13 @@
 from __future__ import annotations
 
 import math
+import time
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 
+from . import limits
 from ._core import fingertip as _core
 from ._core.fingertip import (
     Carrier,
@@ -218,13 +220,13 @@ class Plan(AnyPlan, _core.Plan):
     @classmethod
     def _search(cls, task: Any, budget: Budget) -> Plan:
         """Plans, and gives the plan the task's arm."""
+        began = time.monotonic()
         found = _core.plan(task.problem, task.options, budget)
         if task.arm is None or not found:
             return cls._of(found, task)
         arm = task.arm
-        paths = realize(
-            task.problem, found, arm.robot, arm.carrier, arm.q_home, arm.options, budget
-        )
+        left = limits.rest(budget, began)
+        paths = realize(task.problem, found, arm.robot, arm.carrier, arm.q_home, arm.options, left)
         if paths:
             return cls._of(found, task, realization=paths)
         status = Status.not_realized

@@ -167,7 +167,7 @@ def test_first_stage_that_is_not_found_ends_the_chain(write):
 
 
 def test_no_time_for_a_later_stage(write):
-    plan = graspless.plan(write(LIFT), seconds=1e-9)
+    plan = graspless.plan(graspless.load_task(write(LIFT)), seconds=1e-9)
     assert not plan
     assert plan.status in ("out_of_time", "not_connected", "no_start_root", "no_goal_root")
 

@@ -131,7 +131,6 @@ FAULTS = [
     (("options: {locations_per_side: 5}", "options: {cone_edges: 2}"), 10, r"cone_edges: 2: .*3"),
     (("{locations_per_side: 5}", "{search: best}"), 10, r"options.search: best: .*'dijkstra'"),
     (("{locations_per_side: 5}", "{min_stability: 0}"), 10, r"min_stability: 0: .*greater than 0"),
-    (("{locations_per_side: 5}", "{locations_per_side: 1000}"), 10, r"options: .* MB, more than"),
     (("{locations_per_side: 5}", "{compliance: {finger: 1}}"), 10, r"compliance.finger: unknown"),
     (("{locations_per_side: 5}", "{compliance: {finger_normal: 1e10}}"), 10, r"finger_normal: .*1000000000"),
     (

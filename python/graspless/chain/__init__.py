@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 
+from .. import limits
 from .._named import Named
 from .._plan import AnyPlan
-from ..errors import TaskError
+from ..errors import OutOfTimeError, TaskError
 from ..kinds import plan_type
 from ..plan_files import document_of, plan_of
 from ..plan_files.chain import Join, Segment
@@ -185,7 +186,7 @@ class _Found:
 
     def may_do_better(self) -> bool:
         """True if another start may help: a stage could not continue from those before it."""
-        ended = ("solved", "interrupted", "out_of_time")
+        ended = ("solved", "interrupted", "out_of_time", "out_of_memory")
         first_failed = len(self.stages) == 1 and not self.stages[0]
         return self.status not in ended and not first_failed
 
@@ -226,8 +227,12 @@ def _attempt(task: Task, budget: planning.Budget, began: float, attempt: int) ->
 
 def _add(found: _Found, stage: Stage, task: Task, budget: planning.Budget) -> bool:
     """Plans a stage from the end of the last one. Returns False if the chain ends with it."""
+    began = time.monotonic()
     try:
-        given = _start(found, stage, task)
+        with limits.reading(budget.seconds):
+            given = _start(found, stage, task)
+    except OutOfTimeError:
+        return found.fail("out_of_time", f"{stage.name}: no time was left for it")
     except TaskError as error:
         what = f"cannot start where '{task.problem.stages[len(found.stages) - 1].name}' ended"
         return found.fail("not_joined", f"{stage.name}: {what}: {error}")
@@ -235,7 +240,7 @@ def _add(found: _Found, stage: Stage, task: Task, budget: planning.Budget) -> bo
     given = given.with_changes(
         seconds=task.budget.seconds, iterations=budget.iterations, seed=budget.seed
     )
-    plan = plan_type(stage.kind)._search(given, budget)
+    plan = plan_type(stage.kind)._search(given, limits.rest(budget, began))
     found.stages.append(plan)
     return True if plan else found.fail(str(plan.status), f"{stage.name}: {plan.reason}")
 

@@ -14,6 +14,7 @@ from typing_extensions import TypeVar
 
 from ..errors import TaskError, told
 from ..kinds import KINDS, part
+from ..limits import limit_reading, uncounted
 from .meshes import check_files
 from .source import Source, parse_yaml, read_text
 
@@ -47,7 +48,7 @@ class TaskKind(Protocol):
         """
 
     def options(self, fields: Any, problem: Any, source: Source) -> Any:
-        """Returns the options. Raises TaskError if the problem is too large for them."""
+        """Returns the options."""
 
     def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
         """Returns the fields with all values in force, independent of later defaults."""
@@ -308,7 +309,10 @@ def build_task(fields: Any, source: Source, other: Source) -> Task:
     source, other : Source
         Sources of the fields and of those from another file, for error messages.
     """
+    from .budget import build_budget
+
     kind: TaskKind = part("tasks", fields.kind)
+    limit_reading(build_budget(fields.budget, source).seconds)
     return _with_search(fields, kind.build(fields, source, other), source)
 
 
@@ -320,7 +324,8 @@ def task_kind(source: Source) -> TaskKind:
         raise source.error(("kind",), f"missing; should be {choices}")
     if name not in KINDS:
         raise source.error(("kind",), f"should be {choices}")
-    kind: TaskKind = part("tasks", name)
+    with uncounted():
+        kind: TaskKind = part("tasks", name)
     return kind
 
 

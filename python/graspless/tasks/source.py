@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import TaskError, explain
+from ..limits import uncounted
 from .bounds import MOST_DIGITS, check_yaml, faults
 
 if TYPE_CHECKING:
@@ -164,7 +165,8 @@ def read_yaml(path: str | Path) -> Source:
 
 def parse_yaml(text: str, file: str) -> Source:
     """Parses text, like `read_yaml`."""
-    import yaml
+    with uncounted():
+        import yaml
 
     lines: dict[Location, int] = {}
     try:

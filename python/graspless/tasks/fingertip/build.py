@@ -132,7 +132,6 @@ def build_options(
     with at(source, "options"):
         options = fingertip.Options(**fields)
         fingertip.validate(options)
-        fingertip.validate(problem, options)
     return options
 
 

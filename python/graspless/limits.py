@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time limit of a task: reading it counts as well as planning it; imports do not."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import signal
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+from ._core import planning
+from .errors import OutOfTimeError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_LONGEST = 1e8  # of a timer [s]
+
+
+class Reading:
+    """Clock of a thread that reads a task in order to plan it."""
+
+    def __init__(self, has_alarm: bool) -> None:
+        self.began = time.monotonic()
+        self.seconds: float | None = None  # the limit, once it is known
+        self.is_paused = False
+        self.has_alarm = has_alarm
+
+    def arm(self) -> None:
+        """Starts the timers for the seconds that are left, or stops them."""
+        left: float | None = None
+        if not self.is_paused and self.seconds is not None and 0 < self.seconds < math.inf:
+            left = min(_LONGEST, max(1e-6, self.seconds - (time.monotonic() - self.began)))
+        planning.set_deadline(left)
+        if self.has_alarm:
+            signal.setitimer(signal.ITIMER_REAL, left or 0.0)
+
+    def end(self, *_: Any) -> None:
+        """Answers the alarm."""
+        if not self.is_paused:
+            raise planning.OutOfTime
+
+
+class _Current(threading.local):
+    reading: Reading | None = None
+
+
+_current = _Current()
+
+
+@contextlib.contextmanager
+def reading(seconds: float | None = None, alarm: bool = False) -> Iterator[Reading]:
+    """Ends the block with OutOfTimeError when the limit is reached.
+
+    Parameters
+    ----------
+    seconds : float, optional
+        Limit [s]; by default that of the task, see `limit_reading`.
+    alarm : bool
+        Also interrupt Python code, by SIGALRM. For the command line alone: a library must leave
+        signals to its caller.
+    """
+    is_main = threading.current_thread() is threading.main_thread()
+    clock = Reading(alarm and is_main and hasattr(signal, "setitimer"))
+    before, outer = None, _current.reading
+    if clock.has_alarm:
+        before = signal.signal(signal.SIGALRM, clock.end)
+    _current.reading = clock
+    try:
+        if seconds is not None:
+            limit_reading(seconds)
+        yield clock
+    except planning.OutOfTime:
+        raise OutOfTimeError(
+            f"budget.seconds: {clock.seconds:g} s were over before the task was read; "
+            "should be larger"
+        ) from None
+    finally:
+        clock.is_paused = True
+        clock.arm()
+        if clock.has_alarm:
+            signal.signal(signal.SIGALRM, before)
+        _current.reading = outer
+
+
+def limit_reading(seconds: float) -> None:
+    """Sets the limit [s] of the `reading` that runs, if one does and has none yet."""
+    clock = _current.reading
+    if clock is not None and clock.seconds is None:
+        clock.seconds = seconds
+        clock.arm()
+
+
+@contextlib.contextmanager
+def uncounted() -> Iterator[None]:
+    """Stops the clock of the `reading` that runs: for imports, which must not be interrupted."""
+    clock = _current.reading
+    if clock is None or clock.is_paused:
+        yield
+        return
+    start = time.monotonic()
+    clock.is_paused = True
+    clock.arm()
+    try:
+        yield
+    finally:
+        clock.began += time.monotonic() - start
+        clock.is_paused = False
+        clock.arm()
+
+
+def rest(budget: planning.Budget, began: float) -> planning.Budget:
+    """Returns the budget with the seconds that are left of it since `began`, by time.monotonic."""
+    left = max(1e-9, budget.seconds - (time.monotonic() - began))
+    return budget.part(seconds=left, seed=budget.seed)
