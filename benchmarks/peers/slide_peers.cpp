@@ -55,7 +55,8 @@ struct PairProblem::Impl {
   Impl(const slide::Problem& given, const slide::Options& options, std::uint64_t seed)
       : problem(given),
         options(options),
-        query(problem, this->options, endless(seed)),
+        clock(endless(seed)),
+        query(problem, this->options, clock, seed),
         motions(query) {}
 
   bool draw(PairDraw how);
@@ -63,6 +64,7 @@ struct PairProblem::Impl {
 
   slide::Problem problem;
   slide::Options options;
+  planning::Clock clock;
   slide::Query query;
   slide::Motions motions;
   std::optional<std::pair<Eigen::VectorXd, Eigen::VectorXd>> pair;
