@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "graspless/watch.hpp"
+
 #include "clasp/close.hpp"
 #include "clasp/parameters.hpp"
 #include "clasp/search/task_space.hpp"
@@ -39,6 +41,7 @@ Segment segment(const std::string& name, const Path& path, TaskSpace& task_space
   const auto rows = static_cast<Eigen::Index>(segment.positions.size());
   segment.virtual_linking.resize(task_space.kinematics().num_curves(), rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
+    poll();
     task_space.project(segment.positions[static_cast<std::size_t>(i)]);
     segment.virtual_linking.col(i) = task_space.linking_of_curves();
   }

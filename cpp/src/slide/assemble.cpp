@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "graspless/slide/torsion.hpp"
+#include "graspless/watch.hpp"
 
 #include "slide/rows.hpp"
 
@@ -39,6 +40,7 @@ void append_slide(Query& query, const Path& slide, Plan& plan) {
   const ContactSpace::Carried carried = query.carried_from(slide.front());
   Segment segment{"slide", {}, {}};
   for (const Eigen::VectorXd& arm : planning::subdivided(slide, kRowStep)) {
+    poll();
     segment.positions.push_back(query.arm.full(arm));
     segment.object_poses.push_back(query.X_WS * spatial(query.contact.carry(carried, arm)));
   }

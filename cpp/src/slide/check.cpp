@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include "graspless/watch.hpp"
+
 #include "slide/examination.hpp"
 #include "slide/replay.hpp"
 
@@ -139,6 +141,7 @@ void Examination::check_hand_open() {
   for (const Segment& s : plan_.segments) {
     if (s.name == "approach" || s.name == "close") continue;
     for (std::size_t i = 0; i < s.positions.size(); ++i) {
+      poll();
       Eigen::VectorXd off = s.positions[i] - open;
       for (int joint : arm) off[joint] = 0;
       if (off.lpNorm<Eigen::Infinity>() > kSame) fault(s, i, "the hand is not open");

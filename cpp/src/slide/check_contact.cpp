@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "slide/contact.hpp"
 #include "slide/examination.hpp"
 
@@ -89,6 +91,7 @@ void Examination::check_clearance() {
 double Examination::rim_margin() const {
   double farthest = 0;
   const Eigen::Matrix2Xd& outline = problem_.object.outline().vertices();
+  poll();
   for (const auto& p_OP : problem_.object.points().colwise()) {
     farthest = std::max(farthest, signed_depth(outline, p_OP));
   }
@@ -118,6 +121,7 @@ void Examination::check_slide() {
     check_slide_row(slide, row, q);
   });
   for (std::size_t row = 0; row < slide.positions.size(); ++row) {
+    poll();
     if (!is_same(followed(start, finger(slide.positions[row])), slide.object_poses[row], kSame)) {
       fault(slide, row, "the object does not follow the contact");
     }

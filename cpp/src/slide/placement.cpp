@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::slide {
 namespace {
 
@@ -27,6 +29,7 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   const geometry::Polygon& Q = problem.support.polygon();
   Placement result;
   std::vector<Eigen::Vector2d> out;  // P_out
+  poll();
   for (const auto& p_O : problem.object.points().colwise()) {
     const Eigen::Vector2d p = object_S * Eigen::Vector2d(p_O);
     if (!Q.contains(p)) out.push_back(p);

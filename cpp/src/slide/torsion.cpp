@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "graspless/watch.hpp"
+
 #include "slide/contact.hpp"
 
 namespace graspless::slide {
@@ -50,8 +52,10 @@ std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan) {
                                   [](const Segment& segment) { return segment.name == "slide"; });
   std::vector<PressedRow> found;
   if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) return found;
-  for (std::size_t row = 0; row < slide->positions.size(); ++row)
+  for (std::size_t row = 0; row < slide->positions.size(); ++row) {
+    poll();
     found.push_back(pressed_row(problem, slide->positions[row], slide->object_poses[row]));
+  }
   return found;
 }
 
@@ -101,6 +105,7 @@ double drag_load(const Problem& problem, const Plan& plan) {
   const std::vector<PressedRow> rows = pressed_rows(problem, plan);
   double largest = 0;
   for (std::size_t row = 1; row < rows.size(); ++row) {
+    poll();
     const PressedRow& now = rows[row];
     const Eigen::Vector2d step = now.p_SC - rows[row - 1].p_SC;
     if (step.norm() < kMinStep) continue;
@@ -120,6 +125,7 @@ Turning turning(const Problem& problem, const Plan& plan) {
   found.allowed_turn_rate = std::numeric_limits<double>::infinity();
   const std::vector<PressedRow> rows = pressed_rows(problem, plan);
   for (std::size_t row = 1; row < rows.size(); ++row) {
+    poll();
     const PressedRow &before = rows[row - 1], &now = rows[row];
     const Eigen::Vector2d step = now.p_SC - before.p_SC;
     const double distance = step.norm();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "clasp/check/checker.hpp"
 #include "scene/rows.hpp"
 
@@ -73,6 +75,7 @@ bool PlanChecker::has_sound_rows(const Segment& segment) {
     return false;
   }
   for (std::size_t row = 0; row < segment.positions.size(); ++row) {
+    poll();
     const Eigen::VectorXd& q = segment.positions[row];
     if (q.size() == problem_.robot.dof() && q.allFinite()) continue;
     fault(at(segment, row), "has the wrong size or a value that is not finite");

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "clasp/check/checker.hpp"
 #include "clasp/parameters.hpp"
 
@@ -69,6 +71,7 @@ Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen:
 void PlanChecker::check_linking(const Segment& segment) {
   const Eigen::Matrix3Xd loop = loop_W();
   for (std::size_t row = 0; row < segment.positions.size(); ++row) {
+    poll();
     for (int i = 0; i < segment.virtual_linking.rows(); ++i) {
       const double stated = segment.virtual_linking(i, static_cast<Eigen::Index>(row));
       const double found = linking_of(loop, curve_in_world(problem_, i, segment.positions[row]));
