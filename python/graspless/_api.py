@@ -115,6 +115,8 @@ def plan(
     ------
     TaskError
         A ValueError: the task is not valid.
+    OutOfTimeError
+        A TaskError: the time limit was reached before the task was read.
     """
     with limits.reading(seconds if budget is None else budget.seconds) as clock:
         task = as_task(task)

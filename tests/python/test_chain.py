@@ -414,7 +414,7 @@ def test_chain_without_a_stage_is_drawn_as_it_starts(write, tmp_path):
     from graspless import view
     from tasks_common import read_png
 
-    plan = graspless.plan(write(LIFT), seconds=1e-9)
+    plan = graspless.plan(graspless.load_task(write(LIFT)), seconds=1e-9)
     assert plan.stages == ()
     view.write_png(plan, tmp_path / "plan.png")
     assert read_png(tmp_path / "plan.png").std() > 0

@@ -129,7 +129,7 @@ FAULTS = [
     (more("clasp: {loops: [4]}"), 7, r"clasp.loops\[0\]: 4: .*1 loop"),
     (more("clasp: {marks: [0, 0, 1]}"), 7, r"clasp.marks\[0\]: 0: should be a valid list"),
     (more("clasp: {marks: [[0, 0, 1e9]]}"), 7, r"clasp.marks\[0\]: .*finite"),
-    (more("clasp: {pull: [0, 0, 0]}"), 7, r"clasp.pull: .*zero"),
+    (more("clasp: {pull: [0, 0, 0]}"), 7, r"clasp.pull: must be a direction whose length lies in \[1e-06, 10000\], not 0"),
     (more("clasp: {pull: up}"), 7, r"clasp.pull: up: should be a valid list"),
     (more("obstacles: [{name: palm, box: [1, 1, 1]}]"), 7, r"obstacles\[0\]: .*palm.*taken"),
     (more("options: {min_linking: 1.0}"), 7, r"options.min_linking: 1.0: should be less than 1"),
