@@ -39,4 +39,4 @@ def test_every_struct_has_a_repr(room):
     for value in vars(room).values():
         if inspect.isclass(value):
             assert value.__repr__ is not object.__repr__
-            assert "__repr__" in vars(value) or issubclass(value, enum.Enum)
+            assert "__repr__" in vars(value) or issubclass(value, (enum.Enum, BaseException))
