@@ -24,7 +24,7 @@ def main() -> int:
     import threading
 
     from . import cli
-    from ._commands import INTERRUPTED
+    from ._commands import BAD_INPUT, INTERRUPTED
 
     gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
     try:
@@ -36,7 +36,7 @@ def main() -> int:
         if signals.came:
             signals.leave()
         raise
-    if signals.came and code == INTERRUPTED:
+    if signals.came and code in (INTERRUPTED, BAD_INPUT):  # a library may turn it into an error
         code = 128 + signals.came
     if threading.active_count() == 1:
         _leave(code)

@@ -91,8 +91,8 @@ void Examination::check_clearance() {
 double Examination::rim_margin() const {
   double farthest = 0;
   const Eigen::Matrix2Xd& outline = problem_.object.outline().vertices();
-  poll();
   for (const auto& p_OP : problem_.object.points().colwise()) {
+    poll();
     farthest = std::max(farthest, signed_depth(outline, p_OP));
   }
   return std::min(options_.rim_margin, farthest / 2);

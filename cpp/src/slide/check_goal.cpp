@@ -17,8 +17,8 @@ Examination::Protrusion Examination::protrusion() const {
   const Eigen::Isometry3d X_SO = X_SW_ * plan_.X_WO_goal;
   const geometry::Polygon& Q = problem_.support.polygon();
   std::vector<Eigen::Vector2d> out;
-  poll();
   for (const auto& p_O : problem_.object.points().colwise()) {
+    poll();
     const Eigen::Vector2d p = (X_SO * Eigen::Vector3d(p_O.x(), p_O.y(), 0)).head<2>();
     if (signed_depth(Q.vertices(), p) < 0) out.push_back(p);
   }

@@ -10,6 +10,8 @@
 namespace graspless::slide {
 namespace {
 
+constexpr Eigen::Index kPolled = 256;  // points between two polls
+
 geometry::Polygon::Edge draw_edge(const geometry::Polygon& Q, std::mt19937_64& rng) {
   std::vector<double> lengths;
   for (int i = 0; i < Q.size(); ++i) lengths.push_back((Q.edge(i).b - Q.edge(i).a).norm());
@@ -29,9 +31,10 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   const geometry::Polygon& Q = problem.support.polygon();
   Placement result;
   std::vector<Eigen::Vector2d> out;  // P_out
-  poll();
-  for (const auto& p_O : problem.object.points().colwise()) {
-    const Eigen::Vector2d p = object_S * Eigen::Vector2d(p_O);
+  const Eigen::Matrix2Xd& points = problem.object.points();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (i % kPolled == 0) poll();
+    const Eigen::Vector2d p = object_S * Eigen::Vector2d(points.col(i));
     if (!Q.contains(p)) out.push_back(p);
   }
   result.sticks_out = !out.empty();
