@@ -6,6 +6,7 @@
 #include "graspless/planning/path.hpp"
 
 #include "carry/search.hpp"
+#include "planning/plan_within.hpp"
 
 namespace graspless::carry {
 namespace {
@@ -64,17 +65,9 @@ Plan searched(const Problem& problem, const Options& options, const planning::Bu
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
   planning::Clock clock(budget, options.max_memory);
-  Plan plan;
-  if (!clock.run([&] { plan = searched(problem, options, budget, clock); })) {
-    plan.reason = clock.reason();
-    plan.statistics.seconds = clock.seconds();
-    plan.statistics.iterations = clock.iterations();
-    if (clock.was_interrupted()) plan.status = Status::interrupted;
-  }
-  if (!plan && clock.is_out_of_memory()) {
-    plan.status = Status::out_of_memory;
-    plan.reason = clock.reason() + "; take a larger options.step";
-  }
+  Plan plan = planning::plan_within(clock, "a larger options.step",
+                                    [&] { return searched(problem, options, budget, clock); });
+  plan.statistics.iterations = clock.iterations();
   plan.joint_names = problem.robot.joint_names();
   return plan;
 }

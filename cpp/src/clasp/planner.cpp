@@ -7,6 +7,7 @@
 #include "clasp/query.hpp"
 #include "clasp/search/loop_search.hpp"
 #include "clasp/search/targets.hpp"
+#include "planning/plan_within.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -79,16 +80,8 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
   planning::Clock clock(budget, options.max_memory);
-  Plan plan;
-  if (!clock.run([&] { plan = searched(problem, options, clock, budget.seed); })) {
-    plan.reason = clock.reason();
-    plan.statistics.seconds = clock.seconds();
-    if (clock.was_interrupted()) plan.status = Status::interrupted;
-  }
-  if (!plan && clock.is_out_of_memory()) {
-    plan.status = Status::out_of_memory;
-    plan.reason = clock.reason() + "; take fewer points or options.targets";
-  }
+  Plan plan = planning::plan_within(clock, "fewer points or options.targets",
+                                    [&] { return searched(problem, options, clock, budget.seed); });
   plan.joint_names = problem.robot.joint_names();
   return plan;
 }

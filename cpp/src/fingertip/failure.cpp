@@ -14,6 +14,7 @@
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
 #include "fingertip/search/heuristic.hpp"
+#include "planning/plan_within.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -122,14 +123,9 @@ std::string in_the_way(const Problem& problem, const Locations& locations,
 }  // namespace
 
 void blame_clock(const planning::Clock& clock, Plan& plan) {
-  plan.status = clock.was_interrupted()    ? Status::interrupted
-                : clock.is_out_of_memory() ? Status::out_of_memory
-                                           : Status::out_of_time;
-  plan.reason = clock.reason();
-  if (plan.status == Status::out_of_memory) {
-    plan.reason +=
-        "; take fewer fingers, a smaller locations_per_side or a larger location_spacing";
-  }
+  plan.status = Status::out_of_time;
+  planning::blame_clock(
+      clock, "fewer fingers, a smaller locations_per_side or a larger location_spacing", plan);
 }
 
 void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock& clock,

@@ -5,6 +5,7 @@
 // C_s of Eq. (3), C_g of Eq. (4), the relaxed contact constraint, and IsPairValid.
 #include "graspless/planning/vector_states.hpp"
 
+#include "planning/plan_within.hpp"
 #include "slide/assemble.hpp"
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
@@ -53,8 +54,12 @@ void fill_statistics(const planning::ForestCBiRRT& planner, Query& query, Statis
   statistics.projections = query.contact.num_projections();
 }
 
-void search(Query& query, Plan& plan) {
-  if (!is_home_free(query, plan)) return;
+Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
+              std::uint64_t seed) {
+  validate(problem, options);
+  Query query(problem, options, clock, seed);
+  Plan plan;
+  if (!is_home_free(query, plan)) return plan;
 
   Motions motions(query);  // IsPairValid(), Section IV-C.1
   const ob::SpaceInformationPtr si = make_space(query);
@@ -72,35 +77,17 @@ void search(Query& query, Plan& plan) {
   }
   fill_statistics(*search.planner, query, plan.statistics);
   plan.reason = reason(plan);
-}
-
-/// Overrides what a search without result says if the clock ended it from within, or memory did.
-void conclude(const planning::Clock& clock, bool has_ended, Plan& plan) {
-  if (plan || (has_ended && !clock.is_out_of_memory())) return;
-  plan = {};
-  plan.reason = clock.reason();
-  if (clock.was_interrupted()) plan.status = Status::interrupted;
-  if (clock.is_out_of_memory()) {
-    plan.status = Status::out_of_memory;
-    plan.reason += "; take a larger options.range, or shapes and outlines of fewer corners";
-  }
-  plan.statistics.seconds = clock.seconds();
-  plan.statistics.iterations = clock.iterations();
+  return plan;
 }
 
 }  // namespace
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
   planning::Clock clock(budget, options.max_memory);
-  Plan plan;
-  const bool has_ended = clock.run([&] {
-    Plan found;
-    validate(problem, options);
-    Query query(problem, options, clock, budget.seed);
-    search(query, found);
-    plan = std::move(found);
-  });
-  conclude(clock, has_ended, plan);
+  Plan plan = planning::plan_within(
+      clock, "a larger options.range, or shapes and outlines of fewer corners",
+      [&] { return searched(problem, options, clock, budget.seed); });
+  plan.statistics.iterations = clock.iterations();
   plan.joint_names = problem.robot.joint_names();
   return plan;
 }
