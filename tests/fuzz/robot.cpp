@@ -19,7 +19,7 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What every robot fulfils.
+/// Laws that every robot fulfils.
 void require_consistent(const Robot& robot) {
   const Eigen::VectorXd q = robot.clamp(Eigen::VectorXd::Zero(robot.dof()));
   require(robot.is_within(q), "a clamped configuration is within the limits");

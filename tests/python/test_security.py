@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What docs/security.md promises: no file runs code or reads what it must not."""
+"""Promises of docs/security.md: no file runs code or reads what it must not."""
 
 import ast
 import hashlib

@@ -35,7 +35,7 @@ GIVEN_UP = 60.0  # [s]
 
 @dataclasses.dataclass
 class Run:
-    """What one process did."""
+    """Result of one process."""
 
     kind: str
     name: str

@@ -11,7 +11,7 @@
 
 namespace graspless {
 
-/// What a check throws to end the work. Not a std::exception, so that no handler of errors takes it
+/// Thrown by a check to end the work. Not a std::exception, so that no handler of errors takes it
 /// for one.
 struct GRASPLESS_API Stop {};
 

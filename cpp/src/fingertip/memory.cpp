@@ -13,6 +13,7 @@
 namespace graspless::fingertip {
 namespace {
 
+/// Least memory of a search over so many locations [bytes].
 double memory_needed(const Problem& problem, const Options& options, double num_locations) {
   const auto* path = std::get_if<Path>(&problem.motion);
   const double poses = path != nullptr ? static_cast<double>(path->X_WO.size()) : 1;

@@ -107,8 +107,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   planning::Clock clock(budget, options.max_memory);
   Plan plan;
   const bool has_ended = clock.run([&] {
-    validate(problem);
-    validate(options);
+    validate(problem, options);
     plan = solve(problem, options, clock);
   });
   if (!has_ended) blame_clock(clock, plan);

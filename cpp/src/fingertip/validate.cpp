@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Validation of problems and options, and the memory that a search takes.
+// Validation of problems and options.
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -15,7 +14,6 @@
 
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
-#include "fingertip/model/pose_graph.hpp"
 #include "fingertip/model/screw.hpp"
 
 namespace graspless::fingertip {
@@ -229,7 +227,6 @@ void check_motion(const Problem& problem) {
   }
 }
 
-/// Least memory of a search over so many locations [bytes].
 void check_weight(const Problem& problem) {
   const double mass = problem.object.mass(), gravity = problem.gravity_W.cwiseAbs().maxCoeff();
   if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "graspless/watch.hpp"
 
@@ -167,7 +168,7 @@ class PlyBodyReader {
     const std::size_t corners = is_face ? corner_list(element) : 0;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       poll();
-      item_ = element.name + " " + std::to_string(i);
+      item_ = {&element, i};
       read_item(element);
       if (is_vertex) soup.points.emplace_back(values_[x][0], values_[y][0], values_[z][0]);
       if (is_face) soup.polygons.push_back(indices(values_[corners]));
@@ -175,6 +176,7 @@ class PlyBodyReader {
   }
 
  private:
+  std::string item() const { return item_.first->name + " " + std::to_string(item_.second); }
   [[noreturn]] static void refuse(const std::string& fault) { throw std::invalid_argument(fault); }
 
   /// Least number of bytes that a value takes. In a text it is followed by a space, except the
@@ -217,7 +219,7 @@ class PlyBodyReader {
       if (!(length >= 0 && length <= static_cast<double>(room(bytes(*p.type))) &&
             length == std::floor(length))) {
         std::ostringstream fault;
-        fault << item_ << ": list '" << p.name << "' states length " << length
+        fault << item() << ": list '" << p.name << "' states length " << length
               << ", but the rest of the file holds 0 to " << room(bytes(*p.type)) << " values";
         refuse(fault.str());
       }
@@ -228,7 +230,7 @@ class PlyBodyReader {
 
   double value(const PlyType& type) {
     if (format_ == PlyFormat::ascii) return written(type);
-    if (text_.size() - at_ < type.bytes) refuse(item_ + ": the file ends");
+    if (text_.size() - at_ < type.bytes) refuse(item() + ": the file ends");
     std::array<char, 8> raw{};
     std::copy_n(text_.begin() + static_cast<std::ptrdiff_t>(at_), type.bytes, raw.begin());
     at_ += type.bytes;
@@ -259,12 +261,12 @@ class PlyBodyReader {
     const char* from = std::find_if_not(text_.data() + at_, end, is_space);
     const char* const to = std::find_if(from, end, is_space);
     at_ = static_cast<std::size_t>(to - text_.data());
-    if (from == to) refuse(item_ + ": the file ends");
+    if (from == to) refuse(item() + ": the file ends");
     const std::string word(from, std::min<std::ptrdiff_t>(to - from, 40));
     if (*from == '+') ++from;
     double number = 0;
     const auto [stop, error] = std::from_chars(from, to, number);
-    if (error != std::errc() || stop != to) refuse(item_ + ": '" + word + "' is not a number");
+    if (error != std::errc() || stop != to) refuse(item() + ": '" + word + "' is not a number");
     const bool is_float = type.kind == PlyKind::real && type.bytes == 4;
     return is_float ? static_cast<float>(number) : number;
   }
@@ -275,7 +277,7 @@ class PlyBodyReader {
     for (const double v : numbers) {
       if (!(v >= 0 && v <= 4294967295.0 && v == std::floor(v))) {
         std::ostringstream fault;
-        fault << item_ << ": " << v << " is not the index of a vertex";
+        fault << item() << ": " << v << " is not the index of a vertex";
         refuse(fault.str());
       }
       corners.push_back(static_cast<std::size_t>(v));
@@ -286,7 +288,7 @@ class PlyBodyReader {
   const std::string& text_;
   const PlyFormat format_;
   std::size_t at_;
-  std::string item_;  // being read, for messages
+  std::pair<const PlyElement*, std::uint64_t> item_;  // being read
   std::vector<std::vector<double>> values_;
 };
 
