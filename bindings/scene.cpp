@@ -3,6 +3,7 @@
 #include "graspless/scene/scene.hpp"
 
 #include "conversions.hpp"
+#include "graspless/scene/link_contacts.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -125,6 +126,16 @@ void bind_scene(py::module_ m) {
       });
   bind_bodies(cls);
   bind_queries(cls);
+  m.def(
+      "sample_contacts",
+      [](const robot::Robot& robot, int samples, std::uint64_t seed) {
+        scene::LinkContacts found = scene::sample_contacts(robot, samples, seed);
+        return std::make_pair(std::move(found.always), std::move(found.never));
+      },
+      py::arg("robot"), py::arg("samples") = 10000, py::arg("seed") = 1,
+      "Tests a robot's links against each other in random configurations within its limits.\n\n"
+      "Returns two lists of pairs of link indices: those that touch in at least 95 % of the "
+      "samples, and those that never touch. Raises ValueError unless 0 < samples <= 10^6.");
 }
 
 }  // namespace graspless::bindings

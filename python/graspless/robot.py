@@ -5,11 +5,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ._core.robot import (
     Ik,
     Robot,
 )
+
+if TYPE_CHECKING:
+    from .inspection import Proposal
 
 
 def builtin(name: str) -> Path:
@@ -39,10 +43,44 @@ def builtin(name: str) -> Path:
     return path
 
 
+def inspect(
+    robot: Robot | str | Path, *, palm: str | None = None, name: str | None = None
+) -> Proposal:
+    """Proposes what the planners need besides a URDF: groups, states, frames, hand and pairs.
+
+    Parameters
+    ----------
+    robot : Robot, str or Path
+        A robot, or its .urdf file. What its SRDF defines stays.
+    palm : str, optional
+        A link of the palm, for a robot with several hands.
+    name : str, optional
+        Name of the files; that of the URDF by default.
+
+    Returns
+    -------
+    inspection.Proposal
+        Values with their reasons, and the text of the files.
+
+    Raises
+    ------
+    TaskError
+        A ValueError: there is no hand, or there are several and `palm` is not given.
+    """
+    from .inspection.build import propose
+
+    if not isinstance(robot, Robot):
+        path = Path(robot)
+        name = path.name.removesuffix(".urdf") if name is None else name
+        robot = Robot.from_urdf_file(str(path))
+    return propose(robot, palm, name or robot.name)
+
+
 __all__ = [
     "Ik",
     "Robot",
     "builtin",
+    "inspect",
 ]
 
 

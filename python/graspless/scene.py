@@ -4,10 +4,12 @@
 
 from ._core.scene import (
     Scene,
+    sample_contacts,
 )
 
 __all__ = [
     "Scene",
+    "sample_contacts",
 ]
 
 

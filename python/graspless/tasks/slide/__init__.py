@@ -15,7 +15,7 @@ from ..effective_values import plain
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
-from .model import Hand, SlideTask
+from .model import CoreHand, SlideTask
 from .resolve import resolve
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
     pose = {"x": X_SO[0, 3], "y": X_SO[1, 3], "yaw": np.arctan2(X_SO[1, 0], X_SO[0, 0])}
     return {
         "robot": robot_fields(problem.robot, problem.q_home),
-        "hand": struct_fields(problem.hand, list(Hand.model_fields)),
+        "hand": struct_fields(problem.hand, list(CoreHand.model_fields)),
         "object": {
             **struct_fields(thing, ["name", "thickness", "com", "mass"]),
             **_outline(thing),

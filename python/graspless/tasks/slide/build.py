@@ -4,23 +4,21 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ... import frames, geometry, slide
-from ...errors import TaskError
 from ..obstacles import placed_obstacles
-from ..robots import build_home, build_robot, require_srdf, stem
+from ..robots import build_home, build_robot, require_srdf
 from ..shapes import regular_polygon
 from ..source import at
+from . import model
 from .resolve import support_pose
 
 if TYPE_CHECKING:
     from ... import robot as robots
     from ..source import Source
-    from . import model
 
 
 def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
@@ -35,7 +33,9 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
-    hand = build_hand(task, robot, hand_source, source)
+    if not isinstance(task.hand, model.Hand):
+        raise source.error(("hand",), "missing")
+    hand = build_hand(task.hand, robot, hand_source)
     X_WS = support_pose(task.support)
     pose = task.object.pose
     assert pose is not None
@@ -57,23 +57,13 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
     return problem
 
 
-def build_hand(
-    task: model.SlideTask, robot: robots.Robot, source: Source, task_source: Source
-) -> slide.Hand:
-    assert not isinstance(task.hand, str)
-    fields = task.hand.model_dump(exclude_none=True) if task.hand else {}
-    if "finger_model" in fields:
-        fields["finger_model"] = slide.FingerModel.__members__[fields["finger_model"]]
-    hand = slide.Hand(**fields)
-    if source is task_source and "hand" not in source.given():
-        try:
-            _check_hand(hand, robot, source, ("hand",))
-        except TaskError as error:
-            name = stem(Path(str(source.data["robot"].get("urdf", ""))).name)
-            hint = f"the default, as there is no {name}.hand.yaml beside the URDF"
-            raise TaskError(f"{error}; {hint}") from None
-    else:
-        _check_hand(hand, robot, source, ("hand",) if "hand" in source.given() else ())
+def build_hand(fields: model.Hand, robot: robots.Robot, source: Source) -> slide.Hand:
+    """Returns the hand of its fields, which name parts of the robot."""
+    given = fields.model_dump(exclude_none=True)
+    if "finger_model" in given:
+        given["finger_model"] = slide.FingerModel.__members__[given["finger_model"]]
+    hand = slide.Hand(**given)
+    _check_hand(hand, robot, source, ("hand",) if "hand" in source.given() else ())
     return hand
 
 

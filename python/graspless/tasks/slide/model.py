@@ -9,6 +9,7 @@ checksums.
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
@@ -36,8 +37,19 @@ def _kind_of_hand(value: Any) -> str:
 
 
 @described_by(slide.Hand)
-class Hand(Fields):
+class CoreHand(Fields):
     """Names of the robot's parts, and how the finger gives way: docs/reference/options.md."""
+
+
+class Hand(CoreHand):
+    """Description of a hand, with the pitch that suits it."""
+
+    pitch: Annotated[float, Field(gt=0, lt=math.pi / 2)] | None = Field(
+        default=None,
+        exclude=True,
+        description="angle between the sliding finger and the surface, instead of the default of "
+        "options.pitch [rad]",
+    )
 
 
 class PointMass(Fields):
@@ -145,4 +157,8 @@ class SlideTask(Fields):
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="sha256 of each mesh that the task reads; only in plan files"
+    )
+    proposed: str | None = Field(
+        default=None,
+        description="parts of the robot that were proposed from its URDF; only in plan files",
     )

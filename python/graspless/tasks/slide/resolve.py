@@ -19,6 +19,7 @@ from ..robots import resolve_robot, robot_meshes, stem
 from ..shapes import pose_matrix
 from ..source import Source, read_yaml
 from . import model
+from .propose import with_proposal
 from .units import LARGEST, warn_of_units
 
 if TYPE_CHECKING:
@@ -46,11 +47,14 @@ def resolve(
     """
     warn_of_units(task, source)
     robot, urdf = resolve_robot(task.robot, source, directory)
-    hand, hand_source = _resolve_hand(task.hand, urdf, source, directory)
+    given, hand_source = _resolve_hand(task.hand, urdf, source, directory)
+    robot, hand, note = with_proposal(robot, given, source)
     resolved = task.model_copy(
         update={
             "robot": robot,
             "hand": hand,
+            "proposed": note,
+            "options": _with_pitch(task.options, hand),
             "object": _resolve_object(task.object, task.support, source, directory),
             "obstacles": resolve_obstacles(task.obstacles, source, directory),
         }
@@ -61,7 +65,7 @@ def resolve(
 
 def _resolve_hand(
     hand: model.Hand | str | None, urdf: Path | None, source: Source, directory: Path
-) -> tuple[model.Hand, Source]:
+) -> tuple[model.Hand | None, Source]:
     if isinstance(hand, model.Hand):
         return hand, source
     path = urdf and urdf.with_name(f"{stem(urdf)}.hand.yaml")
@@ -70,9 +74,16 @@ def _resolve_hand(
         if not path.is_file():
             raise source.error(("hand",), "no such file")
     if path is None or not path.is_file():
-        return model.Hand(), source
+        return None, source
     read = read_yaml(path)
     return read.validate(model.Hand), read
+
+
+def _with_pitch(options: Any, hand: model.Hand) -> Any:
+    """Returns the options with the pitch of the hand, unless they have their own."""
+    if hand.pitch is None or options.pitch is not None:
+        return options
+    return options.model_copy(update={"pitch": hand.pitch})
 
 
 def _resolve_object(

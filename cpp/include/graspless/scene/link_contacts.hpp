@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "graspless/export.hpp"
+#include "graspless/robot/robot.hpp"
+
+namespace graspless::scene {
+
+/// Pairs of links, as frame indices with the smaller first, that need no test for collision.
+struct LinkContacts {
+  std::vector<std::pair<int, int>> always;  ///< touch in at least 95 % of the configurations
+  std::vector<std::pair<int, int>> never;   ///< touch in no configuration
+};
+
+/// Tests the links of a robot against each other, except Robot::ignored_pairs, in random
+/// configurations within the joint limits. Half of the configurations are uniform. In the other
+/// half, each joint is at one of its limits with a probability of 1/2. The first tenth of the
+/// samples decides about pairs that touch. The same seed gives the same result. Throws
+/// std::invalid_argument unless 0 < samples <= 10^6.
+GRASPLESS_API LinkContacts sample_contacts(const robot::Robot& robot, int samples = 10000,
+                                           std::uint64_t seed = 1);
+
+}  // namespace graspless::scene

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/scene/link_contacts.hpp"
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "graspless/scene/scene.hpp"
+#include "graspless/watch.hpp"
+
+namespace graspless::scene {
+namespace {
+
+constexpr int kMaxSamples = 1000000;
+constexpr double kAlways = 0.95;  // of the samples, as MoveIt's set-up assistant
+
+/// A pair of the world that is still tested, and in how many samples it touched.
+struct OpenContact {
+  int pair;
+  int touched = 0;
+};
+
+class ContactSampler {
+ public:
+  ContactSampler(const robot::Robot& robot, std::uint64_t seed)
+      : robot_(robot), scene_(robot), rng_(seed), q_(robot.dof()) {
+    for (int pair = 0; pair < scene_.world().num_pairs(); ++pair) open_.push_back({pair});
+  }
+
+  LinkContacts run(int samples) {
+    const int first = std::max(1, samples / 10);
+    for (int i = 0; i < first; ++i) test(i);
+    LinkContacts found;
+    for (const OpenContact& contact : open_) {
+      if (contact.touched >= kAlways * first) found.always.push_back(links(contact.pair));
+    }
+    for (int i = first; i < samples && !open_.empty(); ++i) {
+      close_touched();
+      test(i);
+    }
+    close_touched();
+    for (const OpenContact& contact : open_) found.never.push_back(links(contact.pair));
+    return found;
+  }
+
+ private:
+  double unit() { return std::uniform_real_distribution<double>(0, 1)(rng_); }
+
+  void draw(bool at_limits) {
+    for (Eigen::Index i = 0; i < q_.size(); ++i) {
+      const double lower = robot_.lower()[i], upper = robot_.upper()[i], t = unit();
+      q_[i] = lower + t * (upper - lower);
+      if (at_limits && unit() < 0.5) q_[i] = t < 0.5 ? lower : upper;
+    }
+  }
+
+  void test(int sample) {
+    poll();
+    draw(sample % 2 == 1);
+    robot_.forward(q_, X_WL_);
+    for (std::size_t link = 0; link < X_WL_.size(); ++link) {
+      const int body = scene_.link_body(static_cast<int>(link));
+      if (body >= 0) scene_.world().set_pose(body, X_WL_[link]);
+    }
+    for (OpenContact& contact : open_) contact.touched += scene_.world().touches(contact.pair);
+  }
+
+  void close_touched() {
+    open_.erase(std::remove_if(open_.begin(), open_.end(),
+                               [](const OpenContact& contact) { return contact.touched > 0; }),
+                open_.end());
+  }
+
+  std::pair<int, int> links(int pair) const {
+    const auto [a, b] = scene_.world().pair(pair);
+    const int i = robot_.frame(scene_.world().name(a)), j = robot_.frame(scene_.world().name(b));
+    return {std::min(i, j), std::max(i, j)};
+  }
+
+  const robot::Robot& robot_;
+  Scene scene_;
+  std::mt19937_64 rng_;
+  Eigen::VectorXd q_;
+  robot::Poses X_WL_;
+  std::vector<OpenContact> open_;
+};
+
+}  // namespace
+
+LinkContacts sample_contacts(const robot::Robot& robot, int samples, std::uint64_t seed) {
+  if (samples < 1 || samples > kMaxSamples) {
+    throw std::invalid_argument("samples must lie in [1, " + std::to_string(kMaxSamples) +
+                                "], not " + std::to_string(samples));
+  }
+  return ContactSampler(robot, seed).run(samples);
+}
+
+}  // namespace graspless::scene

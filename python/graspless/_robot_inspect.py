@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless robot inspect`."""
+
+from __future__ import annotations
+
+import json
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ._commands import FOUND, add_trust
+from .errors import TaskError
+
+if TYPE_CHECKING:
+    import argparse
+
+    from .robot import Robot
+
+EXAMPLE = "example: graspless robot inspect panda.urdf -o panda"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `robot inspect`."""
+    parser.description = (
+        "Propose what a URDF does not say: joints of arm and hand, open and closed states, frames "
+        "of fingertip and grasp, a home, and pairs of links that need no test. The files that are "
+        "written are ready for tasks."
+    )
+    parser.epilog = EXAMPLE
+    add_robot(parser)
+    parser.add_argument("--palm", metavar="LINK", help="link of the palm, if there are several hands")
+    parser.add_argument(
+        "-o", "--output", metavar="DIR", help="folder to write to (default: the robot's name)"
+    )
+    parser.add_argument("--json", action="store_true", help="print the proposal as JSON")
+    parser.set_defaults(run=_run)
+
+
+def add_robot(parser: argparse.ArgumentParser) -> None:
+    """Adds the arguments that name a robot."""
+    parser.add_argument("file", metavar="FILE", nargs="?", help=".urdf or .xacro file")
+    parser.add_argument("--name", metavar="NAME", help="instead of FILE: a robot by its name")
+    parser.add_argument(
+        "--package",
+        metavar="NAME=DIR",
+        action="append",
+        default=[],
+        help="folder of package://NAME/; can be given several times",
+    )
+    add_trust(parser)
+
+
+def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path | None]:
+    """Returns the robot that the arguments name, and its file."""
+    from .tasks import robots, source
+
+    if (options.file is None) == (options.name is None):
+        raise TaskError(f"{command}: give either FILE or --name")
+    packages = {}
+    for text in options.package:
+        name, separator, folder = text.partition("=")
+        if not (name and separator and folder):
+            raise TaskError(f"--package: {text}: should be NAME=DIR")
+        packages[name] = folder
+    fields = {"urdf": options.file or options.name, "packages": packages}
+    given = source.Source(command, {"robot": fields}, is_trusted=options.trust)
+    resolved, path = robots.resolve_robot(robots.Robot.model_validate(fields), given, Path())
+    return robots.build_robot(resolved, given), path
+
+
+def _run(options: argparse.Namespace) -> int:
+    from . import files, progress
+    from .report import inspection as report
+    from .robot import inspect
+    from .tasks import robots
+
+    robot, path = read_robot(options, "robot inspect")
+    name = robot.name if path is None else robots.stem(path)
+    with progress.waiting(f"inspecting {name}"):
+        found = inspect(robot, palm=options.palm, name=name)
+    folder = Path(options.output or name)
+    written = found.write(folder)
+    if find_spec("matplotlib") is not None:
+        from .view import figures, hand
+
+        picture = folder / f"{name}.png"
+        files.write(picture, figures.as_png(hand.draw(found)))
+        written.append(picture)
+    if options.json:
+        print(json.dumps(found.to_dict() | {"files": [str(path) for path in written]}))
+    else:
+        print(report.as_text(found))
+        print("\n".join(f"written: {path}" for path in written))
+    return FOUND

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The chain of joints that carries a hand, and its home."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import frames, scene
+from .. import robot as robots
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..frames import Matrix
+    from ..scene import Scene
+    from .tree import Tree
+
+SAMPLES = 1500  # configurations from which the home is chosen
+MARGIN = 0.1  # of a joint's range, to be kept from its limits
+HEIGHT = 0.25  # of the arm's reach: the height of the hand over the base
+
+
+@dataclass(frozen=True)
+class Arm:
+    """Joints between the last fork and the palm."""
+
+    base: int
+    joints: tuple[str, ...]
+    reason: str
+    is_sure: bool
+
+
+def find_arm(tree: Tree, palm: int) -> Arm:
+    """Returns the arm that carries a palm; it has no joints if the palm is the root."""
+    path = tree.path(palm)
+    forks = [k for k, body in enumerate(path[:-1]) if len(tree.children[body]) > 1]
+    first = forks[-1] if forks else 0
+    base = path[first]
+    joints = tuple(tree.drivers(path[first + 1 :]))
+    reason = f"{len(joints)} joints in a row from {tree.links[base]} to {tree.links[palm]}"
+    if forks:
+        others = len(path[1 : first + 1])
+        reason += f"; {tree.links[base]} carries other parts, too"
+        reason += f", and {others} joints below it do not move" if others else ""
+    return Arm(base, joints, reason, not forks or first == 0)
+
+
+@dataclass(frozen=True)
+class Home:
+    """Configuration at the start."""
+
+    q: Matrix
+    reason: str
+    is_sure: bool
+
+
+def find_home(robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> Home | None:
+    """Returns a free configuration with the hand open, away from limits, pointing down if possible.
+
+    Parameters
+    ----------
+    robot : Robot
+        With a frame between the tips, whose Z is out of the hand.
+    arm : Arm
+    frame : str
+        That frame.
+    q_open : array [dof]
+        The hand's joints when open.
+
+    Returns
+    -------
+    Home or None
+        None if no free configuration was found.
+    """
+    search = _Search(robot, arm, frame, q_open)
+    down = search.pointing_down()
+    if down is not None:
+        return Home(down, "free of collision, away from the limits, the hand points down", True)
+    level = search.drawn()
+    if level is None:
+        return None
+    return Home(level, "free of collision and away from the limits", False)
+
+
+class _Search:
+    def __init__(
+        self, robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix
+    ) -> None:
+        self.robot, self.frame, self.q_open = robot, robot.frame(frame), q_open
+        self.columns = [robot.joint(name) for name in arm.joints]
+        self.lower, self.upper = (
+            np.asarray(limit)[self.columns] for limit in (robot.lower, robot.upper)
+        )
+        self.scene: Scene = scene.Scene(robot)
+        self.rng = np.random.default_rng(1)
+        self.base = np.asarray(robot.pose(arm.base, q_open))[:3, 3]
+        drawn = [self._draw() for _ in range(200)]
+        tips = np.array([self._pose(q)[:3, 3] for q in drawn])
+        self.reach = float(np.linalg.norm(tips - self.base, axis=1).max())
+
+    def _draw(self) -> Matrix:
+        q = self.q_open.copy()
+        t = MARGIN + (1 - 2 * MARGIN) * self.rng.random(len(self.columns))
+        q[self.columns] = self.lower + t * (self.upper - self.lower)
+        return q
+
+    def _pose(self, q: Matrix) -> Matrix:
+        return np.asarray(self.robot.pose(self.frame, q))
+
+    def room(self, q: Matrix) -> float:
+        """Smallest distance to a limit, as a share of the joint's range."""
+        values = q[self.columns]
+        span = self.upper - self.lower
+        return float((np.minimum(values - self.lower, self.upper - values) / span).min())
+
+    def is_free(self, q: Matrix) -> bool:
+        return bool(self.scene.is_free(q))
+
+    def _is_above(self, q: Matrix) -> bool:
+        """True if the hand is over the plane that the arm stands on."""
+        return bool(self._pose(q)[2, 3] > self.base[2] + 0.05 * self.reach)
+
+    def pointing_down(self) -> Matrix | None:
+        """Returns the roomiest configuration at the first place where the hand can point down."""
+        ik = robots.Ik(self.robot, self.frame, self.columns, restarts=4)
+        middle = self.q_open.copy()
+        middle[self.columns] = (self.lower + self.upper) / 2
+        for place in self._places():
+            best, most = None, MARGIN / 2
+            for X_WH in place:
+                for q in np.asarray(ik.solve_all(X_WH, middle)):
+                    room = self.room(q)
+                    if room > most and self.is_free(q):
+                        best, most = np.asarray(q), room
+            if best is not None:
+                return best
+        return None
+
+    def _places(self) -> Iterator[list[Matrix]]:
+        """Yields places around the arm, those in front first: the hand straight down, two yaws."""
+        for turn, distance, height in product(
+            (0.0, np.pi / 2, -np.pi / 2, np.pi), (0.55, 0.45, 0.65, 0.35), (HEIGHT, 0.4, 0.15)
+        ):
+            away = [distance * np.cos(turn), distance * np.sin(turn), height]
+            at = frames.translation(self.base + self.reach * np.array(away))
+            yield [at @ frames.from_rpy([np.pi, 0.0, turn + yaw]) for yaw in (0.0, np.pi / 2)]
+
+    def drawn(self) -> Matrix | None:
+        """Returns the random configuration whose hand points down most."""
+        best, lowest = None, 2.0
+        for _ in range(SAMPLES):
+            q = self._draw()
+            z = float(self._pose(q)[2, 2])
+            if z < lowest and self._is_above(q) and self.is_free(q):
+                best, lowest = q, z
+        return best

@@ -1,0 +1,209 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The steps from a URDF to a proposal."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import robot as robots
+from .. import scene
+from ..errors import TaskError
+from .arm import Arm, find_arm, find_home
+from .files import free_name, make_srdf, with_frames
+from .jaws import Jaws, find_jaws
+from .linkage import without_linkage
+from .palm import Finger, Palm, find_palm
+from .proposal import Finding, Proposal
+from .tips import CLEARANCE, PITCHES, find_pitch, find_tips, grasp_pose
+from .tree import Tree
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..robot import Robot
+    from .tips import Tip
+
+THIN = 0.003  # a hand whose fingers stay farther apart than this holds no thin object [m]
+
+
+def propose(robot: Robot, link: str | None, name: str) -> Proposal:
+    """Returns the proposal for a robot. `link` is one of the palm, or None."""
+    tree = Tree(robot)
+    palm = without_linkage(tree, find_palm(tree, link))
+    return _Builder(tree, palm, name).build()
+
+
+class _Builder:
+    def __init__(self, tree: Tree, palm: Palm, name: str) -> None:
+        self.tree, self.palm, self.name = tree, palm, name
+        self.robot = tree.robot
+        self.arm = find_arm(tree, palm.body)
+        self.findings: list[Finding] = []
+        self.placed: dict[str, tuple[str, Matrix]] = {}
+        self.hand: dict[str, Any] = {}
+        self.grasp = self.palm_link()
+        self.states: list[tuple[str, str, dict[str, float]]] = []
+
+    def palm_link(self) -> str:
+        """Link that the first moving finger is attached to."""
+        finger = next(f for f in self.palm.fingers if not f.is_fixed)
+        return self.tree.links[self.tree.parents[finger.bodies[0]]]
+
+    def build(self) -> Proposal:
+        self._describe_arm()
+        if len(self.palm.fingers) != 2:
+            count = len(self.palm.fingers)
+            raise TaskError(f"robot: a hand with {count} fingers: slides need two fingers")
+        jaws = find_jaws(self.tree, self.palm, _ordered(self.tree, self.palm.fingers))
+        self._describe_hand(jaws)
+        groups = {"arm": self.arm.joints, "hand": jaws.drivers}
+        groups = {group: joints for group, joints in groups.items() if joints}
+        urdf = with_frames(self.robot.urdf, self.placed)
+        framed = self._read(urdf, "")
+        pairs = self._pairs(framed)
+        states = [*self._hand_states(jaws)]
+        srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
+        states += self._home(self._read(urdf, srdf), jaws)
+        srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
+        return Proposal(
+            self.name,
+            self._read(urdf, srdf),
+            self.findings,
+            urdf,
+            srdf,
+            hand=self.hand if self.arm.joints else {},
+            hand_links=tuple(self.tree.links[i] for i in self.tree.links_below(self.palm.body)),
+        )
+
+    def _read(self, urdf: str, srdf: str) -> Robot:
+        given = self.robot
+        return robots.Robot.from_urdf(
+            urdf, srdf=srdf, packages=given.packages, directory=given.directory, X_WB=given.X_WB
+        )
+
+    def find(self, field: str, value: str, reason: str, is_sure: bool = True) -> None:
+        self.findings.append(Finding(field, value, reason, is_sure))
+
+    def _describe_arm(self) -> None:
+        arm, palm = self.arm, self.palm
+        if arm.joints:
+            self.find("group arm", ", ".join(arm.joints), arm.reason, arm.is_sure)
+        else:
+            why = "no joint carries the hand: join it to an arm before you plan"
+            self.find("group arm", "none", why, False)
+        self.find("palm", self.palm_link(), palm.reason, palm.is_sure)
+
+    def _describe_hand(self, jaws: Jaws) -> None:
+        tips = find_tips(self.tree, jaws)
+        self._place_frames(jaws, tips)
+        self._describe_states(jaws)
+        links = self.tree.links
+        own, other = ([links[link] for link in tip.links] for tip in tips)
+        self.hand |= {
+            "sliding_finger": own,
+            "fingers": own + other,
+            "open": "open",
+            "closed": "closed",
+            "finger_model": "none",
+            **self._pitch(jaws, tips[0]),
+            "tip_radius": round(tips[0].radius, 4),
+            "pad_width": round(tips[0].width, 4),
+        }
+        self.find("sliding_finger", ", ".join(own), "links near the end of the finger that slides")
+        self.find("fingers", ", ".join(own + other), "links near the ends of both fingers")
+        self.find("finger_model", "none", "a rigid finger; its compliance is not in a URDF", False)
+        self.find("tip_radius", _mm(tips[0].radius), "half the thickness of the finger's end")
+        self.find("pad_width", _mm(tips[0].width), "width of the last 10 mm of the finger")
+
+    def _pitch(self, jaws: Jaws, tip: Tip) -> dict[str, float]:
+        """Field of the hand, unless the default pitch is right."""
+        pitch, room = find_pitch(self.tree, jaws, tip, self.tree.links_below(self.palm.body))
+        if pitch == PITCHES[0]:
+            return {}
+        why = f"flattest pitch of the finger at which the rest of the hand is {_mm(room)} above"
+        self.find("pitch", f"{pitch:.3f} rad", f"{why} the surface", room > CLEARANCE)
+        return {"pitch": round(pitch, 4)}
+
+    def _place_frames(self, jaws: Jaws, tips: tuple[Tip, Tip]) -> None:
+        tree, tip = self.tree, tips[0]
+        own = tree.links[tip.link]
+        fingertip = free_name(f"{own}_fingertip", tree.links)
+        self.grasp = free_name("grasp", tree.links)
+        for name, parent, X_WA in (
+            (fingertip, own, tip.X_WF),
+            (self.grasp, self.palm_link(), grasp_pose(jaws, tips)),
+        ):
+            X_WP = np.asarray(self.robot.pose(parent, jaws.open))
+            self.placed[name] = (parent, np.linalg.inv(X_WP) @ X_WA)
+        self.hand |= {"arm": "arm", "fingertip": fingertip, "grasp_frame": self.grasp}
+        for field, name, why in (
+            ("fingertip", fingertip, "outer edge of the finger's end, Z out of it, Y to the other"),
+            ("grasp_frame", self.grasp, "between the open tips, Z from the palm to them"),
+        ):
+            parent, X_PA = self.placed[name]
+            at = ", ".join(f"{1000 * value:.1f}" for value in X_PA[:3, 3])
+            self.find(field, f"{name} in {parent} at ({at}) mm", why, jaws.is_aligned)
+
+    def _describe_states(self, jaws: Jaws) -> None:
+        columns = [self.robot.joint(name) for name in jaws.drivers]
+        for field, q, gap, why in (
+            ("open", jaws.open, jaws.opening, "the tips are farthest apart"),
+            ("closed", jaws.closed, jaws.smallest, "just before the fingers touch"),
+        ):
+            values = ", ".join(f"{n} {v:.4g}" for n, v in zip(jaws.drivers, q[columns], strict=True))
+            if field == "closed" and not jaws.touches:
+                why = "the joints are at their limits"
+            can_hold = field == "open" or gap < THIN
+            if not can_hold:
+                why += f"; an object thinner than {_mm(gap)} cannot be held"
+            self.find(f"state {field}", f"{values} (gap {_mm(gap)})", why, can_hold)
+
+    def _hand_states(self, jaws: Jaws) -> list[tuple[str, str, dict[str, float]]]:
+        return [
+            (state, "hand", {n: float(q[self.robot.joint(n)]) for n in jaws.drivers})
+            for state, q in (("open", jaws.open), ("closed", jaws.closed), ("home", jaws.open))
+        ]
+
+    def _home(self, robot: Robot, jaws: Jaws) -> list[tuple[str, str, dict[str, float]]]:
+        if "home" in self.robot.state_names or not self.arm.joints:
+            return []
+        home = find_home(robot, self.arm, self.grasp, jaws.open)
+        if home is None:
+            self.find("state home", "none", "no free configuration was found", False)
+            return []
+        values = {name: float(home.q[robot.joint(name)]) for name in self.arm.joints}
+        shown = ", ".join(f"{value:.3g}" for value in values.values())
+        self.find("state home", shown, home.reason, home.is_sure)
+        return [("home", "arm", values)]
+
+    def _pairs(self, robot: Robot) -> dict[tuple[str, str], str]:
+        """Pairs of links that need no test. Fingers may always meet, however rarely they do."""
+        always, never = scene.sample_contacts(robot)
+        names = robot.frame_names
+        bodies = [{self.tree.links[i] for b in f.bodies for i in self.tree.members[b]}
+                  for f in self.palm.fingers if not f.is_fixed]  # fmt: skip
+        of = {link: k for k, links in enumerate(bodies) for link in links}
+        found = {(names[a], names[b]): "Always" for a, b in always}
+        for a, b in never:
+            if not (names[a] in of and names[b] in of and of[names[a]] != of[names[b]]):
+                found[names[a], names[b]] = "Never"
+        count = len(found) - len(always)
+        self.find(
+            "disable_collisions", f"{len(always)} always, {count} never in contact",
+            "of 10000 random configurations",
+        )  # fmt: skip
+        return found
+
+
+def _ordered(tree: Tree, fingers: tuple[Finger, ...]) -> tuple[Finger, Finger]:
+    """Returns the finger that slides first: a fixed jaw, or the one that is called left."""
+    first, second = fingers
+    if second.is_fixed or (not first.is_fixed and "left" in second.name(tree).lower()):
+        first, second = second, first
+    return first, second
+
+
+def _mm(length: float) -> str:
+    return f"{1000 * length:.1f} mm"

@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Faults of a robot's description that was given by hand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import scene
+from .jaws import middle
+from .tree import Tree
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from .. import slide
+    from ..frames import Matrix
+    from ..robot import Robot
+
+NEAR = 0.003  # a fingertip frame is on the surface if it is nearer than this [m]
+BESIDE = 0.015  # a grasp frame is in the middle between the tips if it is nearer than this [m]
+ALONG = np.cos(np.radians(30))  # axes within this angle are right
+REACH = 0.02  # length of the fingers' ends that are compared [m]
+
+
+def faults(robot: Robot, hand: slide.Hand) -> list[str]:
+    """Returns what is wrong with a hand for slides and with the states that it names.
+
+    Parameters
+    ----------
+    robot : Robot
+        With its SRDF.
+    hand : slide.Hand
+
+    Returns
+    -------
+    list of str
+        One sentence each, which begins with the field; empty if nothing is wrong.
+
+    Raises
+    ------
+    ValueError
+        A link, group or state does not exist.
+    """
+    robot.group(hand.arm)
+    examined = _Examined(robot, hand)
+    return [*examined.of_frames(), *examined.of_states(), *_of_home(robot)]
+
+
+class _Examined:
+    """Ends of the fingers of a hand, with the hand open, in its frame H."""
+
+    def __init__(self, robot: Robot, hand: slide.Hand) -> None:
+        self.robot, self.hand, self.tree = robot, hand, Tree(robot)
+        own = list(hand.sliding_finger)
+        self.own = [robot.frame(link) for link in own]
+        self.other = [robot.frame(link) for link in hand.fingers if link not in own]
+        self.q_open = np.asarray(robot.state(hand.open))
+        self.X_WF = np.asarray(robot.pose(hand.fingertip, self.q_open))
+        self.X_WH = np.asarray(robot.pose(hand.grasp_frame, self.q_open))
+
+    def ends(self, state: str, links: list[int]) -> Matrix:
+        """Points of the links within REACH of their end along Z of H; (N, 3) in W."""
+        q = np.asarray(self.robot.state(state))
+        cloud = self.tree.cloud(links, self.tree.poses(q))
+        out = np.asarray(self.robot.pose(self.hand.grasp_frame, q))[:3, 2]
+        heights = cloud @ out
+        return np.asarray(cloud[heights > heights.max() - REACH])
+
+    def of_frames(self) -> Iterator[str]:
+        hand, R_WF, R_WH = self.hand, self.X_WF[:3, :3], self.X_WH[:3, :3]
+        if not self.other:
+            yield "fingers: must name a link besides those of sliding_finger"
+            return
+        for links, field in ((self.own, "sliding_finger"), (self.other, "fingers")):
+            if not any(link in self.tree.points for link in links):
+                yield f"{field}: no link of it has a collision shape"
+                return
+        own, other = (self.ends(hand.open, links) for links in (self.own, self.other))
+        yield from self._of_surface()
+        across = middle(other) - middle(own)
+        across /= max(float(np.linalg.norm(across)), 1e-9)
+        if R_WF[:, 1] @ across < ALONG:
+            angle = np.degrees(np.arccos(np.clip(R_WF[:, 1] @ across, -1, 1)))
+            yield f"fingertip: Y of {hand.fingertip} is {angle:.0f} deg off the other finger"
+        if abs(R_WH[:, 1] @ across) < ALONG:
+            yield f"grasp_frame: Y of {hand.grasp_frame} does not run from finger to finger"
+        if R_WH[:, 2] @ R_WF[:, 2] < ALONG:
+            yield f"grasp_frame: Z of {hand.grasp_frame} and Z of {hand.fingertip} differ"
+        off = (self.X_WH[:3, 3] - (middle(own) + middle(other)) / 2) @ R_WH[:, 1]
+        if abs(off) > BESIDE:
+            what = f"{hand.grasp_frame} is {1000 * abs(off):.0f} mm beside the middle"
+            yield f"grasp_frame: {what} of the open tips"
+
+    def _of_surface(self) -> Iterator[str]:
+        """Compares F with the surface of the finger that slides, along its Z and across."""
+        name, p = self.hand.fingertip, self.X_WF[:3, 3]
+        cloud = self.tree.cloud(self.own, self.tree.poses(self.q_open))
+        seen = (cloud - p) @ self.X_WF[:3, :3]
+        beyond = float(seen[:, 2].max())
+        if abs(beyond) > NEAR:
+            way = "behind" if beyond > 0 else "in front of"
+            what = f"{name} lies {1000 * abs(beyond):.1f} mm {way} the end of the finger"
+            yield f"fingertip: {what}, along its Z"
+            return
+        end = seen[seen[:, 2] > beyond - NEAR]
+        for axis, letter in enumerate("XY"):
+            low, high = end[:, axis].min() - NEAR, end[:, axis].max() + NEAR
+            if not low < 0 < high:
+                off = 1000 * min(abs(low), abs(high))
+                yield f"fingertip: {name} lies {off:.1f} mm beside the end of the finger, along {letter}"
+
+    def of_states(self) -> Iterator[str]:
+        hand = self.hand
+        if not self.other:
+            return
+        gaps = [self._gap(state) for state in (hand.open, hand.closed)]
+        if gaps[1] >= gaps[0]:
+            shown = " and ".join(f"{1000 * gap:.1f} mm" for gap in gaps)
+            yield f"closed: the tips are not nearer than when open: {shown} apart, closed and open"
+        touching = scene.Scene(self.robot).collision(np.asarray(self.robot.state(hand.open)))
+        moved = {self.tree.links[i] for i in (*self.own, *self.other)}
+        if touching is not None and moved & set(touching):
+            yield f"open: {touching[0]} and {touching[1]} touch"
+
+    def _gap(self, state: str) -> float:
+        own, other = (self.ends(state, links) for links in (self.own, self.other))
+        return float(np.linalg.norm(middle(other) - middle(own)))
+
+
+def _of_home(robot: Robot) -> Iterator[str]:
+    if "home" not in robot.state_names:
+        return
+    touching = scene.Scene(robot).collision(np.asarray(robot.state("home")))
+    if touching is not None:
+        yield f"home: {touching[0]} and {touching[1]} touch"

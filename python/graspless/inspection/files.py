@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Text of a proposed URDF and SRDF."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import quoteattr, unescape
+
+import numpy as np
+
+from ..tasks.robots import mesh_path
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from ..frames import Matrix
+    from ..robot import Robot
+
+# Frames without a body weigh 1 g, because MuJoCo refuses links without inertia.
+_FRAME = """  <link name={link}>
+    <inertial><mass value="0.001"/><inertia ixx="1e-07" iyy="1e-07" izz="1e-07" ixy="0" ixz="0" iyz="0"/></inertial>
+  </link>
+  <joint name={joint} type="fixed">
+    <origin xyz="{xyz}" rpy="{rpy}"/><parent link={parent}/><child link={link}/>
+  </joint>
+"""  # noqa: E501
+_MESH = re.compile(r"""(<mesh\b[^>]*?\bfilename\s*=\s*)("[^"]*"|'[^']*')""")
+
+
+def free_name(name: str, taken: Iterable[str]) -> str:
+    """Returns a name that is not taken yet: the one given, or with a number behind it."""
+    known, count, found = set(taken), 2, name
+    while found in known:
+        found, count = f"{name}_{count}", count + 1
+    return found
+
+
+def with_frames(urdf: str, placed: Mapping[str, tuple[str, Matrix]]) -> str:
+    """Returns a URDF with links without shapes: their parents' names and poses in them."""
+    joints = [element.get("name", "") for element in ET.fromstring(urdf).iter("joint")]
+    added = ""
+    for link, (parent, X_PL) in placed.items():
+        added += _FRAME.format(
+            link=quoteattr(link),
+            joint=quoteattr(free_name(f"{link}_mount", joints)),
+            parent=quoteattr(parent),
+            xyz=_numbers(X_PL[:3, 3]),
+            rpy=_numbers(_rpy(X_PL)),
+        )
+    head, end, tail = urdf.rpartition("</robot")
+    return f"{head}\n{added}{end}{tail}"
+
+
+def with_absolute_meshes(robot: Robot, urdf: str) -> str:
+    """Returns a URDF whose meshes are found from any folder."""
+
+    def replaced(found: re.Match[str]) -> str:
+        entities = {"&quot;": '"', "&apos;": "'"}
+        name = unescape(found[2][1:-1], entities)
+        path = mesh_path(name, robot.packages, robot.directory).resolve()
+        return found[1] + quoteattr(str(path))
+
+    return _MESH.sub(replaced, urdf)
+
+
+def make_srdf(
+    name: str,
+    groups: Mapping[str, Iterable[str]],
+    states: Iterable[tuple[str, str, Mapping[str, float]]],
+    pairs: Mapping[tuple[str, str], str],
+    given: str = "",
+) -> str:
+    """Returns an SRDF; what the given one defines has precedence.
+
+    Parameters
+    ----------
+    name : str
+        Name of the robot.
+    groups : mapping
+        Joints of each group.
+    states : tuples
+        Name of a state, its group, and its joints' values.
+    pairs : mapping
+        Reason why each pair of links is not tested.
+    given : str
+        SRDF that is completed.
+    """
+    root = ET.fromstring(given) if given else None
+    groups_given = _names(root, "group")
+    # States of the same name are merged, so a state that is given stands for all its groups.
+    states_given = _names(root, "group_state")
+    lines = []
+    for group, joints in groups.items():
+        if group not in groups_given:
+            inner = "".join(f"<joint name={quoteattr(joint)}/>" for joint in joints)
+            lines.append(f"  <group name={quoteattr(group)}>{inner}</group>")
+    lines += [_state(*state) for state in states if state[0] not in states_given]
+    for (a, b), reason in pairs.items():
+        lines.append(
+            f"  <disable_collisions link1={quoteattr(a)} link2={quoteattr(b)} "
+            f"reason={quoteattr(reason)}/>"
+        )
+    text = given or f'<?xml version="1.0"?>\n<robot name={quoteattr(name)}>\n</robot>\n'
+    head, end, tail = text.rpartition("</robot")
+    return head + "\n".join(lines) + f"\n{end}{tail}"
+
+
+def _state(name: str, group: str, values: Mapping[str, float]) -> str:
+    inner = "\n".join(
+        f'    <joint name={quoteattr(joint)} value="{value:.9g}"/>'
+        for joint, value in values.items()
+    )
+    return f"  <group_state name={quoteattr(name)} group={quoteattr(group)}>\n{inner}\n  </group_state>"
+
+
+def _names(root: ET.Element | None, kind: str) -> set[str]:
+    return set() if root is None else {e.get("name", "") for e in root.findall(kind)}
+
+
+def _numbers(values: Iterable[float]) -> str:
+    return " ".join(f"{round(float(value), 9) + 0.0:.9g}" for value in values)
+
+
+def _rpy(X: Matrix) -> Matrix:
+    """Roll, pitch and yaw of a rotation, as URDF means them [rad]."""
+    R = X[:3, :3]
+    level = float(np.hypot(R[0, 0], R[1, 0]))
+    pitch = np.arctan2(-R[2, 0], level)
+    if level < 1e-9:
+        return np.array([np.arctan2(-R[1, 2], R[1, 1]), pitch, 0.0])
+    return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])

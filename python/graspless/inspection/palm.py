@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Search for the hand of a robot: the palm, and the bodies of its fingers."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .tree import Tree
+
+GRIPPER = re.compile(r"grip|jaw|finger|claw|thumb|pinch", re.IGNORECASE)
+REACHES_AS_FAR = 0.6  # of a moving jaw's length: how far a fixed jaw must reach
+
+
+@dataclass(frozen=True)
+class Finger:
+    """Bodies of a finger, base first; the one body of a fixed jaw is the palm."""
+
+    bodies: tuple[int, ...]
+    is_fixed: bool = False
+
+    def links(self, tree: Tree) -> list[int]:
+        """Links of the finger that have a collision shape."""
+        found = [link for body in self.bodies for link in tree.members[body]]
+        return [link for link in found if link in tree.points]
+
+    def name(self, tree: Tree) -> str:
+        """Name of the link at the finger's end."""
+        return tree.links[self.links(tree)[-1]]
+
+
+@dataclass(frozen=True)
+class Palm:
+    """Body that carries the fingers."""
+
+    body: int
+    fingers: tuple[Finger, ...]
+    reason: str
+    is_sure: bool = True
+
+
+def find_palm(tree: Tree, link: str | None = None) -> Palm:
+    """Returns the palm: the last fork of the tree, or the fixed jaw at the end of a chain.
+
+    Parameters
+    ----------
+    tree : Tree
+        Robot with collision shapes.
+    link : str, optional
+        A link of the palm.
+
+    Raises
+    ------
+    TaskError
+        The robot has no hand, or several and `link` is not given.
+    """
+    if not tree.points:
+        raise TaskError("robot: no link has a collision shape, so a hand cannot be found")
+    if link is not None:
+        if link not in tree.links:
+            known = ", ".join(tree.links)
+            raise TaskError(f"palm: {link}: no such link (one of: {known})")
+        return _palm_at(tree, tree.body(tree.links.index(link)))
+    forks = [body for body in tree.members if len(_shaped(tree, body)) > 1]
+    last = [body for body in forks if not any(b in forks for b in tree.below(body)[1:])]
+    if len(last) > 1:
+        names = ", ".join(_palm_link(tree, body) for body in last)
+        raise TaskError(
+            f"robot: {len(last)} places may be a hand; name the palm of the one to use: "
+            f"palm (one of: {names})"
+        )
+    return _palm_at(tree, last[0]) if last else _jaw(tree)
+
+
+def _shaped(tree: Tree, body: int) -> list[int]:
+    return [child for child in tree.children[body] if tree.has_shape(child)]
+
+
+def _palm_link(tree: Tree, body: int) -> str:
+    """Name of the link that carries the first finger of a body."""
+    children = _shaped(tree, body)
+    return tree.links[tree.parents[children[0]] if children else body]
+
+
+def _palm_at(tree: Tree, body: int) -> Palm:
+    children = _shaped(tree, body)
+    name = _palm_link(tree, body)
+    if not children:
+        raise TaskError(f"palm: {name}: no moving link with a collision shape is attached to it")
+    if len(children) == 1:
+        return _jaws(tree, body, children[0], is_sure=False)
+    fingers = tuple(Finger(tuple(tree.below(child))) for child in children)
+    reason = f"{name} is the last link that carries several moving ones"
+    return Palm(body, fingers, reason)
+
+
+def _jaw(tree: Tree) -> Palm:
+    """Returns the palm of a gripper with one moving jaw, at the end of a chain."""
+    leaves = [b for b in tree.members if not _shaped(tree, b) and tree.has_shape(b) and b > 0]
+    leaf = leaves[-1] if leaves else 0
+    parent = tree.body(tree.parents[leaf]) if leaf else 0
+    if leaf and any(link in tree.points for link in tree.members[parent]):
+        named = GRIPPER.search(f"{tree.links[leaf]} {tree.driver(leaf)}") is not None
+        if named or _is_beside(tree, parent, leaf):
+            return _jaws(tree, parent, leaf, named)
+    raise TaskError(
+        "robot: no hand was found: no link carries two or more moving links, and the last joint "
+        "does not move one jaw against another; name its palm, or join a gripper to the arm"
+    )
+
+
+def _jaws(tree: Tree, parent: int, leaf: int, is_sure: bool) -> Palm:
+    reason = f"{tree.links[leaf]} moves against {tree.links[tree.parents[leaf]]}, which is fixed"
+    fingers = (Finger((parent,), is_fixed=True), Finger(tuple(tree.below(leaf))))
+    return Palm(parent, fingers, reason, is_sure)
+
+
+def _is_beside(tree: Tree, parent: int, leaf: int) -> bool:
+    """True if a body reaches past the joint of its child about as far as the child itself.
+
+    A child that lies around the axis of its joint is a flange, not a jaw.
+    """
+    X_WL = tree.poses(tree.robot.clamp(np.zeros(tree.robot.dof)))
+    base, joint = X_WL[parent][:3, 3], X_WL[leaf][:3, 3]
+    moving = tree.cloud(tree.members[leaf], X_WL)
+    length = _farthest(moving, joint)
+    owner = tree.joint(leaf)
+    assert owner is not None
+    axis = X_WL[leaf][:3, :3] @ owner.axis_L
+    offset = np.linalg.norm(np.cross(moving.mean(axis=0) - joint, axis)) / np.linalg.norm(axis)
+    reach = _farthest(tree.cloud(tree.members[parent], X_WL), base)
+    past = reach - float(np.linalg.norm(joint - base))
+    return bool(past > REACHES_AS_FAR * length and offset > length / 4)
+
+
+def _farthest(points: Matrix, origin: Matrix) -> float:
+    return float(np.linalg.norm(points - origin, axis=1).max())

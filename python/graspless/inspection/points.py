@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Points on the collision shapes of a robot's links."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import geometry
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..robot import Robot
+
+CORNERS = np.array(list(product((-0.5, 0.5), repeat=3)))
+
+
+def _sphere(rings: int = 24) -> Matrix:
+    """Returns points on the unit sphere: meridians and parallels, so that mirror images match."""
+    polar, around = (a.ravel() for a in np.meshgrid(
+        np.linspace(0, np.pi, rings + 1), np.arange(2 * rings) * np.pi / rings
+    ))  # fmt: skip
+    r = np.sin(polar)
+    return np.column_stack([r * np.cos(around), r * np.sin(around), np.cos(polar)])
+
+
+SPHERE = _sphere()
+
+
+def shape_points(shape: geometry.Shape) -> Matrix:
+    """Returns points of a shape whose convex hull is the shape's; (N, 3) in its frame [m]."""
+    if isinstance(shape, geometry.Box):
+        return np.asarray(CORNERS * shape.size)
+    if isinstance(shape, geometry.Sphere):
+        return np.asarray(SPHERE * shape.radius)
+    if isinstance(shape, geometry.Capsule):
+        ends = np.sign(SPHERE[:, 2:]) * [0, 0, shape.length / 2]
+        return np.asarray(SPHERE * shape.radius + ends)
+    vertices = np.asarray(shape.vertices)
+    return np.unique(np.round(vertices, 6), axis=0)
+
+
+def link_points(robot: Robot) -> dict[int, Matrix]:
+    """Returns the points of each link with collision shapes, in the link's frame [m]."""
+    parts: dict[int, list[Matrix]] = {}
+    for link, placed in robot.shapes:
+        X_LG = np.asarray(placed.X_BG)
+        points = shape_points(placed.shape) @ X_LG[:3, :3].T + X_LG[:3, 3]
+        parts.setdefault(link, []).append(points)
+    return {link: np.vstack(points) for link, points in parts.items()}

@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proposal for a robot: what was found, why, and how sure it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from .. import files
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from ..robot import Robot
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A value that was found.
+
+    Attributes
+    ----------
+    field : str
+        Its place: a part of the SRDF, a field of the hand, or a link of the URDF.
+    value : str
+        As it is printed.
+    reason : str
+    is_sure : bool
+        False if a person should look at it.
+    """
+
+    field: str
+    value: str
+    reason: str
+    is_sure: bool = True
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """Description of a robot, proposed from its URDF.
+
+    Attributes
+    ----------
+    name : str
+        Name of the files.
+    robot : Robot
+        The robot with the proposed frames, groups and states.
+    findings : list of Finding
+    urdf : str
+        URDF with the frames F and H added as fixed links.
+    srdf : str
+        Groups, states, and pairs of links that are never tested.
+    hand : dict
+        Fields of the hand for slides; empty unless the hand has two fingers and an arm.
+    clasp : dict
+        Fields of the hand for clasps; empty if none could be proposed.
+    hand_links : tuple of str
+        Links of palm and fingers.
+    """
+
+    name: str
+    robot: Robot
+    findings: list[Finding]
+    urdf: str
+    srdf: str
+    hand: dict[str, Any] = field(default_factory=dict)
+    clasp: dict[str, Any] = field(default_factory=dict)
+    hand_links: tuple[str, ...] = ()
+
+    @property
+    def unsure(self) -> list[Finding]:
+        """Findings that a person should look at."""
+        return [finding for finding in self.findings if not finding.is_sure]
+
+    def summary(self) -> str:
+        """Returns the proposal in one line."""
+        hand = self.hand
+        states = [f.value for f in self.findings if f.field in ("state open", "state closed")]
+        return (
+            f"arm {len(self.robot.group('arm'))} joints, fingertip {hand['fingertip']}, "
+            f"open {states[0]}, closed {states[1]}, finger_model {hand['finger_model']}; "
+            "graspless robot inspect shows and writes it"
+        )
+
+    def files(self) -> dict[str, str]:
+        """Returns the text of each file, by its name."""
+        from .files import with_absolute_meshes
+
+        texts = {
+            f"{self.name}.urdf": with_absolute_meshes(self.robot, self.urdf),
+            f"{self.name}.srdf": self.srdf,
+        }
+        for end, fields in (("hand", self.hand), ("clasp", self.clasp)):
+            if fields:
+                texts[f"{self.name}.{end}.yaml"] = _as_yaml(fields)
+        return texts
+
+    def write(self, folder: str | Path) -> list[Path]:
+        """Writes NAME.urdf, NAME.srdf, and NAME.hand.yaml or NAME.clasp.yaml or both.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Made if it does not exist. Files of the same names are replaced.
+
+        Returns
+        -------
+        list of Path
+            The files.
+
+        Raises
+        ------
+        TaskError
+            A file cannot be written.
+        """
+        made, texts = Path(folder), self.files()
+        try:
+            made.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise TaskError(f"{folder}: cannot be made: {error.strerror}") from None
+        for name, text in texts.items():
+            files.write(made / name, text)
+        return [made / name for name in texts]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Returns the proposal in plain types."""
+        found = [
+            {"field": f.field, "value": f.value, "reason": f.reason, "sure": f.is_sure}
+            for f in self.findings
+        ]
+        return {"name": self.name, "findings": found, "hand": self.hand, "clasp": self.clasp}
+
+
+def _as_yaml(fields: dict[str, Any]) -> str:
+    head = "# Proposed by `graspless robot inspect`; docs/task-files.md explains every field.\n"
+    return head + yaml.safe_dump(fields, sort_keys=False, default_flow_style=None)

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Frames at the ends of two fingers, and the size of the pad (docs/notation.md)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .jaws import Jaws
+    from .palm import Finger
+    from .tree import Tree
+
+END = 0.001  # depth of the end of a finger, whose middle is the tip [m]
+PAD = 0.010  # length of the pad, whose width is measured [m]
+NEAR = 0.040  # links of a finger within this distance of its end may touch the object [m]
+PITCHES = np.radians([45, 50, 55, 60, 65, 70, 75, 80])  # the first is the default of options
+PITCH_TOLERANCE = 0.1  # default of options [rad]
+CLEARANCE = 0.01  # of the rest of the hand over the surface [m]
+SMALLEST, LARGEST_RADIUS, LARGEST_PAD = 0.0005, 0.02, 0.2  # [m]
+
+
+@dataclass(frozen=True)
+class Tip:
+    """End of a finger with the hand open.
+
+    Attributes
+    ----------
+    X_WF : array [4, 4]
+        F: at the outer edge of the end, which touches a surface first when the finger is pitched.
+        Z out of the tip, Y towards the other finger.
+    middle_W : array [3]
+        Middle of the end [m].
+    link : int
+        Link that F is fixed in.
+    links : tuple of int
+        Links that may touch the object.
+    radius, width : float
+        Of the pad: half of the end's size along Y, and its size along X [m].
+    """
+
+    X_WF: Matrix
+    middle_W: Matrix
+    link: int
+    links: tuple[int, ...]
+    radius: float
+    width: float
+
+
+def find_tips(tree: Tree, jaws: Jaws) -> tuple[Tip, Tip]:
+    """Returns the ends of both fingers."""
+    turned = jaws.R_WH @ np.diag([-1.0, -1.0, 1.0])  # Y from the first finger to the second
+    first, second = jaws.fingers
+    return _tip(tree, first, jaws.open, turned), _tip(tree, second, jaws.open, jaws.R_WH)
+
+
+def _tip(tree: Tree, finger: Finger, q: Matrix, R_WF: Matrix) -> Tip:
+    X_WL = tree.poses(q)
+    links = finger.links(tree)
+    clouds = {link: tree.cloud([link], X_WL) @ R_WF for link in links}
+    end = max(float(cloud[:, 2].max()) for cloud in clouds.values())
+    near = tuple(link for link in links if clouds[link][:, 2].max() > end - NEAR)
+    last = max(links, key=lambda link: float(clouds[link][:, 2].max()))
+    every = np.vstack(list(clouds.values()))
+    low, high = _box(every[every[:, 2] > end - END])
+    X_WF = np.eye(4)
+    X_WF[:3, :3] = R_WF
+    middle = (low + high) / 2
+    X_WF[:3, 3] = R_WF @ [middle[0], low[1], end]
+    pad = _box(every[every[:, 2] > end - PAD])
+    return Tip(
+        X_WF,
+        R_WF @ [*middle[:2], end],
+        last,
+        near,
+        float(np.clip((high - low)[1] / 2, SMALLEST, LARGEST_RADIUS)),
+        float(np.clip((pad[1] - pad[0])[0], SMALLEST, LARGEST_PAD)),
+    )
+
+
+def _box(points: Matrix) -> tuple[Matrix, Matrix]:
+    return points.min(axis=0), points.max(axis=0)
+
+
+def grasp_pose(jaws: Jaws, tips: tuple[Tip, Tip]) -> Matrix:
+    """Returns H in W with the hand open: in the middle between the tips."""
+    X_WH = np.eye(4)
+    X_WH[:3, :3] = jaws.R_WH
+    X_WH[:3, 3] = (tips[0].middle_W + tips[1].middle_W) / 2
+    return X_WH
+
+
+def find_pitch(tree: Tree, jaws: Jaws, tip: Tip, hand: list[int]) -> tuple[float, float]:
+    """Returns the flattest pitch at which only the finger is near the surface, and the room there.
+
+    Parameters
+    ----------
+    tree : Tree
+    jaws : Jaws
+    tip : Tip
+        Of the finger that slides.
+    hand : list of int
+        Links of palm and fingers.
+
+    Returns
+    -------
+    tuple of float
+        Pitch [rad], and distance of the rest of the open hand from the surface [m].
+    """
+    others = [link for link in hand if link not in tip.links]
+    cloud = tree.cloud(others, tree.poses(jaws.open))
+    seen = (cloud - tip.X_WF[:3, 3]) @ tip.X_WF[:3, :3]
+    pitch, room = PITCHES[-1], 0.0
+    for pitch in PITCHES:
+        least = [pitch - PITCH_TOLERANCE, pitch + PITCH_TOLERANCE]
+        room = min(float((seen[:, 1] * np.cos(p) - seen[:, 2] * np.sin(p)).min()) for p in least)
+        if room > CLEARANCE:
+            break
+    return float(pitch), room

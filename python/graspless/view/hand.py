@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Picture of a proposed hand: open and closed with its frames, and the robot at home."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import raster
+from .bodies import Body, Part, robot_bodies
+from .figures import INK, draw_panel, new_figure
+from .raster import Camera
+from .tubes import tube
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ..frames import Matrix
+    from ..inspection import Proposal
+    from .bodies import Color
+
+AXES: tuple[Color, ...] = ((0.85, 0.15, 0.15), (0.15, 0.6, 0.2), (0.15, 0.3, 0.85))
+PANEL = (460, 460)  # pixels
+AXIS, THICKNESS = 0.35, 0.02  # of the hand's size: length and radius of an axis
+
+
+def draw(proposal: Proposal) -> Figure:
+    """Returns the picture of a proposal."""
+    shown = _Hand(proposal)
+    states = [s for s in ("open", "closed", "home") if s in proposal.robot.state_names]
+    figure = new_figure(4.6 * len(states), 5.0)
+    for k, state in enumerate(states):
+        axes = figure.add_axes((k / len(states), 0.0, 1 / len(states), 0.84))
+        draw_panel(axes, shown.picture(state), state, pad=3)
+    title = f"{proposal.name}: X red, Y green, Z blue, of {' and '.join(shown.frames) or 'no frame'}"
+    figure.suptitle(title, x=0.02, y=0.97, ha="left", fontsize=12, color=INK)
+    return figure
+
+
+class _Hand:
+    """Bodies of a robot, and the axes of the frames of its hand."""
+
+    def __init__(self, proposal: Proposal) -> None:
+        self.robot = proposal.robot
+        self.bodies = robot_bodies(self.robot, None)
+        named = (proposal.hand.get("fingertip"), proposal.hand.get("grasp_frame"))
+        self.frames = [name for name in named if name is not None]
+        self.hand = set(proposal.hand_links)
+
+    def picture(self, state: str) -> Matrix:
+        """Renders the hand in a state; all of the robot at home."""
+        q = self.robot.state(state)
+        names = self.robot.frame_names
+        X_WL = [np.asarray(self.robot.pose(link, q)) for link in range(len(names))]
+        wanted = [
+            (body, X)
+            for body, X, name in zip(self.bodies, X_WL, names, strict=True)
+            if body.parts and (state == "home" or name in self.hand)
+        ]
+        points = np.vstack([p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in wanted for p in b.parts])
+        size = float(np.ptp(points, axis=0).max()) if state != "home" else 0.3
+        wanted += [(_axes(size), X_WL[names.index(name)]) for name in self.frames]
+        X_WH = X_WL[names.index(self.frames[-1])] if self.frames else np.eye(4)
+        return raster.render(wanted, _camera(points, X_WH, state == "home"), *PANEL)
+
+
+def _axes(size: float) -> Body:
+    """Axes of a frame as three bars."""
+    parts: list[Part] = [
+        tube(np.array([np.zeros(3), AXIS * size * np.eye(3)[k]]), THICKNESS * size, AXES[k])
+        for k in range(3)
+    ]
+    return Body("axes", parts)
+
+
+def _camera(points: Matrix, X_WH: Matrix, whole: bool) -> Camera:
+    """Looks across the plane in which the fingers move; at the whole robot from its side."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = float(np.linalg.norm(high - low))
+    direction = np.array([0.7, -1.0, 0.5]) if whole else X_WH[:3, :3] @ [1.0, 0.35, -0.25]
+    if abs(direction[2]) > 0.95 * np.linalg.norm(direction):
+        direction = direction + np.array([0.3, 0.2, 0.0])
+    middle = (low + high) / 2
+    eye = middle + 3 * size * direction / np.linalg.norm(direction)
+    return Camera(eye, middle).fitted(points, *PANEL, margin=0.12)

@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Small robots for the tests of inspect: an arm of six joints, and hands for it."""
+
+SHAPE = '<collision><origin xyz="{xyz}"/><geometry>{shape}</geometry></collision>'
+
+
+def link(name, xyz="0 0 0", shape=""):
+    inner = SHAPE.format(xyz=xyz, shape=shape) if shape else ""
+    return f'<link name="{name}">{inner}</link>\n'
+
+
+def box(name, xyz, size):
+    return link(name, xyz, f'<box size="{size}"/>')
+
+
+def joint(name, kind, parent, child, xyz="0 0 0", axis="0 0 1", limits=(-2.9, 2.9), mimic=""):
+    limit = f'<limit lower="{limits[0]}" upper="{limits[1]}" velocity="1" effort="50"/>'
+    inner = "" if kind == "fixed" else f'<axis xyz="{axis}"/>{limit}'
+    follows = f'<mimic joint="{mimic}"/>' if mimic else ""
+    return (
+        f'<joint name="{name}" type="{kind}"><origin xyz="{xyz}"/><parent link="{parent}"/>'
+        f'<child link="{child}"/>{inner}{follows}</joint>\n'
+    )
+
+
+def robot(name, *parts):
+    return f'<robot name="{name}">\n{"".join(parts)}</robot>\n'
+
+
+def arm(prefix="", base="base"):
+    """Six joints in a row; the last link, `wrist`, turns about its Z."""
+    p = prefix
+    sizes = [("0.1 0.1 0.2", 0.1), ("0.08 0.08 0.36", 0.22), ("0.07 0.07 0.3", 0.2)]
+    parts = []
+    at, parent = "0 0 0.1", base
+    for i, ((size, middle), axis) in enumerate(zip(sizes, ("0 0 1", "0 1 0", "0 1 0"), strict=True)):
+        parts.append(box(f"{p}link_{i}", f"0 0 {middle}", size))
+        parts.append(joint(f"{p}joint_{i}", "revolute", parent, f"{p}link_{i}", at, axis))
+        at, parent = f"0 0 {0.24 + 0.18 * (i > 0)}", f"{p}link_{i}"
+    parts.append(link(f"{p}link_3") + joint(f"{p}joint_3", "revolute", parent, f"{p}link_3", at))
+    parts.append(box(f"{p}link_4", "0 0 0.05", "0.06 0.06 0.05"))
+    parts.append(joint(f"{p}joint_4", "revolute", f"{p}link_3", f"{p}link_4", "0 0 0", "0 1 0"))
+    parts.append(box(f"{p}wrist", "0 0 0.02", "0.05 0.05 0.02"))
+    parts.append(joint(f"{p}joint_5", "revolute", f"{p}link_4", f"{p}wrist", "0 0 0.1"))
+    return "".join(parts)
+
+
+def base(name="base"):
+    return box(name, "0 0 0.04", "0.2 0.2 0.08")
+
+
+def palm(prefix="", parent="wrist"):
+    made = box(f"{prefix}palm", "0 0 0.02", "0.04 0.1 0.04")
+    return made + joint(f"{prefix}mount", "fixed", parent, f"{prefix}palm", "0 0 0.03")
+
+
+def prismatic(prefix="", parent="wrist", mimic=True):
+    """Two fingers of 80 mm, 20 mm wide and 10 mm thick, up to 60 mm apart."""
+    p = prefix
+    follows = f"{p}slide_left" if mimic else ""
+    return (
+        palm(p, parent)
+        + box(f"{p}left", "0 0.005 0.04", "0.02 0.01 0.08")
+        + box(f"{p}right", "0 -0.005 0.04", "0.02 0.01 0.08")
+        + joint(f"{p}slide_left", "prismatic", f"{p}palm", f"{p}left", "0 0 0.04", "0 1 0", (0, 0.03))
+        + joint(
+            f"{p}slide_right", "prismatic", f"{p}palm", f"{p}right", "0 0 0.04", "0 -1 0",
+            (0, 0.03), follows,
+        )
+    )  # fmt: skip
+
+
+def revolute():
+    """Two fingers of 90 mm that turn inwards for positive angles."""
+    return (
+        palm()
+        + box("left_finger", "0 0 0.045", "0.02 0.01 0.09")
+        + box("right_finger", "0 0 0.045", "0.02 0.01 0.09")
+        + joint("turn_left", "revolute", "palm", "left_finger", "0 0.04 0.04", "1 0 0", (-0.2, 1.0))
+        + joint(
+            "turn_right", "revolute", "palm", "right_finger", "0 -0.04 0.04", "-1 0 0",
+            (-0.2, 1.0), "turn_left",
+        )
+    )  # fmt: skip
+
+
+def one_jaw():
+    """A jaw that turns against a fixed one."""
+    return (
+        palm()
+        + box("fixed_jaw", "0 0.005 0.05", "0.02 0.01 0.1")
+        + joint("fixed_mount", "fixed", "palm", "fixed_jaw", "0 0 0.04")
+        + box("moving_jaw", "0 -0.005 0.045", "0.02 0.01 0.09")
+        + joint("jaw", "revolute", "fixed_jaw", "moving_jaw", "0 -0.005 0.01", "-1 0 0", (-1.4, 0))
+    )
+
+
+def gripper(name="gripper", hand=None):
+    return robot(name, base(), arm(), prismatic() if hand is None else hand)

@@ -1,0 +1,292 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""graspless.robot.inspect: laws of what it proposes, and robots whose description is known."""
+
+import json
+
+import numpy as np
+import pytest
+
+import inspect_common as small
+from graspless import TaskError, cli, geometry, load_task, plan, robot, scene
+from graspless.inspection.check import faults
+from graspless.tasks.slide.build import build_hand
+from graspless.tasks.slide.model import Hand
+from graspless.tasks.source import Source
+
+HANDS = {
+    "prismatic": small.prismatic(),
+    "independent": small.prismatic(mimic=False),
+    "revolute": small.revolute(),
+    "one_jaw": small.one_jaw(),
+}
+
+
+def read(urdf, **options):
+    return robot.Robot.from_urdf(urdf, **options)
+
+
+@pytest.fixture(scope="module", params=HANDS)
+def found(request):
+    return robot.inspect(read(small.gripper(request.param, HANDS[request.param])))
+
+
+def frame(proposal, field, state="open"):
+    made = proposal.robot
+    return np.asarray(made.pose(proposal.hand[field], made.state(state)))
+
+
+def corners(made, links, q):
+    points = []
+    for index, placed in made.shapes:
+        if made.frame_names[index] in links:
+            size = np.asarray(placed.shape.size)
+            signs = np.array(np.meshgrid(*[[-0.5, 0.5]] * 3)).reshape(3, -1)
+            X = np.asarray(made.pose(index, q)) @ np.asarray(placed.X_BG)
+            points.append((X[:3, :3] @ (size[:, None] * signs)).T + X[:3, 3])
+    return np.vstack(points)
+
+
+def test_arm_and_hand_are_split(found):
+    made = found.robot
+    assert [made.joint_names[i] for i in made.group("arm")] == [f"joint_{i}" for i in range(6)]
+    assert not set(made.group("arm")) & set(made.group("hand"))
+    assert len(made.group("arm")) + len(made.group("hand")) == made.dof
+
+
+def test_fingertip_is_on_the_surface_and_its_axes_are_right(found):
+    made, hand = found.robot, found.hand
+    q = made.state("open")
+    X_WF = frame(found, "fingertip")
+    own = corners(made, hand["sliding_finger"], q)
+    other = corners(made, [link for link in hand["fingers"] if link not in hand["sliding_finger"]], q)
+    seen = (own - X_WF[:3, 3]) @ X_WF[:3, :3]
+    assert seen[:, 2].max() == pytest.approx(0, abs=1e-6)  # at the end of the finger
+    assert seen[seen[:, 2] > -1e-3, 1].min() == pytest.approx(0, abs=1e-6)  # at its outer edge
+    assert (other.mean(axis=0) - X_WF[:3, 3]) @ X_WF[:3, 1] > 0  # Y towards the other finger
+    np.testing.assert_allclose(X_WF[:3, :3].T @ X_WF[:3, :3], np.eye(3), atol=1e-9)
+
+
+def test_grasp_is_between_the_tips(found):
+    X_WF, X_WH = frame(found, "fingertip"), frame(found, "grasp_frame")
+    assert X_WF[:3, 2] @ X_WH[:3, 2] == pytest.approx(1)
+    assert abs(X_WF[:3, 1] @ X_WH[:3, 1]) == pytest.approx(1)
+    assert (X_WH[:3, 3] - X_WF[:3, 3]) @ X_WF[:3, 1] > 0.01
+
+
+def test_hand_opens_and_closes(found):
+    made, hand = found.robot, found.hand
+    others = [link for link in hand["fingers"] if link not in hand["sliding_finger"]]
+
+    def gap(state):
+        Y = frame(found, "fingertip", "open")[:3, 1]
+        q = made.state(state)
+        own, other = (corners(made, links, q) @ Y for links in (hand["sliding_finger"], others))
+        return other.max() - own.min()
+
+    assert gap("open") > gap("closed") + 0.02
+    assert scene.Scene(made).collision(made.state("open")) is None
+
+
+def test_home_is_free_away_from_limits_and_points_down(found):
+    made = found.robot
+    q = made.state("home")
+    arm = made.group("arm")
+    assert scene.Scene(made).is_free(q)
+    span = made.upper[arm] - made.lower[arm]
+    assert (np.minimum(q[arm] - made.lower[arm], made.upper[arm] - q[arm]) > 0.04 * span).all()
+    assert frame(found, "grasp_frame", "home")[2, 2] == pytest.approx(-1, abs=1e-6)
+    np.testing.assert_allclose(q[made.group("hand")], made.state("open")[made.group("hand")])
+
+
+def test_nothing_is_wrong_with_a_proposal(found):
+    source = Source("test", {})
+    hand = build_hand(Hand(**found.hand), found.robot, source)
+    assert faults(found.robot, hand) == []
+
+
+def test_states_of_a_prismatic_gripper():
+    found = robot.inspect(read(small.gripper()))
+    made, column = found.robot, found.robot.joint("slide_left")
+    assert made.state("open")[column] == pytest.approx(0.03)
+    assert made.state("closed")[column] == pytest.approx(0.00025, abs=2e-5)
+    assert found.hand["pad_width"] == pytest.approx(0.02)
+    # F: 35 to 40 mm beside the middle; fingers end 120 mm in front of the palm.
+    X_PF = np.asarray(made.pose("left_fingertip", made.state("open")))
+    X_PF = np.linalg.inv(made.pose("palm", made.state("open"))) @ X_PF
+    np.testing.assert_allclose(X_PF[:3, 3], [0, 0.04, 0.12], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["wam_t42", "kr5_t42"])
+def test_our_own_descriptions_are_found_again(name):
+    given = robot.Robot.from_urdf_file(str(robot.builtin(name)))
+    found = robot.inspect(read(given.urdf))  # without the SRDF
+    made, q = found.robot, given.state("open")
+    np.testing.assert_allclose(made.state("open")[-1], given.state("open")[-1], atol=1e-6)
+    np.testing.assert_allclose(made.state("closed")[-1], given.state("closed")[-1], atol=3e-3)
+    assert made.group("arm") == given.group("arm")
+    F, H = (np.asarray(made.pose(found.hand[f], q)) for f in ("fingertip", "grasp_frame"))
+    np.testing.assert_allclose(F[:3, :3], np.asarray(given.pose("left_fingertip", q))[:3, :3], atol=1e-6)
+    np.testing.assert_allclose(F[:3, 3], np.asarray(given.pose("left_fingertip", q))[:3, 3], atol=6e-3)
+    np.testing.assert_allclose(H, given.pose("grasp", q), atol=1e-6)
+    ignored = {tuple(sorted((given.frame_names[a], given.frame_names[b]))) for a, b in given.ignored_pairs}
+    proposed = {tuple(sorted((made.frame_names[a], made.frame_names[b]))) for a, b in made.ignored_pairs}
+    assert ignored <= proposed
+
+
+def test_sampled_pairs():
+    made = read(small.gripper())
+    always, never = scene.sample_contacts(made, samples=2000)
+    names = made.frame_names
+    assert ("base", "wrist") not in {(names[a], names[b]) for a, b in never}
+    assert scene.sample_contacts(made, samples=2000) == (always, never)
+    with pytest.raises(ValueError, match=r"samples must lie in \[1, 1000000\], not 0"):
+        scene.sample_contacts(made, samples=0)
+
+
+def test_fingers_may_always_meet():
+    found = robot.inspect(read(small.gripper("independent", small.prismatic(mimic=False))))
+    made = found.robot
+    pair = tuple(sorted((made.frame("left"), made.frame("right"))))
+    assert pair not in made.ignored_pairs
+
+
+def test_two_hands_are_asked_about():
+    urdf = small.robot(
+        "two", small.base(), small.arm("a_"), small.arm("b_"),
+        small.prismatic("a_", "a_wrist"), small.prismatic("b_", "b_wrist"),
+    )  # fmt: skip
+    with pytest.raises(TaskError, match=r"2 places may be a hand; .* \(one of: a_palm, b_palm\)"):
+        robot.inspect(read(urdf))
+    found = robot.inspect(read(urdf), palm="b_palm")
+    assert all(found.robot.joint_names[i].startswith("b_") for i in found.robot.group("arm"))
+    with pytest.raises(TaskError, match="palm: c_palm: no such link"):
+        robot.inspect(read(urdf), palm="c_palm")
+
+
+@pytest.mark.parametrize(
+    ("urdf", "message"),
+    [
+        (small.robot("bare", small.link("base"), small.link("tip"),
+                     small.joint("j", "revolute", "base", "tip")), "no link has a collision shape"),
+        (small.robot("arm", small.base(), small.arm()), "no hand was found"),
+        (small.gripper(hand=small.prismatic().replace('upper="0.03"', 'upper="0.0002"')),
+         "no joint moves left and right together"),
+    ],
+)  # fmt: skip
+def test_refusals(urdf, message):
+    with pytest.raises(TaskError, match=message):
+        robot.inspect(read(urdf))
+
+
+def test_a_hand_without_an_arm_says_so():
+    found = robot.inspect(read(small.robot("alone", small.base("wrist"), small.prismatic())))
+    assert found.hand == {}
+    assert "group arm" in [finding.field for finding in found.unsure]
+
+
+def test_fingers_that_stay_apart_are_doubtful():
+    apart = small.prismatic().replace('lower="0"', 'lower="0.01"')
+    found = robot.inspect(read(small.gripper(hand=apart)))
+    closed = next(finding for finding in found.findings if finding.field == "state closed")
+    assert not closed.is_sure
+    assert "thinner than 20.0 mm cannot be held" in closed.reason
+
+
+CARD = """
+kind: slide
+robot:   {urdf: ROBOT}
+object:  {rectangle: {size: [0.1, 0.06]}, thickness: 0.003, pose: {x: 0.42, y: 0.05, yaw: 0.3}}
+support: {rectangle: {center: [0.45, 0.0], size: [0.4, 0.5]}}
+"""
+
+
+def test_plan_proposes_what_is_missing_and_says_so(tmp_path):
+    (tmp_path / "mine.urdf").write_text(small.gripper())
+    (tmp_path / "card.yaml").write_text(CARD.replace("ROBOT", "mine.urdf"))
+    with pytest.warns(UserWarning, match="no SRDF and no description of the hand: proposed arm 6"):
+        task = load_task(tmp_path / "card.yaml")
+    found = plan(task)
+    assert found, found.reason
+    assert found.warnings[0].startswith("no SRDF and no description of the hand: proposed")
+    found.save(tmp_path / "plan.json")
+    assert json.loads((tmp_path / "plan.json").read_text())["warnings"] == list(found.warnings)
+
+
+def test_fields_that_are_given_have_precedence(tmp_path):
+    (tmp_path / "mine.urdf").write_text(small.gripper())
+    text = CARD.replace("ROBOT", "mine.urdf") + "hand: {pad_width: 0.011, pitch: 1.1}\n"
+    (tmp_path / "card.yaml").write_text(text)
+    with pytest.warns(UserWarning, match="no SRDF: proposed"):
+        task = load_task(tmp_path / "card.yaml")
+    assert task.problem.hand.pad_width == 0.011
+    assert task.options.pitch == 1.1
+    assert task.problem.hand.fingertip == "left_fingertip"
+
+
+def test_command_writes_what_plan_takes(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.urdf").write_text(small.gripper())
+    assert cli.main(["robot", "inspect", "mine.urdf", "-o", "made"]) == 0
+    said = capsys.readouterr().out
+    assert "fingertip" in said and "written: made/mine.srdf" in said
+    (tmp_path / "made" / "card.yaml").write_text(CARD.replace("ROBOT", "mine.urdf"))
+    with pytest.MonkeyPatch.context():
+        task = load_task(tmp_path / "made" / "card.yaml")
+    assert task.fields.proposed is None
+    assert plan(task)
+    assert cli.main(["robot", "check", "made/mine.urdf"]) == 0
+
+
+def test_command_as_json(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.urdf").write_text(small.gripper())
+    assert cli.main(["robot", "inspect", "mine.urdf", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["hand"]["fingertip"] == "left_fingertip"
+    assert all((tmp_path / path).is_file() for path in document["files"])
+    assert cli.main(["robot", "inspect"]) == 2
+    assert "give either FILE or --name" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("change", "fault"),
+    [
+        (("<origin xyz=\"0 0.01 0.08\"", "<origin xyz=\"0 0.01 0.06\""), "behind the end of the finger"),
+        (("open: open", "open: closed"), "closed: the tips are not nearer"),
+    ],
+)
+def test_check_tells_what_is_wrong(tmp_path, capsys, change, fault):
+    found = robot.inspect(read(small.gripper()), name="mine")
+    found.write(tmp_path)
+    for path in tmp_path.iterdir():
+        path.write_text(path.read_text().replace(*change))
+    assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 1
+    assert fault in capsys.readouterr().out
+
+
+def test_check_finds_a_home_in_collision(tmp_path, capsys):
+    found = robot.inspect(read(small.gripper()), name="mine")
+    found.write(tmp_path)
+    srdf = tmp_path / "mine.srdf"
+    text = srdf.read_text()
+    before, state, after = text.partition('<group_state name="home" group="arm">')
+    inner, end, rest = after.partition("</group_state>")
+    values = "".join(f'<joint name="joint_{i}" value="{v}"/>' for i, v in enumerate([0, 2.8, 2.8, 0, 0, 0]))
+    srdf.write_text(before + state + values + end + rest)
+    assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 1
+    assert "home: " in capsys.readouterr().out
+
+
+def test_mesh_paths_survive_another_folder(tmp_path):
+    mesh = tmp_path / "meshes" / "box.off"
+    mesh.parent.mkdir()
+    mesh.write_text("OFF\n4 4 0\n0 0 0\n.05 0 0\n0 .05 0\n0 0 .05\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+    urdf = small.gripper().replace(
+        '<box size="0.2 0.2 0.08"/>', '<mesh filename="meshes/box.off"/>', 1
+    )
+    (tmp_path / "mine.urdf").write_text(urdf)
+    found = robot.inspect(str(tmp_path / "mine.urdf"))
+    written = found.write(tmp_path / "elsewhere")
+    again = robot.Robot.from_urdf_file(str(written[0]))
+    assert any(isinstance(placed.shape, geometry.Mesh) for _, placed in again.shapes)
