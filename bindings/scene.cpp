@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/scene/scene.hpp"
 
-#include "conversions.hpp"
 #include "graspless/scene/link_contacts.hpp"
+
+#include "conversions.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -133,6 +134,7 @@ void bind_scene(py::module_ m) {
         return std::make_pair(std::move(found.always), std::move(found.never));
       },
       py::arg("robot"), py::arg("samples") = 10000, py::arg("seed") = 1,
+      py::call_guard<py::gil_scoped_release>(),
       "Tests a robot's links against each other in random configurations within its limits.\n\n"
       "Returns two lists of pairs of link indices: those that touch in at least 95 % of the "
       "samples, and those that never touch. Raises ValueError unless 0 < samples <= 10^6.");

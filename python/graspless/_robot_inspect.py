@@ -29,7 +29,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.epilog = EXAMPLE
     add_robot(parser)
-    parser.add_argument("--palm", metavar="LINK", help="link of the palm, if there are several hands")
+    parser.add_argument(
+        "--palm", metavar="LINK", help="link of the palm, if there are several hands"
+    )
     parser.add_argument(
         "-o", "--output", metavar="DIR", help="folder to write to (default: the robot's name)"
     )

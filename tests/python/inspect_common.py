@@ -34,7 +34,9 @@ def arm(prefix="", base="base"):
     sizes = [("0.1 0.1 0.2", 0.1), ("0.08 0.08 0.36", 0.22), ("0.07 0.07 0.3", 0.2)]
     parts = []
     at, parent = "0 0 0.1", base
-    for i, ((size, middle), axis) in enumerate(zip(sizes, ("0 0 1", "0 1 0", "0 1 0"), strict=True)):
+    for i, ((size, middle), axis) in enumerate(
+        zip(sizes, ("0 0 1", "0 1 0", "0 1 0"), strict=True)
+    ):
         parts.append(box(f"{p}link_{i}", f"0 0 {middle}", size))
         parts.append(joint(f"{p}joint_{i}", "revolute", parent, f"{p}link_{i}", at, axis))
         at, parent = f"0 0 {0.24 + 0.18 * (i > 0)}", f"{p}link_{i}"

@@ -9,7 +9,7 @@ import graspless._core.robot
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Scene']
+__all__: list[str] = ['Scene', 'sample_contacts']
 class Scene:
     """
     A robot among obstacles and objects. Not thread-safe: give each thread a copy.
@@ -81,3 +81,9 @@ class Scene:
         """
         World that holds the scene's bodies.
         """
+def sample_contacts(robot: graspless._core.robot.Robot, samples: typing.SupportsInt | typing.SupportsIndex = 10000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
+    """
+    Tests a robot's links against each other in random configurations within its limits.
+    
+    Returns two lists of pairs of link indices: those that touch in at least 95 % of the samples, and those that never touch. Raises ValueError unless 0 < samples <= 10^6.
+    """

@@ -88,9 +88,7 @@ def find_home(robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> Home
 
 
 class _Search:
-    def __init__(
-        self, robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix
-    ) -> None:
+    def __init__(self, robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> None:
         self.robot, self.frame, self.q_open = robot, robot.frame(frame), q_open
         self.columns = [robot.joint(name) for name in arm.joints]
         self.lower, self.upper = (
@@ -104,7 +102,7 @@ class _Search:
         self.reach = float(np.linalg.norm(tips - self.base, axis=1).max())
 
     def _draw(self) -> Matrix:
-        q = self.q_open.copy()
+        q: Matrix = self.q_open.copy()
         t = MARGIN + (1 - 2 * MARGIN) * self.rng.random(len(self.columns))
         q[self.columns] = self.lower + t * (self.upper - self.lower)
         return q

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from .. import robot as robots
 from .. import scene
 from ..errors import TaskError
-from .arm import Arm, find_arm, find_home
+from .arm import find_arm, find_home
 from .files import free_name, make_srdf, with_frames
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
@@ -152,7 +153,9 @@ class _Builder:
             ("open", jaws.open, jaws.opening, "the tips are farthest apart"),
             ("closed", jaws.closed, jaws.smallest, "just before the fingers touch"),
         ):
-            values = ", ".join(f"{n} {v:.4g}" for n, v in zip(jaws.drivers, q[columns], strict=True))
+            values = ", ".join(
+                f"{n} {v:.4g}" for n, v in zip(jaws.drivers, q[columns], strict=True)
+            )
             if field == "closed" and not jaws.touches:
                 why = "the joints are at their limits"
             can_hold = field == "open" or gap < THIN
@@ -181,20 +184,36 @@ class _Builder:
     def _pairs(self, robot: Robot) -> dict[tuple[str, str], str]:
         """Pairs of links that need no test. Fingers may always meet, however rarely they do."""
         always, never = scene.sample_contacts(robot)
-        names = robot.frame_names
-        bodies = [{self.tree.links[i] for b in f.bodies for i in self.tree.members[b]}
-                  for f in self.palm.fingers if not f.is_fixed]  # fmt: skip
-        of = {link: k for k, links in enumerate(bodies) for link in links}
+        names, finger = robot.frame_names, self._finger_of()
         found = {(names[a], names[b]): "Always" for a, b in always}
         for a, b in never:
-            if not (names[a] in of and names[b] in of and of[names[a]] != of[names[b]]):
+            ends = finger.get(names[a]), finger.get(names[b])
+            if None in ends or ends[0] == ends[1]:
                 found[names[a], names[b]] = "Never"
         count = len(found) - len(always)
-        self.find(
-            "disable_collisions", f"{len(always)} always, {count} never in contact",
-            "of 10000 random configurations",
-        )  # fmt: skip
-        return found
+        shown = f"{len(always)} always, {count} never in contact"
+        self.find("disable_collisions", shown, "of 10000 random configurations")
+        ignored = {(names[a], names[b]) for a, b in robot.ignored_pairs}
+        still = {pair: "Default" for pair in combinations(self._still(), 2) if pair not in ignored}
+        return still | found
+
+    def _finger_of(self) -> dict[str, int]:
+        """Number of the finger that each link belongs to."""
+        tree, moving = self.tree, (f for f in self.palm.fingers if not f.is_fixed)
+        return {
+            tree.links[link]: number
+            for number, finger in enumerate(moving)
+            for body in finger.bodies
+            for link in tree.members[body]
+        }
+
+    def _still(self) -> list[str]:
+        """Links with shapes that neither the arm nor the hand moves."""
+        tree, base = self.tree, self.arm.base
+        path = tree.path(self.palm.body)
+        first = path[path.index(base) + 1] if base != self.palm.body else None
+        moved = set() if first is None else set(tree.links_below(first))
+        return [tree.links[i] for i in sorted(tree.points) if i not in moved] if moved else []
 
 
 def _ordered(tree: Tree, fingers: tuple[Finger, ...]) -> tuple[Finger, Finger]:

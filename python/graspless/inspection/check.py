@@ -110,7 +110,8 @@ class _Examined:
             low, high = end[:, axis].min() - NEAR, end[:, axis].max() + NEAR
             if not low < 0 < high:
                 off = 1000 * min(abs(low), abs(high))
-                yield f"fingertip: {name} lies {off:.1f} mm beside the end of the finger, along {letter}"
+                what = f"{name} lies {off:.1f} mm beside the end of the finger"
+                yield f"fingertip: {what}, along its {letter}"
 
     def of_states(self) -> Iterator[str]:
         hand = self.hand

@@ -113,7 +113,8 @@ def _state(name: str, group: str, values: Mapping[str, float]) -> str:
         f'    <joint name={quoteattr(joint)} value="{value:.9g}"/>'
         for joint, value in values.items()
     )
-    return f"  <group_state name={quoteattr(name)} group={quoteattr(group)}>\n{inner}\n  </group_state>"
+    head = f"  <group_state name={quoteattr(name)} group={quoteattr(group)}>"
+    return f"{head}\n{inner}\n  </group_state>"
 
 
 def _names(root: ET.Element | None, kind: str) -> set[str]:

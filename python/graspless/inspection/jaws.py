@@ -14,6 +14,8 @@ from .. import scene
 from ..errors import TaskError
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from ..frames import Matrix
     from .palm import Finger, Palm
     from .tree import Tree
@@ -72,6 +74,7 @@ class Measure:
         )
         self.out = self._outward()
         self.across: Matrix | None = None
+        self._chosen: list[NDArray[np.int64]] | None = None
         self._world = scene.Scene(tree.robot)
         for a, b in self._world.world.pairs:
             self._world.world.remove_pair(a, b)
@@ -81,7 +84,7 @@ class Measure:
 
     def q(self, state: Matrix) -> Matrix:
         """Returns the configuration with the hand's joints in a state."""
-        q = self.rest.copy()
+        q: Matrix = self.rest.copy()
         q[self.columns] = state
         return q
 
@@ -101,8 +104,15 @@ class Measure:
         """Returns the points at the ends of both fingers; (N, 3) each [m]."""
         X_WL = self.poses(state)
         clouds = [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
-        first, second = (end_of(cloud, self.out) for cloud in clouds)
+        chosen = self._chosen or [at_end(cloud, self.out) for cloud in clouds]
+        first, second = (cloud[at] for cloud, at in zip(clouds, chosen, strict=True))
         return first, second
+
+    def keep_ends(self, state: Matrix) -> None:
+        """Lets ends() return the points that are at the ends in a state, in all states."""
+        X_WL = self.poses(state)
+        clouds = [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
+        self._chosen = [at_end(cloud, self.out) for cloud in clouds]
 
     def spread(self, state: Matrix) -> float:
         """Returns the distance between the middles of both ends, across the hand [m]."""
@@ -130,7 +140,7 @@ class Measure:
         return snapped(best, self.axes(self.poses(self.lower)))
 
     def stretch(self, state: Matrix) -> float:
-        """Returns how far the finger that reaches least far reaches from its joint, outwards [m]."""
+        """Returns how far the shorter finger reaches out of the hand from its joint [m]."""
         X_WL = self.poses(state)
         found = []
         for finger in self.fingers:
@@ -144,10 +154,10 @@ class Measure:
         return np.vstack([X_WL[link][:3, :3].T for link in self.tree.members[self.palm.body]])
 
 
-def end_of(cloud: Matrix, out: Matrix) -> Matrix:
-    """Returns the points of a finger within TIP_ZONE of its end."""
+def at_end(cloud: Matrix, out: Matrix) -> NDArray[np.int64]:
+    """Indices of the points of a finger within TIP_ZONE of its end."""
     heights = cloud @ out
-    return np.asarray(cloud[heights > heights.max() - TIP_ZONE])
+    return np.flatnonzero(heights > heights.max() - TIP_ZONE)
 
 
 def middle(points: Matrix) -> Matrix:
@@ -160,9 +170,7 @@ def snapped(direction: Matrix, axes: Matrix) -> Matrix:
     unit = direction / max(float(np.linalg.norm(direction)), 1e-12)
     cosines = axes @ unit
     best = int(np.argmax(np.abs(cosines)))
-    return np.asarray(
-        axes[best] * np.sign(cosines[best]) if abs(cosines[best]) > SNAP else unit
-    )
+    return np.asarray(axes[best] * np.sign(cosines[best]) if abs(cosines[best]) > SNAP else unit)
 
 
 def find_jaws(tree: Tree, palm: Palm, fingers: tuple[Finger, Finger]) -> Jaws:
@@ -175,6 +183,7 @@ def find_jaws(tree: Tree, palm: Palm, fingers: tuple[Finger, Finger]) -> Jaws:
     """
     measure = Measure(tree, palm, fingers)
     opened = _open(measure)
+    measure.keep_ends(opened)
     first, second = measure.ends(opened)
     X_WL = measure.poses(opened)
     across = middle(second) - middle(first)

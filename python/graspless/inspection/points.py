@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from itertools import product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,7 +30,7 @@ def _sphere(rings: int = 24) -> Matrix:
 SPHERE = _sphere()
 
 
-def shape_points(shape: geometry.Shape) -> Matrix:
+def shape_points(shape: Any) -> Matrix:
     """Returns points of a shape whose convex hull is the shape's; (N, 3) in its frame [m]."""
     if isinstance(shape, geometry.Box):
         return np.asarray(CORNERS * shape.size)

@@ -34,7 +34,9 @@ def draw(proposal: Proposal) -> Figure:
     for k, state in enumerate(states):
         axes = figure.add_axes((k / len(states), 0.0, 1 / len(states), 0.84))
         draw_panel(axes, shown.picture(state), state, pad=3)
-    title = f"{proposal.name}: X red, Y green, Z blue, of {' and '.join(shown.frames) or 'no frame'}"
+    title = (
+        f"{proposal.name}: X red, Y green, Z blue, of {' and '.join(shown.frames) or 'no frame'}"
+    )
     figure.suptitle(title, x=0.02, y=0.97, ha="left", fontsize=12, color=INK)
     return figure
 
@@ -59,7 +61,9 @@ class _Hand:
             for body, X, name in zip(self.bodies, X_WL, names, strict=True)
             if body.parts and (state == "home" or name in self.hand)
         ]
-        points = np.vstack([p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in wanted for p in b.parts])
+        points = np.vstack(
+            [p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in wanted for p in b.parts]
+        )
         size = float(np.ptp(points, axis=0).max()) if state != "home" else 0.3
         wanted += [(_axes(size), X_WL[names.index(name)]) for name in self.frames]
         X_WH = X_WL[names.index(self.frames[-1])] if self.frames else np.eye(4)
