@@ -235,6 +235,23 @@ def test_fields_that_are_given_have_precedence(tmp_path):
     assert task.problem.hand.fingertip == "left_fingertip"
 
 
+def test_srdf_that_is_given_stays():
+    home = "".join(f'<joint name="joint_{i}" value="0.1"/>' for i in range(6))
+    srdf = (
+        '<robot name="gripper"><group name="mine"><joint name="joint_0"/></group>'
+        '<group name="hand"><joint name="slide_left"/></group>'
+        f'<group_state name="home" group="mine">{home}</group_state>'
+        '<group_state name="open" group="hand"><joint name="slide_left" value="0.02"/>'
+        "</group_state></robot>"
+    )
+    made = robot.inspect(read(small.gripper(), srdf=srdf)).robot
+    column = made.joint("slide_left")
+    assert made.state("open")[column] == pytest.approx(0.02)
+    assert made.state("home")[column] == pytest.approx(0.02)  # the arm's home opens the hand
+    np.testing.assert_allclose(made.state("home")[made.group("arm")], 0.1)
+    assert made.group("mine") == [made.joint("joint_0")]
+
+
 def test_command_writes_what_plan_takes(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.urdf").write_text(small.gripper())

@@ -156,7 +156,9 @@ class _Builder:
             values = ", ".join(
                 f"{n} {v:.4g}" for n, v in zip(jaws.drivers, q[columns], strict=True)
             )
-            if field == "closed" and not jaws.touches:
+            if field in self.robot.state_names:
+                why = "a state of the SRDF"
+            elif field == "closed" and not jaws.touches:
                 why = "the joints are at their limits"
             can_hold = field == "open" or gap < THIN
             if not can_hold:

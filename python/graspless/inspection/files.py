@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
+from collections import defaultdict
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr, unescape
 
@@ -90,14 +91,14 @@ def make_srdf(
     """
     root = ET.fromstring(given) if given else None
     groups_given = _names(root, "group")
-    # States of the same name are merged, so a state that is given stands for all its groups.
-    states_given = _names(root, "group_state")
+    states_given = _state_joints(root)
     lines = []
     for group, joints in groups.items():
         if group not in groups_given:
             inner = "".join(f"<joint name={quoteattr(joint)}/>" for joint in joints)
             lines.append(f"  <group name={quoteattr(group)}>{inner}</group>")
-    lines += [_state(*state) for state in states if state[0] not in states_given]
+    # States of the same name are merged: a home of the arm gets one of the hand.
+    lines += [_state(*state) for state in states if not states_given[state[0]] & set(state[2])]
     for (a, b), reason in pairs.items():
         lines.append(
             f"  <disable_collisions link1={quoteattr(a)} link2={quoteattr(b)} "
@@ -115,6 +116,14 @@ def _state(name: str, group: str, values: Mapping[str, float]) -> str:
     )
     head = f"  <group_state name={quoteattr(name)} group={quoteattr(group)}>"
     return f"{head}\n{inner}\n  </group_state>"
+
+
+def _state_joints(root: ET.Element | None) -> defaultdict[str, set[str]]:
+    """Joints that the states of each name give a value."""
+    found: defaultdict[str, set[str]] = defaultdict(set)
+    for state in [] if root is None else root.findall("group_state"):
+        found[state.get("name", "")] |= {joint.get("name", "") for joint in state.findall("joint")}
+    return found
 
 
 def _names(root: ET.Element | None, kind: str) -> set[str]:

@@ -88,6 +88,12 @@ class Measure:
         q[self.columns] = state
         return q
 
+    def given(self, name: str) -> Matrix | None:
+        """Returns the hand's joints in a state of the SRDF, if it has that."""
+        if name not in self.tree.robot.state_names:
+            return None
+        return np.asarray(self.tree.robot.state(name))[self.columns]
+
     def poses(self, state: Matrix) -> Matrix:
         return self.tree.poses(self.q(state))
 
@@ -182,7 +188,8 @@ def find_jaws(tree: Tree, palm: Palm, fingers: tuple[Finger, Finger]) -> Jaws:
         No joint moves the fingers apart.
     """
     measure = Measure(tree, palm, fingers)
-    opened = _open(measure)
+    opened = measure.given("open")
+    opened = _open(measure) if opened is None else opened
     measure.keep_ends(opened)
     first, second = measure.ends(opened)
     X_WL = measure.poses(opened)
@@ -192,7 +199,8 @@ def find_jaws(tree: Tree, palm: Palm, fingers: tuple[Finger, Finger]) -> Jaws:
     sideways -= measure.out * (sideways @ measure.out)
     sideways /= np.linalg.norm(sideways)
     measure.across = sideways
-    closed, touches = _closed(measure, opened, sideways)
+    shut = measure.given("closed")
+    closed, touches = (shut, True) if shut is not None else _closed(measure, opened, sideways)
     opening, smallest = (measure.gap(state, sideways) for state in (opened, closed))
     if not opening - smallest > SMALLEST_STROKE:
         names = " and ".join(finger.name(tree) for finger in fingers)
