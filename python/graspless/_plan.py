@@ -167,7 +167,12 @@ class AnyPlan:
             if not hasattr(task.options, name):
                 raise
             raise task.source.error(("options", name), what) from None
-        return cls._of(found, task)
+        plan = cls._of(found, task)
+        note = getattr(task._fields, "proposed", None)
+        if note is not None:
+            warned: Any = plan
+            warned.warnings = [note, *warned.warnings]
+        return plan
 
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan."""

@@ -45,14 +45,6 @@ class Plan(AnyPlan, _core.Plan):
         @property
         def task(self) -> Task: ...
 
-    @classmethod
-    def _search(cls, task: Any, budget: Budget) -> Plan:
-        plan = super()._search(task, budget)
-        note = getattr(task._fields, "proposed", None)
-        if note is not None:
-            plan.warnings = [note, *plan.warnings]
-        return plan
-
 
 def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
     """Plans approach, press, slide, lift, reach, grasp and close.

@@ -98,5 +98,22 @@ def one_jaw():
     )
 
 
+def three_fingers():
+    """Two fingers side by side, a third one opposite; each has two joints that bend inwards."""
+    made = palm()
+    places = {"index": ("0.03 0.04", "1 0 0"), "middle": ("-0.03 0.04", "1 0 0"),
+              "opposed": ("0 -0.04", "-1 0 0")}  # fmt: skip
+    for name, (at, axis) in places.items():
+        for part, parent, xyz in (
+            ("near", "palm", f"{at} 0.03"),
+            ("far", f"{name}_near", "0 0 0.05"),
+        ):
+            made += box(f"{name}_{part}", "0 0 0.025", "0.015 0.015 0.05")
+            made += joint(
+                f"{name}_{part}_joint", "revolute", parent, f"{name}_{part}", xyz, axis, (-0.2, 1.6)
+            )
+    return made
+
+
 def gripper(name="gripper", hand=None):
     return robot(name, base(), arm(), prismatic() if hand is None else hand)

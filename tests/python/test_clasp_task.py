@@ -102,7 +102,6 @@ def of_object(text):
 FAULTS = [
     (("kind: clasp", "kind: clasps"), 1, r"kind: clasps: should be 'slide' or .*'clasp'"),
     (("urdf: kr5_sdh", "urdf: kr5_shd"), 2, r"robot.urdf: kr5_shd: no such file, nor .*kr5_sdh"),
-    (("urdf: kr5_sdh", "urdf: kr5_t42"), 1, r"hand: missing, and there is no kr5_t42.clasp.yaml"),
     (("urdf: kr5_sdh", "urdf: kr5_sdh, home: asleep"), 2, r"robot.home: asleep: .*open"),
     ((SAMPLE, "sample: trunk"), 5, r"object.sample: trunk: .*lawn_mower"),
     ((SAMPLE, "samples: purse"), 5, r"object.samples: unknown field; did you mean 'sample'"),
@@ -196,12 +195,19 @@ def test_hand_inline_and_its_faults(write):
     assert re.search(r"hand.thumb\[1\].link: toe: unknown link 'toe'", fault(path))
 
 
-def test_robot_without_srdf_or_hand_says_what_was_looked_for(write, tmp_path):
+def test_robot_without_srdf_or_hand_gets_a_proposal(write, tmp_path):
     shutil.copy(_data.robot("kr5_sdh"), tmp_path / "bare.urdf")
     path = write(changed("kr5_sdh", "bare.urdf"))
-    assert "there is no bare.clasp.yaml beside the URDF" in fault(path)
+    with pytest.warns(UserWarning, match="no SRDF and no description of the hand: proposed"):
+        task = graspless.load_task(path)
+    assert [finger.name for finger in task.problem.hand.fingers] == [
+        "finger_1_proximal",
+        "finger_2_proximal",
+    ]
     write(hand_text(), "bare.clasp.yaml")
-    assert "looked for bare.srdf beside the URDF" in fault(path)
+    with pytest.warns(UserWarning, match="no SRDF: proposed"):
+        task = graspless.load_task(path)
+    assert [finger.name for finger in task.problem.hand.fingers] == ["finger_1", "finger_2"]
 
 
 def test_cloud_with_unit_and_scale(write, tmp_path):

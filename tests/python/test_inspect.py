@@ -7,10 +7,13 @@ import warnings
 
 import numpy as np
 import pytest
+import yaml
 
 import inspect_common as small
 from graspless import TaskError, cli, geometry, load_task, plan, robot, scene
 from graspless.inspection.check import faults
+from graspless.tasks.clasp.hand import Hand as ClaspHand
+from graspless.tasks.clasp.hand import build_hand as build_clasp_hand
 from graspless.tasks.slide.build import build_hand
 from graspless.tasks.slide.model import Hand
 from graspless.tasks.source import Source
@@ -162,6 +165,55 @@ def test_fingers_may_always_meet():
     assert pair not in made.ignored_pairs
 
 
+def test_three_fingers_close_against_a_thumb():
+    found = robot.inspect(read(small.gripper(hand=small.three_fingers())))
+    assert found.hand == {}  # a slide needs two fingers
+    assert list(found.clasp["fingers"]) == ["index_near", "middle_near"]
+    assert found.clasp["thumb"][0]["link"] == "palm"
+    np.testing.assert_allclose(found.clasp["forward"], [0, 0, 1], atol=0.1)
+    np.testing.assert_allclose(np.abs(found.clasp["sideways"]), [1, 0, 0], atol=1e-6)
+    made = found.robot
+    hand = made.group("hand")
+    assert (made.state("open")[hand] < 0.2).all()
+    assert (made.state("closed")[hand] > 1.2).all()
+    build_clasp_hand(ClaspHand(**found.clasp), made, Source("test", {}), ())
+
+
+@pytest.mark.parametrize("name", ["kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar"])
+def test_our_own_hands_are_found_again(name):
+    path = robot.builtin(name)
+    found = robot.inspect(read(path.read_text()))
+    given = yaml.safe_load(path.with_name(f"{name}.clasp.yaml").read_text())
+    for field, most in (("forward", 5), ("sideways", 5)):
+        a, b = (np.array(fields[field]) for fields in (given, found.clasp))
+        cosine = a @ b / np.linalg.norm(a) / np.linalg.norm(b)
+        cosine = abs(cosine) if field == "sideways" else cosine
+        assert np.degrees(np.arccos(min(cosine, 1))) < most, field
+    assert found.clasp["frame"] == given["frame"]
+    assert len(found.clasp["fingers"]) == len(given["fingers"])
+    assert all("thumb" in node["link"] for node in found.clasp["thumb"][1:])
+
+
+@pytest.mark.parametrize("name", HANDS)
+def test_two_fingers_have_a_curve(name):
+    found = robot.inspect(read(small.gripper(name, HANDS[name])))
+    hand = build_clasp_hand(ClaspHand(**found.clasp), found.robot, Source("test", {}), ())
+    assert len(hand.fingers) == 1
+    assert abs(hand.forward_H[2]) == pytest.approx(1)
+
+
+def test_clasp_with_a_proposed_hand(tmp_path):
+    (tmp_path / "mine.urdf").write_text(robot.builtin("kr5_armar").read_text())
+    (tmp_path / "task.yaml").write_text(
+        "kind: clasp\nrobot: {urdf: mine.urdf}\n"
+        "object: {sample: purse, pose: {position: [0.62, 0.05, 0], rpy: [0, 0, 0.3]}}\n"
+    )
+    with pytest.warns(UserWarning, match="no SRDF and no description of the hand: proposed"):
+        found = plan(tmp_path / "task.yaml", seed=1)
+    assert found, found.reason
+    assert found.warnings[0].startswith("no SRDF")
+
+
 def test_two_hands_are_asked_about():
     urdf = small.robot(
         "two", small.base(), small.arm("a_"), small.arm("b_"),
@@ -215,7 +267,9 @@ support: {rectangle: {center: [0.45, 0.0], size: [0.4, 0.5]}}
 def test_plan_proposes_what_is_missing_and_says_so(tmp_path):
     (tmp_path / "mine.urdf").write_text(small.gripper())
     (tmp_path / "card.yaml").write_text(CARD.replace("ROBOT", "mine.urdf"))
-    with pytest.warns(UserWarning, match="no SRDF and no description of the hand: proposed arm 6"):
+    with pytest.warns(
+        UserWarning, match="no SRDF and no description of the hand: proposed arm of 6"
+    ):
         task = load_task(tmp_path / "card.yaml")
     found = plan(task)
     assert found, found.reason
@@ -259,6 +313,7 @@ def test_command_writes_what_plan_takes(tmp_path, capsys, monkeypatch):
     said = capsys.readouterr().out
     assert "fingertip" in said
     assert "written: made/mine.srdf" in said
+    assert (tmp_path / "made" / "mine.png").read_bytes().startswith(b"\x89PNG")
     (tmp_path / "made" / "card.yaml").write_text(CARD.replace("ROBOT", "mine.urdf"))
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 SAMPLES = 1500  # configurations from which the home is chosen
 MARGIN = 0.1  # of a joint's range, to be kept from its limits
-HEIGHT = 0.25  # of the arm's reach: the height of the hand over the base
+DISTANCES = (0.45, 0.55, 0.35, 0.65)  # of the hand from the base, over the arm's reach
+HEIGHTS = (0.4, 0.3, 0.5, 0.2)  # of the hand over the base, over the arm's reach
 
 
 @dataclass(frozen=True)
@@ -142,7 +143,7 @@ class _Search:
     def _places(self) -> Iterator[list[Matrix]]:
         """Yields places around the arm, those in front first: the hand straight down, two yaws."""
         for turn, distance, height in product(
-            (0.0, np.pi / 2, -np.pi / 2, np.pi), (0.55, 0.45, 0.65, 0.35), (HEIGHT, 0.4, 0.15)
+            (0.0, np.pi / 2, -np.pi / 2, np.pi), DISTANCES, HEIGHTS
         ):
             away = [distance * np.cos(turn), distance * np.sin(turn), height]
             at = frames.translation(self.base + self.reach * np.array(away))

@@ -11,9 +11,10 @@ import numpy as np
 
 from .. import robot as robots
 from .. import scene
-from ..errors import TaskError
 from .arm import find_arm, find_home
+from .curves import fist_fields, jaw_fields
 from .files import free_name, make_srdf, with_frames
+from .fist import find_fist
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
 from .palm import Finger, Palm, find_palm
@@ -45,28 +46,30 @@ class _Builder:
         self.placed: dict[str, tuple[str, Matrix]] = {}
         self.hand: dict[str, Any] = {}
         self.grasp = self.palm_link()
-        self.states: list[tuple[str, str, dict[str, float]]] = []
+        self.clasp: dict[str, Any] = {}
+        self.drivers: tuple[str, ...] = ()
+        self.open = self.closed = np.zeros(0)
 
     def palm_link(self) -> str:
-        """Link that the first moving finger is attached to."""
-        finger = next(f for f in self.palm.fingers if not f.is_fixed)
-        return self.tree.links[self.tree.parents[finger.bodies[0]]]
+        """Link that all moving fingers are attached to, directly or through fixed joints."""
+        tree, moving = self.tree, (f for f in self.palm.fingers if not f.is_fixed)
+        lines = [tree.line(tree.parents[finger.bodies[0]]) for finger in moving]
+        shared = [link for link in lines[0] if all(link in line for line in lines)]
+        return tree.links[shared[0]]
 
     def build(self) -> Proposal:
         self._describe_arm()
-        if len(self.palm.fingers) != 2:
-            count = len(self.palm.fingers)
-            raise TaskError(f"robot: a hand with {count} fingers: slides need two fingers")
-        jaws = find_jaws(self.tree, self.palm, _ordered(self.tree, self.palm.fingers))
-        self._describe_hand(jaws)
-        groups = {"arm": self.arm.joints, "hand": jaws.drivers}
+        if len(self.palm.fingers) == 2:
+            self._propose_jaws()
+        else:
+            self._propose_fist()
+        groups = {"arm": self.arm.joints, "hand": self.drivers}
         groups = {group: joints for group, joints in groups.items() if joints}
         urdf = with_frames(self.robot.urdf, self.placed)
-        framed = self._read(urdf, "")
-        pairs = self._pairs(framed)
-        states = [*self._hand_states(jaws)]
+        pairs = self._pairs(self._read(urdf, ""))
+        states = self._hand_states()
         srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
-        states += self._home(self._read(urdf, srdf), jaws)
+        states += self._home(self._read(urdf, srdf))
         srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
         return Proposal(
             self.name,
@@ -75,8 +78,35 @@ class _Builder:
             urdf,
             srdf,
             hand=self.hand if self.arm.joints else {},
+            clasp=self.clasp if self.arm.joints else {},
             hand_links=tuple(self.tree.links[i] for i in self.tree.links_below(self.palm.body)),
         )
+
+    def _propose_jaws(self) -> None:
+        jaws = find_jaws(self.tree, self.palm, _ordered(self.tree, self.palm.fingers))
+        self.drivers, self.open, self.closed = jaws.drivers, jaws.open, jaws.closed
+        self._describe_hand(jaws)
+
+    def _propose_fist(self) -> None:
+        tree, fist = self.tree, find_fist(self.tree, self.palm)
+        self.drivers, self.open, self.closed = fist.drivers, fist.open, fist.closed
+        palm, fingers = self.palm_link(), self.palm.fingers
+        self.grasp = free_name("grasp", tree.links)
+        X_WP = np.asarray(self.robot.pose(palm, fist.open))
+        self.placed[self.grasp] = (palm, np.linalg.inv(X_WP) @ fist.X_WH)
+        self.clasp = fist_fields(tree, palm, fingers, fist)
+        thumb = tree.links[fingers[fist.thumb].bodies[0]]
+        self.find("thumb", thumb, "the finger that the others close against", fist.is_sure)
+        self.find("fingers", ", ".join(self.clasp["fingers"]), "a curve through the joints of each")
+        for state, q in (("open", fist.open), ("closed", fist.closed)):
+            columns = [self.robot.joint(name) for name in fist.drivers]
+            why = f"joints that bend the fingers are near their {state} limits"
+            self.find(f"state {state}", ", ".join(f"{v:.2f}" for v in q[columns]), why)
+        for field, why in (
+            ("forward", "from the joints at the palm to the tips of the half closed hand"),
+            ("sideways", "along most axes of the fingers' joints"),
+        ):
+            self.find(field, ", ".join(f"{v:.2f}" for v in self.clasp[field]), why)
 
     def _read(self, urdf: str, srdf: str) -> Robot:
         given = self.robot
@@ -100,6 +130,7 @@ class _Builder:
         tips = find_tips(self.tree, jaws)
         self._place_frames(jaws, tips)
         self._describe_states(jaws)
+        self.clasp = jaw_fields(self.tree, self.palm_link(), jaws, tips)
         links = self.tree.links
         own, other = ([links[link] for link in tip.links] for tip in tips)
         self.hand |= {
@@ -165,16 +196,16 @@ class _Builder:
                 why += f"; an object thinner than {_mm(gap)} cannot be held"
             self.find(f"state {field}", f"{values} (gap {_mm(gap)})", why, can_hold)
 
-    def _hand_states(self, jaws: Jaws) -> list[tuple[str, str, dict[str, float]]]:
+    def _hand_states(self) -> list[tuple[str, str, dict[str, float]]]:
         return [
-            (state, "hand", {n: float(q[self.robot.joint(n)]) for n in jaws.drivers})
-            for state, q in (("open", jaws.open), ("closed", jaws.closed), ("home", jaws.open))
+            (state, "hand", {n: float(q[self.robot.joint(n)]) for n in self.drivers})
+            for state, q in (("open", self.open), ("closed", self.closed), ("home", self.open))
         ]
 
-    def _home(self, robot: Robot, jaws: Jaws) -> list[tuple[str, str, dict[str, float]]]:
+    def _home(self, robot: Robot) -> list[tuple[str, str, dict[str, float]]]:
         if "home" in self.robot.state_names or not self.arm.joints:
             return []
-        home = find_home(robot, self.arm, self.grasp, jaws.open)
+        home = find_home(robot, self.arm, self.grasp, self.open)
         if home is None:
             self.find("state home", "none", "no free configuration was found", False)
             return []

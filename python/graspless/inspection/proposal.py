@@ -16,6 +16,8 @@ from ..errors import TaskError
 if TYPE_CHECKING:
     from ..robot import Robot
 
+SHOWN = ("fingertip", "finger_model", "pitch")  # fields of the hand in a summary
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -77,13 +79,21 @@ class Proposal:
 
     def summary(self) -> str:
         """Returns the proposal in one line."""
-        hand = self.hand
-        states = [f.value for f in self.findings if f.field in ("state open", "state closed")]
-        return (
-            f"arm {len(self.robot.group('arm'))} joints, fingertip {hand['fingertip']}, "
-            f"open {states[0]}, closed {states[1]}, finger_model {hand['finger_model']}; "
-            "graspless robot inspect shows and writes it"
-        )
+        shown = ("state open", "state closed") if self.hand else ()
+        states = [f"{f.field.split()[1]} {f.value}" for f in self.findings if f.field in shown]
+        named = [f"{name} {self.hand[name]}" for name in SHOWN if name in self.hand]
+        if not self.hand:
+            named = [f"palm {self.clasp['frame']}", f"fingers {', '.join(self.clasp['fingers'])}"]
+        arm = f"arm of {len(self.robot.group('arm'))} joints"
+        parts = "; ".join([arm, *named, *states])
+        return f"{parts}; graspless robot inspect shows and writes it"
+
+    def refusal(self, kind: str) -> str:
+        """Returns why there is no hand for a kind of task, in one line."""
+        if "arm" not in self.robot.group_names:
+            return "no joint carries the hand; join it to an arm"
+        needed = "two fingers" if kind == "slide" else "fingers that close against a thumb"
+        return f"no hand for this task was found: it needs {needed}"
 
     def files(self) -> dict[str, str]:
         """Returns the text of each file, by its name."""

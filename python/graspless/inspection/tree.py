@@ -47,6 +47,13 @@ class Tree:
             link = self.parents[link]
         return link
 
+    def line(self, link: int) -> list[int]:
+        """Returns a link and those that carry it, down to the root."""
+        found = [link]
+        while self.parents[found[-1]] >= 0:
+            found.append(self.parents[found[-1]])
+        return found
+
     @cached_property
     def members(self) -> dict[int, list[int]]:
         """Links of each body."""

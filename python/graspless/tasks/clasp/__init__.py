@@ -10,6 +10,7 @@ from ..effective_values import in_force as _in_force
 from ..effective_values import plain
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
+from ..proposals import with_proposal
 from ..robots import resolve_robot, robot_meshes
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
@@ -33,11 +34,13 @@ def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTas
     meshes; and the source of the hand's fields.
     """
     robot, urdf = resolve_robot(named.robot, source, directory)
-    hand, hand_source = resolve_hand(named.hand, urdf, source, directory)
+    given, hand_source = resolve_hand(named.hand, urdf, source, directory)
+    robot, hand, note = with_proposal(robot, given, Hand, source)
     obstacles = resolve_obstacles(named.obstacles, source, directory)
     update = {
         "robot": robot,
         "hand": hand,
+        "proposed": note,
         "object": resolve_object(named.object, source, directory),
         "obstacles": obstacles,
         "files": checksums(obstacle_meshes(obstacles) | robot_meshes(robot)),

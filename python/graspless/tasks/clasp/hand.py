@@ -65,21 +65,22 @@ class Hand(Fields):
 
 def resolve_hand(
     hand: Hand | str | None, urdf: Path | None, source: Source, directory: Path
-) -> tuple[Hand, Source]:
-    """Returns the hand's fields and their source: the task, a file, or a file beside the URDF."""
+) -> tuple[Hand | None, Source]:
+    """Returns the hand's fields and their source: the task, a file, or a file beside the URDF.
+
+    None if they are in none of these.
+    """
     if isinstance(hand, Hand):
         return hand, source
     if isinstance(hand, str):
         path = directory / hand
         if not path.is_file():
             raise source.error(("hand",), "no such file")
-    elif urdf is not None:
-        path = urdf.with_name(f"{stem(urdf)}.clasp.yaml")
-        if not path.is_file():
-            what = f"missing, and there is no {path.name} beside the URDF"
-            raise source.error(("hand",), what)
     else:
-        raise source.error(("hand",), "missing")
+        beside = urdf and urdf.with_name(f"{stem(urdf)}.clasp.yaml")
+        if beside is None or not beside.is_file():
+            return None, source
+        path = beside
     read = read_yaml(path)
     return read.validate(Hand), read
 

@@ -170,3 +170,7 @@ class ClaspTask(Fields):
     files: dict[str, str] = Field(
         default={}, description="sha256 of each mesh that the task reads; only in plan files"
     )
+    proposed: str | None = Field(
+        default=None,
+        description="parts of the robot that were proposed from its URDF; only in plan files",
+    )

@@ -15,11 +15,11 @@ from .. import shapes
 from ..clouds import read_cloud
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
+from ..proposals import with_proposal
 from ..robots import resolve_robot, robot_meshes, stem
 from ..shapes import pose_matrix
 from ..source import Source, read_yaml
 from . import model
-from .propose import with_proposal
 from .units import LARGEST, warn_of_units
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def resolve(
     warn_of_units(task, source)
     robot, urdf = resolve_robot(task.robot, source, directory)
     given, hand_source = _resolve_hand(task.hand, urdf, source, directory)
-    robot, hand, note = with_proposal(robot, given, source)
+    robot, hand, note = with_proposal(robot, given, model.Hand, source)
     resolved = task.model_copy(
         update={
             "robot": robot,

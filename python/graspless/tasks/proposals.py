@@ -1,24 +1,27 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proposal of what a slide's robot lacks: SRDF, description of the hand, or both."""
+"""Proposal of what the robot of a task lacks: SRDF, description of the hand, or both."""
 
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..robots import build_robot
-from ..source import at
-from . import model
+from .robots import build_robot
+from .source import at
 
 if TYPE_CHECKING:
-    from ..robots import Robot
-    from ..source import Source
+    import pydantic
+
+    from .robots import Robot
+    from .source import Source
+
+HandT = TypeVar("HandT", bound="pydantic.BaseModel")
 
 
 def with_proposal(
-    robot: Robot, hand: model.Hand | None, source: Source
-) -> tuple[Robot, model.Hand, str | None]:
+    robot: Robot, hand: HandT | None, model: type[HandT], source: Source
+) -> tuple[Robot, HandT, str | None]:
     """Returns a resolved robot and its hand, completed by what `inspect` proposes.
 
     What is given has precedence.
@@ -29,6 +32,8 @@ def with_proposal(
         With the text of its URDF, and of its SRDF if it has one.
     hand : Hand or None
         Fields that are given.
+    model : type
+        Type of the hand: of slides or of clasps.
     source : Source
         Source of the task, for error messages.
 
@@ -39,20 +44,22 @@ def with_proposal(
     """
     if robot.srdf_text is not None and hand is not None:
         return robot, hand, None
-    from ...robot import inspect
+    from ..robot import inspect
 
+    kind = source.data["kind"] if isinstance(source.data, dict) else "slide"
     built = build_robot(robot, source)
     with at(source, "robot"):
         found = inspect(built)
-        if not found.hand:
-            raise ValueError("no joint carries the hand")
+        proposed: dict[str, Any] = found.clasp if kind == "clasp" else found.hand
+        if not proposed:
+            raise ValueError(found.refusal(kind))
     given = {} if hand is None else {name: getattr(hand, name) for name in hand.model_fields_set}
-    completed = model.Hand(**(found.hand | given))
     lacking = [
         *(["SRDF"] if robot.srdf_text is None else []),
         *(["description of the hand"] if hand is None else []),
     ]
     note = f"no {' and no '.join(lacking)}: proposed {found.summary()}"
-    warnings.warn(source.message(("robot",), note), stacklevel=4)
+    warnings.warn(source.message(("robot",), note), stacklevel=5)
     changes = {"urdf_text": found.urdf, "srdf_text": found.srdf}
+    completed = model.model_validate(proposed | given)
     return robot.model_copy(update=changes), completed, note
