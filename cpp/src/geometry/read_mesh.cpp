@@ -25,6 +25,17 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 constexpr std::array<const char*, 4> kExtensions{".stl", ".obj", ".off", ".ply"};
+constexpr std::array<const char*, 3> kForeign{".dae", ".glb", ".gltf"};  // for a MeshReader
+
+MeshReader& foreign_reader() {
+  static MeshReader reader;
+  return reader;
+}
+
+template <typename List>
+bool contains(const List& list, const std::string& text) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& fault) {
   throw std::invalid_argument("mesh '" + path + "' " + fault);
@@ -41,8 +52,15 @@ std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
-    refuse_file(path, "has extension '" + extension + "'; choose from .stl, .obj, .off, .ply");
+  if (contains(kExtensions, extension)) return extension;
+  if (!contains(kForeign, extension)) {
+    refuse_file(path, "has extension '" + extension +
+                          "'; choose from .stl, .obj, .off, .ply, .dae, .glb, .gltf");
+  }
+  if (!foreign_reader()) {
+    refuse_file(path, "has extension '" + extension +
+                          "', which is read in Python only; convert it to .stl or .obj, or give a "
+                          "reader to set_mesh_reader()");
   }
   return extension;
 }
@@ -75,11 +93,42 @@ void require_text(const std::string& path) {
   }
 }
 
-PolygonSoup read_by_cgal(const std::string& path) {
+/// Reads a line; a backslash at its end continues it.
+bool read_line(std::istream& file, std::string& line) {
+  if (!std::getline(file, line)) return false;
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  for (std::string more; !line.empty() && line.back() == '\\' && std::getline(file, more);) {
+    line.back() = ' ';
+    line += more;
+    if (line.back() == '\r') line.pop_back();
+  }
+  return true;
+}
+
+/// Returns the vertices and faces of a .obj file. CGAL refuses elements that it does not know, like
+/// lines.
+std::stringstream surface_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream surface;
+  for (std::string line; read_line(file, line);) {
+    poll();
+    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+    const bool is_kept = (line[first] == 'v' || line[first] == 'f') &&
+                         (line[first + 1] == ' ' || line[first + 1] == '\t');
+    if (is_kept) surface << line << '\n';
+  }
+  return surface;
+}
+
+PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) {
   Bounded<Point> points;
   Bounded<Bounded<std::size_t>> polygons;
   file_size = std::filesystem::file_size(path);
-  if (!CGAL::IO::read_polygon_soup(path, points, polygons)) {
+  std::stringstream surface;
+  if (extension == ".obj") surface = surface_of(path);
+  const bool is_read = extension == ".obj" ? CGAL::IO::read_OBJ(surface, points, polygons)
+                                           : CGAL::IO::read_polygon_soup(path, points, polygons);
+  if (!is_read) {
     throw std::invalid_argument("it is damaged, or its format does not match its extension");
   }
   PolygonSoup soup;
@@ -91,7 +140,7 @@ PolygonSoup read_by_cgal(const std::string& path) {
 PolygonSoup read_soup(const std::string& path, const std::string& extension) {
   if (extension == ".off") require_text(path);
   try {
-    if (extension != ".ply") return read_by_cgal(path);
+    if (extension != ".ply") return read_by_cgal(path, extension);
     std::ifstream file(path, std::ios::binary);
     return read_ply({std::istreambuf_iterator<char>(file), {}});
   } catch (const std::exception& error) {
@@ -122,7 +171,21 @@ Eigen::Matrix3Xi triangulate(const PolygonSoup& soup, const std::string& path) {
   return columns;
 }
 
+Mesh read_own(const std::string& path, const std::string& extension) {
+  const PolygonSoup soup = read_soup(path, extension);
+  Mesh mesh;
+  mesh.vertices.resize(3, static_cast<Eigen::Index>(soup.points.size()));
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    poll();
+    mesh.vertices.col(static_cast<Eigen::Index>(i)) = soup.points[i];
+  }
+  mesh.triangles = triangulate(soup, path);
+  return mesh;
+}
+
 }  // namespace
+
+void set_mesh_reader(MeshReader reader) { foreign_reader() = std::move(reader); }
 
 Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   require_scale(scale);
@@ -130,14 +193,8 @@ Mesh read_mesh(const std::string& path, const Eigen::Vector3d& scale) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse_file(path, "is missing");
 
-  const PolygonSoup soup = read_soup(path, extension);
-  Mesh mesh;
-  mesh.vertices.resize(3, static_cast<Eigen::Index>(soup.points.size()));
-  for (std::size_t i = 0; i < soup.points.size(); ++i) {
-    poll();
-    mesh.vertices.col(static_cast<Eigen::Index>(i)) = scale.cwiseProduct(soup.points[i]);
-  }
-  mesh.triangles = triangulate(soup, path);
+  Mesh mesh = contains(kExtensions, extension) ? read_own(path, extension) : foreign_reader()(path);
+  mesh.vertices = scale.asDiagonal() * mesh.vertices;
   if (mesh.triangles.cols() == 0) refuse_file(path, "is empty: it has no triangle");
   if (scale.prod() < 0)
     mesh.triangles.row(1).swap(mesh.triangles.row(2));  // a reflection flips the orientation

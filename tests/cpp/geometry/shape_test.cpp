@@ -210,12 +210,34 @@ TEST_F(ReadMesh, NamesThePathOfABadFile) {
   const std::string missing = (folder_ / "none.stl").string();
   EXPECT_EQ(error_of_file(missing), "mesh '" + missing + "' is missing");
   const std::string dae = write("mesh.dae", "<COLLADA/>");
-  EXPECT_EQ(error_of_file(dae),
-            "mesh '" + dae + "' has extension '.dae'; choose from .stl, .obj, .off, .ply");
+  EXPECT_EQ(error_of_file(dae), "mesh '" + dae +
+                                    "' has extension '.dae', which is read in Python only; convert "
+                                    "it to .stl or .obj, or give a reader to set_mesh_reader()");
   const std::string no_extension = write("mesh", "x");
   EXPECT_NE(error_of_file(no_extension).find("extension ''"), std::string::npos);
   std::filesystem::create_directories(folder_ / "folder.stl");
   EXPECT_NE(error_of_file((folder_ / "folder.stl").string()), "");
+}
+
+TEST_F(ReadMesh, ReadsTheFacesOfAnObjWithOtherElements) {
+  expect_tetrahedron(read_mesh(write("t.obj",
+                                     "# lines\r\nmtllib a.mtl\no body\nv 0 0 0\r\nv 1 0 0\n"
+                                     "v 0 1 0\n\tv 0 0 \\\n1\nl 1 2 3\np 1\nvn 0 0 1\nsurely not\n"
+                                     "f 1 3 2\nf 1/1 2/2 \\\r\n4/3\nf 2 3 4\nf 1 4 3\nl -1 -2\n"
+                                     "face 1 2 9\n")));
+}
+
+TEST_F(ReadMesh, AsksTheReaderOfOtherFormats) {
+  const std::string glb = write("mesh.GLB", "x");
+  set_mesh_reader([&](const std::string& path) {
+    EXPECT_EQ(path, glb);
+    return tetrahedron();
+  });
+  const Mesh mesh = read_mesh(glb, {2, 1, 1});
+  EXPECT_DOUBLE_EQ(mesh.vertices.row(0).maxCoeff(), 2);
+  set_mesh_reader([](const std::string&) { return Mesh{}; });
+  EXPECT_NE(error_of_file(glb).find("is empty"), std::string::npos);
+  set_mesh_reader({});
 }
 
 TEST_F(ReadMesh, RefusesDamagedFiles) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -62,10 +63,17 @@ GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 /// [m].
 GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
 
-/// Reads a triangle mesh from .stl, .obj, .off or .ply and scales it per axis. Polygons are
-/// triangulated. Throws std::invalid_argument that names the path if the file is missing,
-/// unreadable or empty.
+/// Reads a triangle mesh from .stl, .obj, .off or .ply (see set_mesh_reader() for others) and
+/// scales it per axis. Polygons are triangulated. Throws std::invalid_argument that names the path
+/// if the file is missing, unreadable or empty.
 GRASPLESS_API Mesh read_mesh(const std::string& path,
                              const Eigen::Vector3d& scale = Eigen::Vector3d::Ones());
+
+/// Reads a file in metres; throws std::invalid_argument that names the path.
+using MeshReader = std::function<Mesh(const std::string& path)>;
+
+/// Sets the function with which read_mesh() reads .dae, .glb and .gltf, which it refuses otherwise.
+/// Must be called before other threads read meshes. The Python package sets one.
+GRASPLESS_API void set_mesh_reader(MeshReader reader);
 
 }  // namespace graspless::geometry
