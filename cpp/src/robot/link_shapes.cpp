@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "robot/names.hpp"
-
 namespace graspless::robot {
 namespace {
 
@@ -17,22 +15,16 @@ constexpr double kCapsuleTolerance =
     1e-6;  // between radius and position of sphere and cylinder [m]
 constexpr int kPrismSides = 24;
 
-bool starts_with(const std::string& text, const std::string& prefix) {
-  return text.compare(0, prefix.size(), prefix) == 0;
-}
-
-std::string package_path(const std::string& uri, const Robot::Options& options) {
-  const std::string rest = uri.substr(std::string("package://").size());
-  const std::size_t slash = rest.find('/');
-  if (slash == std::string::npos) throw std::invalid_argument("'" + uri + "' names no file");
-  return at(options.packages, rest.substr(0, slash), "package") + rest.substr(slash);
-}
-
-std::string mesh_path(const std::string& uri, const Robot::Options& options) {
-  if (starts_with(uri, "package://")) return package_path(uri, options);
-  if (starts_with(uri, "file://")) return uri.substr(std::string("file://").size());
-  if (starts_with(uri, "/") || options.directory.empty()) return uri;
-  return options.directory + "/" + uri;
+/// Reads a mesh; says where it was looked for.
+geometry::Mesh read_mesh_of(const urdf::Mesh& mesh, const Robot::Options& options) {
+  const Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+  const std::string path = mesh_path(mesh.filename, {"", "", options.packages, options.directory});
+  try {
+    return geometry::read_mesh(path, scale);
+  } catch (const std::invalid_argument& error) {
+    if (path == mesh.filename) throw;
+    throw std::invalid_argument("'" + mesh.filename + "': " + error.what());
+  }
 }
 
 /// A circumscribed prism: whatever is free of the prism is free of the cylinder.
@@ -68,9 +60,7 @@ geometry::Shape to_shape(const urdf::Geometry& shape, const Robot::Options& opti
   if (shape.type == urdf::Geometry::CYLINDER) {
     return prism(static_cast<const urdf::Cylinder&>(shape));
   }
-  const auto& mesh = static_cast<const urdf::Mesh&>(shape);
-  return geometry::read_mesh(mesh_path(mesh.filename, options),
-                             Vector3d(mesh.scale.x, mesh.scale.y, mesh.scale.z));
+  return read_mesh_of(static_cast<const urdf::Mesh&>(shape), options);
 }
 
 /// Finds the capsules among the collision elements of a link, and the spheres that belong to them.

@@ -50,6 +50,8 @@ struct Robot::Model {
   std::vector<Eigen::VectorXd> reach;
   std::map<std::string, std::vector<int>> groups;
   std::map<std::string, Eigen::VectorXd> states;
+  std::map<std::string, std::string> group_faults, state_faults;  // by name; errors once used
+  std::vector<std::string> warnings;
 };
 
 /// Places a link on its parent: X_WL = X_WP X_PJ X_JL(q).

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/robot/description.hpp"
+
 #include "robot/model.hpp"
 #include "robot/names.hpp"
 
@@ -50,6 +52,13 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
+void require_sound(const std::map<std::string, std::string>& faults, const std::string& name,
+                   const std::string& what) {
+  const auto fault = faults.find(name);
+  if (fault == faults.end()) return;
+  throw std::invalid_argument(what + " '" + name + "' cannot be used: " + fault->second);
+}
+
 bool exists(const std::string& path) { return std::ifstream(path).good(); }
 
 }  // namespace
@@ -86,6 +95,7 @@ Robot Robot::from_urdf_file(const std::string& path, Options options) {
   }
   if (options.srdf.empty() && exists(stem + ".srdf")) options.srdf = read_text(stem + ".srdf");
   try {
+    options.packages = find_packages({xml, options.srdf, options.packages, options.directory});
     return from_urdf(xml, options);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path + ": " + error.what());
@@ -125,11 +135,15 @@ int Robot::joint(const std::string& name) const {
   return index_of(name, model_->joint_names, "joint");
 }
 
+const std::vector<std::string>& Robot::warnings() const { return model_->warnings; }
+
 const std::vector<int>& Robot::group(const std::string& name) const {
+  require_sound(model_->group_faults, name, "group");
   return at(model_->groups, name, "group");
 }
 
 const VectorXd& Robot::state(const std::string& name) const {
+  require_sound(model_->state_faults, name, "state");
   return at(model_->states, name, "state");
 }
 

@@ -4,13 +4,16 @@
 // The part of MoveIt's SRDF that a planner needs: groups, group states, disabled collisions.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
+#include <unordered_map>
 
 #include <tinyxml.h>
 #include <urdf_model/utils.h>
 
+#include "graspless/watch.hpp"
+
 #include "robot/model.hpp"
-#include "robot/names.hpp"
 #include "robot/xml_depth.hpp"
 
 namespace graspless::robot {
@@ -20,20 +23,52 @@ constexpr double kStateSlack = 1e-3;  // SRDF files hold limits rounded to a few
 
 constexpr std::size_t kMaxGroupDepth = 100;  // of groups in groups, which are read by recursion
 
+/// Reads an SRDF item by item. An item with a fault, for instance the name of a link that the URDF
+/// does not have, is skipped with a warning: files that come with robots have many. Using a group
+/// or state with a fault is an error.
 class SrdfReader {
  public:
-  SrdfReader(const TiXmlElement& root, Robot::Model& model) : root_(root), model_(model) {}
+  SrdfReader(const TiXmlElement& root, Robot::Model& model) : root_(root), model_(model) {
+    for (std::size_t i = 0; i < model.links.size(); ++i) {
+      links_.emplace(model.frame_names[i], static_cast<int>(i));
+      if (i > 0) joints_.emplace(model.links[i].joint_name, static_cast<int>(i));
+    }
+  }
 
   void read() {
+    for_each(root_, "virtual_joint",
+             [&](const TiXmlElement& e) { virtual_joints_.insert(attribute(e, "name")); });
     for_each(root_, "group", [&](const TiXmlElement& e) { elements_[attribute(e, "name")] = &e; });
-    for (const auto& [name, element] : elements_) read_group(name, *element);
+    for (const auto& [name, element] : elements_) {
+      open_.clear();
+      if (model_.group_faults.count(name) == 0) tolerate([&, e = element] { read_group(*e); });
+    }
     for_each(root_, "group_state", [&](const TiXmlElement& e) { read_state(e); });
     for_each(root_, "disable_collisions", [&](const TiXmlElement& e) { disable(e); });
   }
 
  private:
+  /// Runs `function` on each child, and makes a warning of what it throws.
   template <typename Function>
-  static void for_each(const TiXmlElement& parent, const char* name, Function function) {
+  void for_each(const TiXmlElement& parent, const char* name, Function function) {
+    for (auto* e = parent.FirstChildElement(name); e; e = e->NextSiblingElement(name)) {
+      poll();
+      tolerate([&] { function(*e); });
+    }
+  }
+
+  template <typename Function>
+  void tolerate(Function function) {
+    try {
+      function();
+    } catch (const std::invalid_argument& error) {
+      model_.warnings.emplace_back(error.what());
+    }
+  }
+
+  /// Runs `function` on each child. What it throws is the fault of the item that they are part of.
+  template <typename Function>
+  static void for_parts(const TiXmlElement& parent, const char* name, Function function) {
     for (auto* e = parent.FirstChildElement(name); e; e = e->NextSiblingElement(name)) function(*e);
   }
 
@@ -47,65 +82,75 @@ class SrdfReader {
     return value;
   }
 
-  /// Runs a look-up and adds the line number to what it throws.
-  template <typename Function>
-  static auto located(const TiXmlElement& element, Function function) {
-    try {
-      return function();
-    } catch (const std::invalid_argument& error) {
-      fail(element, error.what());
-    }
-  }
-
   int link(const TiXmlElement& element, const char* name) const {
     const std::string link = attribute(element, name);
-    return located(element, [&] { return index_of(link, model_.frame_names, "link"); });
+    const auto found = links_.find(link);
+    if (found == links_.end()) fail(element, "the URDF has no link '" + link + "'");
+    return found->second;
   }
 
-  /// The link that the named joint of the URDF carries.
-  const Link& carried(const TiXmlElement& element) const {
+  /// The link that the named joint carries; null for a virtual joint, which the URDF does not have.
+  const Link* carried(const TiXmlElement& element) const {
     const std::string name = attribute(element, "name");
-    std::vector<std::string> names;
-    for (std::size_t i = 1; i < model_.links.size(); ++i)
-      names.push_back(model_.links[i].joint_name);
-    const int i = located(element, [&] { return index_of(name, names, "joint"); });
-    return model_.links[static_cast<std::size_t>(i) + 1];
+    const auto found = joints_.find(name);
+    if (found != joints_.end()) return &model_.links[static_cast<std::size_t>(found->second)];
+    if (virtual_joints_.count(name) == 0) fail(element, "the URDF has no joint '" + name + "'");
+    return nullptr;
   }
 
   /// Fixed and mimic joints are skipped: they have no value of their own.
-  static void add(const Link& link, std::set<int>& joints) {
-    if (link.joint >= 0 && !link.is_mimic) joints.insert(link.joint);
+  static bool has_value(const Link* link) { return link && link->joint >= 0 && !link->is_mimic; }
+
+  static void add(const Link* link, std::set<int>& joints) {
+    if (has_value(link)) joints.insert(link->joint);
   }
 
   void add_chain(const TiXmlElement& chain, std::set<int>& joints) const {
     const int base = link(chain, "base_link"), tip = link(chain, "tip_link");
     int i = tip;
-    for (; i > 0 && i != base; i = model_.links[i].parent) add(model_.links[i], joints);
+    for (; i > 0 && i != base; i = model_.links[i].parent) add(&model_.links[i], joints);
     if (i == base) return;
     fail(chain, "chain: link '" + model_.frame_names[tip] + "' is not below link '" +
                     model_.frame_names[base] + "'");
   }
 
-  const std::vector<int>& read_group(const std::string& name, const TiXmlElement& group) {
+  const std::vector<int>& read_group(const TiXmlElement& group) {
+    const std::string name = attribute(group, "name");
     const auto done = model_.groups.find(name);
     if (done != model_.groups.end()) return done->second;
+    try {
+      return model_.groups[name] = joints_of(group, name);
+    } catch (const std::invalid_argument& error) {
+      model_.group_faults.emplace(name, error.what());
+      throw;
+    }
+  }
+
+  std::vector<int> joints_of(const TiXmlElement& group, const std::string& name) {
     if (!open_.insert(name).second) fail(group, "group '" + name + "' contains itself");
     if (open_.size() > kMaxGroupDepth) {
       fail(group, "group '" + name + "' is contained in " + std::to_string(open_.size() - 1) +
                       " others, more than " + std::to_string(kMaxGroupDepth - 1));
     }
     std::set<int> joints;
-    for_each(group, "joint", [&](const TiXmlElement& e) { add(carried(e), joints); });
-    for_each(group, "link",
-             [&](const TiXmlElement& e) { add(model_.links[link(e, "name")], joints); });
-    for_each(group, "chain", [&](const TiXmlElement& e) { add_chain(e, joints); });
-    for_each(group, "group", [&](const TiXmlElement& e) {
-      const std::string inner = attribute(e, "name");
-      const auto* element = located(e, [&] { return at(elements_, inner, "group"); });
-      for (const int joint : read_group(inner, *element)) joints.insert(joint);
+    for_parts(group, "joint", [&](const TiXmlElement& e) { add(carried(e), joints); });
+    for_parts(group, "link",
+              [&](const TiXmlElement& e) { add(&model_.links[link(e, "name")], joints); });
+    for_parts(group, "chain", [&](const TiXmlElement& e) { add_chain(e, joints); });
+    for_parts(group, "group", [&](const TiXmlElement& e) {
+      for (const int joint : inner_group(e)) joints.insert(joint);
     });
     open_.erase(name);
-    return model_.groups[name] = std::vector<int>(joints.begin(), joints.end());
+    return {joints.begin(), joints.end()};
+  }
+
+  const std::vector<int>& inner_group(const TiXmlElement& element) {
+    const std::string name = attribute(element, "name");
+    const auto fault = model_.group_faults.find(name);
+    if (fault != model_.group_faults.end()) throw std::invalid_argument(fault->second);
+    const auto found = elements_.find(name);
+    if (found == elements_.end()) fail(element, "the SRDF has no group '" + name + "'");
+    return read_group(*found->second);
   }
 
   double read_value(const TiXmlElement& element, int joint) const {
@@ -126,15 +171,36 @@ class SrdfReader {
 
   /// States of the same name are merged: an arm's "home" and a hand's "home" make the robot's.
   void read_state(const TiXmlElement& state) {
-    const std::string group = attribute(state, "group");
-    located(state, [&] { return at(model_.groups, group, "group"); });
+    const std::string name = attribute(state, "name");
     const Eigen::VectorXd rest =
         Eigen::VectorXd::Zero(model_.lower.size()).cwiseMax(model_.lower).cwiseMin(model_.upper);
-    Eigen::VectorXd& q = model_.states.emplace(attribute(state, "name"), rest).first->second;
-    for_each(state, "joint", [&](const TiXmlElement& e) {
-      const Link& link = carried(e);
-      if (link.joint >= 0 && !link.is_mimic) q[link.joint] = read_value(e, link.joint);
-    });
+    Eigen::VectorXd& q = model_.states.emplace(name, rest).first->second;
+    try {
+      const char* group = state.Attribute("group");
+      if (group && elements_.count(group) == 0) {
+        fail(state, "the SRDF has no group '" + std::string(group) + "'");
+      }
+      for_parts(state, "joint", [&](const TiXmlElement& e) { set_joint(e, q); });
+    } catch (const std::invalid_argument& error) {
+      model_.state_faults.emplace(name, error.what());
+      throw;
+    }
+  }
+
+  void set_joint(const TiXmlElement& element, Eigen::VectorXd& q) {
+    if (is_base(element)) return;
+    const Link* link = carried(element);
+    if (has_value(link)) q[link->joint] = read_value(element, link->joint);
+  }
+
+  /// True for an unknown joint with several values: the base of a robot that is taken to float.
+  bool is_base(const TiXmlElement& element) {
+    const std::string name = attribute(element, "name"), text = attribute(element, "value");
+    std::istringstream words(text);
+    std::string word;
+    if (joints_.count(name) > 0 || !(words >> word >> word)) return false;
+    tolerate([&] { fail(element, "joint '" + name + "' is not in the URDF; ignored"); });
+    return true;
   }
 
   void disable(const TiXmlElement& element) {
@@ -144,6 +210,8 @@ class SrdfReader {
 
   const TiXmlElement& root_;
   Robot::Model& model_;
+  std::unordered_map<std::string, int> links_, joints_;  // index of a link, and of the one carried
+  std::set<std::string> virtual_joints_;
   std::map<std::string, const TiXmlElement*> elements_;
   std::set<std::string> open_;  // groups being read, to detect one that contains itself
 };
@@ -161,6 +229,7 @@ void read_srdf(const std::string& xml, Robot::Model& model) {
   const TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::invalid_argument("SRDF: there is no <robot> element");
   SrdfReader(*robot, model).read();
+  for (const auto& [name, fault] : model.state_faults) model.states.erase(name);
 }
 
 }  // namespace graspless::robot

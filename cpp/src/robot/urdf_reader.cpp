@@ -56,7 +56,11 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml) {
   return urdf;
 }
 
-bool is_movable(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+/// Floating and planar joints, which occur at the root alone, are treated as fixed.
+bool is_movable(const urdf::Joint& joint) {
+  return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS ||
+         joint.type == urdf::Joint::PRISMATIC;
+}
 bool is_independent(const urdf::Joint& joint) { return is_movable(joint) && !joint.mimic; }
 
 void check_finite(double value, const std::string& joint, const std::string& what) {
@@ -241,9 +245,10 @@ void read_shapes(const urdf::ModelInterface& urdf, const Robot::Options& options
 }  // namespace
 
 Robot::Model read_urdf(const std::string& xml, const Robot::Options& options) {
-  const UrdfTree tree = read_urdf_tree(xml);
+  UrdfTree tree = read_urdf_tree(xml);
   const urdf::ModelInterfaceSharedPtr urdf = parse(xml);
   Robot::Model model;
+  model.warnings = std::move(tree.warnings);
   model.name = urdf->getName();
   model.X_WB = options.X_WB;
   read_joints(*urdf, tree, model);

@@ -55,14 +55,28 @@ void check_limit(const TiXmlElement& joint, const std::string& type) {
   }
 }
 
-void check_type(const TiXmlElement& joint) {
+/// Checks the types of joints. A floating or planar joint is accepted where it connects the root
+/// alone, as many files of mobile robots write it; returns a warning about each.
+std::vector<std::string> check_types(const TiXmlElement& robot, const std::string& root) {
   static const std::set<std::string> kTypes = {"revolute", "continuous", "prismatic", "fixed"};
-  const std::string type = attribute(joint, "type");
-  if (kTypes.count(type) == 0) {
-    fail(joint, "joint '" + attribute(joint, "name") + "' is of type '" + type +
-                    "'; choose from revolute, continuous, prismatic, fixed");
+  std::vector<std::string> warnings;
+  for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+    const std::string type = attribute(*e, "type");
+    const std::string what = "joint '" + attribute(*e, "name") + "' is of type '" + type + "'";
+    if (kTypes.count(type) > 0) {
+      check_limit(*e, type);
+    } else if (type != "floating" && type != "planar") {
+      fail(*e, what + "; choose from revolute, continuous, prismatic, fixed");
+    } else if (e->FirstChildElement("parent")->Attribute("link") != root) {
+      fail(*e, what +
+                   ", which is possible at the root alone; choose from revolute, continuous, "
+                   "prismatic, fixed");
+    } else {
+      warnings.push_back("URDF line " + std::to_string(e->Row()) + ": " + what +
+                         "; treated as fixed");
+    }
   }
-  check_limit(joint, type);
+  return warnings;
 }
 
 std::set<std::string> declared_links(const TiXmlElement& robot) {
@@ -90,9 +104,8 @@ std::vector<Edge> read_edges(const TiXmlElement& robot, const std::set<std::stri
     const auto [other, is_first] = carrier.emplace(edge.child, edge.joint);
     if (!is_first) {
       fail(*e, "link '" + edge.child + "' has two parent joints, '" + other->second + "' and '" +
-                   edge.joint + "'");
+                   edge.joint + "': a closed chain, which is not supported; remove one of them");
     }
-    check_type(*e);
     edges.push_back(edge);
   }
   return edges;
@@ -165,6 +178,7 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   // Every link has one parent and there is one root, so joints that were not reached form a cycle.
   if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
   check_chains(*robot, edges, tree.joints);
+  tree.warnings = check_types(*robot, tree.root);
   return tree;
 }
 

@@ -10,7 +10,8 @@ namespace graspless::robot {
 /// The tree of a URDF's links and joints.
 struct UrdfTree {
   std::string root;
-  std::vector<std::string> joints;  ///< depth first; those of one link in the order of the file
+  std::vector<std::string> joints;    ///< depth first; those of one link in the order of the file
+  std::vector<std::string> warnings;  ///< about joints at the root that are treated as fixed
 };
 
 /// Checks that a URDF is a tree of supported joints with limits, before urdfdom reads it: urdfdom

@@ -15,8 +15,9 @@ Robot with(const std::string& body) {
   return Robot::from_urdf_file(GRASPLESS_TEST_DATA_DIR "/oddity.urdf", options);
 }
 
-std::string refused_srdf(const std::string& body) {
-  return complaint([&] { with(body); });
+std::string fault_of_group(const std::string& body, const std::string& group = "g") {
+  const Robot robot = with(body);
+  return complaint([&] { robot.group(group); });
 }
 
 TEST(Srdf, GroupsNameJointsLinksChainsAndGroups) {
@@ -48,34 +49,62 @@ TEST(Srdf, DisablesCollisions) {
   EXPECT_EQ(robot.ignored_pairs().count({robot.frame("root"), robot.frame("tip")}), 1u);
 }
 
-TEST(Srdf, RefusesUnknownNames) {
-  EXPECT_CONTAINS(refused_srdf("<group name='g'><joint name='x'/></group>"),
-                  "SRDF line 2: unknown joint 'x'; choose from joint10");
-  EXPECT_CONTAINS(refused_srdf("<group name='g'><link name='x'/></group>"), "unknown link 'x'");
-  EXPECT_CONTAINS(refused_srdf("<group name='g'><chain base_link='x' tip_link='tip'/></group>"),
-                  "link 'x'");
-  EXPECT_CONTAINS(refused_srdf("<group name='g'><chain base_link='tip' tip_link='root'/></group>"),
-                  "'root' is not below link 'tip'");
-  EXPECT_CONTAINS(refused_srdf("<group name='g'><group name='x'/></group>"), "unknown group 'x'");
+TEST(Srdf, SkipsGroupsWithUnknownNames) {
+  EXPECT_EQ(fault_of_group("<group name='g'><joint name='x'/></group>"),
+            "group 'g' cannot be used: SRDF line 2: the URDF has no joint 'x'");
+  EXPECT_CONTAINS(fault_of_group("<group name='g'><link name='x'/></group>"), "no link 'x'");
+  EXPECT_CONTAINS(fault_of_group("<group name='g'><chain base_link='x' tip_link='tip'/></group>"),
+                  "no link 'x'");
   EXPECT_CONTAINS(
-      refused_srdf(
+      fault_of_group("<group name='g'><chain base_link='tip' tip_link='root'/></group>"),
+      "'root' is not below link 'tip'");
+  EXPECT_CONTAINS(fault_of_group("<group name='g'><group name='x'/></group>"), "no group 'x'");
+  EXPECT_CONTAINS(
+      fault_of_group(
           "<group name='g'><group name='h'/></group><group name='h'><group name='g'/></group>"),
       "contains itself");
-  EXPECT_CONTAINS(refused_srdf("<group_state name='s' group='x'/>"), "unknown group 'x'");
-  EXPECT_CONTAINS(refused_srdf("<disable_collisions link1='tip' link2='x'/>"), "unknown link 'x'");
-  EXPECT_CONTAINS(refused_srdf("<disable_collisions link1='tip'/>"), "no attribute 'link2'");
-  EXPECT_CONTAINS(refused_srdf("<group name='g'>"), "not XML");
+  EXPECT_CONTAINS(fault_of_group("<group name='g'><joint/></group>"), "no attribute 'name'");
 }
 
-TEST(Srdf, RefusesValuesThatCannotBe) {
+TEST(Srdf, ReadsTheRestOfAFileWithUnknownNames) {
+  const Robot robot = with(
+      "<virtual_joint name='base' type='fixed' parent_frame='world' child_link='root'/>\n"
+      "<group name='arm'><joint name='base'/><joint name='joint10'/></group>\n"
+      "<group name='bad'><joint name='x'/></group><group name='worse'><group name='bad'/></group>\n"
+      "<group_state name='home'><joint name='joint10' value='0.5'/>"
+      "<joint name='floating_base' value='0 0 1 0 0 0 1'/></group_state>\n"
+      "<group_state name='lost' group='arm'><joint name='x' value='0'/></group_state>\n"
+      "<disable_collisions link1='tip' link2='x'/>\n<disable_collisions link1='tip'/>\n"
+      "<passive_joint name='x'/><end_effector name='e' parent_link='x' group='x'/>");
+  EXPECT_EQ(robot.group_names(), std::vector<std::string>{"arm"});
+  EXPECT_EQ(robot.group("arm"), std::vector<int>{0});
+  EXPECT_EQ(robot.state_names(), std::vector<std::string>{"home"});
+  EXPECT_EQ(robot.state("home")[0], 0.5);
+  const std::vector<std::string> expected = {
+      "SRDF line 4: the URDF has no joint 'x'",  // of the group, and of the one that contains it
+      "SRDF line 4: the URDF has no joint 'x'",
+      "SRDF line 5: joint 'floating_base' is not in the URDF; ignored",
+      "SRDF line 6: the URDF has no joint 'x'",
+      "SRDF line 7: the URDF has no link 'x'",
+      "SRDF line 8: <disable_collisions> has no attribute 'link2'"};
+  EXPECT_EQ(robot.warnings(), expected);
+  EXPECT_TRUE(with("<group name='g'><joint name='joint10'/></group>").warnings().empty());
+  EXPECT_CONTAINS(complaint([] { with("<group name='g'>"); }), "not XML");
+}
+
+TEST(Srdf, SkipsStatesThatCannotBe) {
   const auto state = [](const std::string& value) {
-    return refused_srdf(
-        "<group name='g'/><group_state name='s' group='g'><joint name='joint10' value='" + value +
-        "'/></group_state>");
+    const Robot robot =
+        with("<group name='g'/><group_state name='s' group='g'><joint name='joint10' value='" +
+             value + "'/></group_state>");
+    EXPECT_EQ(robot.warnings().size(), 1u);
+    return complaint([&] { robot.state("s"); });
   };
   EXPECT_CONTAINS(state("2.5"), "joint 'joint10': 2.5 is outside its limits -1.0");
-  EXPECT_CONTAINS(state("0,5"), "'0,5' is not a number");
+  EXPECT_CONTAINS(state("0,5"), "state 's' cannot be used: SRDF line 2: joint 'joint10': '0,5'");
   EXPECT_CONTAINS(state(""), "not a number");
+  const Robot robot = with("<group_state name='s' group='x'/>");
+  EXPECT_CONTAINS(complaint([&] { robot.state("s"); }), "the SRDF has no group 'x'");
 }
 
 TEST(Srdf, OursNamesArmAndHand) {
@@ -90,7 +119,8 @@ TEST(Srdf, OursNamesArmAndHand) {
 TEST(Srdf, RefusesDeepNesting) {
   std::string elements, groups = "<group name='g0'><joint name='joint2'/></group>";
   for (int i = 0; i < 100000; ++i) elements += "<group name='g'>\n";
-  EXPECT_CONTAINS(refused_srdf(elements), "SRDF line 101: elements may be nested 100 deep at most");
+  EXPECT_CONTAINS(complaint([&] { with(elements); }),
+                  "SRDF line 101: elements may be nested 100 deep at most");
   const auto add = [&](int from, int to) {
     for (int i = from; i < to; ++i) {
       groups += "<group name='g" + std::to_string(i) + "'><group name='g" + std::to_string(i - 1) +
@@ -100,7 +130,7 @@ TEST(Srdf, RefusesDeepNesting) {
   add(1, 100);
   EXPECT_EQ(with(groups).group("g99").size(), 1u);
   add(100, 100000);
-  EXPECT_CONTAINS(refused_srdf(groups), "is contained in 100 others, more than 99");
+  EXPECT_CONTAINS(fault_of_group(groups, "g99999"), "is contained in 100 others, more than 99");
 }
 
 }  // namespace

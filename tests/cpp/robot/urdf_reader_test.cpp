@@ -63,7 +63,7 @@ TEST(UrdfReader, RefusesWhatIsNoTree) {
   EXPECT_CONTAINS(refused(links({"a", "b"}) + joint("j", "b", "b")), "cycle");
   EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("j", "a", "b") + joint("k", "a", "c") +
                           joint("l", "c", "b")),
-                  "link 'b' has two parent joints, 'j' and 'l'");
+                  "link 'b' has two parent joints, 'j' and 'l': a closed chain");
   EXPECT_CONTAINS(refused(links({"a"}) + "<joint name='j' type='fixed'><child link='a'/></joint>"),
                   "joint 'j' has no <parent>");
 }
@@ -79,13 +79,29 @@ TEST(UrdfReader, RefusesJointsThatCannotBe) {
   EXPECT_CONTAINS(two("<limit lower='nan' upper='1' velocity='1' effort='1'/>"), "nan");
   EXPECT_CONTAINS(two("<limit lower='0' upper='1,5' velocity='1' effort='1'/>"), "1,5");
   EXPECT_CONTAINS(two("<limit lower='0' upper='1' effort='1'/>"), "velocity");
-  EXPECT_CONTAINS(two("", "floating"), "type 'floating'; choose from revolute");
-  EXPECT_CONTAINS(two("", "planar"), "type 'planar'");
+  EXPECT_CONTAINS(two("", "spherical"), "type 'spherical'; choose from revolute");
+  for (const std::string type : {"floating", "planar"}) {
+    EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("one", "a", "b") +
+                            joint("two", "b", "c", kLimit, type)),
+                    "joint 'two' is of type '" + type + "', which is possible at the root alone");
+  }
   EXPECT_CONTAINS(refused(links({"a", "b"}) +
                           "<joint name='j' type='continuous'><parent link='a'/><child link='b'/>"
                           "<axis xyz='0 0 0'/></joint>"),
                   "joint 'j': its axis must not be zero");
   EXPECT_CONTAINS(two(kLimit + "<origin xyz='0 0'/>"), "0 0");
+}
+
+TEST(UrdfReader, FixesABaseThatFloats) {
+  for (const std::string type : {"floating", "planar"}) {
+    const Robot robot = read(links({"world", "base", "arm"}) +
+                             joint("float", "world", "base", "<origin xyz='0 0 2'/>", type) +
+                             joint("turn", "base", "arm"));
+    EXPECT_EQ(robot.joint_names(), std::vector<std::string>{"turn"});
+    EXPECT_EQ(robot.pose(2, Eigen::VectorXd::Zero(1)).translation().z(), 2);
+    EXPECT_EQ(robot.warnings(), std::vector<std::string>{"URDF line 1: joint 'float' is of type '" +
+                                                         type + "'; treated as fixed"});
+  }
 }
 
 TEST(UrdfReader, RefusesMimicsOfNothing) {
@@ -126,7 +142,7 @@ TEST(UrdfReader, FindsMeshes) {
   options.directory = data;
   EXPECT_EQ(read(mesh("tetrahedron.obj"), options).shapes().size(), 1u);
   EXPECT_CONTAINS(refused(mesh("package://yours/x.obj"), options),
-                  "unknown package 'yours'; choose from mine");
+                  "mesh 'package://yours/x.obj': the folder of package 'yours' is not known");
   EXPECT_CONTAINS(refused(mesh("package://mine"), options), "names no file");
 }
 

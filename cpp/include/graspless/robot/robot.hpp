@@ -42,12 +42,12 @@ class GRASPLESS_API Robot {
   };
 
   /// Reads URDF text. Throws std::invalid_argument that names the faulty element: XML that does not
-  /// parse, a cycle or several roots, a planar or floating joint, a revolute or prismatic joint
-  /// without limits, a mimic joint of an unknown joint, a mesh that cannot be read, or a collision
-  /// shape whose size is not finite and positive.
+  /// parse, a cycle or several roots, a planar or floating joint other than at the root, a
+  /// revolute or prismatic joint without limits, a mimic joint of an unknown joint, a mesh that
+  /// cannot be read, or a collision shape whose size is not finite and positive.
   static Robot from_urdf(const std::string& xml, const Options& options);
   /// Reads a .urdf file. Unless `options.srdf` is given, also reads a .srdf file of the same name
-  /// in the same directory.
+  /// in the same directory. Packages that `options` does not have are looked for: find_packages().
   static Robot from_urdf_file(const std::string& path, Options options);
   static Robot from_urdf_file(const std::string& path);
 
@@ -68,12 +68,16 @@ class GRASPLESS_API Robot {
   int parent(int frame) const;  ///< frame index of the parent link; -1 for the root
   /// Index of an independent joint. Throws std::invalid_argument that lists the joints.
   int joint(const std::string& name) const;
-  /// Joint indices of a group of the SRDF. Throws std::invalid_argument that lists the groups.
+  /// Parts of the URDF and SRDF that were ignored or changed, one sentence each: for instance an
+  /// entry of the SRDF that names an unknown link.
+  const std::vector<std::string>& warnings() const;
+  /// Joint indices of a group of the SRDF. Throws std::invalid_argument that lists the groups, or
+  /// says what is wrong with this one.
   const std::vector<int>& group(const std::string& name) const;
   std::vector<std::string> group_names() const;
   /// Configuration of all joints in a group state of the SRDF. Joints that it does not name are
   /// 0, clamped to their limits. States of the same name in several groups are merged. Throws
-  /// std::invalid_argument that lists the states.
+  /// std::invalid_argument that lists the states, or says what is wrong with this one.
   const Eigen::VectorXd& state(const std::string& name) const;
   std::vector<std::string> state_names() const;
 
