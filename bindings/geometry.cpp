@@ -40,6 +40,17 @@ Eigen::Vector3d to_scale(const std::variant<double, Array>& scale) {
   return to_vector3(std::get<Array>(scale), "scale");
 }
 
+/// Reads a format that the core does not know.
+Mesh read_in_python(const std::string& path) {
+  const py::gil_scoped_acquire acquire;
+  try {
+    return py::module_::import("graspless._mesh_reader").attr("read")(path).cast<Mesh>();
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    throw std::invalid_argument(py::str(error.value()).cast<std::string>());
+  }
+}
+
 void bind_shapes(py::module_& m) {
   py::class_<Box>(m, "Box", "A box centred at its frame's origin, sides along the axes.")
       .def(py::init([](const Array& size) {
@@ -116,6 +127,7 @@ void bind_shapes(py::module_& m) {
         return represent(self, {"shape", "X_BG"});
       });
 
+  set_mesh_reader(read_in_python);
   m.def(
       "read_mesh",
       [](const std::string& path, const std::variant<double, Array>& scale) {
@@ -127,7 +139,7 @@ void bind_shapes(py::module_& m) {
 Parameters
 ----------
 path : str
-    File of type .stl, .obj, .off or .ply.
+    File of type .stl, .obj, .off or .ply; with the extra `robots` also .dae, .glb or .gltf.
 scale : float or (3,) array, optional
     Factor for all coordinates, or one per axis. Converts the unit of the file to metres.
 

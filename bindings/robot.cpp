@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "graspless/robot/description.hpp"
 #include "graspless/robot/ik.hpp"
 
 #include "conversions.hpp"
@@ -96,6 +97,10 @@ void bind_tables(py::class_<Robot>& cls) {
       .def_property_readonly("group_names", &Robot::group_names, "Names of the SRDF's groups.")
       .def_property_readonly("state_names", &Robot::state_names,
                              "Names of the SRDF's group states.")
+      .def_property_readonly(
+          "warnings", &Robot::warnings,
+          "Parts of URDF and SRDF that were ignored or changed, one sentence each: for instance\n"
+          "an entry of the SRDF that names an unknown link.")
       .def("frame", &Robot::frame, py::arg("name"),
            "Returns the index of a link.\n\nRaises ValueError that lists the links.")
       .def(
@@ -105,7 +110,8 @@ void bind_tables(py::class_<Robot>& cls) {
       .def("joint", &Robot::joint, py::arg("name"),
            "Returns the index of an independent joint.\n\nRaises ValueError that lists the joints.")
       .def("group", &Robot::group, py::arg("name"),
-           "Returns the joint indices of a group.\n\nRaises ValueError that lists the groups.")
+           "Returns the joint indices of a group.\n\nRaises ValueError that lists the groups, or "
+           "says what is wrong with this one.")
       .def(
           "state",
           [](const Robot& self, const std::string& name) -> Eigen::VectorXd {
@@ -113,7 +119,53 @@ void bind_tables(py::class_<Robot>& cls) {
           },
           py::arg("name"),
           "Returns the configuration of a group state, (dof,). Joints that it does not name are 0, "
-          "clamped to their limits.\n\nRaises ValueError that lists the states.");
+          "clamped to their limits.\n\nRaises ValueError that lists the states, or says what is "
+          "wrong with this one.");
+}
+
+void bind_description(py::module_& m) {
+  using robot::Description;
+  py::class_<Description>(m, "Description", "Texts of a robot's files.")
+      .def(py::init<std::string, std::string, Packages, std::string>(), py::arg("urdf"),
+           py::arg("srdf") = "", py::arg("packages") = Packages{}, py::arg("directory") = "",
+           "urdf, srdf: texts. packages: directory of each package://NAME/. directory: that "
+           "relative mesh paths start from.")
+      .def_readwrite("urdf", &Description::urdf, "URDF text.")
+      .def_readwrite("srdf", &Description::srdf, "SRDF text; empty: none.")
+      .def_readwrite("packages", &Description::packages, "Directory of each package://NAME/.")
+      .def_readwrite("directory", &Description::directory,
+                     "Directory that relative mesh paths start from.")
+      .def("__repr__", [](const Description& self) {
+        return "<Description with a URDF of " + std::to_string(self.urdf.size()) + " characters>";
+      });
+  m.def("find_packages", &robot::find_packages, py::arg("description"),
+        py::call_guard<py::gil_scoped_release>(),
+        "Returns the packages of a description, and those that its meshes name as "
+        "package://NAME/...\n\n"
+        "Looks in ROS_PACKAGE_PATH, in AMENT_PREFIX_PATH (share/NAME), and in the folders above "
+        "the directory: one called NAME,\n"
+        "one that contains NAME or, failing that, one that contains the mesh itself. The first "
+        "folder that contains the mesh is used.\n\n"
+        "Raises ValueError that says where a collision mesh's package was looked for.");
+  m.def(
+      "join",
+      [](const Description& arm, const Description& gripper, const std::string& mount,
+         const Array& X_MG, const std::string& prefix) {
+        const robot::Mount place{mount, to_pose(X_MG, "X_MG"), prefix};
+        const py::gil_scoped_release release;
+        return robot::join(arm, gripper, place);
+      },
+      py::arg("arm"), py::arg("gripper"), py::arg("mount"), pose_arg("X_MG"),
+      py::arg("prefix") = "",
+      "Returns the description of an arm with a gripper. A fixed joint carries the root link of "
+      "the gripper.\n\n"
+      "arm, gripper: descriptions. mount: link M of the arm. X_MG: (4, 4) pose of the gripper's "
+      "root link in M.\n"
+      "prefix: put before all names of the gripper; empty: gripper_, before names that the arm "
+      "has too. Paths of meshes\n"
+      "become absolute. States of the same name are merged.\n\n"
+      "Raises ValueError that names the faulty description, the unknown link, or names that "
+      "clash.");
 }
 
 void bind_kinematics(py::class_<Robot>& cls) {
@@ -272,6 +324,7 @@ void bind_robot(py::module_ m) {
                         "A rigid-body tree read from a URDF. Immutable and thread-safe.\n\n"
                         "A configuration q holds the independent joints [rad or m]; mimic joints "
                         "follow the joints that they mimic.");
+  bind_description(m);
   bind_loading(cls);
   bind_tables(cls);
   bind_kinematics(cls);

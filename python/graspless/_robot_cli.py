@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 COMMANDS = {
     "inspect": ("propose what a URDF does not say of arm and hand", "._robot_inspect"),
     "check": ("tell what is wrong with a robot's SRDF and hand", "._robot_check"),
+    "join": ("join an arm and a gripper into one URDF", "._robot_join"),
 }
 
 

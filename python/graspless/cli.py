@@ -231,7 +231,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "simulate": ("execute a plan in the MuJoCo physics engine", _of(".simulation.cli")),
     "export": ("export a timed plan for ROS, MuJoCo and others", _of(".formats.cli")),
     "batch": ("plan many tasks in parallel", _of(".batches.cli")),
-    "robot": ("propose and check the description of a robot", _of("._robot_cli")),
+    "robot": ("propose, check and join descriptions of robots", _of("._robot_cli")),
     "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),

@@ -13,12 +13,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 EXTRAS = {  # that bring a package, the smallest first
+    "collada": ("robots",),
     "dask": ("cluster",),
     "distributed": ("cluster",),
     "joblib": ("batch", "cluster"),
     "matplotlib": ("view",),
     "mujoco": ("sim",),
     "rich": ("batch", "cluster"),
+    "robot_descriptions": ("robots",),
     "rosbags": ("ros",),
     "scipy": ("timing", "view", "sim", "ros"),
     "toppra": ("timing", "sim", "ros"),

@@ -8,11 +8,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ._core.robot import (
+    Description,
     Ik,
     Robot,
+    find_packages,
+    join,
 )
 
 if TYPE_CHECKING:
+    from ._descriptions import Described
     from .inspection import Proposal
 
 
@@ -41,6 +45,40 @@ def builtin(name: str) -> Path:
         names = ", ".join(_data.robots())
         raise ValueError(f"{name}: no such robot comes with graspless (one of: {names})")
     return path
+
+
+def described(name: str) -> Described:
+    """Returns the files of a robot of the package robot_descriptions (extra `robots`).
+
+    Its first use downloads the robot to a cache, `~/.cache/robot_descriptions` or the folder in the
+    environment variable ROBOT_DESCRIPTIONS_CACHE. A cache that was filled before works offline.
+
+    Parameters
+    ----------
+    name : str
+        Name of the description, for instance panda_description.
+
+    Returns
+    -------
+    Described
+        Paths of the URDF or xacro file and of the SRDF, and the folders of packages.
+
+    Raises
+    ------
+    ValueError
+        The name is unknown, the robot has no URDF, or cannot be downloaded.
+    TaskError
+        robot_descriptions is not installed.
+    """
+    from . import _descriptions
+    from .errors import TaskError
+
+    try:
+        return _descriptions.described(name)
+    except TaskError:
+        raise
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
 
 
 def inspect(
@@ -77,10 +115,14 @@ def inspect(
 
 
 __all__ = [
+    "Description",
     "Ik",
     "Robot",
     "builtin",
+    "described",
+    "find_packages",
     "inspect",
+    "join",
 ]
 
 

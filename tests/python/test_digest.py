@@ -6,7 +6,8 @@ import pytest
 
 from graspless.tasks.digest import digest
 from graspless.tasks.meshes import checksums
-from graspless.tasks.robots import Robot, resolve_robot, robot_meshes
+from graspless.tasks.robot_files import resolve_robot
+from graspless.tasks.robots import Robot, robot_meshes
 from graspless.tasks.source import Source
 from graspless_bench.physics.work import Query
 

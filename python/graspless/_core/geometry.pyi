@@ -728,7 +728,7 @@ def read_mesh(path: str, scale: typing.SupportsFloat | typing.SupportsIndex | ty
     Parameters
     ----------
     path : str
-        File of type .stl, .obj, .off or .ply.
+        File of type .stl, .obj, .off or .ply; with the extra `robots` also .dae, .glb or .gltf.
     scale : float or (3,) array, optional
         Factor for all coordinates, or one per axis. Converts the unit of the file to metres.
     

@@ -7,7 +7,7 @@ import graspless._core.geometry
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Ik', 'Robot']
+__all__: list[str] = ['Description', 'Ik', 'Robot', 'find_packages', 'join']
 class Robot:
     """
     A rigid-body tree read from a URDF. Immutable and thread-safe.
@@ -49,7 +49,7 @@ class Robot:
         """
         Returns the joint indices of a group.
         
-        Raises ValueError that lists the groups.
+        Raises ValueError that lists the groups, or says what is wrong with this one.
         """
     def is_within(self, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], tolerance: typing.SupportsFloat | typing.SupportsIndex = 1e-09) -> bool:
         """
@@ -81,7 +81,7 @@ class Robot:
         """
         Returns the configuration of a group state, (dof,). Joints that it does not name are 0, clamped to their limits.
         
-        Raises ValueError that lists the states.
+        Raises ValueError that lists the states, or says what is wrong with this one.
         """
     @property
     def X_WB(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
@@ -168,6 +168,54 @@ class Robot:
         """
         URDF text that the robot was read from.
         """
+    @property
+    def warnings(self) -> list[str]:
+        """
+        Parts of URDF and SRDF that were ignored or changed, one sentence each: for instance
+        an entry of the SRDF that names an unknown link.
+        """
+class Description:
+    """
+    Texts of a robot's files.
+    """
+    def __init__(self, urdf: str, srdf: str = '', packages: collections.abc.Mapping[str, str] = {}, directory: str = '') -> None:
+        """
+        urdf, srdf: texts. packages: directory of each package://NAME/. directory: that relative mesh paths start from.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def directory(self) -> str:
+        """
+        Directory that relative mesh paths start from.
+        """
+    @directory.setter
+    def directory(self, arg0: str) -> None:
+        ...
+    @property
+    def packages(self) -> dict[str, str]:
+        """
+        Directory of each package://NAME/.
+        """
+    @packages.setter
+    def packages(self, arg0: collections.abc.Mapping[str, str]) -> None:
+        ...
+    @property
+    def srdf(self) -> str:
+        """
+        SRDF text; empty: none.
+        """
+    @srdf.setter
+    def srdf(self, arg0: str) -> None:
+        ...
+    @property
+    def urdf(self) -> str:
+        """
+        URDF text.
+        """
+    @urdf.setter
+    def urdf(self, arg0: str) -> None:
+        ...
 class Ik:
     """
     Inverse kinematics of one frame with the joints of one serial group; all other joints stay as given.
@@ -208,3 +256,22 @@ class Ik:
         """
         True if the chain has a closed form.
         """
+def find_packages(description: Description) -> dict[str, str]:
+    """
+    Returns the packages of a description, and those that its meshes name as package://NAME/...
+    
+    Looks in ROS_PACKAGE_PATH, in AMENT_PREFIX_PATH (share/NAME), and in the folders above the directory: one called NAME,
+    one that contains NAME or, failing that, one that contains the mesh itself. The first folder that contains the mesh is used.
+    
+    Raises ValueError that says where a collision mesh's package was looked for.
+    """
+def join(arm: Description, gripper: Description, mount: str, X_MG: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., prefix: str = '') -> Description:
+    """
+    Returns the description of an arm with a gripper. A fixed joint carries the root link of the gripper.
+    
+    arm, gripper: descriptions. mount: link M of the arm. X_MG: (4, 4) pose of the gripper's root link in M.
+    prefix: put before all names of the gripper; empty: gripper_, before names that the arm has too. Paths of meshes
+    become absolute. States of the same name are merged.
+    
+    Raises ValueError that names the faulty description, the unknown link, or names that clash.
+    """

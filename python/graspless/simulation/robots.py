@@ -98,6 +98,9 @@ def _with_compiler(fields: RobotFields) -> str:
     for mesh in root.iter("mesh"):
         path = mesh_path(mesh.get("filename", ""), fields.packages, fields.directory)
         mesh.set("filename", str(path))
+    for joint in root.iter("joint"):
+        if joint.get("type") in ("floating", "planar"):  # at the root, where they do not move
+            joint.set("type", "fixed")
     settings = {"fusestatic": "false", "strippath": "false", "discardvisual": "true"}
     ET.SubElement(ET.SubElement(root, "mujoco"), "compiler", settings)
     return ET.tostring(root, encoding="unicode")

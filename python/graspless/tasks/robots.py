@@ -4,7 +4,8 @@
 
 from __future__ import annotations
 
-from importlib.util import find_spec
+import warnings
+import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 from xml.parsers import expat
@@ -12,7 +13,6 @@ from xml.parsers import expat
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from .. import _data
 from .meshes import is_mesh
 from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
@@ -34,6 +34,36 @@ Home = Annotated[
 ]
 
 
+class Gripper(Fields):
+    """Gripper or hand that is mounted on the robot of a task."""
+
+    file: str | None = Field(default=None, description=".urdf or .xacro file of the gripper")
+    name: str | None = Field(
+        default=None, description="name of the gripper in the package robot_descriptions"
+    )
+    mount: str = Field(description="link of the arm that carries the gripper's root link")
+    pose: Pose = Field(
+        default=Pose.model_construct(), description="pose of the gripper's root link in the mount"
+    )
+    prefix: str = Field(
+        default="",
+        description="put before all names of the gripper; default: gripper_, before names that the "
+        "arm has too",
+    )
+    srdf: str | None = Field(
+        default=None, description="SRDF file; default: the file of the same name beside the URDF"
+    )
+    packages: dict[str, str] = Field(default={}, description="folder of each package://NAME/")
+    xacro_args: dict[str, str | float | int | bool] = Field(
+        default={}, description="arguments of a .xacro file"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Gripper:
+        self.one_of("file", "name")
+        return self
+
+
 class Robot(Fields):
     """Robot of a task, with its pose and start configuration."""
 
@@ -41,6 +71,12 @@ class Robot(Fields):
         default=None,
         description=".urdf or .xacro file, or the name of a robot that comes with graspless",
     )
+    name: str | None = Field(
+        default=None,
+        description="name of a robot in the package robot_descriptions, like panda_description",
+    )
+    arm: str | None = Field(default=None, description="as urdf, of an arm that gets a gripper")
+    gripper: Gripper | None = Field(default=None, description="gripper to mount on the arm")
     urdf_text: str | None = Field(default=None, description="text of the URDF")
     srdf: str | None = Field(
         default=None, description="SRDF file; default: the file of the same name beside the URDF"
@@ -64,60 +100,13 @@ class Robot(Fields):
 
     @model_validator(mode="after")
     def _check(self) -> Robot:
-        self.one_of("urdf", "urdf_text")
+        self.one_of("urdf", "name", "arm", "urdf_text")
         self.one_of("srdf", "srdf_text", needed=False)
+        if self.arm is not None and self.gripper is None:
+            raise ValueError("arm needs a gripper; write urdf for a robot that has one")
+        if self.urdf_text is not None and self.gripper is not None:
+            raise ValueError("gripper cannot be mounted on a urdf_text; write arm")
         return self
-
-
-def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
-    """Returns the robot with the content of its files, and the folder of its URDF."""
-    if robot.urdf is None:
-        with at(source, "robot", "urdf_text"):
-            robot_meshes(robot)
-        return robot, None
-    path = directory / robot.urdf
-    if not path.is_file():
-        built_in = _data.robot(robot.urdf)
-        if built_in is None:
-            names = ", ".join(_data.robots())
-            what = f"no such file, nor a robot that comes with graspless (one of: {names})"
-            raise source.error(("robot", "urdf"), what)
-        path = built_in
-    packages = {name: str((directory / place).resolve()) for name, place in robot.packages.items()}
-    for name, place in packages.items():
-        if not Path(place).is_dir():
-            raise source.error(("robot", "packages", name), "no such folder")
-    meshes = directory / robot.directory if robot.directory else path.parent
-    if robot.directory and not meshes.is_dir():
-        raise source.error(("robot", "directory"), "no such folder")
-    srdf = _find_srdf(robot, path, source, directory)
-    resolved = robot.model_copy(
-        update={
-            "urdf": None,
-            "urdf_text": _read_xml(path, robot, packages, source, ("robot", "urdf")),
-            "srdf": None,
-            "srdf_text": robot.srdf_text
-            or (srdf and _read_xml(srdf, robot, packages, source, ("robot", "srdf"))),
-            "packages": packages,
-            "directory": str(meshes.resolve()),
-            "xacro_args": {},
-        }
-    )
-    with at(source, "robot", "urdf"):
-        robot_meshes(resolved)
-    return resolved, path
-
-
-def _find_srdf(robot: Robot, urdf: Path, source: Source, directory: Path) -> Path | None:
-    if robot.srdf_text is not None:
-        return None
-    if robot.srdf is None:
-        beside = (urdf.with_name(f"{stem(urdf)}{end}") for end in (".srdf", ".srdf.xacro"))
-        return next((path for path in beside if path.is_file()), None)
-    path = directory / robot.srdf
-    if not path.is_file():
-        raise source.error(("robot", "srdf"), "no such file")
-    return path
 
 
 def stem(path: str | Path) -> str:
@@ -128,58 +117,42 @@ def stem(path: str | Path) -> str:
     return name
 
 
-def _read_xml(
-    path: Path,
-    robot: Robot,
-    packages: dict[str, str],
-    source: Source,
-    location: tuple[str, ...],
-) -> str:
-    try:
-        if path.suffix == ".xacro":
-            return _expand_xacro(path, robot.xacro_args, packages, source.is_trusted)
-        return path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise source.error(location, f"cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise source.error(location, "is not a text file in UTF-8") from None
-    except ValueError as error:
-        raise source.error(location, str(error)) from None
-
-
-def _expand_xacro(
-    path: Path, arguments: dict[str, Any], packages: dict[str, str], trust: bool
-) -> str:
-    """Returns the URDF of a xacro file."""
-    from .xacro_process import expand
-
-    if find_spec("xacro") is None:
-        raise ValueError("needs xacro to be read: pip install xacro")
-    words = {
-        name: str(value).lower() if isinstance(value, bool) else str(value)
-        for name, value in arguments.items()
-    }
-    return expand(path, words, packages, trust)
-
-
 def build_robot(robot: Robot, source: Source) -> robots.Robot:
     from .. import robot as robots
 
-    with at(source, "robot", "urdf" if "urdf" in source.given("robot") else "urdf_text"):
-        return robots.Robot.from_urdf(
+    field = given_field(source)
+    with at(source, "robot", field):
+        built = robots.Robot.from_urdf(
             robot.urdf_text or "",
             srdf=robot.srdf_text or "",
             packages=robot.packages,
             directory=robot.directory or "",
             X_WB=pose_matrix(robot.pose),
         )
+    if built.warnings and field != "urdf_text":  # a plan was made in spite of them
+        more = f" and {len(built.warnings) - 1} more" if len(built.warnings) > 1 else ""
+        text = source.message(("robot", field), f"{built.warnings[0]}{more}; skipped")
+        warnings.warn(f"{text} (Robot.warnings lists all)", stacklevel=4)
+    return built
+
+
+def given_field(source: Source) -> str:
+    """Returns the field of `robot` that says which robot it is."""
+    given = source.given("robot")
+    return next((name for name in ("urdf", "name", "arm") if name in given), "urdf_text")
+
+
+def require_text(robot: Robot, source: Source) -> None:
+    """Raises TaskError if a robot in a plan file names files."""
+    if robot.urdf_text is None:
+        raise source.error(("robot", given_field(source)), "must stand in the plan file itself")
 
 
 def require_srdf(robot: Robot, source: Source) -> None:
     """Raises TaskError if a resolved robot has no groups and states."""
     if robot.srdf_text is not None:
         return
-    name = Path(str(source.data["robot"].get("urdf", ""))).name
+    name = Path(str(source.data["robot"].get(given_field(source), ""))).name
     looked = f": looked for {stem(name)}.srdf beside the URDF" if name else ""
     raise source.error(("robot",), f"no SRDF{looked}; it has the groups and states of the hand")
 
@@ -211,6 +184,15 @@ def robot_meshes(robot: Robot) -> set[Path]:
     """Returns the existing mesh files of a resolved robot."""
     paths = mesh_files(robot.urdf_text or "", robot.packages, robot.directory)
     return {path for path in paths if is_mesh(path) and path.is_file()}
+
+
+def collision_meshes(robot: Robot) -> set[Path]:
+    """Returns the mesh files of the collision shapes of a robot whose XML `mesh_files` accepts."""
+    names = [
+        mesh.get("filename", "")
+        for mesh in ET.fromstring(robot.urdf_text or "").iterfind(".//collision//mesh")
+    ]
+    return {mesh_path(name, robot.packages, robot.directory) for name in names}
 
 
 def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> set[Path]:
@@ -247,7 +229,7 @@ def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> se
 def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
     """Returns the path of a URDF's mesh: package://, file://, or relative to `directory`."""
     if name.startswith("package://"):
-        package, _, rest = name.removeprefix("package://").partition("/")
+        package, _, rest = name.removeprefix("package://").lstrip("/").partition("/")
         return Path(packages.get(package, package)) / rest.lstrip("/")
     if name.startswith("file://"):
         return Path(name.removeprefix("file://"))

@@ -10,7 +10,8 @@ from ..clasp.cloud import resolve_object
 from ..effective_values import in_force as _in_force
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
-from ..robots import resolve_robot, robot_meshes
+from ..robot_files import resolve_robot
+from ..robots import require_text, robot_meshes
 from ..statement import (
     obstacle_fields,
     part_fields,
@@ -53,8 +54,8 @@ def resolve(named: CarryTask, source: Source, directory: Path) -> tuple[CarryTas
 
 def require_resolved(fields: CarryTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
-    if fields.robot is not None and fields.robot.urdf is not None:
-        raise source.error(("robot", "urdf"), "must stand in the plan file itself")
+    if fields.robot is not None:
+        require_text(fields.robot, source)
     thing = fields.object
     if thing is not None and thing.clasp is not None and not isinstance(thing.clasp.points, list):
         raise source.error(("object", "clasp", "points"), "must stand in the plan file itself")

@@ -183,7 +183,11 @@ def _absolute(value: Any, directory: Path, key: str = "") -> Any:
     """Returns a document with absolute paths."""
     if isinstance(value, dict):
         inner = key if key == "packages" else ""
-        return {name: _absolute(v, directory, inner or name) for name, v in value.items()}
+        files = {"arm"} if "gripper" in value else set()  # elsewhere `arm` is a group
+        return {
+            name: _absolute(v, directory, inner or ("urdf" if name in files else name))
+            for name, v in value.items()
+        }
     if isinstance(value, list):
         return [_absolute(item, directory, key) for item in value]
     if key in FILES and isinstance(value, str) and (directory / value).exists():

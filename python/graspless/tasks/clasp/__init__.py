@@ -11,7 +11,8 @@ from ..effective_values import plain
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
-from ..robots import resolve_robot, robot_meshes
+from ..robot_files import resolve_robot
+from ..robots import require_text, robot_meshes
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
@@ -50,8 +51,7 @@ def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTas
 
 def require_resolved(fields: ClaspTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
-    if fields.robot.urdf is not None:
-        raise source.error(("robot", "urdf"), "must stand in the plan file itself")
+    require_text(fields.robot, source)
     if not isinstance(fields.hand, Hand):
         raise source.error(("hand",), "must stand in the plan file itself")
     if not isinstance(fields.object.points, list):

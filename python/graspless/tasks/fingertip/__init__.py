@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
+from ..robots import require_text
 from ..statement import obstacle_fields, robot_fields, struct_fields
 from .arm import Arm, build_arm
 from .build import build as build_problem
@@ -33,8 +34,8 @@ def resolve(named: FingertipTask, source: Source, directory: Path) -> tuple[Fing
 
 def require_resolved(fields: FingertipTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
-    if fields.robot is not None and fields.robot.urdf is not None:
-        raise source.error(("robot", "urdf"), "must stand in the plan file itself")
+    if fields.robot is not None:
+        require_text(fields.robot, source)
 
 
 def build(

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
-from ..robots import resolve_robot, robot_meshes
+from ..robot_files import resolve_robot
+from ..robots import robot_meshes
 
 if TYPE_CHECKING:
     from pathlib import Path

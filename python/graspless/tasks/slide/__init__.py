@@ -12,6 +12,7 @@ import numpy as np
 from ... import slide
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
+from ..robots import require_text
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
@@ -27,9 +28,9 @@ Fields = SlideTask
 
 def require_resolved(fields: SlideTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
-    for section, field in (("robot", "urdf"), ("object", "cloud")):
-        if getattr(getattr(fields, section), field) is not None:
-            raise source.error((section, field), "must stand in the plan file itself")
+    require_text(fields.robot, source)
+    if fields.object.cloud is not None:
+        raise source.error(("object", "cloud"), "must stand in the plan file itself")
     if isinstance(fields.hand, str):
         raise source.error(("hand",), "must stand in the plan file itself")
 

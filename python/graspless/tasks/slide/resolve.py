@@ -16,7 +16,8 @@ from ..clouds import read_cloud
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
-from ..robots import resolve_robot, robot_meshes, stem
+from ..robot_files import resolve_robot
+from ..robots import robot_meshes, stem
 from ..shapes import pose_matrix
 from ..source import Source, read_yaml
 from . import model

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless robot join`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ._commands import FOUND, add_trust
+from .errors import TaskError
+
+if TYPE_CHECKING:
+    import argparse
+
+EXAMPLE = "example: graspless robot join ur5e.urdf robotiq.urdf --mount tool0 -o joined.urdf"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `robot join`."""
+    parser.description = (
+        "Write one URDF of an arm and a gripper, with absolute paths of meshes. If one of them has "
+        "an SRDF, one of both is written beside it."
+    )
+    parser.epilog = EXAMPLE
+    parser.add_argument(
+        "arm", metavar="ARM", help=".urdf or .xacro file, or a name in robot_descriptions"
+    )
+    parser.add_argument("gripper", metavar="GRIPPER", help="the same of the gripper or hand")
+    parser.add_argument(
+        "--mount", metavar="LINK", required=True, help="link of the arm that carries the gripper"
+    )
+    for name, about in (("xyz", "position [m]"), ("rpy", "roll, pitch and yaw [rad]")):
+        parser.add_argument(
+            f"--{name}",
+            type=float,
+            nargs=3,
+            default=[0.0, 0.0, 0.0],
+            metavar=("X", "Y", "Z"),
+            help=f"{about} of the gripper's root link in the mount (default: 0 0 0)",
+        )
+    parser.add_argument(
+        "--prefix",
+        default="",
+        help="put before all names of the gripper; default: gripper_, before those of the arm",
+    )
+    parser.add_argument(
+        "--package",
+        metavar="NAME=DIR",
+        action="append",
+        default=[],
+        help="folder of package://NAME/; can be given several times",
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        default="joined.urdf",
+        help="URDF file to write (default: %(default)s); - for stdout, without the SRDF",
+    )
+    add_trust(parser)
+    parser.set_defaults(run=_join)
+
+
+def _join(options: argparse.Namespace) -> int:
+    from . import files
+    from .tasks import robots, source
+    from .tasks.robot_files import resolve_robot
+
+    to_stdout = options.output == "-"
+    path = Path(options.output)
+    if not to_stdout:
+        if path.suffix != ".urdf":
+            raise TaskError(f"--output: {path}: should end in .urdf")
+        files.check_writable(path)
+        files.check_writable(path.with_suffix(".srdf"))
+    given = source.Source("robot join", {"robot": _fields(options)}, is_trusted=options.trust)
+    robot = robots.Robot.model_validate(given.data["robot"])
+    resolved, _ = resolve_robot(robot, given, Path())
+    built = robots.build_robot(resolved, given)
+    if to_stdout:
+        print(resolved.urdf_text, end="")
+    else:
+        files.write(path, resolved.urdf_text or "")
+        if resolved.srdf_text:
+            files.write(path.with_suffix(".srdf"), resolved.srdf_text)
+    told = sys.stderr if to_stdout else sys.stdout
+    print(f"{built.name}: {built.dof} joints, {len(built.frame_names)} links", file=told)
+    if not to_stdout:
+        print(f"written: {path}")
+        if resolved.srdf_text:
+            print(f"written: {path.with_suffix('.srdf')}")
+    return FOUND
+
+
+def _fields(options: argparse.Namespace) -> dict[str, Any]:
+    """Returns the robot as a task file states it."""
+    packages = {}
+    for text in options.package:
+        name, separator, folder = text.partition("=")
+        if not (name and separator and folder):
+            raise TaskError(f"--package: {text}: should be NAME=DIR")
+        packages[name] = folder
+    gripper = {
+        "name" if _is_name(options.gripper) else "file": options.gripper,
+        "mount": options.mount,
+        "pose": {"position": options.xyz, "rpy": options.rpy},
+        "prefix": options.prefix,
+        "packages": packages,
+    }
+    return {
+        "name" if _is_name(options.arm) else "arm": options.arm,
+        "gripper": gripper,
+        "packages": packages,
+    }
+
+
+def _is_name(text: str) -> bool:
+    return text.endswith("_description") and not Path(text).exists()
