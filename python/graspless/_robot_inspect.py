@@ -56,6 +56,7 @@ def add_robot(parser: argparse.ArgumentParser) -> None:
 def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path | None]:
     """Returns the robot that the arguments name, and its file."""
     from .tasks import robots, source
+    from .tasks.robot_files import resolve_robot
 
     if (options.file is None) == (options.name is None):
         raise TaskError(f"{command}: give either FILE or --name")
@@ -65,9 +66,10 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path |
         if not (name and separator and folder):
             raise TaskError(f"--package: {text}: should be NAME=DIR")
         packages[name] = folder
-    fields = {"urdf": options.file or options.name, "packages": packages}
+    field = "name" if options.file is None else "urdf"
+    fields = {field: options.file or options.name, "packages": packages}
     given = source.Source(command, {"robot": fields}, is_trusted=options.trust)
-    resolved, path = robots.resolve_robot(robots.Robot.model_validate(fields), given, Path())
+    resolved, path = resolve_robot(robots.Robot.model_validate(fields), given, Path())
     return robots.build_robot(resolved, given), path
 
 

@@ -47,7 +47,7 @@ def with_proposal(
     from ..robot import inspect
 
     kind = source.data["kind"] if isinstance(source.data, dict) else "slide"
-    built = build_robot(robot, source)
+    built = build_robot(robot, source, warn=False)
     with at(source, "robot"):
         found = inspect(built)
         proposed: dict[str, Any] = found.clasp if kind == "clasp" else found.hand

@@ -117,7 +117,8 @@ def stem(path: str | Path) -> str:
     return name
 
 
-def build_robot(robot: Robot, source: Source) -> robots.Robot:
+def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Robot:
+    """Returns the robot of resolved fields; warns of what was ignored in its files."""
     from .. import robot as robots
 
     field = given_field(source)
@@ -129,7 +130,7 @@ def build_robot(robot: Robot, source: Source) -> robots.Robot:
             directory=robot.directory or "",
             X_WB=pose_matrix(robot.pose),
         )
-    if built.warnings and field != "urdf_text":  # a plan was made in spite of them
+    if warn and built.warnings and field != "urdf_text":  # a plan was made in spite of them
         more = f" and {len(built.warnings) - 1} more" if len(built.warnings) > 1 else ""
         text = source.message(("robot", field), f"{built.warnings[0]}{more}; skipped")
         warnings.warn(f"{text} (Robot.warnings lists all)", stacklevel=4)
