@@ -14,7 +14,7 @@ import trimesh
 
 from graspless import _mesh_reader, geometry, robot
 from graspless.tasks.robot_files import resolve_robot
-from graspless.tasks.robots import Robot
+from graspless.tasks.robots import Robot, build_robot
 from graspless.tasks.source import Source
 
 pytest.importorskip("collada")
@@ -140,6 +140,46 @@ def test_cache_that_cannot_be_written(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
     (tmp_path / "a.dae").write_text(dae())
     assert len(geometry.read_mesh(str(tmp_path / "a.dae")).triangles) == 8
+
+
+INERTIAL = """<inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="9"/></inertial>"""  # A + B < C
+MOVING = """\
+<robot name="r"><link name="base"/>
+  <link name="arm">{inertial}
+    <collision><geometry><mesh filename="a.dae" scale="2 2 2"/></geometry></collision>
+    <visual><geometry><mesh filename="a.dae" scale="2 2 2"/></geometry></visual>
+  </link>
+  <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/></joint>
+</robot>"""
+
+
+@pytest.fixture
+def moving(tmp_path):
+    """A robot with a .dae to draw and to collide with, and fields of a task."""
+    (tmp_path / "a.dae").write_text(dae())
+    (tmp_path / "arm.urdf").write_text(MOVING.format(inertial=INERTIAL))
+    source = Source("task.yaml", {"robot": {"urdf": "arm.urdf"}})
+    fields, _ = resolve_robot(Robot(urdf="arm.urdf"), source, tmp_path)
+    return build_robot(fields, source), fields
+
+
+def test_dae_is_drawn_in_metres(moving, processes):
+    from graspless.view import bodies
+
+    drawn = bodies.robot_bodies(*moving)[1].parts[0].vertices
+    np.testing.assert_allclose(drawn.max(axis=0), 2 * 0.0254 * np.array([12, 12, 2]))
+    assert not processes  # it was read as a collision mesh
+
+
+def test_dae_is_simulated(moving):
+    pytest.importorskip("mujoco")
+    from graspless.simulation.robots import robot_spec
+
+    model = robot_spec(*moving).compile()
+    assert model.ngeom == 1
+    size = 0.0254 * 2 * np.array([12, 12, 2])
+    assert model.geom_rbound[0] >= np.linalg.norm(size) / 3
 
 
 def bomb():

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from .. import frames
+from .. import frames, geometry
+from .._mesh_reader import SUFFIXES
 from ..tasks.robots import mesh_path
 from .settings import Servo, Solver
 
@@ -35,7 +36,8 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
         Servo of all joints.
     """
     servo = servo or Servo()
-    spec = mujoco.MjSpec.from_string(_with_compiler(fields))
+    xml, assets = _model(fields)
+    spec = mujoco.MjSpec.from_string(xml, assets=assets)
     apply(spec)
     names = list(robot.frame_names)
     base = spec.body(names[0])
@@ -92,15 +94,40 @@ def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:
     actuator.forcelimited, actuator.forcerange = True, [-effort, effort]
 
 
-def _with_compiler(fields: RobotFields) -> str:
-    """Returns the URDF with absolute paths of meshes and with all links kept separate."""
+def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
+    """Returns the URDF for MuJoCo, and the meshes that it cannot read by itself.
+
+    Paths of meshes are absolute, all links are kept separate, and nothing is drawn.
+    """
     root = ET.fromstring(fields.urdf_text or "")
+    for link in root.iter("link"):
+        for visual in link.findall("visual"):
+            link.remove(visual)
+    assets: dict[str, bytes] = {}
     for mesh in root.iter("mesh"):
         path = mesh_path(mesh.get("filename", ""), fields.packages, fields.directory)
-        mesh.set("filename", str(path))
+        name = str(path)
+        if path.suffix.lower() in SUFFIXES:
+            name = f"converted_{len(assets)}.stl"
+            assets[name] = _as_stl(str(path))
+        mesh.set("filename", name)
     for joint in root.iter("joint"):
         if joint.get("type") in ("floating", "planar"):  # at the root, where they do not move
             joint.set("type", "fixed")
-    settings = {"fusestatic": "false", "strippath": "false", "discardvisual": "true"}
+    settings = {
+        "fusestatic": "false",
+        "strippath": "false",
+        "discardvisual": "true",
+        "balanceinertia": "true",
+    }
     ET.SubElement(ET.SubElement(root, "mujoco"), "compiler", settings)
-    return ET.tostring(root, encoding="unicode")
+    return ET.tostring(root, encoding="unicode"), assets
+
+
+def _as_stl(path: str) -> bytes:
+    """Returns a mesh as a binary STL file."""
+    mesh = geometry.read_mesh(path)
+    triangles = np.asarray(mesh.vertices, dtype="<f4")[np.asarray(mesh.triangles)]
+    rows = np.zeros(len(triangles), dtype=[("n", "<f4", 3), ("p", "<f4", (3, 3)), ("end", "<u2")])
+    rows["p"] = triangles
+    return bytes(80) + len(rows).to_bytes(4, "little") + rows.tobytes()

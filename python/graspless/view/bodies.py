@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames, geometry
+from .._mesh_reader import prepare
 from ..errors import TaskError
 from ..tasks.obstacles import placed_parts
+from ..tasks.robots import robot_meshes
 from ..tasks.shapes import pose_matrix
 from .visuals import UnreadableError, read_visual, warn_once
 
@@ -87,6 +89,8 @@ def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
         for material in root.iter("material")
         if material.find("color") is not None
     }
+    if fields is not None:
+        prepare(robot_meshes(fields))
     drawn = set()
     for link in root.findall("link"):
         name = link.get("name", "")

@@ -7,6 +7,7 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
+from .. import _mesh_reader
 from ..tasks.meshes import SUFFIXES, is_mesh
 from ..tasks.robots import mesh_path
 
@@ -30,6 +31,13 @@ def read_visual(name: str, robot: Robot) -> Any:
         known = not name.startswith("package://") or package in robot.packages
         why = "no such file" if known else f"robot.packages has no {package}"
         raise UnreadableError(f"{name}: {why}")
+    if path.suffix.lower() in _mesh_reader.SUFFIXES:
+        try:
+            read = _mesh_reader.read(str(path))
+        except ValueError as error:
+            why = str(error).removeprefix(f"mesh '{path}' ")
+            raise UnreadableError(f"{name}: {why}") from None
+        return trimesh.Trimesh(read.vertices, read.triangles, process=False)
     try:
         mesh: Any = trimesh.load(path, force="mesh")
         if len(mesh.faces):
