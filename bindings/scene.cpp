@@ -129,15 +129,17 @@ void bind_scene(py::module_ m) {
   bind_queries(cls);
   m.def(
       "sample_contacts",
-      [](const robot::Robot& robot, int samples, std::uint64_t seed) {
-        scene::LinkContacts found = scene::sample_contacts(robot, samples, seed);
+      [](const robot::Robot& robot, int samples, std::uint64_t seed,
+         const std::vector<int>& links) {
+        scene::LinkContacts found = scene::sample_contacts(robot, samples, seed, links);
         return std::make_pair(std::move(found.always), std::move(found.never));
       },
       py::arg("robot"), py::arg("samples") = 10000, py::arg("seed") = 1,
-      py::call_guard<py::gil_scoped_release>(),
+      py::arg("links") = std::vector<int>{}, py::call_guard<py::gil_scoped_release>(),
       "Tests a robot's links against each other in random configurations within its limits.\n\n"
       "Returns two lists of pairs of link indices: those that touch in at least 95 % of the "
-      "samples, and those that never touch. Raises ValueError unless 0 < samples <= 10^6.");
+      "samples, and those that never touch. links: indices; only pairs with one of them are "
+      "tested. Raises ValueError unless 0 < samples <= 10^6 and the links exist.");
 }
 
 }  // namespace graspless::bindings

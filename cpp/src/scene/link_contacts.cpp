@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace graspless::scene {
 namespace {
 
 constexpr int kMaxSamples = 1000000;
+constexpr int kLeastFirst = 50;   // samples that decide about pairs that touch
 constexpr double kAlways = 0.95;  // of the samples, as MoveIt's set-up assistant
 
 /// A pair of the world that is still tested, and in how many samples it touched.
@@ -24,13 +26,16 @@ struct OpenContact {
 
 class ContactSampler {
  public:
-  ContactSampler(const robot::Robot& robot, std::uint64_t seed)
+  ContactSampler(const robot::Robot& robot, std::uint64_t seed, const std::set<int>& chosen)
       : robot_(robot), scene_(robot), rng_(seed), q_(robot.dof()) {
-    for (int pair = 0; pair < scene_.world().num_pairs(); ++pair) open_.push_back({pair});
+    for (int pair = 0; pair < scene_.world().num_pairs(); ++pair) {
+      const auto [a, b] = links(pair);
+      if (chosen.empty() || chosen.count(a) || chosen.count(b)) open_.push_back({pair});
+    }
   }
 
   LinkContacts run(int samples) {
-    const int first = std::max(1, samples / 10);
+    const int first = std::min(samples, std::max(kLeastFirst, samples / 50));
     for (int i = 0; i < first; ++i) test(i);
     LinkContacts found;
     for (const OpenContact& contact : open_) {
@@ -89,12 +94,19 @@ class ContactSampler {
 
 }  // namespace
 
-LinkContacts sample_contacts(const robot::Robot& robot, int samples, std::uint64_t seed) {
+LinkContacts sample_contacts(const robot::Robot& robot, int samples, std::uint64_t seed,
+                             const std::vector<int>& links) {
   if (samples < 1 || samples > kMaxSamples) {
     throw std::invalid_argument("samples must lie in [1, " + std::to_string(kMaxSamples) +
                                 "], not " + std::to_string(samples));
   }
-  return ContactSampler(robot, seed).run(samples);
+  const auto count = static_cast<int>(robot.frame_names().size());
+  for (const int link : links) {
+    if (link >= 0 && link < count) continue;
+    throw std::invalid_argument("links must be indices of the " + std::to_string(count) +
+                                " links, not " + std::to_string(link));
+  }
+  return ContactSampler(robot, seed, {links.begin(), links.end()}).run(samples);
 }
 
 }  // namespace graspless::scene

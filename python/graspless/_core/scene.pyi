@@ -81,9 +81,9 @@ class Scene:
         """
         World that holds the scene's bodies.
         """
-def sample_contacts(robot: graspless._core.robot.Robot, samples: typing.SupportsInt | typing.SupportsIndex = 10000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
+def sample_contacts(robot: graspless._core.robot.Robot, samples: typing.SupportsInt | typing.SupportsIndex = 10000, seed: typing.SupportsInt | typing.SupportsIndex = 1, links: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] = []) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
     """
     Tests a robot's links against each other in random configurations within its limits.
     
-    Returns two lists of pairs of link indices: those that touch in at least 95 % of the samples, and those that never touch. Raises ValueError unless 0 < samples <= 10^6.
+    Returns two lists of pairs of link indices: those that touch in at least 95 % of the samples, and those that never touch. links: indices; only pairs with one of them are tested. Raises ValueError unless 0 < samples <= 10^6 and the links exist.
     """

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING
@@ -14,13 +15,15 @@ from .. import frames, scene
 from .. import robot as robots
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from ..frames import Matrix
     from ..scene import Scene
+    from .pairs import Pair
     from .tree import Tree
 
 SAMPLES = 1500  # configurations from which the home is chosen
+OFTEN, OFTEN_SAMPLES = 0.5, 100  # pairs that touch in this share of so many samples
 MARGIN = 0.1  # of a joint's range, to be kept from its limits
 DISTANCES = (0.45, 0.55, 0.35, 0.65)  # of the hand from the base, over the arm's reach
 HEIGHTS = (0.4, 0.3, 0.5, 0.2)  # of the hand over the base, over the arm's reach
@@ -60,16 +63,19 @@ class Home:
     is_sure: bool
 
 
-def find_home(robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> Home | None:
+def find_home(
+    tree: Tree, arm: Arm, placed: tuple[str, Matrix], pairs: Iterable[Pair], q_open: Matrix
+) -> Home | None:
     """Returns a free configuration with the hand open, away from limits, pointing down if possible.
 
     Parameters
     ----------
-    robot : Robot
-        With a frame between the tips, whose Z is out of the hand.
+    tree : Tree
     arm : Arm
-    frame : str
-        That frame.
+    placed : str and array [4, 4]
+        Link and pose in it of the frame between the tips, whose Z is out of the hand.
+    pairs : iterable of pairs of str
+        Links that are not tested against each other.
     q_open : array [dof]
         The hand's joints when open.
 
@@ -78,7 +84,7 @@ def find_home(robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> Home
     Home or None
         None if no free configuration was found.
     """
-    search = _Search(robot, arm, frame, q_open)
+    search = _Search(tree.robot, arm, placed, pairs, q_open)
     down = search.pointing_down()
     if down is not None:
         return Home(down, "free of collision, away from the limits, the hand points down", True)
@@ -88,28 +94,49 @@ def find_home(robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> Home
     return Home(level, "free of collision and away from the limits", False)
 
 
+def often_touching(tree: Tree, arm: Arm, pairs: Iterable[Pair], q_open: Matrix) -> list[Pair]:
+    """Returns the pairs that touch in most configurations of the arm."""
+    search = _Search(tree.robot, arm, (tree.links[0], np.eye(4)), pairs, q_open)
+    count: Counter[Pair] = Counter()
+    for _ in range(OFTEN_SAMPLES):
+        search.scene.is_free(search.draw())
+        for a, b in search.scene.world.all_collisions():
+            count[search.scene.world.name(a), search.scene.world.name(b)] += 1
+    return [pair for pair, times in count.items() if times > OFTEN * OFTEN_SAMPLES]
+
+
 class _Search:
-    def __init__(self, robot: robots.Robot, arm: Arm, frame: str, q_open: Matrix) -> None:
-        self.robot, self.frame, self.q_open = robot, robot.frame(frame), q_open
+    def __init__(
+        self,
+        robot: robots.Robot,
+        arm: Arm,
+        placed: tuple[str, Matrix],
+        pairs: Iterable[Pair],
+        q_open: Matrix,
+    ) -> None:
+        self.robot, self.link, self.q_open = robot, robot.frame(placed[0]), q_open
+        self.X_LH = placed[1]
         self.columns = [robot.joint(name) for name in arm.joints]
         self.lower, self.upper = (
             np.asarray(limit)[self.columns] for limit in (robot.lower, robot.upper)
         )
         self.scene: Scene = scene.Scene(robot)
+        for pair in pairs:
+            self.scene.world.remove_pair(*pair)
         self.rng = np.random.default_rng(1)
         self.base = np.asarray(robot.pose(arm.base, q_open))[:3, 3]
-        drawn = [self._draw() for _ in range(200)]
+        drawn = [self.draw() for _ in range(200)]
         tips = np.array([self._pose(q)[:3, 3] for q in drawn])
         self.reach = float(np.linalg.norm(tips - self.base, axis=1).max())
 
-    def _draw(self) -> Matrix:
+    def draw(self) -> Matrix:
         q: Matrix = self.q_open.copy()
         t = MARGIN + (1 - 2 * MARGIN) * self.rng.random(len(self.columns))
         q[self.columns] = self.lower + t * (self.upper - self.lower)
         return q
 
     def _pose(self, q: Matrix) -> Matrix:
-        return np.asarray(self.robot.pose(self.frame, q))
+        return np.asarray(self.robot.pose(self.link, q) @ self.X_LH)
 
     def room(self, q: Matrix) -> float:
         """Smallest distance to a limit, as a share of the joint's range."""
@@ -126,13 +153,14 @@ class _Search:
 
     def pointing_down(self) -> Matrix | None:
         """Returns the roomiest configuration at the first place where the hand can point down."""
-        ik = robots.Ik(self.robot, self.frame, self.columns, restarts=4)
+        ik = robots.Ik(self.robot, self.link, self.columns, restarts=4)
+        X_HL = np.linalg.inv(self.X_LH)
         middle = self.q_open.copy()
         middle[self.columns] = (self.lower + self.upper) / 2
         for place in self._places():
             best, most = None, MARGIN / 2
             for X_WH in place:
-                for q in np.asarray(ik.solve_all(X_WH, middle)):
+                for q in np.asarray(ik.solve_all(X_WH @ X_HL, middle)):
                     room = self.room(q)
                     if room > most and self.is_free(q):
                         best, most = np.asarray(q), room
@@ -153,7 +181,7 @@ class _Search:
         """Returns the random configuration whose hand points down most."""
         best, lowest = None, 2.0
         for _ in range(SAMPLES):
-            q = self._draw()
+            q = self.draw()
             z = float(self._pose(q)[2, 2])
             if z < lowest and self._is_above(q) and self.is_free(q):
                 best, lowest = q, z

@@ -4,19 +4,18 @@
 
 from __future__ import annotations
 
-from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import robot as robots
-from .. import scene
-from .arm import find_arm, find_home
+from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
 from .files import free_name, make_srdf, with_frames
 from .fist import find_fist
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
+from .pairs import find_pairs
 from .palm import Finger, Palm, find_palm
 from .proposal import Finding, Proposal
 from .tips import CLEARANCE, PITCHES, find_pitch, find_tips, grasp_pose
@@ -25,6 +24,7 @@ from .tree import Tree
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..robot import Robot
+    from .pairs import Pair
     from .tips import Tip
 
 THIN = 0.003  # a hand whose fingers stay farther apart than this holds no thin object [m]
@@ -65,11 +65,9 @@ class _Builder:
             self._propose_fist()
         groups = {"arm": self.arm.joints, "hand": self.drivers}
         groups = {group: joints for group, joints in groups.items() if joints}
+        pairs = self._pairs()
+        states = [*self._hand_states(), *self._home(pairs)]
         urdf = with_frames(self.robot.urdf, self.placed)
-        pairs = self._pairs(self._read(urdf, ""))
-        states = self._hand_states()
-        srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
-        states += self._home(self._read(urdf, srdf))
         srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
         return Proposal(
             self.name,
@@ -202,51 +200,32 @@ class _Builder:
             for state, q in (("open", self.open), ("closed", self.closed), ("home", self.open))
         ]
 
-    def _home(self, robot: Robot) -> list[tuple[str, str, dict[str, float]]]:
+    def _home(self, pairs: dict[Pair, str]) -> list[tuple[str, str, dict[str, float]]]:
+        """Home of the arm. Adds pairs that touch in most configurations if there is none else."""
         if "home" in self.robot.state_names or not self.arm.joints:
             return []
-        home = find_home(robot, self.arm, self.grasp, self.open)
+        placed = self.placed[self.grasp]
+        home = find_home(self.tree, self.arm, placed, pairs, self.open)
+        if home is None and (often := often_touching(self.tree, self.arm, pairs, self.open)):
+            pairs |= dict.fromkeys(often, "Default")
+            shown = ", ".join(f"{a} and {b}" for a, b in often)
+            why = "they touch in most configurations, so their shapes seem to overlap"
+            self.find("disable_collisions", shown, why, False)
+            home = find_home(self.tree, self.arm, placed, pairs, self.open)
         if home is None:
             self.find("state home", "none", "no free configuration was found", False)
             return []
-        values = {name: float(home.q[robot.joint(name)]) for name in self.arm.joints}
+        values = {name: float(home.q[self.robot.joint(name)]) for name in self.arm.joints}
         shown = ", ".join(f"{value:.3g}" for value in values.values())
         self.find("state home", shown, home.reason, home.is_sure)
         return [("home", "arm", values)]
 
-    def _pairs(self, robot: Robot) -> dict[tuple[str, str], str]:
-        """Pairs of links that need no test. Fingers may always meet, however rarely they do."""
-        always, never = scene.sample_contacts(robot)
-        names, finger = robot.frame_names, self._finger_of()
-        found = {(names[a], names[b]): "Always" for a, b in always}
-        for a, b in never:
-            ends = finger.get(names[a]), finger.get(names[b])
-            if None in ends or ends[0] == ends[1]:
-                found[names[a], names[b]] = "Never"
-        count = len(found) - len(always)
-        shown = f"{len(always)} always, {count} never in contact"
+    def _pairs(self) -> dict[Pair, str]:
+        found = find_pairs(self.tree, self.palm, self.arm)
+        always, never = (sum(r == why for r in found.values()) for why in ("Always", "Never"))
+        shown = f"{always} always, {never} never in contact"
         self.find("disable_collisions", shown, "of 10000 random configurations")
-        ignored = {(names[a], names[b]) for a, b in robot.ignored_pairs}
-        still = {pair: "Default" for pair in combinations(self._still(), 2) if pair not in ignored}
-        return still | found
-
-    def _finger_of(self) -> dict[str, int]:
-        """Number of the finger that each link belongs to."""
-        tree, moving = self.tree, (f for f in self.palm.fingers if not f.is_fixed)
-        return {
-            tree.links[link]: number
-            for number, finger in enumerate(moving)
-            for body in finger.bodies
-            for link in tree.members[body]
-        }
-
-    def _still(self) -> list[str]:
-        """Links with shapes that neither the arm nor the hand moves."""
-        tree, base = self.tree, self.arm.base
-        path = tree.path(self.palm.body)
-        first = path[path.index(base) + 1] if base != self.palm.body else None
-        moved = set() if first is None else set(tree.links_below(first))
-        return [tree.links[i] for i in sorted(tree.points) if i not in moved] if moved else []
+        return found
 
 
 def _ordered(tree: Tree, fingers: tuple[Finger, ...]) -> tuple[Finger, Finger]:

@@ -42,6 +42,7 @@ TEST(LinkContacts, FindsPairsThatAlwaysAndNeverTouch) {
             far = robot.frame("far");
   EXPECT_EQ(found.always, (std::vector<Pair>{{base, back}}));
   EXPECT_EQ(found.never, (std::vector<Pair>{{base, far}, {upper, far}}));
+  EXPECT_EQ(sample_contacts(robot, 500, 1, {upper}).never, (std::vector<Pair>{{upper, far}}));
 }
 
 TEST(LinkContacts, KeepsPairsThatSometimesTouch) {
@@ -59,6 +60,7 @@ TEST(LinkContacts, RefusesCountsOutOfRange) {
   const auto robot = robot::Robot::from_urdf(kSwing, {});
   EXPECT_THROW(sample_contacts(robot, 0), std::invalid_argument);
   EXPECT_THROW(sample_contacts(robot, 1000001), std::invalid_argument);
+  EXPECT_THROW(sample_contacts(robot, 10, 1, {4}), std::invalid_argument);
 }
 
 }  // namespace

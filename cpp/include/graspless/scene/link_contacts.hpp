@@ -19,10 +19,12 @@ struct LinkContacts {
 
 /// Tests the links of a robot against each other, except Robot::ignored_pairs, in random
 /// configurations within the joint limits. Half of the configurations are uniform. In the other
-/// half, each joint is at one of its limits with a probability of 1/2. The first tenth of the
-/// samples decides about pairs that touch. The same seed gives the same result. Throws
-/// std::invalid_argument unless 0 < samples <= 10^6.
+/// half, each joint is at one of its limits with a probability of 1/2. The first fiftieth of the
+/// samples, but at least 50, decides about pairs that touch. The same seed gives the same result.
+/// With `links` (frame indices), only pairs with at least one of them are tested. Throws
+/// std::invalid_argument unless 0 < samples <= 10^6 and the links exist.
 GRASPLESS_API LinkContacts sample_contacts(const robot::Robot& robot, int samples = 10000,
-                                           std::uint64_t seed = 1);
+                                           std::uint64_t seed = 1,
+                                           const std::vector<int>& links = {});
 
 }  // namespace graspless::scene

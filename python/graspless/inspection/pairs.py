@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pairs of links that need no test for collision."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from .. import scene
+
+if TYPE_CHECKING:
+    from .arm import Arm
+    from .palm import Palm
+    from .tree import Tree
+
+Pair = tuple[str, str]
+
+
+def find_pairs(tree: Tree, palm: Palm, arm: Arm) -> dict[Pair, str]:
+    """Returns the pairs with the reason of an SRDF: Always, Never, or Default if neither moves.
+
+    Fingers may always meet, however rarely they do.
+    """
+    moved = moved_links(tree, palm, arm)
+    always, never = scene.sample_contacts(tree.robot, links=moved)
+    finger = _finger_of(tree, palm)
+    found = {(tree.links[a], tree.links[b]): "Always" for a, b in always}
+    for a, b in never:
+        ends = finger.get(a), finger.get(b)
+        if None in ends or ends[0] == ends[1]:
+            found[tree.links[a], tree.links[b]] = "Never"
+    still = [link for link in sorted(tree.points) if link not in moved]
+    for a, b in combinations(still, 2):
+        if (a, b) not in tree.robot.ignored_pairs:
+            found[tree.links[a], tree.links[b]] = "Default"
+    return found
+
+
+def moved_links(tree: Tree, palm: Palm, arm: Arm) -> list[int]:
+    """Returns the links that the joints of arm and hand move."""
+    path = tree.path(palm.body)
+    at = path.index(arm.base) + 1
+    first = path[at:] or list(tree.children[palm.body])
+    return [link for body in first[: 1 if path[at:] else None] for link in tree.links_below(body)]
+
+
+def _finger_of(tree: Tree, palm: Palm) -> dict[int, int]:
+    """Number of the moving finger that each link belongs to."""
+    moving = (finger for finger in palm.fingers if not finger.is_fixed)
+    return {
+        link: number
+        for number, finger in enumerate(moving)
+        for body in finger.bodies
+        for link in tree.members[body]
+    }
