@@ -15,42 +15,60 @@ from .errors import TaskError
 if TYPE_CHECKING:
     import argparse
 
+    from .robot import Robot
+
 EXAMPLE = "example: graspless robot check my_arm.urdf"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `robot check`."""
     parser.description = (
-        "Tell what is wrong with a robot's SRDF and .hand.yaml: frames that are not on the "
-        "fingers' surface, axes that point elsewhere, states that touch or do not close. The exit "
-        "code is 1 if something is."
+        "Tell what is wrong with a robot's SRDF, .hand.yaml and .clasp.yaml: frames that are not "
+        "on the fingers' surface, axes that point elsewhere, corners outside the links, states "
+        "that touch or do not close. The exit code is 1 if something is."
     )
     parser.epilog = EXAMPLE
     add_robot(parser)
     parser.add_argument(
-        "--hand", metavar="FILE", help="the hand's file (default: the .hand.yaml beside the URDF)"
+        "--hand", metavar="FILE", help="the hand's file (default: those beside the URDF)"
     )
     parser.add_argument("--json", action="store_true", help="print the faults as JSON")
     parser.set_defaults(run=_run)
 
 
 def _run(options: argparse.Namespace) -> int:
-    from .inspection.check import faults
     from .tasks.robots import stem
+
+    robot, path = read_robot(options, "robot check")
+    given = Path(options.hand) if options.hand else None
+    folder, name = (Path(), robot.name) if path is None else (path.parent, stem(path))
+    beside = [folder / f"{name}.{end}.yaml" for end in ("hand", "clasp")]
+    files = [file for file in beside if file.is_file()] if given is None else [given]
+    if not files:
+        raise TaskError(
+            f"robot check: neither {beside[0]} nor {beside[1]} exists; "
+            "graspless robot inspect writes them"
+        )
+    found = [f"{file}: {fault}" for file in files for fault in _faults(robot, file)]
+    if options.json:
+        print(json.dumps({"holds": not found, "faults": found}))
+    else:
+        shown = ", ".join(str(file) for file in files)
+        print("\n".join(found) or f"{shown}: nothing is wrong")
+    return NOT_FOUND if found else FOUND
+
+
+def _faults(robot: Robot, file: Path) -> list[str]:
+    """Returns what is wrong with a file of a hand, for slides or for clasps."""
+    from .inspection import check
+    from .tasks.clasp.hand import Hand as ClaspHand
+    from .tasks.clasp.hand import build_hand as build_clasp_hand
     from .tasks.slide.build import build_hand
     from .tasks.slide.model import Hand
     from .tasks.source import read_yaml
 
-    robot, path = read_robot(options, "robot check")
-    beside = path and path.with_name(f"{stem(path)}.hand.yaml")
-    file = Path(options.hand) if options.hand else beside
-    if file is None or not file.is_file():
-        raise TaskError(f"robot check: {file}: no such file; graspless robot inspect writes one")
     source = read_yaml(file)
-    hand = build_hand(source.validate(Hand), robot, source)
-    found = [f"{file}: {fault}" for fault in faults(robot, hand)]
-    if options.json:
-        print(json.dumps({"holds": not found, "faults": found}))
-    else:
-        print("\n".join(found) or f"{file}: nothing is wrong")
-    return NOT_FOUND if found else FOUND
+    if "thumb" in source.given():
+        fields = source.validate(ClaspHand)
+        return check.clasp_faults(robot, build_clasp_hand(fields, robot, source, ()))
+    return check.faults(robot, build_hand(source.validate(Hand), robot, source))

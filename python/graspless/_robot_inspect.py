@@ -86,10 +86,10 @@ def _run(options: argparse.Namespace) -> int:
     folder = Path(options.output or name)
     written = found.write(folder)
     if find_spec("matplotlib") is not None:
-        from .view import figures, hand
+        from .view import figures
 
         picture = folder / f"{name}.png"
-        files.write(picture, figures.as_png(hand.draw(found)))
+        files.write(picture, figures.as_png(found.plot()))
         written.append(picture)
     if options.json:
         print(json.dumps(found.to_dict() | {"files": [str(path) for path in written]}))

@@ -87,6 +87,50 @@ def revolute():
     )  # fmt: skip
 
 
+def linkage():
+    """Fingers on parallelograms: an outer bar, a pad that stays parallel, and a shorter inner bar.
+
+    One joint drives the five others.
+    """
+    made = palm()
+    for side, sign in (("left", 1), ("right", -1)):
+        axis, follows = f"{sign} 0 0", "" if side == "left" else "left_outer_joint"
+        made += box(f"{side}_outer", "0 0 0.03", "0.01 0.01 0.06")
+        made += joint(
+            f"{side}_outer_joint",
+            "revolute",
+            "palm",
+            f"{side}_outer",
+            f"0 {sign * 0.045} 0.04",
+            axis,
+            (0, 0.7),
+            follows,
+        )
+        made += box(f"{side}_pad", f"0 {-sign * 0.008} 0.03", "0.022 0.008 0.06")
+        made += joint(
+            f"{side}_pad_joint",
+            "revolute",
+            f"{side}_outer",
+            f"{side}_pad",
+            "0 0 0.06",
+            f"{-sign} 0 0",
+            (0, 0.7),
+            "left_outer_joint",
+        )
+        made += box(f"{side}_inner", "0 0 0.025", "0.01 0.006 0.05")
+        made += joint(
+            f"{side}_inner_joint",
+            "revolute",
+            "palm",
+            f"{side}_inner",
+            f"0 {sign * 0.028} 0.045",
+            axis,
+            (0, 0.7),
+            "left_outer_joint",
+        )
+    return made
+
+
 def one_jaw():
     """A jaw that turns against a fixed one."""
     return (
@@ -100,7 +144,7 @@ def one_jaw():
 
 def three_fingers():
     """Two fingers side by side, a third one opposite; each has two joints that bend inwards."""
-    made = palm()
+    made = palm().replace("0.04 0.1 0.04", "0.09 0.1 0.04")
     places = {"index": ("0.03 0.04", "1 0 0"), "middle": ("-0.03 0.04", "1 0 0"),
               "opposed": ("0 -0.04", "-1 0 0")}  # fmt: skip
     for name, (at, axis) in places.items():

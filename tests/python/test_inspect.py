@@ -23,6 +23,7 @@ HANDS = {
     "independent": small.prismatic(mimic=False),
     "revolute": small.revolute(),
     "one_jaw": small.one_jaw(),
+    "linkage": small.linkage(),
 }
 
 
@@ -121,6 +122,15 @@ def test_states_of_a_prismatic_gripper():
     X_PF = np.asarray(made.pose("left_fingertip", made.state("open")))
     X_PF = np.linalg.inv(made.pose("palm", made.state("open"))) @ X_PF
     np.testing.assert_allclose(X_PF[:3, 3], [0, 0.04, 0.12], atol=1e-6)
+
+
+def test_bars_of_a_linkage_are_no_fingers():
+    found = robot.inspect(read(small.gripper(hand=small.linkage())))
+    assert found.hand["sliding_finger"] == ["left_pad"]
+    assert found.hand["fingers"] == ["left_pad", "right_pad"]
+    palm = next(finding for finding in found.findings if finding.field == "palm")
+    assert "left_inner, right_inner are its linkage" in palm.reason
+    assert found.robot.state("open")[found.robot.joint("left_outer_joint")] == pytest.approx(0)
 
 
 @pytest.mark.parametrize("name", ["wam_t42", "kr5_t42"])
@@ -347,6 +357,7 @@ def test_command_as_json(tmp_path, capsys, monkeypatch):
 def test_check_tells_what_is_wrong(tmp_path, capsys, change, fault):
     found = robot.inspect(read(small.gripper()), name="mine")
     found.write(tmp_path)
+    (tmp_path / "mine.clasp.yaml").unlink()
     for path in tmp_path.iterdir():
         path.write_text(path.read_text().replace(*change))
     assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 1
@@ -366,6 +377,25 @@ def test_check_finds_a_home_in_collision(tmp_path, capsys):
     srdf.write_text(before + state + values + end + rest)
     assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 1
     assert "home: " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", ["kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar", "wam_t42"])
+def test_nothing_is_wrong_with_our_own_files(name, capsys):
+    assert cli.main(["robot", "check", str(robot.builtin(name))]) == 0, capsys.readouterr().out
+
+
+def test_check_finds_a_corner_outside(tmp_path, capsys):
+    robot.inspect(read(small.gripper(hand=small.three_fingers())), name="mine").write(tmp_path)
+    assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 0, capsys.readouterr().out
+    clasp = tmp_path / "mine.clasp.yaml"
+    fields = yaml.safe_load(clasp.read_text())
+    fields["thumb"][-1]["point"] = [0.0, 0.05, 0.05]
+    clasp.write_text(yaml.safe_dump(fields))
+    assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 1
+    said = capsys.readouterr().out
+    assert "thumb[2]: lies outside the collision shapes of opposed_far" in said
+    clasp.unlink()
+    assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 2
 
 
 def test_mesh_paths_survive_another_folder(tmp_path):

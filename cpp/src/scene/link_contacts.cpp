@@ -15,12 +15,14 @@ namespace graspless::scene {
 namespace {
 
 constexpr int kMaxSamples = 1000000;
-constexpr int kLeastFirst = 50;   // samples that decide about pairs that touch
-constexpr double kAlways = 0.95;  // of the samples, as MoveIt's set-up assistant
+constexpr int kLeastFirst = 50;    // samples that decide about pairs that touch
+constexpr int kEnoughNear = 2000;  // samples in which a pair's boxes meet, but it does not touch
+constexpr double kAlways = 0.95;   // of the samples, as MoveIt's set-up assistant
 
-/// A pair of the world that is still tested, and in how many samples it touched.
+/// A pair of the world that is still tested: in how many samples its boxes met, and it touched.
 struct OpenContact {
   int pair;
+  int near = 0;
   int touched = 0;
 };
 
@@ -42,11 +44,12 @@ class ContactSampler {
       if (contact.touched >= kAlways * first) found.always.push_back(links(contact.pair));
     }
     for (int i = first; i < samples && !open_.empty(); ++i) {
-      close_touched();
+      close_decided(found.never);
       test(i);
     }
-    close_touched();
+    close_decided(found.never);
     for (const OpenContact& contact : open_) found.never.push_back(links(contact.pair));
+    std::sort(found.never.begin(), found.never.end());
     return found;
   }
 
@@ -69,13 +72,20 @@ class ContactSampler {
       const int body = scene_.link_body(static_cast<int>(link));
       if (body >= 0) scene_.world().set_pose(body, X_WL_[link]);
     }
-    for (OpenContact& contact : open_) contact.touched += scene_.world().touches(contact.pair);
+    for (OpenContact& contact : open_) {
+      constexpr double kApart = 1e-6;  // [m]
+      if (scene_.world().distance_bound(contact.pair, kApart) >= kApart) continue;
+      ++contact.near;
+      contact.touched += scene_.world().touches(contact.pair);
+    }
   }
 
-  void close_touched() {
-    open_.erase(std::remove_if(open_.begin(), open_.end(),
-                               [](const OpenContact& contact) { return contact.touched > 0; }),
-                open_.end());
+  void close_decided(std::vector<std::pair<int, int>>& never) {
+    const auto is_decided = [&](const OpenContact& contact) {
+      if (contact.touched == 0 && contact.near >= kEnoughNear) never.push_back(links(contact.pair));
+      return contact.touched > 0 || contact.near >= kEnoughNear;
+    };
+    open_.erase(std::remove_if(open_.begin(), open_.end(), is_decided), open_.end());
   }
 
   std::pair<int, int> links(int pair) const {

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .tree import Tree
 
 SAMPLES = 1500  # configurations from which the home is chosen
-OFTEN, OFTEN_SAMPLES = 0.5, 100  # pairs that touch in this share of so many samples
+OFTEN, OFTEN_SAMPLES = 0.5, 60  # pairs that touch in this share of so many samples
 MARGIN = 0.1  # of a joint's range, to be kept from its limits
 DISTANCES = (0.45, 0.55, 0.35, 0.65)  # of the hand from the base, over the arm's reach
 HEIGHTS = (0.4, 0.3, 0.5, 0.2)  # of the hand over the base, over the arm's reach
@@ -85,6 +85,8 @@ def find_home(
         None if no free configuration was found.
     """
     search = _Search(tree.robot, arm, placed, pairs, q_open)
+    if not any(search.is_free(search.draw()) for _ in range(OFTEN_SAMPLES)):
+        return None
     down = search.pointing_down()
     if down is not None:
         return Home(down, "free of collision, away from the limits, the hand points down", True)

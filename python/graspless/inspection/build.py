@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import robot as robots
+from .. import slide
 from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
 from .files import free_name, make_srdf, with_frames
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from .pairs import Pair
     from .tips import Tip
 
+# Of the models of a rigid finger, the one that presses least.
+MODEL = next(name for name in ("rigid_guarded", "none") if name in slide.FingerModel.__members__)
 THIN = 0.003  # a hand whose fingers stay farther apart than this holds no thin object [m]
 
 
@@ -136,14 +139,15 @@ class _Builder:
             "fingers": own + other,
             "open": "open",
             "closed": "closed",
-            "finger_model": "none",
+            "finger_model": MODEL,
             **self._pitch(jaws, tips[0]),
             "tip_radius": round(tips[0].radius, 4),
             "pad_width": round(tips[0].width, 4),
         }
         self.find("sliding_finger", ", ".join(own), "links near the end of the finger that slides")
         self.find("fingers", ", ".join(own + other), "links near the ends of both fingers")
-        self.find("finger_model", "none", "a rigid finger; its compliance is not in a URDF", False)
+        why = "a rigid finger; how much finger and arm give way is not in a URDF"
+        self.find("finger_model", MODEL, why, False)
         self.find("tip_radius", _mm(tips[0].radius), "half the thickness of the finger's end")
         self.find("pad_width", _mm(tips[0].width), "width of the last 10 mm of the finger")
 

@@ -8,20 +8,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import scene
+from .. import collision, frames, geometry, scene
 from .jaws import middle
 from .tree import Tree
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from .. import slide
+    from .. import clasp, slide
     from ..frames import Matrix
     from ..robot import Robot
 
 NEAR = 0.003  # a fingertip frame is on the surface if it is nearer than this [m]
 BESIDE = 0.015  # a grasp frame is in the middle between the tips if it is nearer than this [m]
 ALONG = np.cos(np.radians(30))  # axes within this angle are right
+CORNER = 0.002  # a corner of a curve may be this far outside the shapes [m]
 REACH = 0.02  # length of the fingers' ends that are compared [m]
 
 
@@ -47,6 +48,35 @@ def faults(robot: Robot, hand: slide.Hand) -> list[str]:
     robot.group(hand.arm)
     examined = _Examined(robot, hand)
     return [*examined.of_frames(), *examined.of_states(), *_of_home(robot)]
+
+
+def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
+    """Returns what is wrong with a hand for clasps, which has passed clasp.validate().
+
+    Corners in links with meshes are not compared with them.
+    """
+    curves = {f"fingers.{finger.name}": finger for finger in hand.fingers} | {"thumb": hand.thumb}
+    found = []
+    for field, finger in curves.items():
+        for number, node in enumerate(finger.nodes):
+            if not _is_inside(robot, node.link, np.asarray(node.p_L)):
+                found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
+    touching = scene.Scene(robot).collision(np.asarray(robot.state(hand.open)))
+    if touching is not None:
+        found.append(f"open: {touching[0]} and {touching[1]} touch")
+    return [*found, *_of_home(robot)]
+
+
+def _is_inside(robot: Robot, link: str, p_L: Matrix) -> bool:
+    """True if a point is in a shape of a link, or the link has shapes that are only surfaces."""
+    shapes = [placed for index, placed in robot.shapes if robot.frame_names[index] == link]
+    if not shapes or any(isinstance(placed.shape, geometry.Mesh) for placed in shapes):
+        return True
+    world = collision.World()
+    world.add_body("link", shapes)
+    point = geometry.PlacedShape(geometry.Sphere(CORNER), frames.translation(p_L))
+    world.add_pair("link", world.add_body("corner", [point]))
+    return world.collides()
 
 
 class _Examined:

@@ -25,7 +25,7 @@ TIP_ZONE = 0.015  # length of a finger's end that is looked at [m]
 GAP = 0.0005  # between the closed fingers, if they would touch [m]
 SMALLEST_STROKE = 0.001  # of a hand that opens and closes [m]
 STRETCHED = 0.7  # open fingers reach this share of their length out of the hand
-MAX_STATES = 4000  # states of the hand that are compared
+MAX_STATES = 1700  # states of the hand that are compared
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,8 @@ from .. import files
 from ..errors import TaskError
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ..robot import Robot
 
 SHOWN = ("fingertip", "finger_model", "pitch")  # fields of the hand in a summary
@@ -134,6 +136,12 @@ class Proposal:
         for name, text in texts.items():
             files.write(made / name, text)
         return [made / name for name in texts]
+
+    def plot(self) -> Figure:
+        """Returns the picture of the hand, open and closed, and of the robot at home."""
+        from ..view import hand
+
+        return hand.draw(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Returns the proposal in plain types."""
