@@ -250,7 +250,8 @@ void bind_ik(py::module_& m) {
       m, "Ik",
       "Inverse kinematics of one frame with the joints of one serial group; all other joints stay "
       "as given.\n\n"
-      "Closed form for arms like the Barrett WAM, damped least squares for any other chain.")
+      "Closed form for most arms of six or seven revolute joints, damped least squares for any "
+      "other chain.")
       .def(py::init([](const Robot& robot, const Key& frame, const Group& group, double tolerance,
                        int max_iterations, int restarts, int free_samples) {
              const Ik::Options options{tolerance, max_iterations, restarts, free_samples};
@@ -271,6 +272,10 @@ void bind_ik(py::module_& m) {
       .def_property_readonly(
           "is_closed_form", [](const RobotIk& self) { return self.ik.is_closed_form(); },
           "True if the chain has a closed form.")
+      .def_property_readonly(
+          "free_joint", [](const RobotIk& self) { return self.ik.free_joint(); },
+          "Index of the joint whose value solve_free() takes. None for six joints, and for a chain "
+          "without closed form.")
       .def_property_readonly(
           "group", [](const RobotIk& self) { return self.ik.group(); },
           "Joint indices, from the base outwards.")
@@ -296,19 +301,20 @@ void bind_ik(py::module_& m) {
           "within the limits.")
       .def(
           "solve_free",
-          [](const RobotIk& self, const Array& X_WF, double free_joint, const Array& q) {
+          [](const RobotIk& self, const Array& X_WF, double value, const Array& q) {
             if (!self.ik.is_closed_form()) {
               throw std::invalid_argument(
                   "solve_free: this chain has no closed form; check is_closed_form first");
             }
             Configurations solutions;
-            self.ik.solve_free(to_pose(X_WF, "X_WF"), free_joint,
-                               to_configuration(self.robot, q, "q"), solutions);
+            self.ik.solve_free(to_pose(X_WF, "X_WF"), value, to_configuration(self.robot, q, "q"),
+                               solutions);
             return from_configurations(solutions, self.robot.dof());
           },
           py::arg("X_WF"), py::arg("free_joint"), py::arg("q"),
-          "Returns all solutions within the limits for one value of the free joint, the group's "
-          "third [rad]: (K, dof).\n\n"
+          "Returns all solutions within the limits for one value of the free joint [rad]: (K, "
+          "dof). "
+          "Without a free joint, the value is ignored.\n\n"
           "Raises ValueError for a chain without closed form.")
       .def("__repr__", [](const RobotIk& self) {
         return "<Ik of " + std::to_string(self.ik.group().size()) + " joints of '" +

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from .clasp.command import add_parser as _add_clasp
 from .fingertip.command import add_parser as _add_fingertip
+from .ik import add_parser as _add_ik
 from .physics.command import add_parser as _add_physics
 from .slide.command import add_parser as _add_slide
 
@@ -21,4 +22,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_slide(experiments)
     _add_fingertip(experiments)
     _add_clasp(experiments)
+    _add_ik(experiments)
     _add_physics(experiments)

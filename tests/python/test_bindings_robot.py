@@ -9,7 +9,7 @@ import pytest
 
 from graspless.collision import World
 from graspless.geometry import Box, PlacedShape, Sphere
-from graspless.robot import Ik, Robot
+from graspless.robot import Ik, Robot, builtin
 from graspless.scene import Scene
 
 CUBE = [PlacedShape(Box([0.1, 0.1, 0.1]))]
@@ -95,8 +95,24 @@ def test_ik_solves_for_rows(wam, q_home):
     np.testing.assert_allclose(wam.pose("left_fingertip", near), X_WF, atol=1e-6)
     assert ik.solve_near(at(9, 9, 9), q_home) is None
     assert ik.solve_all(at(9, 9, 9), q_home).shape == (0, wam.dof)
-    if ik.is_closed_form:
-        assert ik.solve_free(X_WF, q_home[2], q_home).shape[1] == wam.dof
+    assert ik.is_closed_form
+    assert ik.free_joint == 2
+    assert ik.solve_free(X_WF, q_home[2], q_home).shape[1] == wam.dof
+
+
+def test_ik_of_six_joints_has_no_free_joint():
+    kr5 = Robot.from_urdf_file(str(builtin("kr5_t42")))
+    ik = Ik(kr5, "left_fingertip", "arm")
+    assert ik.is_closed_form
+    assert ik.free_joint is None
+    q = kr5.state("home")
+    X_WF = kr5.pose("left_fingertip", q)
+    np.testing.assert_array_equal(ik.solve_free(X_WF, 0, q), ik.solve_free(X_WF, 1, q))
+    np.testing.assert_allclose(ik.solve_all(X_WF, q)[0], q, atol=1e-9)
+    short = Ik(kr5, "left_fingertip", kr5.group("arm")[:5])
+    assert not short.is_closed_form
+    with pytest.raises(ValueError, match="no closed form"):
+        short.solve_free(X_WF, 0, q)
 
 
 def test_world_by_name_or_index():

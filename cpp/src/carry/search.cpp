@@ -18,7 +18,6 @@ constexpr double kJump =
 constexpr double kTurnStep = 0.03;   // turn of the object between checked poses [rad]
 constexpr double kFreeStep = 0.04;   // of the free joint [rad]
 constexpr double kTwistStep = 0.02;  // [rad]
-constexpr int kFree = 2;             // index of the arm's joint that the closed form leaves free
 
 }  // namespace
 
@@ -99,7 +98,7 @@ std::vector<VectorXd> Search::run() {
 /// Neighbouring cells, best first: straight ahead, ahead and sideways, sideways only.
 std::vector<Search::Cell> Search::neighbours(const Cell& cell) const {
   std::vector<std::array<int, 2>> sideways;
-  if (has_free_joint()) sideways.insert(sideways.end(), {{1, 0}, {-1, 0}});
+  if (ik_.free_joint()) sideways.insert(sideways.end(), {{1, 0}, {-1, 0}});
   if (options_.max_twist > 0) sideways.insert(sideways.end(), {{0, 1}, {0, -1}});
   std::vector<Cell> found{{cell[0] + 1, cell[1], cell[2]}};
   for (const int ahead : {1, 0}) {
@@ -129,11 +128,13 @@ std::optional<VectorXd> Search::solve(const Cell& to, const VectorXd& near) {
   ++statistics_.ik_calls;
   const double s = static_cast<double>(to[0]) / steps_;
   const Eigen::Isometry3d X_WF = object_path_.pose(s, to[2] * kTwistStep) * X_FO_.inverse();
-  if (!has_free_joint()) return ik_.solve_near(X_WF, near);
-  const int joint = ik_.group()[kFree];
-  const double value = problem_.q_start[joint] + to[1] * kFreeStep;
-  if (value < problem_.robot.lower()[joint] || value > problem_.robot.upper()[joint])
-    return std::nullopt;
+  if (!ik_.is_closed_form()) return ik_.solve_near(X_WF, near);
+  double value = 0;
+  if (const std::optional<int> joint = ik_.free_joint()) {
+    value = problem_.q_start[*joint] + to[1] * kFreeStep;
+    if (value < problem_.robot.lower()[*joint] || value > problem_.robot.upper()[*joint])
+      return std::nullopt;
+  }
   std::vector<VectorXd> solutions;
   ik_.solve_free(X_WF, value, near, solutions);
   const auto distance = [&](const VectorXd& q) { return (q - near).lpNorm<Eigen::Infinity>(); };

@@ -43,7 +43,6 @@ class Search {
     int parent;
   };
 
-  bool has_free_joint() const { return ik_.is_closed_form(); }
   std::vector<Cell> neighbours(const Cell& cell) const;
   std::optional<Eigen::VectorXd> step(const Node& from, const Cell& to);
   std::optional<Eigen::VectorXd> solve(const Cell& to, const Eigen::VectorXd& near);

@@ -1,14 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Let e_i be the rotation by q_i about axis i, in P at q = 0. Then g = X_P7 X_P7(0)^-1 = e1 ... e7.
-//   e5 e6 e7 do not move the wrist w, e1 e2 e3 do not move the shoulder s, so
-//     |e4 w - s| = |g w - s|                                      gives q4;
-//     e1 e2 (e3 e4 w - s) = g w - s                               gives q1, q2;
-//     e5 e6 a7 = (e1 e2 e3 e4)^-1 g a7,  a7 the seventh axis,     gives q5, q6;
-//     e7 b = (e1 ... e6)^-1 g b,  b any vector across a7,         gives q7.
-// Cosines and sines are taken from the geometry, not from the angles: arctangents already take most
-// of the time.
+// Let e_i be the rotation by q_i about axis i, in P at q = 0. Then g = X_PE X_PE(0)^-1 = e1 ... e6.
+// Let s be a point of axis 2, w the point where the last axes meet, b any vector across the last
+// axis a6. The shapes differ in the order of the subproblems:
+//
+// Axes 1 and 2 meet in s, axes 4 to 6 in w. (e1 and e2 do not move s, e4 to e6 do not move w.)
+//   |e3 w - s| = |g w - s|                                gives q3     (subproblem 3);
+//   e1 e2 (e3 w - s) = g w - s                            gives q1, q2 (subproblem 2);
+//   e4 e5 a6 = (e1 e2 e3)^-1 g a6                         gives q4, q5 (subproblem 2);
+//   e6 b = (e1 ... e5)^-1 g b                             gives q6     (subproblem 1).
+// A free joint 3 of seven is a known rotation between e2 and e3.
+//
+// Axes 2 and 3 are parallel to h, axes 4 to 6 meet in w. (e2 and e3 move nothing along h.)
+//   h . e1^-1 g w = h . w                                 gives q1     (subproblem 4);
+//   |e3 w - s| = |e1^-1 g w - s|                          gives q3     (subproblem 3);
+//   e2 (e3 w - s) = e1^-1 g w - s                         gives q2     (subproblem 1);
+//   q4, q5, q6 as above.
+//
+// Axes 2 to 4 are parallel to h, axes 5 and 6 meet in w. Let e be the rotation of e2 e3 e4, and c a
+// point of axis 4.
+//   h . e1^-1 g w = h . w                                 gives q1     (subproblem 4);
+//   e e5 a6 = e1^-1 g a6, e6 b = (e1 e e5)^-1 g b         give e, q5, q6, as q4, q5, q6 above;
+//   e2 e3 c = e1^-1 g (e5 e6)^-1 c                        gives q3, q2 (subproblems 3 and 1);
+//   e = e2 e3 e4                                          gives q4.
 #include "robot/closed_form.hpp"
 
 #include <algorithm>
@@ -17,219 +32,235 @@
 namespace graspless::robot {
 namespace {
 
+using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMeet = 1e-9;      // axes this close meet [m]
-constexpr double kParallel = 1e-6;  // sine of the angle between axes that count as parallel
-constexpr double kClamp = 1e-13;    // excess over the reach that counts as rounding (unit vectors)
-constexpr double kNoAngle = 1e-28;  // squared length below which a vector has no direction
+constexpr double kLimit = 0.1;      // polishing may move an angle this far [rad]
+constexpr double kRepeated = 1e-6;  // polished solutions this close are one [rad]
+constexpr double kFar = 1e6;        // distance out of every arm's reach [m]
+constexpr double kMeet = 1e-9;      // distance at which the wrist is in the shoulder [m]
 
-Vector3d across(const Vector3d& axis, const Vector3d& v) { return v - axis * axis.dot(v); }
-
-double distance(const Vector3d& point, const Screw& screw) {
-  return screw.axis.cross(point - screw.point).norm();
+Isometry3d motion(const Screw& screw, double angle) {
+  const Isometry3d R(Eigen::AngleAxisd(angle, screw.axis));
+  return Eigen::Translation3d(screw.point) * R * Eigen::Translation3d(-screw.point);
 }
-
-/// The point nearest to three lines that are not all parallel.
-Vector3d meeting_point(const Screw& a, const Screw& b, const Screw& c) {
-  Matrix3d A = Matrix3d::Zero();
-  Vector3d y = Vector3d::Zero();
-  for (const Screw* screw : {&a, &b, &c}) {
-    const Matrix3d N = Matrix3d::Identity() - screw->axis * screw->axis.transpose();
-    A += N;
-    y += N * screw->point;
-  }
-  return A.inverse() * y;
-}
-
-bool meet(const Vector3d& point, const Screw& a, const Screw& b, const Screw& c) {
-  return distance(point, a) < kMeet && distance(point, b) < kMeet && distance(point, c) < kMeet;
-}
-
-bool parallel(const Screw& a, const Screw& b) { return a.axis.cross(b.axis).norm() < kParallel; }
 
 }  // namespace
 
-/// A rotation about a known axis.
-struct ClosedForm::Turn {
-  double angle, c, s;
-  double slack = 0;  // change of the angle whose effect is within rounding
-
-  static Turn by(double angle) { return {angle, std::cos(angle), std::sin(angle), 0}; }
-
-  /// Subproblem 1: the rotation about `axis` that takes u to v; by `free` if they lie on the axis.
-  static Turn from_to(const Vector3d& axis, const Vector3d& u, const Vector3d& v, double free) {
-    // Projected first: near the axis, a difference of dot products would lose all digits.
-    const Vector3d u_across = across(axis, u), v_across = across(axis, v);
-    const double c = u_across.dot(v_across), s = axis.dot(u_across.cross(v_across));
-    const double square = c * c + s * s;
-    if (!(square > kNoAngle * kNoAngle)) return by(free);
-    const double length2 = std::sqrt(square);
-    return {std::atan2(s, c), c / length2, s / length2, kClamp / std::sqrt(length2)};
-  }
-
-  Vector3d apply(const Vector3d& axis, const Vector3d& v) const {
-    return c * v + s * axis.cross(v) + (1 - c) * axis.dot(v) * axis;
-  }
-  Vector3d undo(const Vector3d& axis, const Vector3d& v) const {
-    return c * v - s * axis.cross(v) + (1 - c) * axis.dot(v) * axis;
-  }
-};
-
-ClosedForm::Elbow ClosedForm::Elbow::of(const Screw& screw, const Vector3d& shoulder,
-                                        const Vector3d& wrist) {
-  Elbow elbow;
-  elbow.p_SE = screw.point - shoulder;
-  elbow.p_EW = wrist - screw.point;
-  const Turn nearest = Turn::from_to(screw.axis, elbow.p_EW, -elbow.p_SE, 0);
-  elbow.angle = nearest.angle;
-  elbow.c = nearest.c;
-  elbow.s = nearest.s;
-  elbow.sum = elbow.p_EW.squaredNorm() + elbow.p_SE.squaredNorm() +
-              2 * screw.axis.dot(elbow.p_EW) * screw.axis.dot(elbow.p_SE);
-  elbow.product = 2 * across(screw.axis, elbow.p_EW).norm() * across(screw.axis, elbow.p_SE).norm();
-  return elbow;
-}
-
-/// Subproblem 2: rotations with first(second(u)) = v, for unit vectors u and v. The intermediate
-/// vector z = second(u) has v's component along a1 and u's component along a2. Near an axis, the
-/// cosine does not tell how far z is from it. So z is built around the axis that it is nearer to,
-/// from the length of its component perpendicular to that axis.
-struct ClosedForm::TwoTurns {
-  TwoTurns(const Vector3d& a1, const Vector3d& a2, const Vector3d& u, const Vector3d& v) {
-    const double along1 = a1.dot(v), along2 = a2.dot(u);
-    if (std::abs(along1) > std::abs(along2)) {
-      build(a1, a2, along1, along2, across(a1, v).squaredNorm());
-    } else {
-      build(a2, a1, along2, along1, across(a2, u).squaredNorm());
-    }
-  }
-
-  /// a: the axis that z is built around; b: the other. `square`: squared length of z's component
-  /// perpendicular to a.
-  void build(const Vector3d& a, const Vector3d& b, double along_a, double along_b, double square) {
-    const double cosine = a.dot(b);
-    const Vector3d cross = a.cross(b);
-    const double sine = cross.norm();
-    const double x =
-        (along_b - cosine * along_a) / sine;  // of z in the plane of a and b, perpendicular to a
-    const double y2 = square - x * x;         // squared component out of that plane
-    in_plane = along_a * a + x / sine * (b - cosine * a);
-    out_of_plane = std::sqrt(std::max(0.0, y2)) / sine * cross;
-    const double slack = kClamp * (std::sqrt(square) + kClamp);
-    count = y2 < -slack ? 0 : y2 <= 0 ? 1 : 2;
-  }
-
-  Vector3d between(int i) const { return in_plane + (i == 0 ? 1 : -1) * out_of_plane; }
-
-  Vector3d in_plane, out_of_plane;
-  int count;
-};
-
-/// One call of solve(). q[i] is the angle of joint i + 1.
+/// One call of solve(). q[i] is the angle of joint i of the group.
 struct ClosedForm::Search {
   const ClosedForm& arm;
+  const Isometry3d& X_PE;
   const Eigen::VectorXd& seed;
   const Wraps& wraps;
   int count;
   Eigen::MatrixXd& solutions;
-  Vector3d p_SW;   // unit, from the shoulder to the required wrist position
-  double reach;    // its distance [m]
-  Vector3d a7, b;  // required directions of axis 7 and of the vector across it
-  Turn turn3;
+  Matrix3d R;      // required rotation of the last link of the shape from q = 0
+  Vector3d p_PW;   // required position of the wrist
+  Vector3d a6, b;  // required directions of axis 6 and of the vector across it
+  Turn third;      // of a free joint 3
+  double slack;
+  bool is_close = false;  // a subproblem without solution nearly had one
+  int begin;              // index of the first solution of this call
   double q[7];
 
-  double free(int i) const { return seed[wraps.group()[i]]; }
+  double free(int i) const { return seed[wraps.group()[arm.joint_[i]]]; }
 
-  /// Sets the i-th angle; false if it is outside its limits. Near an axis an angle is known to a
-  /// few digits only, so an angle barely outside is moved onto the limit and the following joints
-  /// compensate.
+  template <class Solved>
+  Solved noted(Solved solved) {
+    is_close |= solved.is_close;
+    return solved;
+  }
+
+  /// Notes an angle that is known to few digits only. Where polishing follows, it becomes `free`.
+  void check_vague(Turn& turn, double free) {
+    const double length = std::max(kClose, slack / 10);  // of a vector that has no direction
+    if (turn.lever2 > length * length) return;
+    is_close = true;
+    if (slack > kRounding) turn = Turn::by(free);
+  }
+
+  /// Sets the angle of joint i of the shape; false if it is outside its limits. Near an axis an
+  /// angle is known to a few digits only, so an angle barely outside is moved onto the limit and
+  /// the following joints compensate.
   bool set(int i, Turn& turn) {
-    q[i] = turn.angle;
-    if (wraps.fits(i, q[i])) return true;
-    if (!wraps.nudge(i, turn.slack, q[i])) return false;
-    turn = Turn::by(q[i]);
+    const int joint = arm.joint_[i];
+    check_vague(turn, free(i));
+    q[joint] = turn.angle;
+    if (slack > kRounding) {
+      double limit = q[joint];
+      return wraps.fits(joint, limit) || wraps.nudge(joint, kLimit, limit);
+    }
+    if (wraps.fits(joint, q[joint])) return true;
+    if (!wraps.nudge(joint, turn.slack(), q[joint])) return false;
+    turn = Turn::by(q[joint]);
     return true;
   }
 
-  /// Subproblem 3: turns of the wrist about axis 4 to the right distance from the shoulder.
-  void elbow() {
-    const Elbow& elbow = arm.elbow_;
-    const double cosine = (elbow.sum - reach * reach) / elbow.product;
-    if (!(std::abs(cosine) <= 1 + kClamp)) return;
-    const double c = std::clamp(cosine, -1.0, 1.0), s = std::sqrt((1 - c) * (1 + c));
-    const double angle = std::atan2(s, c);
-    for (const int sign : {1, -1}) {
-      if (sign < 0 && s == 0) break;
-      Turn turn{elbow.angle + sign * angle, elbow.c * c - elbow.s * sign * s,
-                elbow.s * c + elbow.c * sign * s, 0};
-      if (set(3, turn)) shoulder(turn);
+  void run() {
+    switch (arm.shape_) {
+      case Shape::shoulder_meets:
+        return shoulder_meets();
+      case Shape::elbow_parallel:
+        return elbow_parallel();
+      case Shape::three_parallel:
+        return three_parallel();
     }
   }
 
-  void shoulder(const Turn& turn4) {
-    const Vector3d p_SW4 = arm.elbow_.p_SE + turn4.apply(arm.axis_[3], arm.elbow_.p_EW);
-    const Vector3d u = turn3.apply(arm.axis_[2], p_SW4) / reach;
-    const TwoTurns turns(arm.axis_[0], arm.axis_[1], u, p_SW);
+  void shoulder_meets() {
+    const Vector3d p_SW = p_PW - arm.shoulder_;
+    const double reach = p_SW.norm();
+    if (!(reach > kMeet)) return;
+    const Vector3d to = p_SW / reach;
+    for (Turn turn3 : noted(arm.elbow_.turns(reach, slack))) {
+      if (set(2, turn3)) shoulder(reach, to, turn3);
+    }
+  }
+
+  void shoulder(double reach, const Vector3d& to, const Turn& turn3) {
+    const Vector3d& a3 = arm.free_axis_.axis;
+    const Vector3d u = third.apply(a3, arm.elbow_.reached(turn3)) / reach;
+    const TwoTurns turns = noted(TwoTurns(arm.axis_[0], arm.axis_[1], u, to, slack));
     for (int i = 0; i < turns.count; ++i) {
       const Vector3d z = turns.between(i);
       Turn turn2 = Turn::from_to(arm.axis_[1], u, z, free(1));
       if (!set(1, turn2)) continue;
-      Turn turn1 = Turn::from_to(arm.axis_[0], z, p_SW, free(0));
+      Turn turn1 = Turn::from_to(arm.axis_[0], z, to, free(0));
       if (!set(0, turn1)) continue;
       const auto back = [&](const Vector3d& v) {
         const Vector3d v2 = turn2.undo(arm.axis_[1], turn1.undo(arm.axis_[0], v));
-        return turn4.undo(arm.axis_[3], turn3.undo(arm.axis_[2], v2));
+        return turn3.undo(arm.axis_[2], third.undo(a3, v2));
       };
-      wrist(back(a7), back(b));
+      wrist(back(a6), back(b), free(3), [&](auto&...) { accept(); });
     }
   }
 
-  void wrist(const Vector3d& a7_needed, const Vector3d& b_needed) {
-    const TwoTurns turns(arm.axis_[4], arm.axis_[5], arm.axis_[6], a7_needed);
+  void elbow_parallel() {
+    swing([&](const Turn& turn1) {
+      const Vector3d p_BW = turn1.undo(arm.axis_[0], p_PW - arm.base_);
+      elbow(p_BW, [&](const Turn& turn2, const Turn& turn3) {
+        const auto back = [&](const Vector3d& v) {
+          const Vector3d v1 = turn1.undo(arm.axis_[0], v);
+          return turn3.undo(arm.axis_[2], turn2.undo(arm.axis_[1], v1));
+        };
+        wrist(back(a6), back(b), free(3), [&](auto&...) { accept(); });
+      });
+    });
+  }
+
+  void three_parallel() {
+    const double s1 = arm.axis_[1].dot(arm.axis_[3]), s2 = arm.axis_[2].dot(arm.axis_[3]);  // +-1
+    const double free_sum = s1 * free(1) + s2 * free(2) + free(3);
+    swing([&](const Turn& turn1) {
+      const auto back = [&](const Vector3d& v) { return turn1.undo(arm.axis_[0], v); };
+      wrist(back(a6), back(b), free_sum,
+            [&](const Turn& sum, const Turn& turn5, const Turn& turn6) {
+              const Vector3d p_WC = turn6.undo(arm.axis_[5], turn5.undo(arm.axis_[4], arm.p_W4_));
+              elbow(back(p_PW + R * p_WC - arm.base_), [&](const Turn& turn2, const Turn& turn3) {
+                Turn turn4;
+                turn4.angle =
+                    std::remainder(sum.angle - s1 * turn2.angle - s2 * turn3.angle, 2 * M_PI);
+                if (set(3, turn4)) accept();
+              });
+            });
+    });
+  }
+
+  /// Joint 1: brings the wrist to its distance along the parallel axes.
+  template <class Then>
+  void swing(const Then& then) {
+    const Vector3d& h = arm.axis_[1];
+    const double along = h.dot(arm.wrist_ - arm.base_);
+    const Vector3d p_BW = p_PW - arm.base_;
+    for (Turn turn1 : noted(turns_to_component(-arm.axis_[0], p_BW, h, along, free(0), slack))) {
+      if (set(0, turn1)) then(turn1);
+    }
+  }
+
+  /// Joints 2 and 3, parallel: bring the elbow's moving point to a point, given from the base.
+  template <class Then>
+  void elbow(const Vector3d& p_BW, const Then& then) {
+    const Vector3d p_SW = arm.base_ + p_BW - arm.shoulder_;
+    for (Turn turn3 : noted(arm.elbow_.turns(p_SW.norm(), slack))) {
+      if (!set(2, turn3)) continue;
+      Turn turn2 = Turn::from_to(arm.axis_[1], arm.elbow_.reached(turn3), p_SW, free(1));
+      if (set(1, turn2)) then(turn2, turn3);
+    }
+  }
+
+  /// Joints 4 to 6, or the sum of 2 to 4 in place of 4: turn the last link to its direction.
+  template <class Then>
+  void wrist(const Vector3d& a6_needed, const Vector3d& b_needed, double free4, const Then& then) {
+    const TwoTurns turns =
+        noted(TwoTurns(arm.axis_[3], arm.axis_[4], arm.axis_[5], a6_needed, slack));
     for (int i = 0; i < turns.count; ++i) {
       const Vector3d z = turns.between(i);
-      Turn turn6 = Turn::from_to(arm.axis_[5], arm.axis_[6], z, free(5));
-      if (!set(5, turn6)) continue;
-      Turn turn5 = Turn::from_to(arm.axis_[4], z, a7_needed, free(4));
+      Turn turn5 = Turn::from_to(arm.axis_[4], arm.axis_[5], z, free(4));
       if (!set(4, turn5)) continue;
-      const Vector3d b6 = turn6.undo(arm.axis_[5], turn5.undo(arm.axis_[4], b_needed));
-      Turn turn7 = Turn::from_to(arm.axis_[6], arm.across_, b6, free(6));
-      if (set(6, turn7)) count = wraps.append(q, seed, count, solutions);
+      Turn turn4 = Turn::from_to(arm.axis_[3], z, a6_needed, free4);
+      check_vague(turn4, free4);
+      if (arm.shape_ != Shape::three_parallel && !set(3, turn4)) continue;
+      const Vector3d b5 = turn5.undo(arm.axis_[4], turn4.undo(arm.axis_[3], b_needed));
+      Turn turn6 = Turn::from_to(arm.axis_[5], arm.across_, b5, free(5));
+      if (set(5, turn6)) then(turn4, turn5, turn6);
     }
+  }
+
+  void accept() {
+    if (slack == kRounding) {
+      count = wraps.append(q, seed, count, solutions);
+    } else {
+      polish();
+    }
+  }
+
+  void polish() {
+    double better[7];
+    std::copy(q, q + 7, better);
+    const int n = arm.polish_.size;
+    if (!arm.polish_(X_PE, better)) return;
+    for (int k = begin; k < count; ++k) {
+      double difference = 0;
+      for (int i = 0; i < n; ++i) {
+        const double other = solutions(wraps.group()[i], k);
+        difference = std::max(difference, std::abs(std::remainder(better[i] - other, 2 * M_PI)));
+      }
+      if (difference < kRepeated) return;
+    }
+    for (int i = 0; i < n; ++i) {
+      if (!wraps.fits(i, better[i])) wraps.nudge(i, Polish::kTolerance, better[i]);
+    }
+    count = wraps.append(better, seed, count, solutions);
   }
 };
 
-std::optional<ClosedForm> ClosedForm::detect(const std::array<Screw, 7>& screws,
-                                             const Eigen::Isometry3d& X_P7) {
-  const auto& s = screws;
-  if (parallel(s[0], s[1]) || parallel(s[4], s[5]) || parallel(s[5], s[6])) return {};
-  ClosedForm arm;
-  arm.shoulder_ = meeting_point(s[0], s[1], s[2]);
-  arm.wrist_ = meeting_point(s[4], s[5], s[6]);
-  if (!meet(arm.shoulder_, s[0], s[1], s[2]) || !meet(arm.wrist_, s[4], s[5], s[6])) return {};
-  // Otherwise axis 4 does not change the distance between shoulder and wrist.
-  if (distance(arm.shoulder_, s[3]) < kParallel || distance(arm.wrist_, s[3]) < kParallel)
-    return {};
-  for (std::size_t i = 0; i < 7; ++i) arm.axis_[i] = s[i].axis;
-  arm.elbow_ = Elbow::of(s[3], arm.shoulder_, arm.wrist_);
-  arm.R_7P_ = X_P7.linear().transpose();
-  arm.p_7W_ = X_P7.inverse() * arm.wrist_;
-  arm.across_ = s[6].axis.unitOrthogonal();
-  return arm;
+/// Returns the required pose of the last of the six joints' links, where the free joint is none of
+/// them, seen from the base of the shape. All three poses are X_PE(0) at q = 0.
+Isometry3d ClosedForm::target_of_six(const Isometry3d& X_PE, double free_angle) const {
+  Isometry3d X = X_PE;
+  if (free_ == Free::first) X = motion(free_axis_, -free_angle) * X;
+  if (free_ == Free::last) X = X * motion(free_axis_, -free_angle);
+  return reversed_ ? polish_.X_PE_zero * X.inverse() * polish_.X_PE_zero : X;
 }
 
-int ClosedForm::solve(const Eigen::Isometry3d& X_P7, double q3, const Eigen::VectorXd& q,
+int ClosedForm::solve(const Isometry3d& X_PE, double free_angle, const Eigen::VectorXd& q,
                       const Wraps& wraps, int count, Eigen::MatrixXd& solutions) const {
-  const Vector3d p_SW = X_P7 * p_7W_ - shoulder_;
-  const double reach = p_SW.norm();
-  if (!(reach > kMeet) || !std::isfinite(reach) || !wraps.fits(2, q3)) return count;
-  const Matrix3d R = X_P7.linear() * R_7P_;
-  Search search{*this,        q,           wraps,        count, solutions, p_SW / reach, reach,
-                R * axis_[6], R * across_, Turn::by(q3), {}};
-  search.q[2] = q3;
-  search.elbow();
+  if (free_ != Free::none && !wraps.fits(free_joint(), free_angle)) return count;
+  const Isometry3d X = target_of_six(X_PE, free_angle);
+  const Vector3d p_PW = X * p_EW_;
+  if (!(p_PW.squaredNorm() < kFar * kFar)) return count;
+  const Matrix3d R = X.linear() * R_EP_;
+  const Turn third = free_ == Free::third ? Turn::by(free_angle) : Turn{};
+  Search search{*this,        X_PE,        q,     wraps,  count, solutions, R, p_PW,
+                R * axis_[5], R * across_, third, slack_, false, count,     {}};
+  if (free_ != Free::none) search.q[free_joint()] = free_angle;
+  search.run();
+  if (search.count == count && search.is_close && slack_ < kClose) {
+    search.slack = kClose;
+    search.run();
+  }
   return search.count;
 }
 

@@ -4,61 +4,74 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "robot/polish.hpp"
+#include "robot/subproblems.hpp"
 #include "robot/wraps.hpp"
 
 namespace graspless::robot {
 
-/// An axis of rotation: all points p + t * axis.
-struct Screw {
-  Eigen::Vector3d axis;  // unit
-  Eigen::Vector3d point;
-};
-
-/// Inverse kinematics of seven revolute joints whose axes 1 to 3 meet in the shoulder and whose
-/// axes 5 to 7 meet in the wrist.
+/// Inverse kinematics of six or seven revolute joints in closed form. Three shapes of six joints
+/// have one, from base to hand or from hand to base:
 ///
-/// For a given angle q3, Paden and Kahan's subproblems (Murray, Li and Sastry, A Mathematical
-/// Introduction to Robotic Manipulation, 1994, Section 3.3) give at most eight solutions: the
-/// distance from shoulder to wrist gives q4 (subproblem 3), the wrist's position gives q1 and q2
-/// (subproblem 2), the hand's direction gives q5 and q6 (subproblem 2), and its remaining rotation
-/// gives q7 (subproblem 1). The elbow may be offset.
+/// - a wrist of three axes that meet, and a shoulder of two axes that meet;
+/// - a wrist of three axes that meet, and parallel axes 2 and 3;
+/// - parallel axes 2, 3 and 4, and axes 5 and 6 that meet.
+///
+/// A seventh joint is free: its angle is given, and the other six have one of these shapes. It is
+/// the third joint where axes 1 to 3 and axes 5 to 7 meet, otherwise the last or the first. For
+/// each angle of the free joint there are at most eight solutions. An arm that has a shape but for
+/// small offsets gets the solutions of that shape, polished by Newton's method.
 class ClosedForm {
  public:
-  /// Creates a solver from the seven axes and the pose of the last link at q = 0, in the frame P
-  /// that carries the first joint. Returns nothing if the axes do not meet within 1e-9 m, or if two
-  /// axes are parallel that must not be.
-  static std::optional<ClosedForm> detect(const std::array<Screw, 7>& screws,
-                                          const Eigen::Isometry3d& X_P7);
+  /// Creates a solver from the axes of six or seven joints and the pose of the last link at q = 0,
+  /// in the frame P that carries the first joint. Returns nothing for arms of another shape.
+  static std::optional<ClosedForm> detect(const std::vector<Screw>& screws,
+                                          const Eigen::Isometry3d& X_PE);
+
+  /// Index of the joint whose angle solve() takes; -1 for six joints.
+  int free_joint() const { return polish_.held; }
 
   /// Appends configurations of all joints, as Wraps::append() does. `q` gives the angles that a
   /// solution leaves arbitrary.
-  int solve(const Eigen::Isometry3d& X_P7, double q3, const Eigen::VectorXd& q, const Wraps& wraps,
-            int count, Eigen::MatrixXd& solutions) const;
+  int solve(const Eigen::Isometry3d& X_PE, double free_angle, const Eigen::VectorXd& q,
+            const Wraps& wraps, int count, Eigen::MatrixXd& solutions) const;
 
  private:
-  struct Turn;
+  enum class Shape { shoulder_meets, elbow_parallel, three_parallel };
+  enum class Free { none, first, third, last };
+  using Axes = std::array<Screw, 6>;
   struct Search;
-  struct TwoTurns;
 
-  /// Geometry of axis 4 at q = 0: |shoulder to wrist|^2 = sum - product cos(q4 - angle).
-  struct Elbow {
-    static Elbow of(const Screw& screw, const Eigen::Vector3d& shoulder,
-                    const Eigen::Vector3d& wrist);
+  ClosedForm(const std::vector<Screw>& screws, const Eigen::Isometry3d& X_PE, Shape shape,
+             Free free, bool reversed);
+  Axes ordered() const;
+  bool fit(Axes axes);
+  bool meet(std::initializer_list<const Screw*> axes, Eigen::Vector3d& point);
+  bool make_parallel(int last, Axes& axes);
+  Eigen::Isometry3d target_of_six(const Eigen::Isometry3d& X_PE, double free_angle) const;
 
-    Eigen::Vector3d p_SE, p_EW;  // shoulder to elbow, elbow to wrist
-    double sum, product;         // [m^2]
-    double angle, c, s;          // q4 at which wrist and shoulder are nearest, its cosine and sine
-  };
+  Polish polish_;  // has the true axes
+  Shape shape_;
+  Free free_;
+  bool reversed_;         // joint 1 of the shape is the hand's
+  double deviation_ = 0;  // of the true axes from the shape [m, rad]
+  double slack_ = kRounding;
 
-  std::array<Eigen::Vector3d, 7> axis_;
-  Eigen::Vector3d shoulder_, wrist_;  // points in P at q = 0
-  Elbow elbow_;
-  Eigen::Matrix3d R_7P_;    // at q = 0
-  Eigen::Vector3d p_7W_;    // the wrist, fixed in link 7
-  Eigen::Vector3d across_;  // unit, perpendicular to axis 7
+  std::array<int, 6> joint_{};           // the joints in the order of the shape
+  std::array<Eigen::Vector3d, 6> axis_;  // theirs in the shape
+  Screw free_axis_;                      // in the last link if that is free, otherwise in P
+  Eigen::Vector3d base_;                 // a point of axis 1
+  Eigen::Vector3d shoulder_;             // where axes 1 and 2 meet, or a point of axis 2
+  Eigen::Vector3d wrist_;                // where the last two or three axes meet
+  Eigen::Vector3d p_W4_;                 // from the wrist to axis 4, if 2, 3 and 4 are parallel
+  Elbow elbow_;                          // axis 3
+  Eigen::Matrix3d R_EP_;                 // at q = 0
+  Eigen::Vector3d p_EW_;                 // the wrist, fixed in the last link
+  Eigen::Vector3d across_;               // unit, perpendicular to axis 6
 };
 
 }  // namespace graspless::robot

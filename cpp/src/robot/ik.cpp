@@ -20,6 +20,7 @@ struct Split {
   std::vector<int> after;     // links after the last of these, up to and including the frame
   bool moves_before = false;  // joints before the group move the base
   bool moves_within = false;  // joints outside the group lie between its joints
+  bool moves_after = false;   // joints after the group move the frame
 };
 
 namespace {
@@ -41,9 +42,11 @@ Split split(const Robot::Model& model, int frame, const std::vector<int>& group)
       if (split.group.empty()) split.base = link.parent;
       for (const int j : split.after) split.moves_within |= model.links[j].joint >= 0;
       split.after.clear();
+      split.moves_after = false;
       split.group.push_back(i);
     } else if (!split.group.empty()) {
       split.after.push_back(i);
+      split.moves_after |= link.joint >= 0;
     } else {
       split.moves_before |= link.joint >= 0;
     }
@@ -98,19 +101,20 @@ std::vector<bool> turning(const Robot::Model& model, const std::vector<int>& gro
 
 std::optional<ClosedForm> detect(const Robot::Model& model, const Split& split,
                                  const std::vector<int>& group) {
-  if (group.size() != 7 || split.group.size() != 7 || split.moves_within) return {};
+  const std::size_t n = group.size();
+  if ((n != 6 && n != 7) || split.group.size() != n || split.moves_within) return {};
   const VectorXd zero = VectorXd::Zero(model.lower.size());
-  std::array<Screw, 7> screws;
+  std::vector<Screw> screws;
   Isometry3d X_PL = Isometry3d::Identity();
-  for (std::size_t i = 0, next = 0; next < 7; ++i) {
-    const auto& path = model.paths[split.group[6]];
-    const Link& link = model.links[path[i]];
-    const bool is_before = next == 0 && path[i] != split.group[0];
+  for (const int i : model.paths[split.group.back()]) {
+    const Link& link = model.links[i];
+    const bool is_before = screws.empty() && i != split.group[0];
     if (is_before) continue;
     place(link, zero, Isometry3d(X_PL), X_PL);
-    if (path[i] != split.group[next]) continue;
+    const std::size_t next = screws.size();
+    if (i != split.group[next]) continue;
     if (link.prismatic || link.is_mimic || link.joint != group[next]) return {};
-    screws[next++] = {X_PL.linear() * link.axis_L, X_PL.translation()};
+    screws.push_back({X_PL.linear() * link.axis_L, X_PL.translation()});
   }
   return ClosedForm::detect(screws, X_PL);
 }
@@ -146,15 +150,18 @@ struct Ik::Impl {
         path(split(robot.model(), frame, group)),
         turns(turning(robot.model(), group)),
         closed_form(detect(robot.model(), path, group)),
-        wraps(robot.lower(), robot.upper(), group, wrapped()),
-        X_PW(robot.pose(path.base, VectorXd::Zero(robot.dof())).inverse()) {}
+        wraps(robot.lower(), robot.upper(), group, wrapped(), options.whole_turns),
+        X_PW(robot.pose(path.base, VectorXd::Zero(robot.dof())).inverse()),
+        X_FE(pose_after(VectorXd::Zero(robot.dof())).inverse()) {}
 
   /// The free joint of the closed form keeps its given value.
   std::vector<bool> wrapped() const {
     std::vector<bool> wrapped = turns;
-    if (closed_form) wrapped[2] = false;
+    if (has_free_joint()) wrapped[closed_form->free_joint()] = false;
     return wrapped;
   }
+
+  bool has_free_joint() const { return closed_form && closed_form->free_joint() >= 0; }
 
   void check(const VectorXd& q) const {
     if (q.size() == robot.dof()) return;
@@ -162,23 +169,30 @@ struct Ik::Impl {
                                 std::to_string(q.size()));
   }
 
+  /// Pose of the frame in the group's last link.
+  Isometry3d pose_after(const VectorXd& q) const {
+    Isometry3d X_EF = Isometry3d::Identity();
+    for (const int i : path.after) place(robot.model().links[i], q, Isometry3d(X_EF), X_EF);
+    return X_EF;
+  }
+
   /// Required pose of the group's last link, in the frame of the link that carries the group.
   Isometry3d target(const Isometry3d& X_WF, const VectorXd& q) const {
-    Isometry3d X_7F = Isometry3d::Identity();
-    for (const int i : path.after) place(robot.model().links[i], q, Isometry3d(X_7F), X_7F);
-    const Isometry3d X_W7 = X_WF * X_7F.inverse();
-    return (path.moves_before ? robot.pose(path.base, q).inverse() : X_PW) * X_W7;
+    const Isometry3d X_WE = X_WF * (path.moves_after ? pose_after(q).inverse() : X_FE);
+    return (path.moves_before ? robot.pose(path.base, q).inverse() : X_PW) * X_WE;
   }
 
   int sample_free(const Isometry3d& X_WF, const VectorXd& q, std::mt19937_64& rng,
                   Eigen::MatrixXd& solutions) const {
-    const Isometry3d X_P7 = target(X_WF, q);
-    int count = closed_form->solve(X_P7, q[group[2]], q, wraps, 0, solutions);
-    const double lower = robot.lower()[group[2]], upper = robot.upper()[group[2]];
+    const Isometry3d X_PE = target(X_WF, q);
+    if (!has_free_joint()) return closed_form->solve(X_PE, 0, q, wraps, 0, solutions);
+    const int joint = group[closed_form->free_joint()];
+    int count = closed_form->solve(X_PE, q[joint], q, wraps, 0, solutions);
+    const double lower = robot.lower()[joint], upper = robot.upper()[joint];
     const double width = (upper - lower) / std::max(1, options.free_samples);
     for (int i = 0; i < options.free_samples; ++i) {
-      const double q3 = lower + width * uniform(i, i + 1, rng);
-      count = closed_form->solve(X_P7, q3, q, wraps, count, solutions);
+      const double value = lower + width * uniform(i, i + 1, rng);
+      count = closed_form->solve(X_PE, value, q, wraps, count, solutions);
     }
     return count;
   }
@@ -221,6 +235,7 @@ struct Ik::Impl {
   std::optional<ClosedForm> closed_form;
   Wraps wraps;
   Isometry3d X_PW;  // pose of the link that carries the group, if no joint before it moves
+  Isometry3d X_FE;  // pose of the group's last link, if no joint after it moves
 };
 
 Ik::Ik(const Robot& robot, int frame, std::vector<int> group, const Options& options) {
@@ -231,22 +246,25 @@ Ik::Ik(const Robot& robot, int frame, std::vector<int> group, const Options& opt
 
 bool Ik::is_closed_form() const { return impl_->closed_form.has_value(); }
 const std::vector<int>& Ik::group() const { return impl_->group; }
+std::optional<int> Ik::free_joint() const {
+  if (!impl_->has_free_joint()) return {};
+  return impl_->group[impl_->closed_form->free_joint()];
+}
 
-int Ik::solve_free(const Isometry3d& X_WF, double free_joint, const VectorXd& q,
+int Ik::solve_free(const Isometry3d& X_WF, double value, const VectorXd& q,
                    Eigen::MatrixXd& solutions) const {
   if (!is_closed_form()) {
     throw std::logic_error(
         "solve_free() needs an arm with a closed form; check is_closed_form() first");
   }
   impl_->check(q);
-  return impl_->closed_form->solve(impl_->target(X_WF, q), free_joint, q, impl_->wraps, 0,
-                                   solutions);
+  return impl_->closed_form->solve(impl_->target(X_WF, q), value, q, impl_->wraps, 0, solutions);
 }
 
-void Ik::solve_free(const Isometry3d& X_WF, double free_joint, const VectorXd& q,
+void Ik::solve_free(const Isometry3d& X_WF, double value, const VectorXd& q,
                     std::vector<VectorXd>& solutions) const {
   Eigen::MatrixXd columns;
-  const int count = solve_free(X_WF, free_joint, q, columns);
+  const int count = solve_free(X_WF, value, q, columns);
   for (int i = 0; i < count; ++i) solutions.emplace_back(columns.col(i));
 }
 

@@ -16,8 +16,8 @@ constexpr double kSlack = 2e-13;
 }  // namespace
 
 Wraps::Wraps(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, std::vector<int> group,
-             std::vector<bool> turns)
-    : group_(std::move(group)), turns_(std::move(turns)) {
+             std::vector<bool> turns, bool copies)
+    : group_(std::move(group)), turns_(std::move(turns)), copies_(copies) {
   const auto n = static_cast<Eigen::Index>(group_.size());
   exact_lower_.resize(n);
   exact_upper_.resize(n);
@@ -47,16 +47,24 @@ bool Wraps::nudge(int i, double slack, double& value) const {
 }
 
 int Wraps::values(int i, double value, double near, double* found) const {
-  if (!fits(i, value)) return 0;
-  if (!several_[i]) {
-    found[0] = value >= lower_[i] && value <= upper_[i] ? value : first(i, value);
-    return 1;
+  const double lower = lower_[i], upper = upper_[i];
+  if (value >= lower && value <= upper) {
+    found[0] = value;
+    if (!several_[i] || (value - kTurn < lower && value + kTurn > upper)) return 1;
+  } else {
+    if (!fits(i, value)) return 0;
+    found[0] = first(i, value);
+    if (!several_[i]) return 1;
   }
-  const double nearest = value + kTurn * std::round((near - value) / kTurn);
+  const double away = near - value;
+  const double turns = std::abs(away) < 3 ? 0 : std::round(away / kTurn);
+  const double nearest = value + kTurn * turns;
   int count = 0;
-  for (const double turns : {0.0, -1.0, 1.0}) {
-    const double wrap = nearest + turns * kTurn;
-    if (wrap >= lower_[i] && wrap <= upper_[i]) found[count++] = wrap;
+  for (const double more : {0.0, -1.0, 1.0}) {
+    const double wrap = nearest + more * kTurn;
+    if (wrap < lower || wrap > upper) continue;
+    found[count++] = wrap;
+    if (!copies_) break;
   }
   return count;
 }

@@ -13,8 +13,9 @@ namespace graspless::robot {
 class Wraps {
  public:
   /// `turns` is false for joints with no equivalent values (prismatic, or mimicked by another).
+  /// With `copies`, append() gives all equivalents, otherwise the one nearest to q.
   Wraps(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, std::vector<int> group,
-        std::vector<bool> turns);
+        std::vector<bool> turns, bool copies);
 
   int size() const { return static_cast<int>(group_.size()); }
   const std::vector<int>& group() const { return group_; }
@@ -42,6 +43,7 @@ class Wraps {
 
   std::vector<int> group_;
   std::vector<bool> turns_;
+  bool copies_;
   std::vector<bool> several_;                  // true if several equivalents may fit
   Eigen::VectorXd lower_, upper_;              // limits of the group, widened for rounding
   Eigen::VectorXd exact_lower_, exact_upper_;  // the same, not widened

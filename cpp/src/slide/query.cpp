@@ -3,6 +3,15 @@
 #include "slide/query.hpp"
 
 namespace graspless::slide {
+namespace {
+
+robot::Ik make_ik(const Problem& problem, const std::string& frame, const Arm& arm) {
+  robot::Ik::Options options;
+  options.whole_turns = false;  // they touch the same things
+  return robot::Ik(problem.robot, problem.robot.frame(frame), arm.joints(), options);
+}
+
+}  // namespace
 
 Query::Query(const Problem& problem, const Options& options, planning::Clock& clock,
              std::uint64_t seed)
@@ -11,8 +20,8 @@ Query::Query(const Problem& problem, const Options& options, planning::Clock& cl
       clock(clock),
       rng(seed),
       arm(problem),
-      tip_ik(problem.robot, problem.robot.frame(problem.hand.fingertip), arm.joints()),
-      grasp_ik(problem.robot, problem.robot.frame(problem.hand.grasp_frame), arm.joints()),
+      tip_ik(make_ik(problem, problem.hand.fingertip, arm)),
+      grasp_ik(make_ik(problem, problem.hand.grasp_frame, arm)),
       contact(problem, options, arm),
       free(make_scene(problem)),
       object_body(free.world().body(kObjectBody)),
@@ -34,7 +43,8 @@ Eigen::VectorXd Query::draw_seed() {
 }
 
 double Query::draw_free_joint() {
-  return arm.dof() > kFree ? uniform(arm.lower()[kFree], arm.upper()[kFree]) : 0;
+  const std::optional<int> joint = tip_ik.free_joint();
+  return joint ? uniform(problem.robot.lower()[*joint], problem.robot.upper()[*joint]) : 0;
 }
 
 std::vector<Eigen::VectorXd> Query::draw_ik(const robot::Ik& ik, const Eigen::Isometry3d& X_WF,

@@ -47,26 +47,26 @@ struct GRASPLESS_API Query {
   Eigen::Isometry3d pressed_tip(const Planar& contact, double depth, double pitch) const;
 
   /// Returns configurations that put a frame at the pose X_WF, for one draw of the redundancy: the
-  /// closed form at the given value of the free joint, or one numerical descent from `near`.
+  /// closed form, at the given value of the free joint if there is one, or one numerical descent
+  /// from `near`.
   std::vector<Eigen::VectorXd> draw_ik(const robot::Ik& ik, const Eigen::Isometry3d& X_WF,
                                        const Eigen::VectorXd& near, double free_joint);
 
   /// Draws the configuration that inverse kinematics stays near: q_home, or for a numerical descent
   /// also a random configuration.
   Eigen::VectorXd draw_seed();
-  /// Draws a value of the closed form's free joint, the arm's third; 0 for an arm without one.
+  /// Draws a value of the closed form's free joint; 0 for an arm without one.
   double draw_free_joint();
-  double free_joint_of(const Eigen::VectorXd& arm) const {
-    return arm.size() > kFree ? arm[kFree] : 0;
+  /// Returns the value of the free joint in a configuration of all joints; 0 without one.
+  double free_joint_of(const Eigen::VectorXd& q) const {
+    const std::optional<int> joint = tip_ik.free_joint();
+    return joint ? q[*joint] : 0;
   }
 
   /// Returns how the object is carried by a slide that begins at `start`.
   ContactSpace::Carried carried_from(const Eigen::VectorXd& start) {
     return {contact.effective_tip_at(start), object_start};
   }
-
- private:
-  static constexpr int kFree = 2;
 };
 
 }  // namespace graspless::slide

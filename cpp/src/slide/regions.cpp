@@ -119,14 +119,14 @@ bool GoalRegion::try_sample(ob::State* state) const {
 bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) const {
   constexpr int kDraws = 24;
   const Eigen::VectorXd q_start = vector(start, query_.arm.dof());
+  const Eigen::VectorXd near = query_.arm.full(q_start);
   const ContactSpace::Carried carried = query_.carried_from(q_start);
   const double depth = query_.top - query_.contact.tip_at(q_start).height;
   for (int i = 0; i < kDraws; ++i) {
     const auto object_S = draw_object_pose(carried);
     if (!object_S) continue;
     const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
-    const auto arm =
-        press_at(query_, contact, depth, query_.arm.full(q_start), query_.free_joint_of(q_start));
+    const auto arm = press_at(query_, contact, depth, near, query_.free_joint_of(near));
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {

@@ -220,7 +220,7 @@ class Ik:
     """
     Inverse kinematics of one frame with the joints of one serial group; all other joints stay as given.
     
-    Closed form for arms like the Barrett WAM, damped least squares for any other chain.
+    Closed form for most arms of six or seven revolute joints, damped least squares for any other chain.
     """
     def __init__(self, robot: Robot, frame: str | typing.SupportsInt | typing.SupportsIndex, group: str | collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], *, tolerance: typing.SupportsFloat | typing.SupportsIndex = 1e-09, max_iterations: typing.SupportsInt | typing.SupportsIndex = 60, restarts: typing.SupportsInt | typing.SupportsIndex = 12, free_samples: typing.SupportsInt | typing.SupportsIndex = 16) -> None:
         """
@@ -238,13 +238,18 @@ class Ik:
         """
     def solve_free(self, X_WF: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], free_joint: typing.SupportsFloat | typing.SupportsIndex, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
         """
-        Returns all solutions within the limits for one value of the free joint, the group's third [rad]: (K, dof).
+        Returns all solutions within the limits for one value of the free joint [rad]: (K, dof). Without a free joint, the value is ignored.
         
         Raises ValueError for a chain without closed form.
         """
     def solve_near(self, X_WF: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"] | None:
         """
         Returns the solution that continues from q, (dof,), or None if it does not converge within the limits.
+        """
+    @property
+    def free_joint(self) -> int | None:
+        """
+        Index of the joint whose value solve_free() takes. None for six joints, and for a chain without closed form.
         """
     @property
     def group(self) -> list[int]:

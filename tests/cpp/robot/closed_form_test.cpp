@@ -189,14 +189,20 @@ TEST(ClosedForm, KnowsAnyAxesAndReturnsWholeTurns) {
 }
 
 TEST(ClosedForm, IsOnlyForArmsThatHaveIt) {
-  const Robot robot = kr5();
-  const Ik ik(robot, robot.frame("flange"), robot.group("arm"));
-  EXPECT_FALSE(ik.is_closed_form());
+  const Robot robot = wam();
+  EXPECT_EQ(wam_ik(robot).free_joint(), 2);
+  const Robot other = kr5();
+  const Ik six(other, other.frame("flange"), other.group("arm"));
+  EXPECT_TRUE(six.is_closed_form());
+  EXPECT_FALSE(six.free_joint().has_value());
+  const Ik five(robot, robot.frame("flange"), {0, 1, 2, 3, 4});
+  EXPECT_FALSE(five.is_closed_form());
+  EXPECT_FALSE(five.free_joint().has_value());
   MatrixXd solutions;
-  EXPECT_THROW(ik.solve_free(Isometry3d::Identity(), 0, robot.state("home"), solutions),
+  EXPECT_THROW(five.solve_free(Isometry3d::Identity(), 0, robot.state("home"), solutions),
                std::logic_error);
-  const Robot other = wam();
-  EXPECT_FALSE(Ik(other, other.frame("flange"), {0, 1, 2, 3, 4, 5}).is_closed_form());
+  const Robot odd = oddity();
+  EXPECT_FALSE(Ik(odd, odd.frame("tip"), {0, 1, 2, 3}).is_closed_form());
 }
 
 }  // namespace

@@ -18,11 +18,15 @@ namespace graspless::robot {
 /// Inverse kinematics of one frame with the joints of one serial group; all other joints stay as
 /// given.
 ///
-/// Has two solvers. The closed form serves seven-joint arms whose first three axes meet in a point
-/// and whose last three do too, such as the Barrett WAM; the elbow may be offset. It uses Paden and
-/// Kahan's subproblems, with the third joint as free parameter. Every other chain uses damped least
-/// squares with joint limits, restarts, and a null-space pull to the middle of the limits. KDL's
-/// own solver is never called: it aborts in one process with Debian's OMPL (docs/architecture.md).
+/// Has two solvers. The closed form serves six revolute joints with a spherical wrist (or shoulder)
+/// whose other three joints have two axes that meet or axes 2 and 3 parallel (KUKA, ABB, Fanuc,
+/// Staubli), and six with parallel axes 2 to 4 and axes 5 and 6 that meet (Universal Robots). It
+/// serves seven revolute joints if this holds once one of them is given: the third where both
+/// shoulder and wrist are spherical (iiwa, WAM), otherwise the last (Panda, xArm7) or the first.
+/// Offsets up to 1 cm or 0.01 rad from such a geometry are allowed for: Newton's method polishes
+/// these solutions. Every other chain uses damped least squares with joint limits, restarts, and a
+/// null-space pull to the middle of the limits. KDL's own solver is never called: it aborts in one
+/// process with Debian's OMPL (docs/architecture.md).
 class GRASPLESS_API Ik {
  public:
   struct Options {
@@ -30,6 +34,8 @@ class GRASPLESS_API Ik {
     int max_iterations = 60;  ///< iterations of damped least squares per attempt
     int restarts = 12;        ///< random restarts of damped least squares in solve_all()
     int free_samples = 16;    ///< values of the free joint that solve_all() tries in closed form
+    bool whole_turns = true;  ///< return a solution's copies a whole turn of a joint away, too;
+                              ///< otherwise of each solution the one nearest to the given q
   };
 
   /// `group`: joint indices of the chain, from the base outwards. Throws std::invalid_argument when
@@ -40,16 +46,19 @@ class GRASPLESS_API Ik {
 
   bool is_closed_form() const;
   const std::vector<int>& group() const;
+  /// Joint index whose value solve_free() takes. Nothing for six joints, or without closed form.
+  std::optional<int> free_joint() const;
 
-  /// Finds all solutions within the limits for one value of the free joint, the third of the group:
-  /// at most 8, and their copies a whole turn of a joint away. `q` gives the joints outside the
-  /// group, and the angles that a solution leaves arbitrary. Writes configurations of all joints to
-  /// the first columns of `solutions` and returns their number. Keep `solutions` between calls to
-  /// avoid allocation: it never shrinks. Throws std::logic_error for a chain without closed form.
-  int solve_free(const Eigen::Isometry3d& X_WF, double free_joint, const Eigen::VectorXd& q,
+  /// Finds all solutions within the limits for one value of free_joint(); without one, all
+  /// solutions, and `value` is ignored. There are at most 8, and their copies. `q` gives the joints
+  /// outside the group, and the angles that a solution leaves arbitrary. Writes configurations of
+  /// all joints to the first columns of `solutions` and returns their number. Keep `solutions`
+  /// between calls to avoid allocation: it never shrinks. Throws std::logic_error for a chain
+  /// without closed form.
+  int solve_free(const Eigen::Isometry3d& X_WF, double value, const Eigen::VectorXd& q,
                  Eigen::MatrixXd& solutions) const;
   /// Same, but appends the solutions to a vector.
-  void solve_free(const Eigen::Isometry3d& X_WF, double free_joint, const Eigen::VectorXd& q,
+  void solve_free(const Eigen::Isometry3d& X_WF, double value, const Eigen::VectorXd& q,
                   std::vector<Eigen::VectorXd>& solutions) const;
 
   /// Returns the solutions found on all branches, without duplicates, nearest to `q` first. Uses
