@@ -82,7 +82,10 @@ def _run(options: argparse.Namespace) -> int:
     robot, path = read_robot(options, "robot inspect")
     name = robot.name if path is None else robots.stem(path)
     with progress.waiting(f"inspecting {name}"):
-        found = inspect(robot, palm=options.palm, name=name)
+        try:
+            found = inspect(robot, palm=options.palm, name=name)
+        except ValueError as error:
+            raise TaskError(f"{name}: {error}") from None
     folder = Path(options.output or name)
     written = found.write(folder)
     if find_spec("matplotlib") is not None:

@@ -102,8 +102,8 @@ def inspect(
 
     Raises
     ------
-    TaskError
-        A ValueError: there is no hand, or there are several and `palm` is not given.
+    ValueError
+        There is no hand, or there are several and `palm` is not given.
     """
     from .inspection.build import propose
 

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 import inspect_common as small
-from graspless import TaskError, cli, geometry, load_task, plan, robot, scene
+from graspless import cli, geometry, load_task, plan, robot, scene
 from graspless.inspection.check import faults
 from graspless.tasks.clasp.hand import Hand as ClaspHand
 from graspless.tasks.clasp.hand import build_hand as build_clasp_hand
@@ -229,11 +229,11 @@ def test_two_hands_are_asked_about():
         "two", small.base(), small.arm("a_"), small.arm("b_"),
         small.prismatic("a_", "a_wrist"), small.prismatic("b_", "b_wrist"),
     )  # fmt: skip
-    with pytest.raises(TaskError, match=r"2 places may be a hand; .* \(one of: a_palm, b_palm\)"):
+    with pytest.raises(ValueError, match="2 places may be a hand; .* one of: a_palm, b_palm"):
         robot.inspect(read(urdf))
     found = robot.inspect(read(urdf), palm="b_palm")
     assert all(found.robot.joint_names[i].startswith("b_") for i in found.robot.group("arm"))
-    with pytest.raises(TaskError, match="palm: c_palm: no such link"):
+    with pytest.raises(ValueError, match="palm: c_palm: no such link"):
         robot.inspect(read(urdf), palm="c_palm")
 
 
@@ -248,8 +248,22 @@ def test_two_hands_are_asked_about():
     ],
 )  # fmt: skip
 def test_refusals(urdf, message):
-    with pytest.raises(TaskError, match=message):
+    with pytest.raises(ValueError, match=message):
         robot.inspect(read(urdf))
+
+
+def test_a_refusal_names_the_robot(tmp_path, capsys):
+    (tmp_path / "arm.urdf").write_text(small.robot("arm", small.base(), small.arm()))
+    (tmp_path / "card.yaml").write_text(CARD.replace("ROBOT", "arm.urdf"))
+    assert cli.main(["robot", "inspect", str(tmp_path / "arm.urdf")]) == 2
+    assert capsys.readouterr().err.startswith("arm: no hand was found: ")
+    assert cli.main(["plan", str(tmp_path / "card.yaml"), "-o", str(tmp_path / "p.json")]) == 2
+    assert "card.yaml:3: robot: no hand was found: " in capsys.readouterr().err
+
+
+def test_frames_are_not_added_to_a_comment():
+    found = robot.inspect(read(small.gripper() + "<!-- </robot> -->"))
+    assert "left_fingertip" in found.robot.frame_names
 
 
 def test_a_hand_without_an_arm_says_so():

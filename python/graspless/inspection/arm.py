@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .pairs import Pair
     from .tree import Tree
 
+MANY = 8  # joints of an arm that is taken for granted
 SAMPLES = 1500  # configurations from which the home is chosen
 OFTEN, OFTEN_SAMPLES = 0.5, 60  # pairs that touch in this share of so many samples
 MARGIN = 0.1  # of a joint's range, to be kept from its limits
@@ -51,7 +52,9 @@ def find_arm(tree: Tree, palm: int) -> Arm:
         others = len(path[1 : first + 1])
         reason += f"; {tree.links[base]} carries other parts, too"
         reason += f", and {others} joints below it do not move" if others else ""
-    return Arm(base, joints, reason, not forks or first == 0)
+    if len(joints) > MANY:
+        reason += "; so many may include a base that floats: give it fixed joints"
+    return Arm(base, joints, reason, first == 0 and len(joints) <= MANY)
 
 
 @dataclass(frozen=True)

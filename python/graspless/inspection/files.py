@@ -28,6 +28,7 @@ _FRAME = """  <link name={link}>
     <origin xyz="{xyz}" rpy="{rpy}"/><parent link={parent}/><child link={link}/>
   </joint>
 """  # noqa: E501
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _MESH = re.compile(r"""(<mesh\b[^>]*?\bfilename\s*=\s*)("[^"]*"|'[^']*')""")
 
 
@@ -51,8 +52,7 @@ def with_frames(urdf: str, placed: Mapping[str, tuple[str, Matrix]]) -> str:
             xyz=_numbers(X_PL[:3, 3]),
             rpy=_numbers(_rpy(X_PL)),
         )
-    head, end, tail = urdf.rpartition("</robot")
-    return f"{head}\n{added}{end}{tail}"
+    return _at_end(urdf, f"\n{added}")
 
 
 def with_absolute_meshes(robot: Robot, urdf: str) -> str:
@@ -105,8 +105,14 @@ def make_srdf(
             f"reason={quoteattr(reason)}/>"
         )
     text = given or f'<?xml version="1.0"?>\n<robot name={quoteattr(name)}>\n</robot>\n'
-    head, end, tail = text.rpartition("</robot")
-    return head + "\n".join(lines) + f"\n{end}{tail}"
+    return _at_end(text, "\n".join(lines) + "\n")
+
+
+def _at_end(text: str, added: str) -> str:
+    """Returns XML with more elements at the end of <robot>."""
+    without = _COMMENT.sub(lambda found: " " * len(found[0]), text)
+    end = without.rindex("</robot")
+    return text[:end] + added + text[end:]
 
 
 def _state(name: str, group: str, values: Mapping[str, float]) -> str:

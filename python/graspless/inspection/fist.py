@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import scene
-from ..errors import TaskError
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -121,7 +120,7 @@ def find_fist(tree: Tree, palm: Palm) -> Fist:
 
     Raises
     ------
-    TaskError
+    ValueError
         No joint bends a finger towards the others.
     """
     fingers = Fingers(tree, palm)
@@ -129,7 +128,7 @@ def find_fist(tree: Tree, palm: Palm) -> Fist:
     ends = {name: end for k in numbers for name, end in _bent(fingers, k).items()}
     if not ends:
         names = ", ".join(finger.name(tree) for finger in palm.fingers)
-        raise TaskError(f"robot: no joint bends one of the fingers {names} towards the others")
+        raise ValueError(f"no joint bends one of the fingers {names} towards the others")
     opened, closed = fingers.rest.copy(), fingers.rest.copy()
     for name, (first, last) in ends.items():
         column = tree.robot.joint(name)

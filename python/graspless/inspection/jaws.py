@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import scene
-from ..errors import TaskError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -184,7 +183,7 @@ def find_jaws(tree: Tree, palm: Palm, fingers: tuple[Finger, Finger]) -> Jaws:
 
     Raises
     ------
-    TaskError
+    ValueError
         No joint moves the fingers apart.
     """
     measure = Measure(tree, palm, fingers)
@@ -204,8 +203,8 @@ def find_jaws(tree: Tree, palm: Palm, fingers: tuple[Finger, Finger]) -> Jaws:
     opening, smallest = (measure.gap(state, sideways) for state in (opened, closed))
     if not opening - smallest > SMALLEST_STROKE:
         names = " and ".join(finger.name(tree) for finger in fingers)
-        raise TaskError(
-            f"robot: no joint moves {names} together: the gap between their ends is "
+        raise ValueError(
+            f"no joint moves {names} together: the gap between their ends is "
             f"{opening * 1000:.1f} mm at most and {smallest * 1000:.1f} mm at least"
         )
     R_WH = np.column_stack([np.cross(-sideways, measure.out), -sideways, measure.out])
@@ -246,7 +245,7 @@ def _open(measure: Measure) -> Matrix:
         if not measure.touches(states[i]):
             return np.asarray(states[i])
     names = " and ".join(finger.name(measure.tree) for finger in measure.fingers)
-    raise TaskError(f"robot: {names} touch in every state of {', '.join(measure.drivers)}")
+    raise ValueError(f"{names} touch in every state of {', '.join(measure.drivers)}")
 
 
 def _nearest(measure: Measure, opened: Matrix, i: int, value: float, across: Matrix) -> float:

@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import TaskError
-
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .tree import Tree
@@ -59,23 +57,23 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
 
     Raises
     ------
-    TaskError
+    ValueError
         The robot has no hand, or several and `link` is not given.
     """
     if not tree.points:
-        raise TaskError("robot: no link has a collision shape, so a hand cannot be found")
+        raise ValueError("no link has a collision shape, so a hand cannot be found")
     if link is not None:
         if link not in tree.links:
             known = ", ".join(tree.links)
-            raise TaskError(f"palm: {link}: no such link (one of: {known})")
+            raise ValueError(f"palm: {link}: no such link (one of: {known})")
         return _palm_at(tree, tree.body(tree.links.index(link)))
     forks = [body for body in tree.members if len(_shaped(tree, body)) > 1]
     last = [body for body in forks if not any(b in forks for b in tree.below(body)[1:])]
     if len(last) > 1:
         names = ", ".join(_palm_link(tree, body) for body in last)
-        raise TaskError(
-            f"robot: {len(last)} places may be a hand; name the palm of the one to use: "
-            f"palm (one of: {names})"
+        raise ValueError(
+            f"{len(last)} places may be a hand; graspless robot inspect --palm LINK, or "
+            f"graspless.robot.inspect(palm=...), takes one of: {names}"
         )
     return _palm_at(tree, last[0]) if last else _jaw(tree)
 
@@ -94,7 +92,7 @@ def _palm_at(tree: Tree, body: int) -> Palm:
     children = _shaped(tree, body)
     name = _palm_link(tree, body)
     if not children:
-        raise TaskError(f"palm: {name}: no moving link with a collision shape is attached to it")
+        raise ValueError(f"palm: {name}: no moving link with a collision shape is attached to it")
     if len(children) == 1:
         return _jaws(tree, body, children[0], is_sure=False)
     fingers = tuple(Finger(tuple(tree.below(child))) for child in children)
@@ -111,8 +109,8 @@ def _jaw(tree: Tree) -> Palm:
         named = GRIPPER.search(f"{tree.links[leaf]} {tree.driver(leaf)}") is not None
         if named or _is_beside(tree, parent, leaf):
             return _jaws(tree, parent, leaf, named)
-    raise TaskError(
-        "robot: no hand was found: no link carries two or more moving links, and the last joint "
+    raise ValueError(
+        "no hand was found: no link carries two or more moving links, and the last joint "
         "does not move one jaw against another; name its palm, or join a gripper to the arm"
     )
 
