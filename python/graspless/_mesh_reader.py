@@ -25,7 +25,6 @@ from .errors import TaskError, explain, missing
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-SUFFIXES = (".dae", ".glb", ".gltf")
 VERSION = 1  # of the files in the cache
 LARGEST = 2**28  # [byte] of a file
 SECONDS = 60  # [s]
@@ -55,14 +54,15 @@ def read(path: str) -> geometry.Mesh:
 
 def prepare(paths: Iterable[Path]) -> None:
     """Puts meshes into the cache, by a single process. Faults are left for `read` to report."""
-    files = []
+    files: list[tuple[str, bytes]] = []
     for path in sorted(paths):
-        if path.suffix.lower() in SUFFIXES:
-            with contextlib.suppress(ValueError):
-                data = _content(str(path))
-                if not _cached(str(path), data).is_file():
-                    files.append((str(path), data))
-    if len(files) < 2 or sum(len(data) for _, data in files) > LARGEST:
+        if sum(len(data) for _, data in files) > LARGEST:
+            return
+        with contextlib.suppress(ValueError):
+            data = _content(str(path))
+            if not _cached(str(path), data).is_file():
+                files.append((str(path), data))
+    if len(files) < 2:
         return
     converted = _convert(files)
     for name, data in files:

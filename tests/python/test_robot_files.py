@@ -125,7 +125,7 @@ def test_stock_srdf_is_read_and_its_faults_are_told(folder):
         "<group_state name='open' group='hand'><joint name='slide' value='0.04'/></group_state>"
         "<group_state name='wide' group='hand'><joint name='slide' value='9'/></group_state></robot>"
     )
-    with pytest.warns(UserWarning, match="the URDF has no joint 'none' and 2 more; skipped"):
+    with pytest.warns(UserWarning, match="the URDF has no joint 'none'; skipped and 2 more"):
         gripper = built(folder, {"urdf": "gripper.urdf"})
     assert len(gripper.warnings) == 3
     assert gripper.group_names == ["hand"]

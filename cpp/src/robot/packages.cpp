@@ -32,10 +32,15 @@ struct PackageFile {
   std::string package, path;
 };
 
-PackageFile split(const std::string& uri) {
+bool names_file(const std::string& uri) {
   const std::size_t start = uri.find_first_not_of('/', kPackage.size());
-  const std::size_t slash = start == std::string::npos ? start : uri.find('/', start);
-  if (slash == std::string::npos) throw std::invalid_argument("'" + uri + "' names no file");
+  return start != std::string::npos && uri.find('/', start) != std::string::npos;
+}
+
+PackageFile split(const std::string& uri) {
+  if (!names_file(uri)) throw std::invalid_argument("'" + uri + "' names no file");
+  const std::size_t start = uri.find_first_not_of('/', kPackage.size());
+  const std::size_t slash = uri.find('/', start);
   return {uri.substr(start, slash - start), uri.substr(slash + 1)};
 }
 
@@ -152,7 +157,7 @@ std::map<std::string, std::string> find_packages(const Description& description)
   std::set<std::string> missing;
   const auto look_up = [&](const std::string& name, const std::string& what) {
     poll();
-    if (!starts_with(name, kPackage)) return;
+    if (!starts_with(name, kPackage) || (what.empty() && !names_file(name))) return;
     const PackageFile file = split(name);
     if (packages.count(file.package) > 0) return;
     const std::string folder = missing.count(file.package) > 0 ? "" : finder.find(file);

@@ -62,7 +62,7 @@ class SrdfReader {
     try {
       function();
     } catch (const std::invalid_argument& error) {
-      model_.warnings.emplace_back(error.what());
+      model_.warnings.push_back(std::string(error.what()) + "; skipped");
     }
   }
 
@@ -199,7 +199,7 @@ class SrdfReader {
     std::istringstream words(text);
     std::string word;
     if (joints_.count(name) > 0 || !(words >> word >> word)) return false;
-    tolerate([&] { fail(element, "joint '" + name + "' is not in the URDF; ignored"); });
+    tolerate([&] { fail(element, "joint '" + name + "' is not in the URDF"); });
     return true;
   }
 

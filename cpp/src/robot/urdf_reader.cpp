@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <mutex>
+#include <sstream>
 #include <stdexcept>
 
 #include <console_bridge/console.h>
@@ -23,6 +25,8 @@ namespace graspless::robot {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kLimitSlack = 1e-3;  // URDF files hold limits rounded to a few digits [rad or m]
 
 /// Collects urdfdom's messages while an instance lives. urdfdom reports errors on the console only,
 /// and sometimes continues without the faulty element.
@@ -199,6 +203,23 @@ Link read_link(const urdf::ModelInterface& urdf, const urdf::Joint& joint,
   return link;
 }
 
+/// Warns of a mimic joint that leaves its own limits, which are ignored.
+void compare_limits(const urdf::Joint& joint, const Link& link, Robot::Model& model) {
+  if (!joint.mimic || !joint.limits || joint.type == urdf::Joint::CONTINUOUS) return;
+  const double at_lower = link.multiplier * model.lower[link.joint] + link.offset;
+  const double at_upper = link.multiplier * model.upper[link.joint] + link.offset;
+  const auto [least, most] = std::minmax(at_lower, at_upper);
+  if (least >= joint.limits->lower - kLimitSlack && most <= joint.limits->upper + kLimitSlack) {
+    return;
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "joint '" << joint.name << "' mimics '" << joint.mimic->joint_name << "' and moves in ["
+       << least << ", " << most << "], beyond its own limits [" << joint.limits->lower << ", "
+       << joint.limits->upper << "]; these are ignored";
+  model.warnings.push_back(text.str());
+}
+
 void read_joints(const urdf::ModelInterface& urdf, const UrdfTree& tree, Robot::Model& model) {
   std::vector<urdf::JointConstSharedPtr> independent;
   for (const std::string& name : tree.joints) {
@@ -216,6 +237,7 @@ void read_links(const urdf::ModelInterface& urdf, const UrdfTree& tree, Robot::M
   for (const std::string& name : tree.joints) {
     const urdf::JointConstSharedPtr joint = urdf.getJoint(name);
     model.links.push_back(read_link(urdf, *joint, model));
+    compare_limits(*joint, model.links.back(), model);
     model.frame_names.push_back(joint->child_link_name);
   }
 }

@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from .. import frames, geometry
-from .._mesh_reader import SUFFIXES
+from ..tasks.meshes import FOREIGN
 from ..tasks.robots import mesh_path
 from .settings import Servo, Solver
 
@@ -107,7 +107,7 @@ def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
     for mesh in root.iter("mesh"):
         path = mesh_path(mesh.get("filename", ""), fields.packages, fields.directory)
         name = str(path)
-        if path.suffix.lower() in SUFFIXES:
+        if path.suffix.lower() in FOREIGN:
             name = f"converted_{len(assets)}.stl"
             assets[name] = _as_stl(str(path))
         mesh.set("filename", name)

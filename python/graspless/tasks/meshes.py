@@ -13,12 +13,21 @@ if TYPE_CHECKING:
     from .source import Source
 
 
-SUFFIXES = (".stl", ".obj", ".off", ".ply", ".dae", ".glb", ".gltf")  # the last three: to draw
+FOREIGN = (".dae", ".glb", ".gltf")  # read with the extra `robots`
+SUFFIXES = (".stl", ".obj", ".off", ".ply", *FOREIGN)
 
 
 def is_mesh(path: Path) -> bool:
     """Returns True if the file's ending is that of a mesh; other files are never opened as one."""
     return path.suffix.lower() in SUFFIXES
+
+
+def prepare_meshes(paths: Iterable[Path]) -> None:
+    """Converts the meshes that the core does not read itself by one process, not by one each."""
+    if foreign := [path for path in paths if path.suffix.lower() in FOREIGN]:
+        from .._mesh_reader import prepare
+
+        prepare(foreign)
 
 
 def checksum(path: Path) -> str:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _data
 from .._descriptions import Described, described
-from .._mesh_reader import prepare
 from ..limits import uncounted
+from .meshes import FOREIGN, prepare_meshes
 from .robots import Gripper, Robot, collision_meshes, robot_meshes, stem
 from .shapes import pose_matrix
 from .source import Source, at
@@ -43,8 +43,9 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
         }
     )
     with at(source, "robot", field):
-        robot_meshes(resolved)
-        prepare(collision_meshes(resolved))
+        meshes = robot_meshes(resolved)
+    if any(path.suffix.lower() in FOREIGN for path in meshes):
+        prepare_meshes(collision_meshes(resolved))
     return resolved, path
 
 

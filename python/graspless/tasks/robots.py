@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import warnings
-import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 from xml.parsers import expat
@@ -131,9 +130,13 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
             X_WB=pose_matrix(robot.pose),
         )
     if warn and built.warnings and field != "urdf_text":  # a plan was made in spite of them
-        more = f" and {len(built.warnings) - 1} more" if len(built.warnings) > 1 else ""
-        text = source.message(("robot", field), f"{built.warnings[0]}{more}; skipped")
-        warnings.warn(f"{text} (Robot.warnings lists all)", stacklevel=4)
+        more = (
+            f" and {len(built.warnings) - 1} more (Robot.warnings)"
+            if len(built.warnings) > 1
+            else ""
+        )
+        text = source.message(("robot", field), f"{built.warnings[0]}{more}")
+        warnings.warn(text, stacklevel=4)
     return built
 
 
@@ -189,6 +192,8 @@ def robot_meshes(robot: Robot) -> set[Path]:
 
 def collision_meshes(robot: Robot) -> set[Path]:
     """Returns the mesh files of the collision shapes of a robot whose XML `mesh_files` accepts."""
+    import xml.etree.ElementTree as ET
+
     names = [
         mesh.get("filename", "")
         for mesh in ET.fromstring(robot.urdf_text or "").iterfind(".//collision//mesh")

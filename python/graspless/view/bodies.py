@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames, geometry
-from .._mesh_reader import prepare
 from ..errors import TaskError
+from ..tasks.meshes import prepare_meshes
 from ..tasks.obstacles import placed_parts
 from ..tasks.robots import robot_meshes
 from ..tasks.shapes import pose_matrix
@@ -90,7 +90,7 @@ def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
         if material.find("color") is not None
     }
     if fields is not None:
-        prepare(robot_meshes(fields))
+        prepare_meshes(robot_meshes(fields))
     drawn = set()
     for link in root.findall("link"):
         name = link.get("name", "")

@@ -8,7 +8,7 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 from .. import _mesh_reader
-from ..tasks.meshes import SUFFIXES, is_mesh
+from ..tasks.meshes import FOREIGN, SUFFIXES, is_mesh
 from ..tasks.robots import mesh_path
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def read_visual(name: str, robot: Robot) -> Any:
     """Returns the trimesh of a URDF's visual mesh; raises UnreadableError."""
     import trimesh
 
-    package = name.removeprefix("package://").partition("/")[0]
+    package = name.removeprefix("package://").lstrip("/").partition("/")[0]
     path = mesh_path(name, robot.packages, robot.directory)
     if not is_mesh(path):
         raise UnreadableError(f"{name}: unknown kind of mesh (one of: {', '.join(SUFFIXES)})")
@@ -31,7 +31,7 @@ def read_visual(name: str, robot: Robot) -> Any:
         known = not name.startswith("package://") or package in robot.packages
         why = "no such file" if known else f"robot.packages has no {package}"
         raise UnreadableError(f"{name}: {why}")
-    if path.suffix.lower() in _mesh_reader.SUFFIXES:
+    if path.suffix.lower() in FOREIGN:
         try:
             read = _mesh_reader.read(str(path))
         except ValueError as error:

@@ -89,6 +89,7 @@ TEST_F(Packages, AreFoundInTheEnvironment) {
 
 TEST_F(Packages, OfPicturesMayBeMissing) {
   EXPECT_TRUE(find_packages(arm("package://mine/t.obj", "visual")).empty());
+  EXPECT_TRUE(find_packages(arm("package://mine", "visual")).empty());
   EXPECT_TRUE(find_packages({"<robot", "", {}, ""}).empty());  // the reader of robots refuses it
   EXPECT_CONTAINS(complaint([&] { find_packages(arm("package://../t.obj")); }),
                   "'..' was not found");

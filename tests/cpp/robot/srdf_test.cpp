@@ -81,12 +81,13 @@ TEST(Srdf, ReadsTheRestOfAFileWithUnknownNames) {
   EXPECT_EQ(robot.state_names(), std::vector<std::string>{"home"});
   EXPECT_EQ(robot.state("home")[0], 0.5);
   const std::vector<std::string> expected = {
-      "SRDF line 4: the URDF has no joint 'x'",  // of the group, and of the one that contains it
-      "SRDF line 4: the URDF has no joint 'x'",
-      "SRDF line 5: joint 'floating_base' is not in the URDF; ignored",
-      "SRDF line 6: the URDF has no joint 'x'",
-      "SRDF line 7: the URDF has no link 'x'",
-      "SRDF line 8: <disable_collisions> has no attribute 'link2'"};
+      "SRDF line 4: the URDF has no joint 'x'; skipped",  // of the group, and of the one that
+                                                          // contains it
+      "SRDF line 4: the URDF has no joint 'x'; skipped",
+      "SRDF line 5: joint 'floating_base' is not in the URDF; skipped",
+      "SRDF line 6: the URDF has no joint 'x'; skipped",
+      "SRDF line 7: the URDF has no link 'x'; skipped",
+      "SRDF line 8: <disable_collisions> has no attribute 'link2'; skipped"};
   EXPECT_EQ(robot.warnings(), expected);
   EXPECT_TRUE(with("<group name='g'><joint name='joint10'/></group>").warnings().empty());
   EXPECT_CONTAINS(complaint([] { with("<group name='g'>"); }), "not XML");

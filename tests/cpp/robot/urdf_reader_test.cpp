@@ -118,6 +118,19 @@ TEST(UrdfReader, RefusesMimicsOfNothing) {
                   "mimics 'weld', which is fixed");
 }
 
+TEST(UrdfReader, WarnsOfMimicsBeyondTheirLimits) {
+  const auto warnings = [](const std::string& mimic) {
+    return read(links({"a", "b", "c"}) + joint("one", "a", "b") +
+                joint("two", "b", "c", kLimit + mimic))
+        .warnings();
+  };
+  EXPECT_TRUE(warnings("<mimic joint='one' multiplier='-1'/>").empty());
+  EXPECT_EQ(
+      warnings("<mimic joint='one' multiplier='-2' offset='1'/>"),
+      std::vector<std::string>{"joint 'two' mimics 'one' and moves in [-2, 4], beyond its own "
+                               "limits [-1.5, 1.5]; these are ignored"});
+}
+
 TEST(UrdfReader, RefusesBadShapes) {
   EXPECT_CONTAINS(refused(with_shape("<box size='1 0 1'/>")), "link 'a'");
   EXPECT_CONTAINS(refused(with_shape("<sphere radius='-1'/>")), "link 'a'");
