@@ -132,6 +132,8 @@ class _Builder:
         self._place_frames(jaws, tips)
         self._describe_states(jaws)
         self.clasp = jaw_fields(self.tree, self.palm_link(), jaws, tips)
+        curve = " against ".join([*self.clasp["fingers"], self.clasp["thumb"][-1]["link"]])
+        self.find("clasp", curve, "a curve along both fingers, which close on a bar")
         links = self.tree.links
         own, other = ([links[link] for link in tip.links] for tip in tips)
         self.hand |= {
