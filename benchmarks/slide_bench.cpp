@@ -51,7 +51,8 @@ Problem make_problem(std::mt19937_64& rng) {
   VectorXd home(robot.dof());
   home << 0, 0.2, 0, 2.0, 0, 0.94, 0, 0;
   Hand hand;
-  hand.finger_model = FingerModel::none;
+  hand.finger_model = FingerModel::impedance;  // the contact at the commanded tip, as in the paper
+  hand.wrist_stiffness = 600;
   std::uniform_real_distribution<double> offset(-0.27, 0.27), yaw(0, 6.28);
   Eigen::Isometry3d X_WO(Eigen::Translation3d(0.65 + offset(rng), offset(rng), 0));
   X_WO.rotate(Eigen::AngleAxisd(yaw(rng), Eigen::Vector3d::UnitZ()));
@@ -89,7 +90,8 @@ std::vector<VectorXd> draw_steps(Query& query, double length) {
 void BM_SlideProjection(benchmark::State& state) {
   const Problem problem = make_problem();
   Options options = paper_terms();
-  options.max_depth = options.min_depth + static_cast<double>(state.range(0)) / 1000;
+  options.min_depth = 0.005;
+  options.max_depth = 0.005 + static_cast<double>(state.range(0)) / 1000;
   planning::Clock clock({});
   Query query(problem, options, clock, 1);
   const auto arms = draw_steps(query, 0.1);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -26,7 +27,7 @@ struct FieldDescription {
 template <class Value>
 py::dict bounds(const planning::Range& range) {
   py::dict result;
-  if constexpr (std::is_same_v<Value, double>) {
+  if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) {
     if (!std::isinf(range.lower)) result[range.lower_is_open ? "gt" : "ge"] = range.lower;
     if (!std::isinf(range.upper)) result[range.upper_is_open ? "lt" : "le"] = range.upper;
   } else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {

@@ -101,6 +101,10 @@ void bind_tables(py::class_<Robot>& cls) {
           "warnings", &Robot::warnings,
           "Parts of URDF and SRDF that were ignored or changed, one sentence each: for instance\n"
           "an entry of the SRDF that names an unknown link.")
+      .def_property_readonly(
+          "step_weights", [](const Robot& self) -> Eigen::VectorXd { return self.step_weights(); },
+          "(dof,) factors of the joints in the length of a step: 1 for a revolute joint, 10 rad/m "
+          "for a prismatic one.")
       .def("frame", &Robot::frame, py::arg("name"),
            "Returns the index of a link.\n\nRaises ValueError that lists the links.")
       .def(
@@ -114,12 +118,15 @@ void bind_tables(py::class_<Robot>& cls) {
            "says what is wrong with this one.")
       .def(
           "state",
-          [](const Robot& self, const std::string& name) -> Eigen::VectorXd {
-            return self.state(name);
+          [](const Robot& self, const std::string& name,
+             const std::optional<Array>& others) -> Eigen::VectorXd {
+            return others ? self.state(name, to_configuration(self, *others, "others"))
+                          : self.state(name);
           },
-          py::arg("name"),
-          "Returns the configuration of a group state, (dof,). Joints that it does not name are 0, "
-          "clamped to their limits.\n\nRaises ValueError that lists the states, or says what is "
+          py::arg("name"), py::arg("others") = py::none(),
+          "Returns the configuration of a group state, (dof,). Joints that it does not name are as "
+          "in others, or 0, clamped to their limits.\n\nRaises ValueError that lists the states, "
+          "or says what is "
           "wrong with this one.");
 }
 

@@ -190,6 +190,19 @@ void bind_turning(py::module_& m) {
             "Turn rate that the pad can impose everywhere [rad/m]."},
       Field{"lag", &Turning::lag,
             "Angle by which the object may lag behind the finger in total [rad]."});
+  m.def(
+      "depth_band",
+      [](const Hand& hand, const Options& options) {
+        const DepthBand band = depth_band(hand, options);
+        return std::pair(band.min, band.max);
+      },
+      py::arg("hand"), py::arg_v("options", Options{}, "Options()"),
+      "Returns the least and the largest depth of the commanded fingertip below the object's top "
+      "face [m]: those of the options, or of the finger's model.");
+  m.def("validate", py::overload_cast<const Problem&, const Options&>(&validate),
+        py::arg("problem"), py::arg("options"),
+        "Also requires that the finger can yield by the depth, and that its shapes fit its tip "
+        "frame.\n\nRaises ValueError that names the field.");
   m.def("turning", &turning, py::arg("problem"), py::arg("plan"),
         "Returns how fast a plan's slide turns, and how fast the pad's friction can turn the "
         "object.\n\nModel: ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996).");

@@ -21,6 +21,7 @@ from ._core.slide import (
     Turning,
     center_of_mass,
     check,
+    depth_band,
     turning,
     validate,
 )
@@ -87,6 +88,7 @@ __all__ = [
     "Turning",
     "center_of_mass",
     "check",
+    "depth_band",
     "plan",
     "turning",
     "validate",

@@ -81,7 +81,11 @@ void plan_slide(Bytes bytes) {
     problem.X_WO_start.rotate(Eigen::AngleAxisd(bytes.number(-3, 3), Eigen::Vector3d::UnitZ()));
     if (bytes.chance(4)) problem.obstacles.push_back(obstacle(bytes));
     if (bytes.chance(4)) problem.q_home[bytes.whole(0, wam.dof() - 1)] += bytes.number(-1, 1);
-    if (bytes.chance(4)) problem.hand.finger_model = FingerModel::none;
+    if (bytes.chance(4)) {
+      const auto models = choices(FingerModel{});
+      problem.hand.finger_model = models[static_cast<std::size_t>(bytes.whole(0, 3))].value;
+      problem.hand.wrist_stiffness = bytes.number(0, 2000);
+    }
     if (bytes.chance(4)) problem.hand.flexure_length = bytes.number(0.05, 0.2);
     require_plan(problem, options, budget);
   });

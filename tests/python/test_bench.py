@@ -73,7 +73,7 @@ def test_starts_are_problems(table, name, scale):
 def test_the_papers_terms():
     trial = grid.Trial(next(grid.starts(1, 1)))
     options, hand = trial.make_options(), trial.make_problem().hand
-    assert hand.finger_model is slide.FingerModel.none
+    assert hand.finger_model is slide.FingerModel.impedance
     assert (options.min_depth, options.max_depth) == (0.005, 0.025)
     assert (options.com_margin, options.tip_margin, options.rim_margin) == (0.001, 0, 0)
     assert (options.min_overhang, options.root_scale) == (0.02, 100)

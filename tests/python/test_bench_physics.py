@@ -43,7 +43,7 @@ def disturb(plan):
 def physics_tasks(count, seed, finger_model="flexure"):
     for k in range(count):
         text = changed("seed: 3", f"seed: {seed + k}")
-        text += f"hand: {{finger_model: {finger_model}}}\n"
+        text += f"hand: {{finger_model: {finger_model}, wrist_stiffness: 600}}\n"
         yield read_task(text, f"bench: card {k}")
 
 
@@ -283,7 +283,8 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
 
 def test_the_ablation_is_the_papers_finger(engine):
     queries = list(physics.Grid("slide", runs=1, is_ablation=True).queries())
-    assert queries[0].document["hand"]["finger_model"] == "none"
+    assert queries[0].document["hand"]["finger_model"] == "impedance"
+    assert queries[0].executing_finger == "flexure"
 
 
 def test_files_of_before_still_make_a_page(tmp_path):

@@ -33,7 +33,7 @@ ENDLESS = Options(min_overhang=0.0999, com_margin=0.04)  # no pair of the card c
 def test_structs_take_their_fields_as_keywords():
     options = Options(search=Search.paper, min_depth=0.001)
     assert options.search is Search.paper
-    assert (options.min_depth, options.max_depth) == (0.001, 0.025)
+    assert (options.min_depth, options.max_depth) == (0.001, None)
     assert "min_depth=0.001" in repr(options)
     hand = Hand(finger_model=FingerModel.none, fingers=["a", "b"])
     assert hand.fingers == ("a", "b")
@@ -71,7 +71,7 @@ def test_objects_from_outline_and_cloud():
         (lambda: Segment("slide", np.zeros((2, 8)), [np.eye(4)]), "slide.*2 positions but 1"),
         (lambda: Segment("slide", np.zeros(8), [np.eye(4)]), r"positions has shape \(8,\)"),
         (lambda: slide.center_of_mass([[0, 0, 0]], [1, 2]), "mass"),
-        (lambda: slide.validate(Options(min_depth=0.05)), "max_depth.*min_depth"),
+        (lambda: slide.validate(Options(min_depth=0.05, max_depth=0.04)), "min_depth.*max_depth"),
         (lambda: Budget(seconds=0), "seconds"),
         (lambda: Budget(seconds=float("nan")), "seconds"),
         (lambda: Budget(iterations=-1), "iterations"),

@@ -153,7 +153,7 @@ def test_fault_in_the_hand_file_names_that_file(write, tmp_path):
     write("arm: arm\ntip_radius: -1\n", "my.hand.yaml")
     path = write(changed("wam_t42", "my.urdf"))
     assert fault(path).startswith("my.hand.yaml:2: tip_radius: -1: should be greater")
-    write("arm: arm\nfingertip: thumb\n", "my.hand.yaml")
+    write("finger_model: none\nfingertip: thumb\n", "my.hand.yaml")
     assert fault(path).startswith("my.hand.yaml:2: fingertip: thumb: ")
 
 

@@ -77,11 +77,12 @@ class Grid:
         """Yields one query per problem."""
         for k, task in enumerate(self._tasks()):
             name = f"{k:03} {task.source.file.removeprefix('bench: ')}"
-            yield work.Query(name, task.to_dict(), self.trials, self.seed + k, self.disturb)
+            finger = "flexure" if self.is_ablation else None
+            yield work.Query(name, task.to_dict(), self.trials, self.seed + k, self.disturb, finger)
 
     def _tasks(self) -> Iterator[Task]:
         module = importlib.import_module(f".{self.kind}_tasks", __package__)
-        flags: dict[str, Any] = {"finger_model": "none"} if self.is_ablation else {}
+        flags: dict[str, Any] = {"finger_model": "impedance"} if self.is_ablation else {}
         yield from module.physics_tasks(self.runs, self.seed, **flags)
 
 

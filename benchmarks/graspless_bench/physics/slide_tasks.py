@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from graspless.tasks import Task, read_task
 
-from ..slide.grid import HOME, MIN_DEPTH, Start, Trial, starts
+from ..slide.grid import HOME, MIN_DEPTH, PAPERS_HAND, Start, Trial, starts
 from ..slide.shapes import TABLES, THICKNESS, outline_of
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ def physics_tasks(count: int, seed: int = 1, finger_model: str = "flexure") -> I
     seed : int
         Of their poses.
     finger_model : str
-        "flexure", or "none": the paper's formula on the commanded tip.
+        "flexure", or "impedance": the paper's formula on the commanded tip.
     """
     for start in starts(count, seed):
         yield physics_task(start, finger_model)
@@ -40,7 +40,7 @@ def physics_task(start: Start, finger_model: str = "flexure") -> Task:
     document = {
         "kind": "slide",
         "robot": {"urdf": "wam_t42", "home": HOME},
-        "hand": {"finger_model": finger_model},
+        "hand": {"finger_model": finger_model, "wrist_stiffness": PAPERS_HAND.wrist_stiffness},
         "object": {
             "name": start.object,
             "polygon": [list(corner) for corner in outline_of(start.object, start.scale)],

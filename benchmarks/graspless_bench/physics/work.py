@@ -39,6 +39,8 @@ class Query:
         Of the variations.
     disturb : bool
         Instead of trials: the smallest wrench that breaks the weakest row of a fingertip plan.
+    executing_finger : str, optional
+        Finger model that executes a slide; default: the one that it was planned with.
     """
 
     name: str
@@ -46,6 +48,7 @@ class Query:
     trials: int
     seed: int
     disturb: bool = False
+    executing_finger: str | None = None
 
     @property
     def key(self) -> str:
@@ -99,7 +102,12 @@ def unknown(query: Query, status: str, reason: str) -> Row:
 
 def _tried(plan: Plan, query: Query) -> Row:
     from graspless import simulation
+    from graspless.plan_files import read_plan
 
+    if query.executing_finger:
+        document = json.loads(plan.to_json())
+        document["task"]["hand"]["finger_model"] = query.executing_finger
+        plan = read_plan(json.dumps(document), query.name)
     trials = simulation.simulate(plan, query.trials, query.seed).trials
     names = simulation.simulation_kind(plan.kind).MEASURES
     return {

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
 HOME = [0, 0.2, 0, 2.0, 0, 0.94, 0, 0]  # all joints of wam_t42: the hand above the tables
+# The contact at the commanded tip, as in the paper; the stiffness presses with 9 N at 15 mm.
+PAPERS_HAND = slide.Hand(finger_model=slide.FingerModel.impedance, wrist_stiffness=600)
 MIN_DEPTH = 0.005  # Delta_Z^- [m]
 RANGES = {"0 cm": 0.0, "0.5 cm": 0.005, "2 cm": 0.02}  # Delta_Z^* [m]
 ROOT_SCALES = (1, 10, 100, 1000, 10000)  # N*
@@ -95,7 +97,7 @@ class Trial:
 
     def make_problem(self) -> slide.Problem:
         start = self.start
-        hand = slide.Hand() if self.defaults else slide.Hand(finger_model=slide.FingerModel.none)
+        hand = slide.Hand() if self.defaults else PAPERS_HAND
         X_WO = frames.planar(*start.draw_pose())
         return slide.Problem(
             robot(), hand, thin_object(start.object, start.scale), table(start.table), X_WO, HOME

@@ -145,16 +145,17 @@ class Examination {
 
   void replay() {
     std::size_t faulty_row = carried().positions.size();  // one fault per row is enough
-    scene::replay_rows(carried().positions, [&](std::size_t row, const VectorXd& q) {
-      if (row == faulty_row) return;
-      const Isometry3d X_WO = object_at(q);
-      replay_.world().set_pose(object_, X_WO);
-      const auto touching = replay_.touching(q);
-      const std::string off = deviation(X_WO);
-      if (touching.empty() && off.empty()) return;
-      faulty_row = row;
-      fault(row, touching.empty() ? off : "collision " + touching.front());
-    });
+    scene::replay_rows(problem_.robot, carried().positions,
+                       [&](std::size_t row, const VectorXd& q) {
+                         if (row == faulty_row) return;
+                         const Isometry3d X_WO = object_at(q);
+                         replay_.world().set_pose(object_, X_WO);
+                         const auto touching = replay_.touching(q);
+                         const std::string off = deviation(X_WO);
+                         if (touching.empty() && off.empty()) return;
+                         faulty_row = row;
+                         fault(row, touching.empty() ? off : "collision " + touching.front());
+                       });
   }
 
   /// Describes how a pose of the object leaves the straight path; empty if it does not.

@@ -147,7 +147,7 @@ std::optional<VectorXd> Search::solve(const Cell& to, const VectorXd& near) {
 
 /// Checks exactly the configurations at which check() will replay the rows.
 bool Search::is_motion_valid(const VectorXd& from, const VectorXd& to) {
-  const double span = (to - from).lpNorm<Eigen::Infinity>();
+  const double span = problem_.robot.step(from, to);
   const int rows = std::max(1, static_cast<int>(std::ceil(span / kRowStep)));
   const int pieces =
       rows * std::max(1, static_cast<int>(std::ceil(span / rows / options_.resolution)));

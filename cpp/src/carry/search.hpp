@@ -33,6 +33,7 @@ class Search {
     return static_cast<double>(farthest_) / steps_;
   }  ///< fraction of the path, in [0, 1]
   Eigen::Isometry3d object_at(const Eigen::VectorXd& q) const;
+  const Eigen::VectorXd& step_weights() const { return problem_.robot.step_weights(); }
   Statistics statistics();
 
  private:

@@ -36,8 +36,9 @@ Path pruned(Query& query, Path path) {
   return planning::shortcut(std::move(path), straight, kPruningRounds, query.rng);
 }
 
-Segment segment(const std::string& name, const Path& path, TaskSpace& task_space) {
-  Segment segment{name, planning::subdivided(path, kRowStep), {}};
+Segment segment(const std::string& name, const Path& path, TaskSpace& task_space,
+                const Eigen::VectorXd& weights) {
+  Segment segment{name, planning::subdivided(path, kRowStep, weights), {}};
   const auto rows = static_cast<Eigen::Index>(segment.positions.size());
   segment.virtual_linking.resize(task_space.kinematics().num_curves(), rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -143,8 +144,9 @@ void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
     clasp.reach.insert(clasp.reach.begin(), problem.q_start);
   }
   plan.status = Status::solved;
-  plan.segments = {segment("reach", pruned(query, std::move(clasp.reach)), task_space),
-                   segment("close", clasp.close, task_space)};
+  const Eigen::VectorXd& weights = query.problem.robot.step_weights();
+  plan.segments = {segment("reach", pruned(query, std::move(clasp.reach)), task_space, weights),
+                   segment("close", clasp.close, task_space, weights)};
   plan.loop = task.loop;
   const Eigen::Isometry3d X_OW = problem.X_WO.inverse();
   plan.target = {X_OW * clasp.target_W.point, X_OW.linear() * clasp.target_W.tangent};

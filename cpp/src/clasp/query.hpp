@@ -34,7 +34,8 @@ struct Query {
   /// True if a straight motion is collision-free at the configurations that check() will test: rows
   /// of kRowStep, subdivided at options.resolution.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-    const planning::Path rows = planning::subdivided({from, to}, kRowStep);
+    const planning::Path rows =
+        planning::subdivided({from, to}, kRowStep, problem.robot.step_weights());
     for (std::size_t i = 1; i < rows.size(); ++i) {
       if (!free.is_free(rows[i - 1], rows[i], options.resolution)) return false;
     }

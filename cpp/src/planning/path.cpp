@@ -34,12 +34,16 @@ Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rn
   return path;
 }
 
-Path subdivided(const Path& path, double step) {
+Path subdivided(const Path& path, double step, const Eigen::VectorXd& weights) {
+  const auto span = [&](const Eigen::VectorXd& change) {
+    return weights.size() == 0 ? change.lpNorm<Eigen::Infinity>()
+                               : change.cwiseProduct(weights).lpNorm<Eigen::Infinity>();
+  };
   Path fine;
   for (const Eigen::VectorXd& q : path) {
     if (!fine.empty()) {
       const Eigen::VectorXd from = fine.back();
-      const int pieces = static_cast<int>(std::ceil((q - from).lpNorm<Eigen::Infinity>() / step));
+      const int pieces = static_cast<int>(std::ceil(span(q - from) / step));
       for (int i = 1; i < pieces; ++i, poll()) fine.push_back(from + (q - from) * i / pieces);
     }
     fine.push_back(q);

@@ -49,7 +49,9 @@ struct Robot::Model {
   std::set<std::pair<int, int>> ignored_pairs;
   std::vector<Eigen::VectorXd> reach;
   std::map<std::string, std::vector<int>> groups;
+  Eigen::VectorXd step_weights;
   std::map<std::string, Eigen::VectorXd> states;
+  std::map<std::string, std::set<int>> state_joints;              // joints that a state names
   std::map<std::string, std::string> group_faults, state_faults;  // by name; errors once used
   std::vector<std::string> warnings;
 };

@@ -115,6 +115,7 @@ const VectorXd& Robot::lower() const { return model_->lower; }
 const VectorXd& Robot::upper() const { return model_->upper; }
 const VectorXd& Robot::max_velocity() const { return model_->max_velocity; }
 const VectorXd& Robot::max_effort() const { return model_->max_effort; }
+const VectorXd& Robot::step_weights() const { return model_->step_weights; }
 const Isometry3d& Robot::X_WB() const { return model_->X_WB; }
 const std::vector<std::string>& Robot::frame_names() const { return model_->frame_names; }
 const std::vector<LinkShape>& Robot::shapes() const { return model_->shapes; }
@@ -145,6 +146,14 @@ const std::vector<int>& Robot::group(const std::string& name) const {
 const VectorXd& Robot::state(const std::string& name) const {
   require_sound(model_->state_faults, name, "state");
   return at(model_->states, name, "state");
+}
+
+VectorXd Robot::state(const std::string& name, const VectorXd& others) const {
+  const VectorXd& state = this->state(name);
+  require_configuration(*this, others, "others");
+  VectorXd q = others;
+  for (const int joint : model_->state_joints.at(name)) q[joint] = state[joint];
+  return q;
 }
 
 const VectorXd& Robot::reach(int link) const {

@@ -180,17 +180,20 @@ class SrdfReader {
       if (group && elements_.count(group) == 0) {
         fail(state, "the SRDF has no group '" + std::string(group) + "'");
       }
-      for_parts(state, "joint", [&](const TiXmlElement& e) { set_joint(e, q); });
+      std::set<int>& named = model_.state_joints[name];
+      for_parts(state, "joint", [&](const TiXmlElement& e) { set_joint(e, q, named); });
     } catch (const std::invalid_argument& error) {
       model_.state_faults.emplace(name, error.what());
       throw;
     }
   }
 
-  void set_joint(const TiXmlElement& element, Eigen::VectorXd& q) {
+  void set_joint(const TiXmlElement& element, Eigen::VectorXd& q, std::set<int>& named) {
     if (is_base(element)) return;
     const Link* link = carried(element);
-    if (has_value(link)) q[link->joint] = read_value(element, link->joint);
+    if (!has_value(link)) return;
+    q[link->joint] = read_value(element, link->joint);
+    named.insert(link->joint);
   }
 
   /// True for an unknown joint with several values: the base of a robot that is taken to float.

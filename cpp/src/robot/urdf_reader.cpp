@@ -60,6 +60,8 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml) {
   return urdf;
 }
 
+constexpr double kRadPerMeter = 10;  // Robot::step_weights() of prismatic joints
+
 /// Floating and planar joints, which occur at the root alone, are treated as fixed.
 bool is_movable(const urdf::Joint& joint) {
   return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS ||
@@ -96,8 +98,10 @@ void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Mo
   for (auto* field : {&model.lower, &model.upper, &model.max_velocity, &model.max_effort}) {
     field->setConstant(n, std::numeric_limits<double>::infinity());
   }
+  model.step_weights.setOnes(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const urdf::Joint& joint = *joints[static_cast<std::size_t>(i)];
+    if (joint.type == urdf::Joint::PRISMATIC) model.step_weights(i) = kRadPerMeter;
     std::tie(model.lower(i), model.upper(i)) = bounds(joint);
     if (!joint.limits) continue;
     model.max_velocity(i) = positive_or_infinity(joint.limits->velocity);

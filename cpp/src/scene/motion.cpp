@@ -56,11 +56,12 @@ Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, cons
   return bound;
 }
 
-int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
+int num_steps(const robot::Robot& robot, const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
+              double resolution) {
   if (!(resolution > 0)) {
     throw std::invalid_argument("resolution must be positive, not " + std::to_string(resolution));
   }
-  const double span = q1.size() == 0 ? 0 : (q2 - q1).cwiseAbs().maxCoeff();
+  const double span = q1.size() == 0 ? 0 : robot.step(q1, q2);
   constexpr double kMaxSteps = 1e8;
   const double steps = std::ceil(span / resolution);
   if (steps > kMaxSteps) {

@@ -24,9 +24,10 @@ Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, cons
 /// errors [m].
 constexpr double kMargin = 1e-7;
 
-/// Number of equal steps of at most `resolution` in any joint in which a straight motion is
+/// Number of equal steps of at most `resolution` (Robot::step()) in which a straight motion is
 /// checked. Throws std::invalid_argument on a resolution that is not positive or so small that it
 /// takes more than 1e8 steps.
-int num_steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution);
+int num_steps(const robot::Robot& robot, const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
+              double resolution);
 
 }  // namespace graspless::scene

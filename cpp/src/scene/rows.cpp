@@ -10,7 +10,7 @@ void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
                 const std::vector<Eigen::VectorXd>& rows,
                 const std::function<void(std::size_t row, const std::string& what)>& fault) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    const double step = (rows[row] - before).lpNorm<Eigen::Infinity>();
+    const double step = robot.step(before, rows[row]);
     if (row == 0 && step > same) fault(row, "does not continue the segment before it");
     if (step > kLongestStep) {
       std::ostringstream text;

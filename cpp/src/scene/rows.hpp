@@ -15,19 +15,19 @@
 /// Conditions that every check() puts on the rows of a motion.
 namespace graspless::scene {
 
-constexpr double kReplayStep = 0.01;          // between checked configurations [rad or m]
-constexpr double kLongestStep = 0.05 + 1e-9;  // between rows [rad or m]
+constexpr double kReplayStep = 0.01;          // between checked configurations, Robot::step() [rad]
+constexpr double kLongestStep = 0.05 + 1e-9;  // between rows, Robot::step() [rad]
 
 /// Calls visit(row, q) at steps of kReplayStep along the rows; `row` is the index of the row that
 /// the step leads to.
 template <typename Visit>
-void replay_rows(const std::vector<Eigen::VectorXd>& rows, Visit visit) {
+void replay_rows(const robot::Robot& robot, const std::vector<Eigen::VectorXd>& rows, Visit visit) {
   visit(std::size_t{0}, rows[0]);
   for (std::size_t row = 1; row < rows.size(); ++row) {
     const Eigen::VectorXd& from = rows[row - 1];
     const Eigen::VectorXd step = rows[row] - from;
     const int pieces =
-        std::max(1, static_cast<int>(std::ceil(step.lpNorm<Eigen::Infinity>() / kReplayStep)));
+        std::max(1, static_cast<int>(std::ceil(robot.step(from, rows[row]) / kReplayStep)));
     for (int i = 1; i <= pieces; ++i) visit(row, from + step * i / pieces);
   }
 }

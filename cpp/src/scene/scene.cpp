@@ -150,13 +150,15 @@ bool Scene::is_free(const Eigen::VectorXd& q) {
   return !world_.collides();
 }
 
-bool Scene::is_free(const robot::Poses& X_WL) {
+bool Scene::is_free(const robot::Poses& X_WL) { return !first_collision(X_WL); }
+
+std::optional<std::pair<int, int>> Scene::first_collision(const robot::Poses& X_WL) {
   if (X_WL.size() != link_body_.size()) {
     throw std::invalid_argument("X_WL must have " + std::to_string(link_body_.size()) +
                                 " poses, one for each link, not " + std::to_string(X_WL.size()));
   }
   place(X_WL);
-  return !world_.collides();
+  return world_.first_collision();
 }
 
 std::pair<std::string, std::string> Scene::collision(const Eigen::VectorXd& q) {

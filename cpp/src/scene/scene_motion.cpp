@@ -20,7 +20,7 @@ namespace graspless::scene {
 bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
   if (!robot_.is_within(q1) || !robot_.is_within(q2)) return false;
   poll();
-  const int steps = num_steps(q1, q2, resolution);
+  const int steps = num_steps(robot_, q1, q2, resolution);
   const Eigen::VectorXd step = (q2 - q1) / steps;
   update_motion_bounds();
   open_.clear();

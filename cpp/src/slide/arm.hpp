@@ -17,6 +17,7 @@ class GRASPLESS_API Arm {
   explicit Arm(const Problem& problem) : joints_(problem.robot.group(problem.hand.arm)) {
     lower_ = part(problem.robot.lower());
     upper_ = part(problem.robot.upper());
+    weights_ = part(problem.robot.step_weights());
     const Eigen::VectorXd home = part(problem.q_home);
     q_open_ = problem.robot.state(problem.hand.open);
     q_closed_ = problem.robot.state(problem.hand.closed);
@@ -31,6 +32,10 @@ class GRASPLESS_API Arm {
   const Eigen::VectorXd& open() const { return q_open_; }      ///< q_home with the hand open
   const Eigen::VectorXd& closed() const { return q_closed_; }  ///< q_home with the hand closed
 
+  /// Robot::step() of a change of the arm's joints [rad].
+  double span(const Eigen::VectorXd& change) const {
+    return change.cwiseProduct(weights_).lpNorm<Eigen::Infinity>();
+  }
   /// Writes the arm's joints into a configuration q of all joints.
   void write(const Eigen::Ref<const Eigen::VectorXd>& arm, Eigen::VectorXd& q) const {
     for (int i = 0; i < dof(); ++i) q[joints_[static_cast<std::size_t>(i)]] = arm[i];
@@ -50,7 +55,7 @@ class GRASPLESS_API Arm {
 
  private:
   std::vector<int> joints_;
-  Eigen::VectorXd lower_, upper_, q_open_, q_closed_;
+  Eigen::VectorXd lower_, upper_, weights_, q_open_, q_closed_;
 };
 
 }  // namespace graspless::slide

@@ -24,8 +24,9 @@ Path with_hand_open(const Query& query, const Path& arm_path) {
   return path;
 }
 
-void append(Plan& plan, const std::string& name, const Path& path, const Eigen::Isometry3d& X_WO) {
-  const Path rows = planning::subdivided(path, kRowStep);
+void append(const Query& query, Plan& plan, const std::string& name, const Path& path,
+            const Eigen::Isometry3d& X_WO) {
+  const Path rows = planning::subdivided(path, kRowStep, query.problem.robot.step_weights());
   plan.segments.push_back({name, rows, std::vector<Eigen::Isometry3d>(rows.size(), X_WO)});
 }
 
@@ -39,10 +40,13 @@ Path with_home(const Query& query, Path approach) {
 void append_slide(Query& query, const Path& slide, Plan& plan) {
   const ContactSpace::Carried carried = query.carried_from(slide.front());
   Segment segment{"slide", {}, {}};
-  for (const Eigen::VectorXd& arm : planning::subdivided(slide, kRowStep)) {
+  const Path rows = planning::subdivided(with_hand_open(query, slide), kRowStep,
+                                         query.problem.robot.step_weights());
+  for (const Eigen::VectorXd& q : rows) {
     poll();
-    segment.positions.push_back(query.arm.full(arm));
-    segment.object_poses.push_back(query.X_WS * spatial(query.contact.carry(carried, arm)));
+    segment.positions.push_back(q);
+    segment.object_poses.push_back(query.X_WS *
+                                   spatial(query.contact.carry(carried, query.arm.part(q))));
   }
   plan.segments.push_back(std::move(segment));
 }
@@ -117,13 +121,14 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   const Handling& handling = motions.handling();
   const Eigen::Isometry3d X_WO_start = query.X_WS * spatial(query.object_start);
   const Eigen::Isometry3d X_WO_goal = query.X_WS * spatial(handling.object_goal);
-  append(plan, "approach", with_home(query, with_hand_open(query, approach.free)), X_WO_start);
-  append(plan, "press", with_hand_open(query, approach.press), X_WO_start);
+  append(query, plan, "approach", with_home(query, with_hand_open(query, approach.free)),
+         X_WO_start);
+  append(query, plan, "press", with_hand_open(query, approach.press), X_WO_start);
   append_slide(query, slide, plan);
-  append(plan, "lift", with_hand_open(query, handling.lift), X_WO_goal);
-  append(plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);
-  append(plan, "grasp", with_hand_open(query, handling.grasp), X_WO_goal);
-  append(plan, "close", handling.close, X_WO_goal);
+  append(query, plan, "lift", with_hand_open(query, handling.lift), X_WO_goal);
+  append(query, plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);
+  append(query, plan, "grasp", with_hand_open(query, handling.grasp), X_WO_goal);
+  append(query, plan, "close", handling.close, X_WO_goal);
   plan.status = Status::solved;
   plan.X_WO_goal = X_WO_goal;
   plan.X_WH_grasp = handling.X_WH;

@@ -159,13 +159,15 @@ void Examination::check_collisions(const Segment& segment) {
   const bool slides = segment.name == "slide";
   const Finger start = finger(segment.positions[0]);
   std::size_t faulty_row = segment.positions.size();  // one fault per row is enough
-  scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
-    const Eigen::Isometry3d X_WO = slides ? followed(start, finger(q)) : segment.object_poses[row];
-    const auto touching = world.touching(q, X_WO);
-    if (touching.empty() || row == faulty_row) return;
-    faulty_row = row;
-    fault(segment, row, "collision " + touching.front());
-  });
+  scene::replay_rows(problem_.robot, segment.positions,
+                     [&](std::size_t row, const Eigen::VectorXd& q) {
+                       const Eigen::Isometry3d X_WO =
+                           slides ? followed(start, finger(q)) : segment.object_poses[row];
+                       const auto touching = world.touching(q, X_WO);
+                       if (touching.empty() || row == faulty_row) return;
+                       faulty_row = row;
+                       fault(segment, row, "collision " + touching.front());
+                     });
 }
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {

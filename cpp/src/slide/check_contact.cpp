@@ -9,6 +9,7 @@
 
 #include "slide/contact.hpp"
 #include "slide/examination.hpp"
+#include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -63,18 +64,20 @@ void Examination::check_pressing(const Segment& segment) {
   constexpr double kTurn = 1e-3;  // [rad]
   const bool press = segment.name == "press";
   const Finger pressed = finger(press ? segment.positions.back() : segment.positions.front());
-  scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
-    const Finger now = finger(q);
-    if (now.depth > options_.max_depth + kHeightTolerance) {
-      fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
-    }
-    if (now.depth <= 0) return;
-    const double moved = (now.effective - pressed.effective).norm();
-    if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
-    const double turned = (now.heading - pressed.heading).norm();
-    if (!(turned <= kTurn)) fault(segment, row, "the contact turns by " + figure(turned) + " rad");
-    check_touching_row(segment, row, now);
-  });
+  scene::replay_rows(
+      problem_.robot, segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
+        const Finger now = finger(q);
+        if (now.depth > depths_.max + kHeightTolerance) {
+          fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
+        }
+        if (now.depth <= 0) return;
+        const double moved = (now.effective - pressed.effective).norm();
+        if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
+        const double turned = (now.heading - pressed.heading).norm();
+        if (!(turned <= kTurn))
+          fault(segment, row, "the contact turns by " + figure(turned) + " rad");
+        check_touching_row(segment, row, now);
+      });
 }
 
 /// The fingertip must be clear of the object where the press begins and where the lift ends.
@@ -117,9 +120,9 @@ void Examination::check_slide() {
       fault(slide, 0, "begins or ends at pitch " + figure(pitch) + " rad");
     }
   }
-  scene::replay_rows(slide.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
-    check_slide_row(slide, row, q);
-  });
+  scene::replay_rows(
+      problem_.robot, slide.positions,
+      [&](std::size_t row, const Eigen::VectorXd& q) { check_slide_row(slide, row, q); });
   for (std::size_t row = 0; row < slide.positions.size(); ++row) {
     poll();
     if (!is_same(followed(start, finger(slide.positions[row])), slide.object_poses[row], kSame)) {
@@ -131,7 +134,7 @@ void Examination::check_slide() {
 void Examination::check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q) {
   const Finger now = finger(q);
   const double play = kHeightTolerance + kRound;
-  if (!(now.depth >= options_.min_depth - play && now.depth <= options_.max_depth + play)) {
+  if (!(now.depth >= depths_.min - play && now.depth <= depths_.max + play)) {
     fault(slide, row, "depth " + figure(now.depth) + " m is outside its band");
   }
   check_touching_row(slide, row, now);
@@ -149,6 +152,10 @@ void Examination::check_touching_row(const Segment& segment, std::size_t row, co
   }
   if (!(std::abs(now.roll) <= kRollTolerance + kRound)) {
     fault(segment, row, "roll " + figure(now.roll) + " rad exceeds its tolerance");
+  }
+  const double sink = finger_sink(problem_, now.depth, now.pitch);
+  if (!(sink <= allowed_sink(problem_.hand) + kHeightTolerance)) {
+    fault(segment, row, "the finger is " + figure(sink) + " m below the object's top face");
   }
   if (!now.other_finger_up) fault(segment, row, "the other finger points down");
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "graspless/watch.hpp"
 
@@ -12,6 +13,68 @@
 #include "slide/replay.hpp"
 
 namespace graspless::slide {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+constexpr double kNeighbours = 2.5;  // points of one part are linked over this many spacings
+
+Eigen::Vector2d mean(const Points& points) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const auto& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+const Eigen::Vector2d& closest(const Points& points, const Eigen::Vector2d& to) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if ((points[i] - to).norm() < (points[best] - to).norm()) best = i;
+  }
+  return points[best];
+}
+
+/// The points that are as near to a place as the closest: of a symmetric object there are several.
+Points nearly_closest(const Points& points, const Eigen::Vector2d& to) {
+  const double least = (closest(points, to) - to).norm();
+  Points found;
+  for (const auto& p : points) {
+    if ((p - to).norm() <= least + kSame) found.push_back(p);
+  }
+  return found;
+}
+
+/// Points of the largest group whose neighbours are at most `distance` [m] apart, by relabelling.
+Points largest_group(const Points& points, double distance) {
+  std::vector<std::size_t> label(points.size());
+  std::iota(label.begin(), label.end(), std::size_t{0});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    poll();
+    for (std::size_t j = 0; j < i; ++j) {
+      if (label[i] == label[j] || (points[i] - points[j]).norm() > distance) continue;
+      std::replace(label.begin(), label.end(), std::max(label[i], label[j]),
+                   std::min(label[i], label[j]));
+    }
+  }
+  std::vector<std::size_t> size(points.size(), 0);
+  for (const std::size_t l : label) ++size[l];
+  const auto largest =
+      static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  Points group;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (label[i] == largest) group.push_back(points[i]);
+  }
+  return group;
+}
+
+}  // namespace
+
+/// True if a place lies inside the outline, and near a point of the part that sticks out.
+bool Examination::is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
+                             const Eigen::Isometry3d& X_SO) const {
+  const Eigen::Vector3d p_O = X_SO.inverse() * Eigen::Vector3d(p.x(), p.y(), 0);
+  return (closest(out, p) - p).norm() <= kNeighbours / 2 * problem_.object.spacing() &&
+         signed_depth(problem_.object.outline().vertices(), p_O.head<2>()) > 0;
+}
 
 Examination::Protrusion Examination::protrusion() const {
   const Eigen::Isometry3d X_SO = X_SW_ * plan_.X_WO_goal;
@@ -25,9 +88,15 @@ Examination::Protrusion Examination::protrusion() const {
   Protrusion result;
   result.any = !out.empty();
   if (!result.any) return result;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const auto& p : out) sum += p;
-  result.center = sum / static_cast<double>(out.size());
+  result.center = mean(out);
+  if (!is_held_at(result.center, out, X_SO)) {
+    out = largest_group(out, kNeighbours * problem_.object.spacing());
+    result.center = mean(out);
+    if (!is_held_at(result.center, out, X_SO)) {
+      const Eigen::Vector3d hand = X_SW_ * plan_.X_WH_grasp.translation();
+      result.center = closest(nearly_closest(out, result.center), hand.head<2>());
+    }
+  }
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < Q.size(); ++i) {
     const auto edge = Q.edge(i);
@@ -130,14 +199,15 @@ void Examination::check_straight(const Segment& grasp) {
   const robot::Robot& robot = problem_.robot;
   const int H = robot.frame(problem_.hand.grasp_frame);
   double back = 0;
-  scene::replay_rows(grasp.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
-    const Eigen::Isometry3d X_HH = plan_.X_WH_grasp.inverse() * robot.pose(H, q);
-    if (X_HH.translation().head<2>().norm() > kSideways ||
-        Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) {
-      fault(grasp, row, "the hand does not approach in a straight line");
-    }
-    back = std::max(back, -X_HH.translation().z());
-  });
+  scene::replay_rows(problem_.robot, grasp.positions,
+                     [&](std::size_t row, const Eigen::VectorXd& q) {
+                       const Eigen::Isometry3d X_HH = plan_.X_WH_grasp.inverse() * robot.pose(H, q);
+                       if (X_HH.translation().head<2>().norm() > kSideways ||
+                           Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) {
+                         fault(grasp, row, "the hand does not approach in a straight line");
+                       }
+                       back = std::max(back, -X_HH.translation().z());
+                     });
   if (back < options_.grasp_approach - 1e-4) {
     fault("grasp", "the straight approach is only " + figure(back) + " m long");
   }

@@ -6,6 +6,21 @@
 #include <cmath>
 
 namespace graspless::slide {
+namespace {
+
+DepthBand model_depths(const Hand& hand) {
+  if (hand.finger_model == FingerModel::flexure) return {0.005, 0.025};  // the paper's
+  if (hand.finger_model != FingerModel::impedance) return {0, 0};
+  const double wanted = hand.press_force / hand.wrist_stiffness;
+  return {0.5 * wanted, 1.5 * wanted};
+}
+
+}  // namespace
+
+DepthBand depth_band(const Hand& hand, const Options& options) {
+  const DepthBand band = model_depths(hand);
+  return {options.min_depth.value_or(band.min), options.max_depth.value_or(band.max)};
+}
 
 Tip tip(const Eigen::Isometry3d& X_SF) {
   const Eigen::Vector3d x = X_SF.linear().col(0), y = X_SF.linear().col(1),
@@ -30,10 +45,15 @@ Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height, const
   return X_SF;
 }
 
+double yielded_pitch(const Hand& hand, double depth, double pitch) {
+  if (hand.finger_model != FingerModel::flexure) return pitch;
+  return std::asin(std::clamp(std::sin(pitch) - depth / hand.flexure_length, -1.0, 1.0));
+}
+
 double contact_shift(const Hand& hand, double depth, double pitch, double touch_pitch) {
-  if (hand.finger_model == FingerModel::none) return 0;
+  if (hand.finger_model != FingerModel::flexure) return 0;
   const double L = hand.flexure_length, r = hand.tip_radius;
-  const double flexed = std::asin(std::max(-1.0, std::sin(pitch) - depth / L));
+  const double flexed = yielded_pitch(hand, depth, pitch);
   return L * (std::cos(flexed) - std::cos(pitch)) + r * (touch_pitch - flexed);
 }
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "graspless/slide/problem.hpp"
+#include "graspless/slide/slide.hpp"
 
 /// The contact between fingertip and object, in the support's frame S.
 ///
@@ -22,6 +22,9 @@ using Planar = Eigen::Isometry2d;
 inline constexpr double kHeightTolerance = 5e-4;  ///< of the depth [m]
 inline constexpr double kRollTolerance = 1e-3;    ///< tilt of the line contact [rad]
 
+/// Largest depth to which a rigid finger may be commanded: what its pad gives way [m].
+inline constexpr double kPadGive = 0.003;
+
 /// The fingertip as commanded.
 struct Tip {
   Eigen::Vector2d position;  ///< of the frame's origin, in S [m]
@@ -37,12 +40,16 @@ Tip tip(const Eigen::Isometry3d& X_SF);
 Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height,
                            const Eigen::Vector2d& heading, double pitch);
 
+/// Pitch of the sliding finger once it has yielded to a contact that its tip was commanded `depth`
+/// below [rad].
+double yielded_pitch(const Hand& hand, double depth, double pitch);
+
 /// Distance of the contact ahead of the commanded tip, along the heading, for a tip commanded
 /// `depth` below the top face [m]. For a finger that bends about a point L behind its tip, with a
 /// pad of radius r:
 ///   pitch' = asin(sin(pitch) - depth / L),
 ///   shift = L (cos(pitch') - cos(pitch)) + r (touch_pitch - pitch').
-/// Zero for FingerModel::none.
+/// Zero for every other model: the wrist gives way along the normal, or nothing does.
 double contact_shift(const Hand& hand, double depth, double pitch, double touch_pitch);
 
 /// The effective tip: position and heading of the actual contact. Eq. (2) moves the object with it,

@@ -65,10 +65,9 @@ BandProjection ContactSpace::make_projection() {
   const double tolerance = options_.pitch_tolerance - play;
   BandProjection::Bands bands{BandProjection::Values(3), BandProjection::Values(3),
                               BandProjection::Values(3)};
-  bands.lower << top_ - options_.max_depth, std::sin(options_.pitch - tolerance),
-      -kRollTolerance / 2;
-  bands.upper << top_ - options_.min_depth, std::sin(options_.pitch + tolerance),
-      kRollTolerance / 2;
+  const DepthBand depth = depth_band(problem_.hand, options_);
+  bands.lower << top_ - depth.max, std::sin(options_.pitch - tolerance), -kRollTolerance / 2;
+  bands.upper << top_ - depth.min, std::sin(options_.pitch + tolerance), kRollTolerance / 2;
   bands.slack << kHeightTolerance, play * std::cos(options_.pitch + options_.pitch_tolerance),
       kRollTolerance / 2;
   // Between two checked configurations a value may exceed its band a little more.
@@ -143,15 +142,23 @@ bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carr
   Planar effective;
   arm_.write(arm, q_);
   problem_.robot.forward(q_, X_WL_);
+  touching_.reset();
   if (!keeps_contact(effective)) return false;
   place_object(carried, effective);
-  return scene_.is_free(X_WL_);
+  touching_ = scene_.first_collision(X_WL_);
+  return !touching_;
+}
+
+std::string ContactSpace::fault() const {
+  if (!touching_) return "contact";
+  return "collision of " + scene_.world().name(touching_->first) + " with " +
+         scene_.world().name(touching_->second);
 }
 
 bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                    const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;
-  const int pieces = replay_steps(step.lpNorm<Eigen::Infinity>(), resolution);
+  const int pieces = replay_steps(arm_.span(step), resolution);
   // Backwards from the far end, where a violation shows earliest.
   for (int i = pieces; i >= 1; --i) {
     poll();

@@ -54,6 +54,9 @@ class GRASPLESS_API ContactSpace {
   bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                        const std::optional<Carried>& carried, double resolution);
   bool is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried);
+  /// Reason for which is_valid() has last returned false: names of the bodies that touch, or
+  /// "contact" if the constraint was not kept.
+  std::string fault() const;
   /// Returns the straight motion, projected at steps of options.range; nothing if a projection or a
   /// check fails.
   std::optional<planning::Path> connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
@@ -89,6 +92,7 @@ class GRASPLESS_API ContactSpace {
   scene::Scene scene_;
   int object_body_;
   bool object_parked_ = true;
+  std::optional<std::pair<int, int>> touching_;  // found by the last is_valid()
   int num_projections_ = 0;
   Eigen::VectorXd q_;  // scratch: all joints
   robot::Poses X_WL_;  // scratch: frames up to the fingertip

@@ -10,6 +10,7 @@
 #include "graspless/slide/slide.hpp"
 
 #include "scene/rows.hpp"
+#include "slide/contact.hpp"
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
 /// again from the paper and docs/architecture.md, so that a mistake in the search does not repeat
@@ -33,6 +34,7 @@ class Examination {
       : problem_(problem),
         plan_(plan),
         options_(options),
+        depths_(depth_band(problem.hand, options)),
         X_SW_(problem.support.X_WS().inverse()) {}
 
   Faults run();
@@ -70,6 +72,8 @@ class Examination {
     geometry::Polygon::Edge edge{};
   };
   Protrusion protrusion() const;
+  bool is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
+                  const Eigen::Isometry3d& X_SO) const;
   Eigen::Isometry3d object_start() const;
   void check_hand_open();
   void check_clearance();
@@ -84,6 +88,7 @@ class Examination {
   const Problem& problem_;
   const Plan& plan_;
   const Options& options_;
+  DepthBand depths_;
   Eigen::Isometry3d X_SW_;
   Faults faults_;
 };

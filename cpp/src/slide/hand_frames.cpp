@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+
+#include "slide/contact.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -15,6 +18,20 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kAlong = 0.7;  // cosine: within about 45 degrees
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Middle of the box around a shape [m].
+Vector3d middle_of(const geometry::PlacedShape& shape) {
+  Vector3d middle;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d axis = Vector3d::Unit(i);
+    middle[i] = (geometry::extent(shape, axis) - geometry::extent(shape, -axis)) / 2;
+  }
+  return middle;
+}
 
 /// Mean position of the links' collision shapes, in W, with the hand open [m].
 Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links) {
@@ -25,8 +42,10 @@ Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links
   int count = 0;
   for (const robot::LinkShape& shape : robot.shapes()) {
     const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
-    if (std::find(links.begin(), links.end(), link) == links.end()) continue;
-    sum += (X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG).translation();
+    if (!contains(links, link)) continue;
+    geometry::PlacedShape in_W = shape.placed;
+    in_W.X_BG = X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG;
+    sum += middle_of(in_W);
     ++count;
   }
   return sum / std::max(1, count);
@@ -39,14 +58,71 @@ void require(bool holds, const std::string& field, const std::string& frame,
                               " (judged by the collision shapes of the open hand)");
 }
 
+/// Depth of the sliding finger's shapes below the origin of F at a pitch, with the hand open [m].
+double finger_below(const Problem& problem, double pitch) {
+  const robot::Robot& robot = problem.robot;
+  robot::Poses X_WL;
+  robot.forward(robot.state(problem.hand.open), X_WL);
+  const auto F = static_cast<std::size_t>(robot.frame(problem.hand.fingertip));
+  const Vector3d down_F(0, -std::cos(pitch), std::sin(pitch));
+  double below = -std::numeric_limits<double>::infinity();
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    const auto link = static_cast<std::size_t>(shape.link);
+    if (!contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
+    geometry::PlacedShape in_F = shape.placed;
+    in_F.X_BG = X_WL[F].inverse() * X_WL[link] * shape.placed.X_BG;
+    below = std::max(below, geometry::extent(in_F, down_F));
+  }
+  return below;
+}
+
 }  // namespace
+
+double finger_sink(const Problem& problem, double depth, double pitch) {
+  const Hand& hand = problem.hand;
+  const bool yields =
+      hand.finger_model == FingerModel::flexure || hand.finger_model == FingerModel::impedance;
+  return finger_below(problem, yielded_pitch(hand, depth, pitch)) + (yields ? 0 : depth);
+}
+
+double allowed_sink(const Hand& hand) {
+  const bool is_rigid =
+      hand.finger_model == FingerModel::none || hand.finger_model == FingerModel::rigid_guarded;
+  return is_rigid ? 0.005 : 0.008;
+}
+
+void check_finger_fits(const Problem& problem, const Options& options) {
+  constexpr double kReach = 0.003;  // [m]
+  constexpr int kSamples = 9;
+  const auto [min_depth, max_depth] = depth_band(problem.hand, options);
+  const double allowed = allowed_sink(problem.hand);
+  for (int i = 0; i < kSamples; ++i) {
+    const double pitch = options.pitch + options.pitch_tolerance * (2.0 * i / (kSamples - 1) - 1);
+    const double least = finger_sink(problem, min_depth, pitch),
+                 most = finger_sink(problem, max_depth, pitch);
+    const std::string frame = "hand.fingertip '" + problem.hand.fingertip + "': at pitch " +
+                              std::to_string(pitch) + " rad and depth ";
+    if (most > allowed) {
+      throw std::invalid_argument(frame + std::to_string(max_depth) + " m, the sliding finger is " +
+                                  std::to_string(most) + " m below the contact, more than " +
+                                  std::to_string(allowed) +
+                                  " m; the frame must lie on the finger's surface, at the lower "
+                                  "edge of its tip");
+    }
+    if (least < -kReach) {
+      throw std::invalid_argument(frame + std::to_string(min_depth) +
+                                  " m, the sliding finger ends " + std::to_string(-least) +
+                                  " m above the contact; the frame must lie on the finger's "
+                                  "surface");
+    }
+  }
+}
 
 void check_hand_frames(const Problem& problem) {
   const Hand& hand = problem.hand;
   std::vector<std::string> others;
   for (const std::string& link : hand.fingers) {
-    const auto& sliding = hand.sliding_finger;
-    if (std::find(sliding.begin(), sliding.end(), link) == sliding.end()) others.push_back(link);
+    if (!contains(hand.sliding_finger, link)) others.push_back(link);
   }
   if (others.empty()) {
     throw std::invalid_argument(

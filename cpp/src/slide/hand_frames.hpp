@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "graspless/slide/options.hpp"
 #include "graspless/slide/problem.hpp"
 
 namespace graspless::slide {
@@ -9,5 +10,17 @@ namespace graspless::slide {
 /// Throws std::invalid_argument that names the frame if F or H of the hand is not oriented as
 /// docs/notation.md requires.
 void check_hand_frames(const Problem& problem);
+
+/// Depth of the sliding finger's shapes below the object's top face once it has yielded to a
+/// contact that its tip was commanded `depth` below [m]. Negative if they do not reach the contact.
+double finger_sink(const Problem& problem, double depth, double pitch);
+
+/// Largest sink that check() allows [m]: 5 mm for a rigid finger, 8 mm for one that yields. The
+/// round end of a finger drawn as a capsule reaches that far below its outermost point.
+double allowed_sink(const Hand& hand);
+
+/// Throws std::invalid_argument that names the frame F if the finger's shapes do not reach it
+/// within 3 mm, or sink deeper than allowed_sink(), anywhere in the bands of depth and pitch.
+void check_finger_fits(const Problem& problem, const Options& options);
 
 }  // namespace graspless::slide

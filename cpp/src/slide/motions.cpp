@@ -142,7 +142,8 @@ std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& f
     ++query_.statistics.ik_calls;
     const auto next = ik.solve_near(pose, q);
     if (!next || (*next - q).lpNorm<Eigen::Infinity>() > kJump) return std::nullopt;
-    if (!scene.is_free(q, *next, replay_step(q, *next, query_.options.resolution)))
+    if (!scene.is_free(q, *next,
+                       replay_step(query_.problem.robot, q, *next, query_.options.resolution)))
       return std::nullopt;
     q = *next;
     path.push_back(query_.arm.part(q));
@@ -206,15 +207,21 @@ std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Pla
                                                                        std::size_t enough) {
   constexpr int kDraws = 12;
   std::vector<GraspConfiguration> found;
+  std::string why = "goal: grasp reach";
   for (int i = 0; i < kDraws && found.size() < enough; ++i) {
     const int roll = i % 2;
     const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
     for (const Eigen::VectorXd& q :
          query_.draw_ik(query_.grasp_ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
-      if (query_.free.is_free(q)) found.push_back({query_.arm.part(q), roll});
+      const auto [a, b] = query_.free.collision(q);
+      if (a.empty()) {
+        found.push_back({query_.arm.part(q), roll});
+      } else {
+        why = "goal: grasp collision of " + a + " with " + b;
+      }
     }
   }
-  if (found.empty()) query_.refuse("goal: grasp reach");
+  if (found.empty()) query_.refuse(why);
   return found;
 }
 
@@ -232,10 +239,7 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
     return false;
   }
   const auto close = close_hand(grasp.arm);
-  if (!close) {
-    query_.refuse("pair: closing");
-    return false;
-  }
+  if (!close) return false;
   const auto reach = free_path(handling.lift.back(), out->back(), iterations);
   if (!reach) return false;
   handling.reach = *reach;
@@ -263,12 +267,12 @@ bool Motions::is_straight(const Path& path, const Handling& handling, int roll) 
 // Closes the hand until the fingers touch the object. Returns nothing if they touch something else
 // first, or nothing at all.
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
-  constexpr double kStep = 0.05, kPrecision = 1e-4;  // of a hand joint [rad or m]
+  constexpr double kPrecision = 1e-4;  // of Robot::step() [rad]
   const Eigen::VectorXd open = query_.arm.full(arm);
   Eigen::VectorXd closed = query_.arm.closed();
   query_.arm.write(arm, closed);
-  const double travel = (closed - open).lpNorm<Eigen::Infinity>();
-  const int steps = pieces(travel, kStep);
+  const double travel = query_.problem.robot.step(open, closed);
+  const int steps = pieces(travel, kRowStep);
   std::vector<Eigen::VectorXd> rows{open};
   for (int i = 1; i <= steps; ++i) {
     double apart = (i - 1.0) / steps, touching = 1.0 * i / steps;
@@ -281,13 +285,16 @@ std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::Vec
       (query_.free.is_free(open + middle * (closed - open)) ? apart : touching) = middle;
     }
     rows.push_back(open + touching * (closed - open));
-    return is_finger_on_object(rows.back()) ? std::optional(rows) : std::nullopt;
+    const auto [a, b] = query_.free.collision(rows.back());
+    if (is_finger_on_object(a, b)) return rows;
+    query_.refuse("pair: closing: " + a + " touches " + b);
+    return std::nullopt;
   }
+  query_.refuse("pair: closing: the closed fingers do not reach the object");
   return std::nullopt;
 }
 
-bool Motions::is_finger_on_object(const Eigen::VectorXd& q) {
-  const auto [a, b] = query_.free.collision(q);
+bool Motions::is_finger_on_object(const std::string& a, const std::string& b) {
   const std::vector<std::string>& fingers = query_.problem.hand.fingers;
   const auto is_finger = [&](const std::string& name) {
     return std::find(fingers.begin(), fingers.end(), name) != fingers.end();

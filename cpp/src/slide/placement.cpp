@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/placement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -10,12 +11,63 @@
 namespace graspless::slide {
 namespace {
 
+using Points = std::vector<Eigen::Vector2d>;
+
 constexpr Eigen::Index kPolled = 256;  // points between two polls
 
 geometry::Polygon::Edge draw_edge(const geometry::Polygon& Q, std::mt19937_64& rng) {
   std::vector<double> lengths;
   for (int i = 0; i < Q.size(); ++i) lengths.push_back((Q.edge(i).b - Q.edge(i).a).norm());
   return Q.edge(std::discrete_distribution<int>(lengths.begin(), lengths.end())(rng));
+}
+
+// Points of one part lie within this many spacings of another, and a place on the object within
+// half of that. Neighbours on the diagonal of a grid are 1.4 spacings apart.
+constexpr double kLink = 2.5;
+
+Eigen::Vector2d center_of(const Points& points) {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  for (const auto& p : points) center += p / static_cast<double>(points.size());
+  return center;
+}
+
+Eigen::Vector2d nearest(const Points& points, const Eigen::Vector2d& to) {
+  return *std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+    return (a - to).squaredNorm() < (b - to).squaredNorm();
+  });
+}
+
+/// True if p (in S) lies within the outline and near a point of the part. The outline of a ring has
+/// no hole; its points have.
+bool is_on_object(const Object& object, const Planar& object_S, const Points& part,
+                  const Eigen::Vector2d& p) {
+  return (nearest(part, p) - p).norm() <= kLink / 2 * object.spacing() &&
+         object.outline().contains(object_S.inverse() * p);
+}
+
+/// Removes from `points` those that are linked with the first by steps of at most `link` [m], and
+/// returns them.
+Points take_part(Points& points, double link) {
+  Points part{points.front()};
+  points.erase(points.begin());
+  for (std::size_t next = 0; next < part.size(); ++next) {
+    poll();
+    const auto is_far = [&, from = part[next]](const auto& p) { return (p - from).norm() > link; };
+    const auto linked = std::stable_partition(points.begin(), points.end(), is_far);
+    part.insert(part.end(), linked, points.end());
+    points.erase(linked, points.end());
+  }
+  return part;
+}
+
+/// The part with the most points, of those into which `points` fall apart.
+Points largest_part(Points points, double link) {
+  Points largest;
+  while (points.size() > largest.size()) {
+    Points part = take_part(points, link);
+    if (part.size() > largest.size()) largest = std::move(part);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -30,7 +82,7 @@ bool is_com_inside(const Problem& problem, const Planar& object_S, double margin
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S) {
   const geometry::Polygon& Q = problem.support.polygon();
   Placement result;
-  std::vector<Eigen::Vector2d> out;  // P_out
+  Points out;  // P_out
   const Eigen::Matrix2Xd& points = problem.object.points();
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     if (i % kPolled == 0) poll();
@@ -39,8 +91,14 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   }
   result.sticks_out = !out.empty();
   if (!result.sticks_out) return result;
-  result.out_center.setZero();
-  for (const auto& p : out) result.out_center += p / static_cast<double>(out.size());
+  result.out_center = center_of(out);
+  if (!is_on_object(problem.object, object_S, out, result.out_center)) {
+    out = largest_part(out, kLink * problem.object.spacing());
+    result.out_center = center_of(out);
+    if (!is_on_object(problem.object, object_S, out, result.out_center)) {
+      result.out_center = nearest(out, result.out_center);
+    }
+  }
   result.edge = Q.nearest_edge(result.out_center);
   for (const auto& p : out) {
     result.overhang = std::max(result.overhang, -result.edge.inward.dot(p - result.edge.a));

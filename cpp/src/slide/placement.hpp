@@ -15,9 +15,12 @@ namespace graspless::slide {
 
 /// Position of the object relative to the support's edge.
 struct Placement {
-  bool sticks_out = false;         ///< true if P_out is not empty
-  double overhang = 0;             ///< u: largest distance of P_out from the line of `edge` [m]
-  Eigen::Vector2d out_center;      ///< geometric centre of P_out, in S
+  bool sticks_out = false;  ///< true if P_out is not empty
+  double overhang =
+      0;  ///< u: largest distance of P_out, or of its part, from the line of `edge` [m]
+  /// Geometric centre of P_out, in S [m]. If that is not on the object, as with several parts or a
+  /// ring: of the largest part, or its point nearest to that part's centre.
+  Eigen::Vector2d out_center;
   geometry::Polygon::Edge edge{};  ///< the edge nearest to out_center
   bool com_inside = false;         ///< the centre of mass is at least com_margin inside Q
 };

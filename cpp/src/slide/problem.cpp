@@ -113,6 +113,7 @@ Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outl
       points_(std::move(points)),
       outline_(std::move(outline)),
       depths_(depths_within(outline_, points_)),
+      spacing_(std::sqrt(outline_.area() / static_cast<double>(points_.cols()))),
       thickness_(thickness),
       com_(com.x(), com.y(), thickness / 2),
       shapes_(prisms(outline_, 0, thickness)),

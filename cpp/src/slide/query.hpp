@@ -3,6 +3,7 @@
 #pragma once
 
 #include <random>
+#include <string>
 
 #include "graspless/robot/ik.hpp"
 
@@ -34,12 +35,12 @@ struct GRASPLESS_API Query {
   double uniform(double lower, double upper) {
     return std::uniform_real_distribution<double>(lower, upper)(rng);
   }
-  void refuse(const char* why) { ++statistics.refusals[why]; }
+  void refuse(const std::string& why) { ++statistics.refusals[why]; }
 
   /// True if the straight motion of all joints is free of collision, at the steps at which check()
   /// replays it.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-    return free.is_free(from, to, replay_step(from, to, options.resolution));
+    return free.is_free(from, to, replay_step(problem.robot, from, to, options.resolution));
   }
 
   /// Returns the pose in W of a commanded tip that presses `depth` [m] deep at `pitch` [rad] and

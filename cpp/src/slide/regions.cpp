@@ -56,7 +56,8 @@ Eigen::Matrix2Xd inside_points(const Object& object, double rim_margin) {
 }
 
 double draw_depth(Query& query) {
-  return query.uniform(query.options.min_depth, query.options.max_depth);
+  const auto [min, max] = depth_band(query.problem.hand, query.options);
+  return query.uniform(min, max);
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ bool StartRegion::try_sample(ob::State* state) const {
     return false;
   }
   if (!query_.contact.is_valid(*arm, ContactSpace::Carried{contact, query_.object_start})) {
-    query_.refuse("start: collision");
+    query_.refuse("start: " + query_.contact.fault());
     return false;
   }
   vector(state, query_.arm.dof()) = *arm;
@@ -109,7 +110,7 @@ bool GoalRegion::try_sample(ob::State* state) const {
     return false;
   }
   if (!query_.contact.is_valid(*arm, std::nullopt)) {
-    query_.refuse("goal: collision");
+    query_.refuse("goal: " + query_.contact.fault());
     return false;
   }
   vector(state, query_.arm.dof()) = *arm;
@@ -130,7 +131,7 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
-      query_.refuse("goal: collision");
+      query_.refuse("goal: " + query_.contact.fault());
     } else if (motions_.is_graspable(*object_S)) {
       vector(goal, query_.arm.dof()) = *arm;
       return true;

@@ -6,37 +6,9 @@
 #include <cmath>
 
 #include "slide/contact.hpp"
+#include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
-namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-}  // namespace
-
-double finger_below_tip(const Problem& problem, const Options& options) {
-  const robot::Robot& robot = problem.robot;
-  const Eigen::VectorXd& q = robot.state(problem.hand.open);
-  const Eigen::Isometry3d X_FW = robot.pose(robot.frame(problem.hand.fingertip), q).inverse();
-  constexpr int kSamples = 9;
-  double below = 0;
-  for (const robot::LinkShape& shape : robot.shapes()) {
-    if (!contains(problem.hand.sliding_finger,
-                  robot.frame_names()[static_cast<std::size_t>(shape.link)])) {
-      continue;
-    }
-    geometry::PlacedShape in_F = shape.placed;
-    in_F.X_BG = X_FW * robot.pose(shape.link, q) * shape.placed.X_BG;
-    for (int i = 0; i < kSamples; ++i) {
-      const double pitch = options.pitch + options.pitch_tolerance * (2.0 * i / (kSamples - 1) - 1);
-      below = std::max(below, geometry::extent(in_F, {0, -std::cos(pitch), std::sin(pitch)}));
-    }
-  }
-  return below;
-}
-
 Replay::Replay(const Problem& problem, const Options& options, Contacts contacts)
     : problem_(problem), replay_(problem.robot) {
   add_surroundings();
@@ -56,8 +28,8 @@ void Replay::add_surroundings() {
 
 void Replay::allow_press(const Options& options) {
   constexpr double kRoundOff = 1e-4;
-  const double deepest =
-      options.max_depth + finger_below_tip(problem_, options) + kHeightTolerance + kRoundOff;
+  const double deepest = depth_band(problem_.hand, options).max + allowed_sink(problem_.hand) +
+                         kHeightTolerance + kRoundOff;
   const Eigen::Vector3d normal_W = problem_.support.normal_W();
   for (const std::string& link : problem_.hand.sliding_finger) {
     const int body = replay_.body_of(link);

@@ -34,8 +34,4 @@ class Replay {
   int support_ = 0, object_ = 0;
 };
 
-/// Largest depth of the sliding finger below the origin of its tip frame, over the tolerated pitch
-/// range [m].
-double finger_below_tip(const Problem& problem, const Options& options);
-
 }  // namespace graspless::slide

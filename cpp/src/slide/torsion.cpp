@@ -46,12 +46,12 @@ PressedRow pressed_row(const Problem& problem, const Eigen::VectorXd& q,
           radius};
 }
 
-/// The rows of the plan's slide; empty if its press is unknown.
+/// The rows of the plan's slide; empty if it has none.
 std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan) {
   const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
                                   [](const Segment& segment) { return segment.name == "slide"; });
   std::vector<PressedRow> found;
-  if (problem.hand.finger_model == FingerModel::none || slide == plan.segments.end()) return found;
+  if (slide == plan.segments.end()) return found;
   for (std::size_t row = 0; row < slide->positions.size(); ++row) {
     poll();
     found.push_back(pressed_row(problem, slide->positions[row], slide->object_poses[row]));
@@ -71,22 +71,22 @@ double drag_ratio(const Problem& problem, double press) {
   return problem.support.friction() / problem.hand.pad_friction * (1 + weight(problem) / press);
 }
 
-double flexed_pitch(const Hand& hand, double depth, double pitch) {
-  return std::asin(std::max(-1.0, std::sin(pitch) - depth / hand.flexure_length));
-}
-
 }  // namespace
 
 double press_force(const Hand& hand, double depth, double pitch) {
-  const double flexed = flexed_pitch(hand, depth, pitch);
+  if (hand.finger_model == FingerModel::impedance)
+    return std::max(0.0, hand.wrist_stiffness * depth);
+  if (hand.finger_model != FingerModel::flexure) return hand.press_force;
+  const double flexed = yielded_pitch(hand, depth, pitch);
   return std::max(
       0.0, hand.flexure_stiffness * (pitch - flexed) / (hand.flexure_length * std::cos(flexed)));
 }
 
 double dragging_force(const Hand& hand, double depth, double pitch, double along, double friction,
                       double weight) {
+  if (hand.finger_model != FingerModel::flexure) return press_force(hand, depth, pitch);
   // Moments about the flexure: k (pitch - b') = L cos b' N - L sin b' along friction (N + weight).
-  const double lever = along * friction * std::tan(flexed_pitch(hand, depth, pitch));
+  const double lever = along * friction * std::tan(yielded_pitch(hand, depth, pitch));
   if (lever >= 1) return std::numeric_limits<double>::infinity();
   return std::max(0.0, (press_force(hand, depth, pitch) + lever * weight) / (1 - lever));
 }

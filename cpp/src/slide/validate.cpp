@@ -14,6 +14,8 @@
 namespace graspless::slide {
 namespace {
 
+constexpr double kMaxDepth = 0.1;  // range of options.max_depth [m]
+
 void require(bool holds, const std::string& field, double value, const std::string& must) {
   if (!holds) throw std::invalid_argument(field + " " + must + ", not " + std::to_string(value));
 }
@@ -53,6 +55,9 @@ void check_hand(const Hand& hand, const robot::Robot& robot) {
   check_links(robot, "sliding_finger", hand.sliding_finger);
   check_links(robot, "fingers", hand.fingers);
   planning::require_in_range("hand.", hand);
+  require(hand.finger_model != FingerModel::impedance || hand.wrist_stiffness > 0,
+          "hand.wrist_stiffness", hand.wrist_stiffness,
+          "must be given [N/m], positive, with hand.finger_model impedance");
 }
 
 void check_obstacles(const Problem& problem) {
@@ -80,6 +85,40 @@ void check_object_pose(const Problem& problem) {
   }
 }
 
+/// Blames the bound that the options give.
+void require_order(const Options& options, const DepthBand& band) {
+  if (options.min_depth) {
+    require(band.min <= band.max, "options.min_depth", band.min,
+            "must be at most max_depth " + std::to_string(band.max));
+  } else {
+    require(band.min <= band.max, "options.max_depth", band.max,
+            "must be at least min_depth " + std::to_string(band.min));
+  }
+}
+
+/// Requires a band of depths that the finger can yield by.
+void check_depths(const Hand& hand, const Options& options) {
+  const DepthBand band = depth_band(hand, options);
+  require_order(options, band);
+  const std::string model = "hand.finger_model " + planning::name_of(hand.finger_model);
+  if (hand.finger_model == FingerModel::impedance) {
+    require(band.max < kMaxDepth, "hand.wrist_stiffness", hand.wrist_stiffness,
+            "must be above " + std::to_string(1.5 * hand.press_force / kMaxDepth) +
+                " N/m for hand.press_force " + std::to_string(hand.press_force));
+  } else if (hand.finger_model == FingerModel::flexure) {
+    const double L = hand.flexure_length;
+    const double bent =
+        std::sin(options.pitch - options.pitch_tolerance) - (band.max + kHeightTolerance) / L;
+    require(bent > 0, "options.max_depth", band.max,
+            "would bend a finger with hand.flexure_length " + std::to_string(L) +
+                " flat at this pitch");
+  } else {
+    require(band.max <= kPadGive, "options.max_depth", band.max,
+            "must be at most " + std::to_string(kPadGive) + " m with " + model +
+                ": a rigid finger would be driven into object and support");
+  }
+}
+
 }  // namespace
 
 void validate(const Problem& problem) {
@@ -96,20 +135,14 @@ void validate(const Options& o) {
   const double half_pi = std::acos(0.0);
   require(o.pitch - o.pitch_tolerance > 0 && o.pitch + o.pitch_tolerance < half_pi,
           "options.pitch_tolerance", o.pitch_tolerance, "must keep the pitch within (0, pi/2)");
-  require(o.max_depth >= o.min_depth, "options.max_depth", o.max_depth,
-          "must be at least min_depth = " + std::to_string(o.min_depth));
+  if (o.min_depth && o.max_depth) require_order(o, {*o.min_depth, *o.max_depth});
 }
 
 void validate(const Problem& problem, const Options& options) {
   validate(problem);
   validate(options);
-  if (problem.hand.finger_model == FingerModel::none) return;
-  const double L = problem.hand.flexure_length;
-  const double bent = std::sin(options.pitch - options.pitch_tolerance) -
-                      (options.max_depth + kHeightTolerance) / L;
-  require(
-      bent > 0, "options.max_depth", options.max_depth,
-      "would bend a finger with hand.flexure_length " + std::to_string(L) + " flat at this pitch");
+  check_depths(problem.hand, options);
+  check_finger_fits(problem, options);
 }
 
 std::string to_string(Status status) { return planning::name_of(status); }

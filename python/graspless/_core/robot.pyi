@@ -77,9 +77,9 @@ class Robot:
         """
         Returns an upper bound on how far any point of a link moves per unit of each joint, (dof,) [m/rad or 1].
         """
-    def state(self, name: str) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+    def state(self, name: str, others: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        Returns the configuration of a group state, (dof,). Joints that it does not name are 0, clamped to their limits.
+        Returns the configuration of a group state, (dof,). Joints that it does not name are as in others, or 0, clamped to their limits.
         
         Raises ValueError that lists the states, or says what is wrong with this one.
         """
@@ -157,6 +157,11 @@ class Robot:
     def state_names(self) -> list[str]:
         """
         Names of the SRDF's group states.
+        """
+    @property
+    def step_weights(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (dof,) factors of the joints in the length of a step: 1 for a revolute joint, 10 rad/m for a prismatic one.
         """
     @property
     def upper(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:

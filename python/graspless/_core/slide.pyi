@@ -11,7 +11,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'plan', 'turning', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'depth_band', 'plan', 'turning', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -134,7 +134,9 @@ class FingerModel(graspless._named.Named):
     Model of how the sliding finger yields when it presses on the object.
     """
     flexure = ...
+    impedance = ...
     none = ...
+    rigid_guarded = ...
 class Hand:
     """
     Description of the hand: links, frames, groups and states of the robot, and its sliding pad.
@@ -144,7 +146,7 @@ class Hand:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005, flexure_stiffness: typing.SupportsFloat | typing.SupportsIndex = 4.6, pad_width: typing.SupportsFloat | typing.SupportsIndex = 0.032, pad_friction: typing.SupportsFloat | typing.SupportsIndex = 1.16) -> None:
+    def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005, flexure_stiffness: typing.SupportsFloat | typing.SupportsIndex = 4.6, wrist_stiffness: typing.SupportsFloat | typing.SupportsIndex = 0.0, press_force: typing.SupportsFloat | typing.SupportsIndex = 9.0, pad_width: typing.SupportsFloat | typing.SupportsIndex = 0.032, pad_friction: typing.SupportsFloat | typing.SupportsIndex = 1.16) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -247,6 +249,16 @@ class Hand:
     def pad_width(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def press_force(self) -> float:
+        """
+        Normal force that a finger without a flexure presses with.
+        
+        Unit: N. Range: (0, 1000]. Default: 9.0.
+        """
+    @press_force.setter
+    def press_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def sliding_finger(self) -> tuple[str, ...]:
         """
         Links that may press into object and support.
@@ -263,6 +275,16 @@ class Hand:
         """
     @tip_radius.setter
     def tip_radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def wrist_stiffness(self) -> float:
+        """
+        Stiffness of the arm's impedance control in translation. finger_model impedance needs it.
+        
+        Unit: N/m. Range: [0, 100000]. Default: 0.0.
+        """
+    @wrist_stiffness.setter
+    def wrist_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Problem:
     """
@@ -324,7 +346,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex = 0.005, max_depth: typing.SupportsFloat | typing.SupportsIndex = 0.025, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, max_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -361,14 +383,14 @@ class Options:
     def lift_height(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def max_depth(self) -> float:
+    def max_depth(self) -> float | None:
         """
-        Largest depth of the commanded fingertip below the object's top face. At least min_depth.
+        Largest depth of the commanded fingertip below the object's top face. At least min_depth. By default that of hand.finger_model.
         
-        Unit: m. Range: [0, 0.1). Default: 0.025. Paper: Delta_Z^+.
+        Unit: m. Range: [0, 0.1). Paper: Delta_Z^+.
         """
     @max_depth.setter
-    def max_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def max_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def max_memory(self) -> float:
@@ -381,14 +403,14 @@ class Options:
     def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
-    def min_depth(self) -> float:
+    def min_depth(self) -> float | None:
         """
-        Least depth of the commanded fingertip below the object's top face.
+        Least depth of the commanded fingertip below the object's top face. By default that of hand.finger_model.
         
-        Unit: m. Range: [0, 0.1). Default: 0.005. Paper: Delta_Z^-.
+        Unit: m. Range: [0, 0.1). Paper: Delta_Z^-.
         """
     @min_depth.setter
-    def min_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def min_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def min_overhang(self) -> float:
@@ -756,6 +778,10 @@ def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     
     Returns one fault per entry, with segment and row; an empty list if the plan is valid.
     """
+def depth_band(hand: Hand, options: Options = ...) -> tuple[float, float]:
+    """
+    Returns the least and the largest depth of the commanded fingertip below the object's top face [m]: those of the options, or of the finger's model.
+    """
 def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """
     Plans the motion: approach, press, slide, lift, reach, grasp and close (Hang et al. 2019, Section IV-C).
@@ -771,6 +797,13 @@ def turning(problem: Problem, plan: Plan) -> Turning:
     Returns how fast a plan's slide turns, and how fast the pad's friction can turn the object.
     
     Model: ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996).
+    """
+@typing.overload
+def validate(problem: Problem, options: Options) -> None:
+    """
+    Also requires that the finger can yield by the depth, and that its shapes fit its tip frame.
+    
+    Raises ValueError that names the field.
     """
 @typing.overload
 def validate(problem: Problem) -> None:

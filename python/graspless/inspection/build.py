@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from .tips import Tip
 
 # Of the models of a rigid finger, the one that presses least.
-MODEL = next(name for name in ("rigid_guarded", "none") if name in slide.FingerModel.__members__)
+MODEL = "rigid_guarded"  # of the fingers: how they yield is not in a URDF
 THIN = 0.003  # a hand whose fingers stay farther apart than this holds no thin object [m]
 
 

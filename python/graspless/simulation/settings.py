@@ -171,6 +171,9 @@ class Slide:
     link_mass: float = 1e-3  # left to a link whose finger turns on a flexure [kg]; a choice:
     link_inertia: float = 1e-6  # almost none, but MuJoCo requires some [kg m^2]
     flexure_damping_ratio: float = 0.7  # of the finger on its flexure
+    wrist_damping_ratio: float = 1.0  # of an arm under impedance control; a choice
+    wrist_mass: float = 1.5  # that its damping is meant for: a hand and a last link [kg]; a choice
+    guarded_stiffness: float = 2000.0  # of an arm that holds a force, across it [N/m]; a choice
     pad_points: int = 5  # of the line contact, for the torsion of an even pressure along it
     pad_softness: float = 0.008  # half length of the contact patch of a closed pad [m]: the moment
     # that a soft pad withstands is its force times this

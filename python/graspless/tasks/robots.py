@@ -167,16 +167,16 @@ def build_home(
     """[dof] joints of robot.home; those that it leaves out are as in the state `others`, or 0."""
     location = ("robot", "home")
     with at(source, *location):
+        rest = None if others is None else built.state(others)
         if isinstance(robot.home, str):
-            return np.array(built.state(robot.home))
+            return np.array(built.state(robot.home, rest))
     names = list(built.joint_names)
     if isinstance(robot.home, list):
         if len(robot.home) != len(names):
             what = f"has {len(robot.home)} values, not one for each of: {', '.join(names)}"
             raise source.error(location, what)
         return np.array(robot.home)
-    with at(source, *location):
-        q_home = np.zeros(len(names)) if others is None else np.array(built.state(others))
+    q_home = np.zeros(len(names)) if rest is None else np.array(rest)
     for name, value in robot.home.items():
         if name not in names:
             raise source.error((*location, name), f"no such joint (one of: {', '.join(names)})")

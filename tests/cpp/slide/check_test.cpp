@@ -112,7 +112,7 @@ TEST_F(Check, AnObstacleInTheObjectsWay) {
 
 TEST_F(Check, ATighterBand) {
   Options options;
-  options.max_depth = options.min_depth;
+  options.min_depth = options.max_depth = 0.005;
   expect_fault("outside its band", options);
 }
 
@@ -324,8 +324,9 @@ TEST_F(Check, ALinkWithoutShapesAmongTheFingersIsNone) {
 }
 
 TEST_F(Check, TheOtherFingerModel) {
-  problem_.hand.finger_model =
-      FingerModel::none;  // the paper's formula, on a plan made for a flexing finger
+  // The paper's formula, on a plan made for a flexing finger.
+  problem_.hand.finger_model = FingerModel::impedance;
+  problem_.hand.wrist_stiffness = 400;
   expect_fault("does not follow the contact");
 }
 

@@ -25,6 +25,22 @@ TEST(Placement, OfASquareOverTheRightEdge) {
   EXPECT_FALSE(placement(problem, options, at(0.65, 0.2)).sticks_out);
 }
 
+TEST(Placement, OfTwoProngsTakesTheLonger) {
+  const geometry::Polygon fork(columns({{-.06, -.05},
+                                        {.06, -.05},
+                                        {.06, .04},
+                                        {.03, .04},
+                                        {.03, -.02},
+                                        {-.03, -.02},
+                                        {-.03, .06},
+                                        {-.06, .06}}));
+  const Problem problem =
+      make_problem(tables()[0], Object::from_polygon("fork", fork, .005), flat(0.65, 0, 0));
+  const Placement place = placement(problem, Options{}, at(0.65, 0.33));  // the edge is at y 0.35
+  EXPECT_NEAR(place.out_center.x(), 0.65 - 0.045, 0.004);
+  EXPECT_NEAR(place.overhang, 0.04, 0.006);
+}
+
 TEST(Placement, DrawnPosesAreValidByConstruction) {
   std::mt19937_64 rng(1);
   for (const Support& table : tables()) {

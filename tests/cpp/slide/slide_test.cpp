@@ -44,12 +44,14 @@ TEST(Plan, HoldsInThePapersOwnTerms) {
   for (const double range : {0.0, 0.005, 0.02}) {
     for (const Support& table : tables()) {
       Problem problem = make_problem(table, objects()[1], random_pose(table, objects()[1], rng));
-      problem.hand.finger_model = FingerModel::none;
+      problem.hand.finger_model = FingerModel::impedance;  // without its shift
+      problem.hand.wrist_stiffness = 600;
       Options options;
       options.com_margin = 0.001;
       options.tip_margin = 0;
       options.rim_margin = 0;
-      options.max_depth = options.min_depth + range;
+      options.min_depth = 0.005;
+      options.max_depth = 0.005 + range;
       expect_holds(problem, options, seed++);
     }
   }
@@ -263,18 +265,19 @@ TEST(Plan, RefusesBadProblems) {
                  "obstacles[0].shapes");
 }
 
-/// The WAM's URDF with a fixed joint turned.
-robot::Robot wam_with(const std::string& link, const std::string& rpy) {
+/// The WAM's URDF with an attribute of a fixed joint's origin replaced.
+robot::Robot wam_with(const std::string& link, const std::string& attribute,
+                      const std::string& value) {
   std::ifstream file(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.urdf");
   std::string xml{std::istreambuf_iterator<char>(file), {}};
   const auto child = xml.find("<child link=\"" + link + "\"");
   const auto joint = xml.rfind("<joint", child), end = xml.find("</joint>", child);
   const auto origin = xml.find("<origin", joint);
-  const auto at = xml.find("rpy=\"", origin);
+  const auto at = xml.find(attribute + "=\"", origin);
   if (origin < end && at < xml.find("/>", origin)) {
-    xml.replace(at + 5, xml.find('"', at + 5) - at - 5, rpy);
+    xml.replace(at + 5, xml.find('"', at + 5) - at - 5, value);
   } else {
-    xml.insert(origin + 7, " rpy=\"" + rpy + "\"");
+    xml.insert(origin + 7, " " + attribute + "=\"" + value + "\"");
   }
   std::ifstream srdf(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.srdf");
   robot::Robot::Options options;
@@ -282,11 +285,134 @@ robot::Robot wam_with(const std::string& link, const std::string& rpy) {
   return robot::Robot::from_urdf(xml, options);
 }
 
+// The finger ends 0.11 m from its joint.
+TEST(Plan, RefusesATipFrameThatIsNotOnTheFinger) {
+  const auto with = [](const std::string& xyz) {
+    return [=] {
+      Problem problem = simple_problem();
+      problem.robot = wam_with("left_fingertip", "xyz", xyz);
+      plan(problem);
+    };
+  };
+  expect_refused(with("0 0 0.09"), "hand.fingertip 'left_fingertip'");
+  expect_refused(with("0 0 0.09"), "m below the contact");
+  expect_refused(with("0 0 0.13"), "m above the contact");
+  EXPECT_NO_THROW(with("0 0 0.1097")());
+}
+
+TEST(Plan, RefusesToDriveARigidFingerIntoTheTable) {
+  for (const FingerModel model : {FingerModel::none, FingerModel::rigid_guarded}) {
+    const auto with = [model](double max_depth) {
+      return [=] {
+        Problem problem = simple_problem();
+        problem.hand.finger_model = model;
+        Options options;
+        options.max_depth = max_depth;
+        plan(problem, options);
+      };
+    };
+    expect_refused(with(0.025), "options.max_depth");
+    expect_refused(with(0.0031), "options.max_depth");
+  }
+}
+
+TEST(Plan, RefusesAnImpedanceWithoutItsStiffness) {
+  Problem problem = simple_problem();
+  problem.hand.finger_model = FingerModel::impedance;
+  expect_refused([=] { plan(problem); }, "hand.wrist_stiffness");
+  problem.hand.wrist_stiffness = 100;  // 9 N would be at 90 mm
+  expect_refused([=] { plan(problem); }, "hand.wrist_stiffness");
+}
+
+/// Depths of the commanded tip below the top face while the object slides [m].
+std::vector<double> depths(const Problem& problem, const Plan& plan) {
+  std::vector<double> found;
+  for (const Segment& segment : plan.segments) {
+    if (segment.name != "slide") continue;
+    for (const Eigen::VectorXd& q : segment.positions) {
+      const Eigen::Isometry3d X_WF =
+          problem.robot.pose(problem.robot.frame(problem.hand.fingertip), q);
+      found.push_back(problem.object.thickness() - X_WF.translation().z());
+    }
+  }
+  return found;
+}
+
+TEST(Plan, RigidFingersHoldAtTheDepthsOfTheirModels) {
+  std::mt19937_64 rng(8);
+  for (const FingerModel model :
+       {FingerModel::none, FingerModel::rigid_guarded, FingerModel::impedance}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      Problem problem =
+          make_problem(tables()[0], objects()[0], random_pose(tables()[0], objects()[0], rng));
+      problem.hand.finger_model = model;
+      problem.hand.wrist_stiffness = 600;
+      expect_holds(problem, {}, seed);
+      const Plan found = plan(problem, {}, seeded(seed));
+      const DepthBand band = depth_band(problem.hand, {});
+      EXPECT_EQ(band.max, model == FingerModel::impedance ? 1.5 * 9 / 600 : 0);
+      for (const double depth : depths(problem, found)) {
+        EXPECT_GE(depth, band.min - 5.1e-4);
+        EXPECT_LE(depth, band.max + 5.1e-4);
+      }
+    }
+  }
+}
+
+// Without a grasp on the object itself, the hand would close on the hole or between the prongs.
+TEST(Plan, GraspsRingsAndForksOnTheirMaterial) {
+  Eigen::Matrix3Xd ring(3, 0);
+  for (double x = -0.06; x <= 0.06; x += 0.006) {
+    for (double y = -0.06; y <= 0.06; y += 0.006) {
+      const double r = std::hypot(x, y);
+      if (r > 0.06 || r < 0.042) continue;
+      ring.conservativeResize(3, ring.cols() + 1);
+      ring.rightCols<1>() << x, y, 0.005;
+    }
+  }
+  const geometry::Polygon fork(columns({{-.06, -.05},
+                                        {.06, -.05},
+                                        {.06, .06},
+                                        {.03, .06},
+                                        {.03, -.02},
+                                        {-.03, -.02},
+                                        {-.03, .06},
+                                        {-.06, .06}}));
+  std::mt19937_64 rng(9);
+  for (const Object& object :
+       {Object::from_cloud("ring", ring), Object::from_polygon("fork", fork, .005)}) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Problem problem =
+          make_problem(tables()[0], object, random_pose(tables()[0], object, rng));
+      const Plan found = plan(problem, {}, seeded(seed));
+      ASSERT_TRUE(found) << found.reason;
+      EXPECT_EQ(joined(check(problem, found)), "") << object.name() << " " << seed;
+      const Eigen::Vector3d p_OH = found.X_WO_goal.inverse() * found.X_WH_grasp.translation();
+      const double nearest =
+          (object.points().colwise() - p_OH.head<2>()).colwise().norm().minCoeff();
+      EXPECT_LT(nearest, 0.009) << object.name() << " " << seed;
+    }
+  }
+}
+
+TEST(Plan, NamesTheLinksThatTouch) {
+  Problem problem = simple_problem();
+  problem.obstacles = {{"lid",
+                        {{geometry::Box{{0.6, 0.6, 0.02}}, Eigen::Isometry3d::Identity()}},
+                        Eigen::Isometry3d(Eigen::Translation3d(0.65, 0, 0.05))}};
+  planning::Budget budget = seeded(1);
+  budget.iterations = 20;
+  const Plan none = plan(problem, {}, budget);
+  EXPECT_EQ(none.status, Status::no_start_root);
+  EXPECT_NE(none.reason.find("start: collision of "), std::string::npos) << none.reason;
+  EXPECT_NE(none.reason.find("lid"), std::string::npos) << none.reason;
+}
+
 TEST(Plan, RefusesFramesThatDoNotLieInTheHand) {
   const auto with = [](const std::string& link, const std::string& rpy) {
     return [=] {
       Problem problem = simple_problem();
-      problem.robot = wam_with(link, rpy);
+      problem.robot = wam_with(link, "rpy", rpy);
       plan(problem);
     };
   };

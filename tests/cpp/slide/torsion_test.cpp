@@ -147,13 +147,28 @@ TEST(Torsion, TheLoadIsForceAndTorqueOfTheSupportAgainstThePads) {
   }
 }
 
-TEST(Torsion, AFingerWithoutAModelPromisesNothing) {
-  Problem rigid = with(0.6, 0.01);
-  rigid.hand.finger_model = FingerModel::none;
-  EXPECT_EQ(turning(rigid, slide(rigid, 1e-4, 0.5)).lag, 0);
-  EXPECT_EQ(turning(rigid, Plan{}).lag, 0);
-  EXPECT_EQ(drag_load(rigid, slide(rigid, 0.1, 0)), 0);
+TEST(Torsion, APlanWithoutASlidePromisesNothing) {
+  EXPECT_EQ(turning(with(0.6, 0.01), Plan{}).lag, 0);
   EXPECT_EQ(drag_load(with(0.6, 0.01), Plan{}), 0);
+}
+
+// A rigid finger presses with the force that is wanted, or that the wrist's stiffness makes of the
+// depth; the drag does not change it.
+TEST(Torsion, ARigidFingerIsHeldToTheSameLimits) {
+  Problem p = with(0.6, 0.01);
+  const double weight = p.object.mass() * 9.81;
+  p.hand.press_force = 7;
+  p.hand.wrist_stiffness = 500;
+  for (const FingerModel model : {FingerModel::none, FingerModel::rigid_guarded}) {
+    p.hand.finger_model = model;
+    EXPECT_EQ(press_force(p.hand, 0.001, 0.785), 7);
+    EXPECT_EQ(dragging_force(p.hand, 0.001, 0.785, 1, 0.3, weight), 7);
+    EXPECT_GT(turning(p, slide(p, 1e-4, 0.5)).lag, 0);
+    EXPECT_GT(drag_load(p, slide(p, 0.1, 0)), 0);
+  }
+  p.hand.finger_model = FingerModel::impedance;
+  EXPECT_DOUBLE_EQ(press_force(p.hand, 0.012, 0.785), 6);
+  EXPECT_DOUBLE_EQ(dragging_force(p.hand, 0.012, 0.785, -1, 0.3, weight), 6);
 }
 
 TEST(Torsion, APadThatCannotDragTheObjectIsWarnedOf) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -90,7 +91,10 @@ template <class Struct>
 void require_in_range(const std::string& prefix, const Struct& values) {
   const auto require = [&](const auto& field) {
     const auto& value = values.*field.member;
-    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      if (value) require_in_range(prefix + field.name, *value, field.range, field.unit, field.text);
+    } else if constexpr (std::is_arithmetic_v<Value>) {
       require_in_range(prefix + field.name, static_cast<double>(value), field.range, field.unit,
                        field.text);
     }

@@ -28,7 +28,8 @@ GRASPLESS_API double length(const Path& path);
 /// path's own or one of `connect`'s, so a constraint that both keep is kept.
 GRASPLESS_API Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng);
 
-/// Returns the path with every motion subdivided so that no joint moves by more than `step`.
-GRASPLESS_API Path subdivided(const Path& path, double step);
+/// Returns the path with every motion subdivided so that no joint, times its weight, moves by more
+/// than `step`. Without weights, all are 1.
+GRASPLESS_API Path subdivided(const Path& path, double step, const Eigen::VectorXd& weights = {});
 
 }  // namespace graspless::planning

@@ -79,6 +79,8 @@ class GRASPLESS_API Robot {
   /// 0, clamped to their limits. States of the same name in several groups are merged. Throws
   /// std::invalid_argument that lists the states, or says what is wrong with this one.
   const Eigen::VectorXd& state(const std::string& name) const;
+  /// Same, but joints that the state does not name are as in `others`.
+  Eigen::VectorXd state(const std::string& name, const Eigen::VectorXd& others) const;
   std::vector<std::string> state_names() const;
 
   /// Computes the poses of all frames at q in one pass through the tree. Resizes `X_WL` if needed.
@@ -91,6 +93,15 @@ class GRASPLESS_API Robot {
   /// forward() or forward_to() computed at q.
   void jacobian(int frame, const Poses& X_WL, Eigen::Matrix<double, 6, Eigen::Dynamic>& J) const;
   Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(int frame, const Eigen::VectorXd& q) const;
+
+  /// Factor of each joint in the length of a step: 1 for a revolute joint, 10 rad/m for a prismatic
+  /// one. Steps between rows and between checked configurations are limited in these units, so that
+  /// 0.01 rad correspond to 1 mm.
+  const Eigen::VectorXd& step_weights() const;
+  /// Largest step of a joint between two configurations, in the units of step_weights() [rad].
+  double step(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) const {
+    return (q2 - q1).cwiseProduct(step_weights()).lpNorm<Eigen::Infinity>();
+  }
 
   /// Returns q clamped to the joint limits.
   Eigen::VectorXd clamp(const Eigen::VectorXd& q) const;

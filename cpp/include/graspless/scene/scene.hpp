@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +58,8 @@ class GRASPLESS_API Scene {
   /// Returns the names of the first pair that touches at q; empty if none does. Joint limits are
   /// not checked.
   std::pair<std::string, std::string> collision(const Eigen::VectorXd& q);
+  /// Same as is_free(X_WL), but returns the indices in the world of the first pair that touches.
+  std::optional<std::pair<int, int>> first_collision(const robot::Poses& X_WL);
 
   /// Link poses at the configuration checked last by is_free(q) or collision(q).
   const robot::Poses& poses() const { return X_WL_; }

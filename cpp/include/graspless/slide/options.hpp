@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "graspless/export.hpp"
 #include "graspless/planning/fields.hpp"
@@ -25,8 +26,8 @@ struct Options {
   Search search = Search::fast;
   double pitch = 0.7853981633974483;
   double pitch_tolerance = 0.1;
-  double min_depth = 0.005;
-  double max_depth = 0.025;
+  std::optional<double> min_depth;
+  std::optional<double> max_depth;
   double root_scale = 100;
   double min_overhang = 0.02;
   double com_margin = 0.010;
@@ -51,11 +52,12 @@ constexpr auto fields(const Options&) {
             "(0, pi/2).",
             Range::open(0, 0.7853981633974483), "Delta_beta"},
       Field{"min_depth", &Options::min_depth, "m",
-            "Least depth of the commanded fingertip below the object's top face.",
+            "Least depth of the commanded fingertip below the object's top face. By default that "
+            "of hand.finger_model.",
             Range::right_open(0, 0.1), "Delta_Z^-"},
       Field{"max_depth", &Options::max_depth, "m",
             "Largest depth of the commanded fingertip below the object's top face. At least "
-            "min_depth.",
+            "min_depth. By default that of hand.finger_model.",
             Range::right_open(0, 0.1), "Delta_Z^+"},
       Field{"root_scale", &Options::root_scale, "",
             "Scale of the number of roots: larger values add roots more often.", Range::positive(),

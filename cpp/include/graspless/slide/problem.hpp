@@ -41,6 +41,8 @@ class GRASPLESS_API Object {
   const geometry::Polygon& outline() const { return outline_; }
   /// Distance of each of points() to the outline [m].
   const Eigen::VectorXd& depths() const { return depths_; }
+  /// Distance between neighbouring points(): the square root of the outline's area per point [m].
+  double spacing() const { return spacing_; }
   double thickness() const { return thickness_; }
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
@@ -63,6 +65,7 @@ class GRASPLESS_API Object {
   Eigen::Matrix2Xd points_;
   geometry::Polygon outline_;
   Eigen::VectorXd depths_;
+  double spacing_;
   double thickness_;
   Eigen::Vector3d com_;
   double mass_ = 0.05;
@@ -106,16 +109,26 @@ class GRASPLESS_API Support {
 };
 
 /// Model of how the sliding finger yields when it presses on the object.
-enum class FingerModel { none, flexure };
+enum class FingerModel { none, flexure, impedance, rigid_guarded };
 
 /// Table of the values: name and text.
 constexpr auto choices(FingerModel) {
   using planning::Choice;
-  return std::array{Choice{FingerModel::none, "none",
-                           "Rigid: the contact is at the commanded tip, as in the paper."},
-                    Choice{FingerModel::flexure, "flexure",
-                           "Bends about one flexure: the contact moves ahead of the commanded "
-                           "tip."}};
+  return std::array{
+      Choice{FingerModel::none, "none",
+             "Rigid, on an arm that holds its position: depth 0, and at most 3 mm, which a pad "
+             "gives way."},
+      Choice{FingerModel::flexure, "flexure",
+             "Bends about one flexure: the contact moves ahead of the commanded tip. Depth 5 to 25 "
+             "mm."},
+      Choice{
+          FingerModel::impedance, "impedance",
+          "Rigid, on an arm under impedance control: the wrist gives way without turning, so the "
+          "contact is below the commanded tip. Depth 0.5 to 1.5 times press_force / "
+          "wrist_stiffness."},
+      Choice{FingerModel::rigid_guarded, "rigid_guarded",
+             "Rigid, on an arm that moves down until it touches and then holds press_force: depth "
+             "0."}};
 }
 
 /// Description of the hand: names from the robot's URDF and SRDF, and the pad that slides. fields()
@@ -132,6 +145,8 @@ struct Hand {
   double flexure_length = 0.11;
   double tip_radius = 0.005;
   double flexure_stiffness = 4.6;
+  double wrist_stiffness = 0;
+  double press_force = 9;
   double pad_width = 0.032;
   double pad_friction = 1.16;
 };
@@ -158,6 +173,13 @@ inline auto fields(const Hand&) {
       Field{"tip_radius", &Hand::tip_radius, "m", "Radius of the pad that rolls on the object.",
             Range::left_open(0, 0.1)},
       Field{"flexure_stiffness", &Hand::flexure_stiffness, "Nm/rad", "Stiffness of the flexure.",
+            Range::left_open(0, 1000)},
+      Field{"wrist_stiffness", &Hand::wrist_stiffness, "N/m",
+            "Stiffness of the arm's impedance control in translation. finger_model impedance needs "
+            "it.",
+            Range::closed(0, 1e5)},
+      Field{"press_force", &Hand::press_force, "N",
+            "Normal force that a finger without a flexure presses with.",
             Range::left_open(0, 1000)},
       Field{"pad_width", &Hand::pad_width, "m", "Length of the line contact.",
             Range::left_open(0, 0.2)},

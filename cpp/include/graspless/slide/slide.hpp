@@ -15,8 +15,17 @@
 
 namespace graspless::slide {
 
-/// Validates both, and also that the finger can bend as deep as options.max_depth. Called by plan()
-/// and check().
+/// Band of the commanded depth of the fingertip below the object's top face [m].
+struct DepthBand {
+  double min, max;
+};
+
+/// Returns the band of the options. A bound that they leave out is that of hand.finger_model.
+GRASPLESS_API DepthBand depth_band(const Hand& hand, const Options& options);
+
+/// Validates both, and also that the finger can yield by the depth, and that its shapes fit its tip
+/// frame: they reach the contact within 3 mm, and do not reach below it by more than 5 mm, or 8 mm
+/// for a finger that yields. Called by plan() and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
 enum class Status {

@@ -21,14 +21,14 @@
 
 namespace graspless::slide {
 
-/// Returns the normal force [N] of a bent finger whose tip is commanded `depth` [m] below the top
-/// face at `pitch` [rad].
+/// Returns the normal force [N] of a finger whose tip is commanded `depth` [m] below the top face
+/// at `pitch` [rad]: that of its bent flexure, of the arm's impedance control, or hand.press_force.
 GRASPLESS_API double press_force(const Hand& hand, double depth, double pitch);
 
 /// Returns the normal force [N] while the object is dragged. The support's `friction` acts on the
 /// sum of the press and the object's `weight` [N]. `along` is the cosine of the angle between the
-/// finger's heading and the direction of motion: pulling the object (-1) reduces the press, pushing
-/// it (1) increases it. Infinite if the finger jams.
+/// finger's heading and the direction of motion: pulling the object (-1) reduces the press of a
+/// flexing finger, pushing it (1) increases it. Infinite if the finger jams.
 GRASPLESS_API double dragging_force(const Hand& hand, double depth, double pitch, double along,
                                     double friction, double weight);
 
@@ -38,7 +38,7 @@ GRASPLESS_API double dragging_force(const Hand& hand, double depth, double pitch
 GRASPLESS_API double max_turn_per_length(const Problem& problem, double radius, double press);
 
 /// Returns the largest share of the pad's friction limit that the plan's slide uses. Above 1, the
-/// pad slips or the object turns under it. 0 if there is no slide or its press is unknown.
+/// pad slips or the object turns under it. 0 if there is no slide.
 GRASPLESS_API double drag_load(const Problem& problem, const Plan& plan);
 
 /// Turn rates of a plan's slide, per distance that the object moves.
@@ -48,8 +48,7 @@ struct Turning {
   double lag = 0;                ///< angle by which the object may lag behind in total [rad]
 };
 
-/// Returns the turn rates of the plan's slide. If there is no slide, or the finger is rigid and its
-/// press unknown, the allowed rate is infinite.
+/// Returns the turn rates of the plan's slide. If there is no slide, the allowed rate is infinite.
 GRASPLESS_API Turning turning(const Problem& problem, const Plan& plan);
 
 }  // namespace graspless::slide

@@ -98,12 +98,13 @@ void PlanChecker::check_rows() {
 
 void PlanChecker::check_collisions(const Segment& segment) {
   std::size_t faulty_row = segment.positions.size();  // at most one fault per row is reported
-  scene::replay_rows(segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
-    const auto touching = replay_.touching(q);
-    if (touching.empty() || row == faulty_row) return;
-    faulty_row = row;
-    fault(at(segment, row), "collision ", touching.front());
-  });
+  scene::replay_rows(problem_.robot, segment.positions,
+                     [&](std::size_t row, const Eigen::VectorXd& q) {
+                       const auto touching = replay_.touching(q);
+                       if (touching.empty() || row == faulty_row) return;
+                       faulty_row = row;
+                       fault(at(segment, row), "collision ", touching.front());
+                     });
 }
 
 /// In the last segment only the hand moves, and only towards its closed state.

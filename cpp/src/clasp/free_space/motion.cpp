@@ -17,7 +17,7 @@ using scene::num_steps;
 
 bool FreeSpace::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
   if (base_touches_object_ || !robot_.is_within(q1) || !robot_.is_within(q2)) return false;
-  const int steps = num_steps(q1, q2, resolution);
+  const int steps = num_steps(robot_, q1, q2, resolution);
   uncertain_.clear();
   return find_uncertain_links(q1, q2, steps) && is_part_free(q1, (q2 - q1) / steps, 0, steps, 0) &&
          scene_.is_free(q1, q2, resolution);

@@ -38,6 +38,8 @@ double squared_distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector
   return (p - a - t * ab).squaredNorm();
 }
 
+constexpr double kMinArea = 1e-12;  // [m^2]
+
 void check_vertices(const Eigen::Matrix2Xd& v, const std::string& what) {
   if (v.cols() < 3) {
     throw std::invalid_argument(what + " needs at least 3 vertices, not " +
@@ -65,7 +67,7 @@ Polygon::Polygon(const Eigen::Matrix2Xd& vertices, const std::string& what) : ve
     throw std::invalid_argument(what + " crosses or touches itself; it must be a simple polygon");
   }
   const double area = signed_area(vertices_);
-  if (std::abs(area) < 1e-12) throw std::invalid_argument(what + " has no area");
+  if (std::abs(area) < kMinArea) throw std::invalid_argument(what + " has no area");
   if (area < 0) vertices_ = vertices.rowwise().reverse().eval();
   lower_ = vertices_.rowwise().minCoeff();
   upper_ = vertices_.rowwise().maxCoeff();
@@ -140,7 +142,10 @@ Polygon::Edge Polygon::nearest_edge(const Eigen::Vector2d& p) const {
 std::vector<Polygon> Polygon::convex_parts() const {
   if (is_convex()) return {*this};
   std::vector<Polygon> parts;
-  for (const Eigen::Matrix2Xd& part : convex_partition(vertices_)) parts.emplace_back(part);
+  for (const Eigen::Matrix2Xd& part : convex_partition(vertices_)) {
+    // Vertices almost on a line, as of a cloud on a grid, leave slivers.
+    if (std::abs(signed_area(part)) >= kMinArea) parts.emplace_back(part);
+  }
   return parts;
 }
 

@@ -14,7 +14,7 @@ from ... import timing
 from ..results import Recording, Trial
 from ..robots import joint_addresses, set_positions
 from ..settings import Servo, Slide
-from .fingers import PAD, SLIDING
+from .fingers import PAD, SLIDING, wrist_stiffness
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 MEASURES = {
-    "position_error": "position error of the object at the end of the slide [m]",
-    "angle_error": "angle error of the object at the end of the slide [rad]",
-    "overhang": "length of the object beyond the edge at the end of the slide [m]",
+    "position_error": "position error of the object after the slide [m]",
+    "angle_error": "angle error of the object after the slide [rad]",
+    "overhang": "length of the object beyond the edge after the slide [m]",
     "mean_force": "mean force of the finger on the sliding object [N]",
     "max_force": "largest force of the finger on the sliding object [N]",
     "shift_by_lift": "distance that the object moved between slide and grasp [m]",
@@ -87,6 +87,9 @@ class Execution:
             settings.lost_seconds,
         )
         self.measures = {"lift_reach": self.program.raised}
+        # A wrist that yields trails behind, and catches up while the finger lifts.
+        yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
+        self._slid_after = "lift" if yields else "slide"
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         set_positions(model, self.data, plan.task.problem.robot, self.program.positions[0])
@@ -107,8 +110,9 @@ class Execution:
         commands = program.positions + Servo().lag * program.velocities
         for step, command in enumerate(commands):
             data.ctrl[:] = command
-            mujoco.mj_step(model, data)
             name = program.names[program.phase[step]]
+            self._press(name)
+            mujoco.mj_step(model, data)
             if step % self.every == 0:
                 self.judge.look(data, name)
                 if self.judge.is_over:
@@ -121,10 +125,18 @@ class Execution:
                 if ends[step] == until:
                     return
 
+    def _press(self, phase: str) -> None:
+        """Presses a finger that holds a force onto the object."""
+        problem = self.plan.task.problem
+        if problem.hand.finger_model == "rigid_guarded":
+            force = problem.hand.press_force if phase in ("press", "slide") else 0.0
+            body = self.scene.model.body(SLIDING).id
+            self.data.xfrc_applied[body][:3] = -force * np.array(problem.support.normal_W)
+
     def _end_of(self, phase: str) -> None:
-        if phase == "slide":
+        if phase == self._slid_after:
             self._measure_slide()
-        elif phase == "lift":
+        if phase == "lift":
             self._let_finger_grasp()
         elif phase == "close":
             X_WO = self.judge.pose(self.data)

@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flexing fingers: each turns about one flexure behind its tip, held by a spring.
+"""Fingers of a slide, and what yields when they press.
+
+`flexure`: each finger turns about one flexure behind its tip, held by a spring. `impedance`: the
+wrist gives way in translation. `rigid_guarded`: the same, stiffer, and the finger is pressed down
+with the force of the hand. `none`: nothing yields.
 
 Frame F is the sliding finger's: X along the line contact, Z out of the tip, Y towards the other
 finger. The other finger is its mirror image in the hand's frame H.
@@ -22,6 +26,7 @@ if TYPE_CHECKING:
     from ..settings import Slide
 
 SLIDING, OTHER = "sliding finger", "other finger"
+WRIST = "wrist "
 PAD = "pad"
 _MIRROR = np.diag([1.0, -1.0, 1.0, 1.0])
 
@@ -34,14 +39,14 @@ class Bits:
     conaffinity: int
 
 
-def add_flexing_fingers(
-    spec: Any, problem: slide.Problem, settings: Slide, bits: dict[str, Bits]
-) -> None:
-    """Makes the fingers of a robot in `spec` flex, and gives the sliding one its pad.
+def add_fingers(spec: Any, problem: slide.Problem, settings: Slide, bits: dict[str, Bits]) -> None:
+    """Makes the fingers of a robot in `spec` yield, and gives the sliding one its pad.
 
-    The shapes of a finger's link move to a body of the finger's mass that turns about the
-    flexure. The pad is a row of spheres, so that a line evenly pressed resists turning.
+    The shapes of a finger's link move to a body of the finger's mass, which turns about the
+    flexure, if there is one. The pad is a row of spheres, so that a line evenly pressed resists
+    turning.
     """
+    _soften_wrist(spec, problem, settings)
     robot, hand = problem.robot, problem.hand
     q = np.array(robot.state(hand.open))
     X_WF, X_WH = robot.pose(hand.fingertip, q), robot.pose(hand.grasp_frame, q)
@@ -60,6 +65,28 @@ def add_flexing_fingers(
             _rub(geom, hand, settings)
         _exclude_as(spec, robot, link, name)
     _add_pad(spec.body(SLIDING), hand, settings)
+
+
+def wrist_stiffness(hand: slide.Hand, settings: Slide) -> float | None:
+    """Returns the stiffness of the wrist in translation [N/m]; None if it does not yield."""
+    if hand.finger_model == "impedance":
+        return hand.wrist_stiffness
+    return settings.guarded_stiffness if hand.finger_model == "rigid_guarded" else None
+
+
+def _soften_wrist(spec: Any, problem: slide.Problem, settings: Slide) -> None:
+    """Lets the last link of the arm give way along three axes, each with a spring."""
+    robot, hand = problem.robot, problem.hand
+    stiffness = wrist_stiffness(hand, settings)
+    if stiffness is None:
+        return
+    last = robot.joint_names[robot.group(hand.arm)[-1]]
+    wrist = spec.joint(last).parent
+    damping = 2 * settings.wrist_damping_ratio * np.sqrt(stiffness * settings.wrist_mass)
+    for axis in np.eye(3):
+        joint = wrist.add_joint(name=f"{WRIST}{axis}", type=mujoco.mjtJoint.mjJNT_SLIDE, axis=axis)
+        joint.stiffness = [stiffness, 0, 0]
+        joint.damping = [damping, 0, 0]
 
 
 def _flexing_links(problem: slide.Problem) -> dict[str, str]:
@@ -93,6 +120,8 @@ def _add_flexure(
     flex.explicitinertial = True
     body.mass, body.fullinertia = settings.link_mass, [*3 * [settings.link_inertia], 0, 0, 0]
     inertia = own + mass * float(p_XC[1] ** 2 + p_XC[2] ** 2)
+    if hand.finger_model != "flexure":
+        return flex
     k = hand.flexure_stiffness
     joint = flex.add_joint(name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[1, 0, 0])
     joint.stiffness = [k, 0, 0]

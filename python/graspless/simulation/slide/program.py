@@ -105,12 +105,12 @@ def _along(path: Matrix, t: Matrix) -> Matrix:
 
 
 def _squeeze(plan: Plan, travel: float) -> Matrix:
-    """[dof] how the hand goes on closing beyond contact, its joint that moves most by `travel`."""
+    """[dof] how the hand goes on closing beyond contact, by a largest Robot.step() of `travel`."""
     problem = plan.task.problem
     hand, arm = problem.hand, problem.robot
     way = np.array(arm.state(hand.closed)) - np.array(arm.state(hand.open))
     way[arm.group(hand.arm)] = 0.0
-    largest = np.abs(way).max()
+    largest = np.abs(way * arm.step_weights).max()
     beyond: Matrix = way / largest * travel if largest > 0 else way
     return beyond
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""World of a slide in MuJoCo: robot with flexing fingers, table, obstacles, object.
+"""World of a slide in MuJoCo: robot, table, obstacles, object.
 
 The object stands on feet, small spheres spread evenly over its underside: faces that lie on each
 other would touch in their corners only, and resist turning twice as much as an even pressure.
@@ -20,7 +20,7 @@ from ... import frames
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
 from ..shapes import add_placed, give_inertia
-from .fingers import OTHER, PAD, SLIDING, Bits, add_flexing_fingers
+from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers
 from .shapes import add_prism, even_points, plate_inertia, points_along
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def build_scene(
     solver = dataclasses.replace(Solver(), impratio=settings.impratio)
     apply(spec, solver)
     spec.option.timestep = solver.timestep * variation.timestep
-    add_flexing_fingers(spec, problem, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
+    add_fingers(spec, problem, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
     X_WO = varied_start(problem, variation)
     _add_table(spec, plan, settings)
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):

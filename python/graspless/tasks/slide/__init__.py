@@ -42,16 +42,18 @@ def build(fields: SlideTask, source: Source, other: Source) -> tuple[slide.Probl
 
 def options(fields: SlideTask, problem: slide.Problem, source: Source) -> slide.Options:
     """Returns the options of the search."""
-    return build_options(fields, source)
+    return build_options(fields, problem, source)
 
 
 def in_force(fields: SlideTask, problem: slide.Problem, options: slide.Options) -> dict[str, Any]:
     """Fields with every value that was in force."""
+    bounds = ("min_depth", "max_depth")
+    depths = dict(zip(bounds, slide.depth_band(problem.hand, options), strict=True))
     support = {name: getattr(problem.support, name) for name in ("slab", "friction")}
     return {
         "support": fields.support.model_copy(update=support),
         "hand": _in_force(fields.hand, problem.hand),
-        "options": _in_force(fields.options, options),
+        "options": _in_force(fields.options, options).model_copy(update=depths),
     }
 
 

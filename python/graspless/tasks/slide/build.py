@@ -51,6 +51,10 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
     try:
         slide.validate(problem)
     except ValueError as error:
+        if str(error).startswith("hand."):
+            place = ("hand",) if "hand" in hand_source.given() else ()
+            field, _, what = str(error).removeprefix("hand.").partition(" ")
+            raise hand_source.error((*place, field), what) from None
         at_home = str(error).startswith("q_home")
         location = ("robot", "home") if at_home else ("object", "pose")
         raise source.error(location, str(error).removeprefix("q_home: ")) from None
@@ -60,10 +64,14 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
 def build_hand(fields: model.Hand, robot: robots.Robot, source: Source) -> slide.Hand:
     """Returns the hand of its fields, which name parts of the robot."""
     given = fields.model_dump(exclude_none=True)
-    if "finger_model" in given:
-        given["finger_model"] = slide.FingerModel.__members__[given["finger_model"]]
+    place = ("hand",) if "hand" in source.given() else ()
+    if "finger_model" not in given:
+        choices = ", ".join(slide.FingerModel.__members__)
+        what = f"must be given: how the sliding finger yields (one of: {choices})"
+        raise source.error((*place, "finger_model"), what)
+    given["finger_model"] = slide.FingerModel.__members__[given["finger_model"]]
     hand = slide.Hand(**given)
-    _check_hand(hand, robot, source, ("hand",) if "hand" in source.given() else ())
+    _check_hand(hand, robot, source, place)
     return hand
 
 
@@ -134,18 +142,19 @@ def outline(shape: model.Object | model.Support) -> frames.Matrix:
     return np.asarray(ring + np.array(shape.circle.center))
 
 
-def build_options(task: model.SlideTask, source: Source) -> slide.Options:
+def build_options(task: model.SlideTask, problem: slide.Problem, source: Source) -> slide.Options:
     fields = task.options.model_dump(exclude_none=True)
     if "search" in fields:
         fields["search"] = slide.Search.__members__[fields["search"]]
     with at(source, "options"):
         options = slide.Options(**fields)
-    if options.min_depth > options.max_depth:  # the core blames the second, whichever is given
-        field = "min_depth" if "min_depth" in fields else "max_depth"
-        what = f"min_depth is {options.min_depth:g}, max_depth {options.max_depth:g}; "
-        raise source.error(("options", field), what + "the first must not be larger")
     with at(source, "options"):
         slide.validate(options)
+    try:
+        slide.validate(problem, options)
+    except ValueError as error:
+        with at(source, "hand" if str(error).startswith("hand.") else "options"):
+            raise
     return options
 
 

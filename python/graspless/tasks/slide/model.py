@@ -148,7 +148,8 @@ class SlideTask(Fields):
         | None
     ) = Field(
         default=None,
-        description="fields of the hand, or their file; default: <urdf>.hand.yaml beside the URDF",
+        description="file of the hand, or fields that replace those of <urdf>.hand.yaml beside the "
+        "URDF",
     )
     object: Object
     support: Support

@@ -67,17 +67,20 @@ def resolve(
 def _resolve_hand(
     hand: model.Hand | str | None, urdf: Path | None, source: Source, directory: Path
 ) -> tuple[model.Hand | None, Source]:
-    if isinstance(hand, model.Hand):
-        return hand, source
+    """The fields of the hand: of its file, with those in the task in place of the file's."""
     path = urdf and urdf.with_name(f"{stem(urdf)}.hand.yaml")
     if isinstance(hand, str):
         path = directory / hand
         if not path.is_file():
             raise source.error(("hand",), "no such file")
     if path is None or not path.is_file():
-        return None, source
+        return hand if isinstance(hand, model.Hand) else None, source
     read = read_yaml(path)
-    return read.validate(model.Hand), read
+    of_file = read.validate(model.Hand)
+    if not isinstance(hand, model.Hand):
+        return of_file, read
+    given = hand.model_dump(exclude_unset=True)
+    return of_file.model_copy(update=given), source
 
 
 def _with_pitch(options: Any, hand: model.Hand) -> Any:
