@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import robot as robots
-from .. import slide
 from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
 from .files import free_name, make_srdf, with_frames
