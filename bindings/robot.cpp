@@ -168,7 +168,7 @@ void bind_description(py::module_& m) {
       "the gripper.\n\n"
       "arm, gripper: descriptions. mount: link M of the arm. X_MG: (4, 4) pose of the gripper's "
       "root link in M.\n"
-      "prefix: put before all names of the gripper; empty: gripper_, before names that the arm "
+      "prefix: put before all names of the gripper; empty: ``gripper_``, before names that the arm "
       "has too. Paths of meshes\n"
       "become absolute. States of the same name are merged.\n\n"
       "Raises ValueError that names the faulty description, the unknown link, or names that "

@@ -280,7 +280,7 @@ def join(arm: Description, gripper: Description, mount: str, X_MG: typing.Annota
     Returns the description of an arm with a gripper. A fixed joint carries the root link of the gripper.
     
     arm, gripper: descriptions. mount: link M of the arm. X_MG: (4, 4) pose of the gripper's root link in M.
-    prefix: put before all names of the gripper; empty: gripper_, before names that the arm has too. Paths of meshes
+    prefix: put before all names of the gripper; empty: ``gripper_``, before names that the arm has too. Paths of meshes
     become absolute. States of the same name are merged.
     
     Raises ValueError that names the faulty description, the unknown link, or names that clash.
