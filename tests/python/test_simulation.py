@@ -14,8 +14,9 @@ import pytest
 
 import graspless
 from graspless import TaskError, _data
+from graspless.robot import Robot
 from graspless.simulation import settings
-from graspless.simulation.robots import apply, joint_addresses, robot_spec
+from graspless.simulation.robots import apply, joint_addresses, robot_spec, untested_pairs
 from graspless.simulation.settings import Solver, Spread
 from graspless.simulation.variation import Variation, variations
 
@@ -73,6 +74,32 @@ def test_mujoco_and_our_own_reader_agree_on_where_every_link_is(name):
             body = data.body(link)
             np.testing.assert_allclose(body.xpos, X_WL[:3, 3], atol=1e-9)
             np.testing.assert_allclose(body.xmat.reshape(3, 3), X_WL[:3, :3], atol=1e-9)
+
+
+# The first link is a mesh that is not a convex solid, the third a sphere near its hull.
+def test_a_hull_does_not_collide_where_its_mesh_does_not(tmp_path):
+    corners = ["0 0 0", ".1 0 0", "0 .1 0", "0 0 .02", ".05 .02 0", ".02 .05 0"]
+    faces = ["1 2 4", "1 4 3", "2 5 4", "5 6 4", "6 3 4", "1 5 2", "1 6 5", "1 3 6"]
+    text = "".join(f"v {v}\n" for v in corners) + "".join(f"f {f}\n" for f in faces)
+    (tmp_path / "l.obj").write_text(text)
+    inertial = (
+        '<inertial><mass value="1"/>'
+        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+    )
+    shapes = ['<mesh filename="l.obj"/>', '<sphere radius="0.005"/>', '<sphere radius="0.005"/>']
+    links = "".join(
+        f'<link name="{name}">{inertial}<collision><geometry>{shape}</geometry></collision></link>'
+        for name, shape in zip("abc", shapes, strict=True)
+    )
+    joints = "".join(
+        f'<joint name="{child}" type="revolute"><parent link="{parent}"/><child link="{child}"/>'
+        '<origin xyz="0.05 0.05 0.005"/><axis xyz="0 0 1"/>'
+        '<limit lower="-1" upper="1" velocity="1" effort="1"/></joint>'
+        for parent, child in ("ab", "bc")
+    )
+    robot = Robot.from_urdf(f'<robot name="r">{links}{joints}</robot>', directory=str(tmp_path))
+    assert (0, 2) not in robot.ignored_pairs
+    assert untested_pairs(robot) == [(0, 1), (0, 2), (1, 2)]
 
 
 @pytest.mark.parametrize("name", WITH_ROBOT)

@@ -9,6 +9,7 @@ import copy
 import mujoco
 import numpy as np
 import pytest
+import yaml
 
 import graspless
 from graspless import _data, frames, geometry
@@ -55,6 +56,19 @@ def test_a_card_is_slid_and_lifted(nominal):
     assert nominal.measures["angle_error"] < np.radians(5)
     assert nominal.measures["lift_height"] > 0.09
     assert set(nominal.measures) == set(MEASURES)
+
+
+@pytest.mark.parametrize("model", ["impedance", "rigid_guarded"])
+def test_a_rigid_finger_slides_and_lifts_too(model):
+    document = yaml.safe_load(CARD.read_text())
+    document["hand"] = {"finger_model": model, "wrist_stiffness": 600}
+    plan = graspless.plan(document)
+    assert graspless.check(plan) == []
+    measures = graspless.simulate(plan).trials[0].measures
+    assert measures["position_error"] < 0.003
+    assert measures["angle_error"] < np.radians(2)
+    assert measures["lift_height"] > 0.09
+    assert measures["max_force"] < 2 * plan.task.problem.hand.press_force
 
 
 def test_the_recording_has_a_row_of_everything_a_moment(plan, nominal):

@@ -45,7 +45,7 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
     for body in spec.bodies:
         if body.name in names:
             body.gravcomp = 1.0
-    for i, j in sorted(robot.ignored_pairs):
+    for i, j in untested_pairs(robot):
         spec.add_exclude(bodyname1=names[i], bodyname2=names[j])
     for name, effort in zip(robot.joint_names, robot.max_effort, strict=True):
         _add_servo(spec, name, float(effort), servo)
@@ -53,6 +53,18 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
         spec.joint(equality.name1).armature = spec.joint(equality.name2).armature
         equality.solimp[:2] = servo.mimic_solimp
     return spec
+
+
+def untested_pairs(robot: Robot) -> list[tuple[int, int]]:
+    """Returns the pairs of links that do not collide: those that the planner never tests.
+
+    Also every pair with a mesh that is not a convex solid. MuJoCo puts its hull in its place, and
+    hulls touch where the links do not.
+    """
+    hulls = {link for link, placed in robot.shapes if isinstance(placed.shape, geometry.Mesh)}
+    links = range(len(robot.frame_names))
+    pairs = {(min(i, j), max(i, j)) for i in hulls for j in links if i != j}
+    return sorted(pairs | set(robot.ignored_pairs))
 
 
 def apply(spec: Any, solver: Solver | None = None) -> None:

@@ -19,6 +19,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..robots import untested_pairs
 
 if TYPE_CHECKING:
     from ... import slide
@@ -147,7 +148,7 @@ def _move_shapes(link: Any, flex: Any, X_XL: Matrix) -> None:
 def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:
     """Excludes the flexing body from the pairs from which its link is excluded."""
     names, own = robot.frame_names, robot.frame(link)
-    for pair in sorted(robot.ignored_pairs):
+    for pair in untested_pairs(robot):
         if own in pair:
             other = pair[0] if pair[1] == own else pair[1]
             spec.add_exclude(bodyname1=name, bodyname2=names[other])
