@@ -43,6 +43,28 @@ def add_trust(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_packages(parser: argparse.ArgumentParser) -> None:
+    """Adds the flag --package, for commands that read a robot."""
+    parser.add_argument(
+        "--package",
+        metavar="NAME=DIR",
+        action="append",
+        default=[],
+        help="folder of package://NAME/; can be given several times",
+    )
+
+
+def given_packages(options: argparse.Namespace) -> dict[str, str]:
+    """Returns the folders of --package by name. Raises TaskError unless each is NAME=DIR."""
+    packages = {}
+    for text in options.package:
+        name, separator, folder = text.partition("=")
+        if not (name and separator and folder):
+            raise TaskError(f"--package: {text}: should be NAME=DIR")
+        packages[name] = folder
+    return packages
+
+
 def add_unchecked(parser: argparse.ArgumentParser) -> None:
     """Adds the flag --unchecked, for commands that check their plan first."""
     parser.add_argument(

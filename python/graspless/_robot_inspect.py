@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ._commands import FOUND, add_trust
+from ._commands import FOUND, add_packages, add_trust, given_packages
 from .errors import TaskError
 
 if TYPE_CHECKING:
@@ -43,13 +43,7 @@ def add_robot(parser: argparse.ArgumentParser) -> None:
     """Adds the arguments that name a robot."""
     parser.add_argument("file", metavar="FILE", nargs="?", help=".urdf or .xacro file")
     parser.add_argument("--name", metavar="NAME", help="instead of FILE: a robot by its name")
-    parser.add_argument(
-        "--package",
-        metavar="NAME=DIR",
-        action="append",
-        default=[],
-        help="folder of package://NAME/; can be given several times",
-    )
+    add_packages(parser)
     add_trust(parser)
 
 
@@ -60,14 +54,8 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path |
 
     if (options.file is None) == (options.name is None):
         raise TaskError(f"{command}: give either FILE or --name")
-    packages = {}
-    for text in options.package:
-        name, separator, folder = text.partition("=")
-        if not (name and separator and folder):
-            raise TaskError(f"--package: {text}: should be NAME=DIR")
-        packages[name] = folder
     field = "name" if options.file is None else "urdf"
-    fields = {field: options.file or options.name, "packages": packages}
+    fields = {field: options.file or options.name, "packages": given_packages(options)}
     given = source.Source(command, {"robot": fields}, is_trusted=options.trust)
     resolved, path = resolve_robot(robots.Robot.model_validate(fields), given, Path())
     return robots.build_robot(resolved, given), path

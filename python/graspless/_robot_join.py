@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ._commands import FOUND, add_trust
+from ._commands import FOUND, add_packages, add_trust, given_packages
 from .errors import TaskError
 
 if TYPE_CHECKING:
@@ -45,13 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="",
         help="put before all names of the gripper; default: gripper_, before those of the arm",
     )
-    parser.add_argument(
-        "--package",
-        metavar="NAME=DIR",
-        action="append",
-        default=[],
-        help="folder of package://NAME/; can be given several times",
-    )
+    add_packages(parser)
     parser.add_argument(
         "-o",
         "--output",
@@ -96,12 +90,7 @@ def _join(options: argparse.Namespace) -> int:
 
 def _fields(options: argparse.Namespace) -> dict[str, Any]:
     """Returns the robot as a task file states it."""
-    packages = {}
-    for text in options.package:
-        name, separator, folder = text.partition("=")
-        if not (name and separator and folder):
-            raise TaskError(f"--package: {text}: should be NAME=DIR")
-        packages[name] = folder
+    packages = given_packages(options)
     gripper = {
         "name" if _is_name(options.gripper) else "file": options.gripper,
         "mount": options.mount,

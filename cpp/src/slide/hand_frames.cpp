@@ -23,12 +23,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Middle of the box around a shape [m].
-Vector3d middle_of(const geometry::PlacedShape& shape) {
+/// Largest coordinate of a link's shape along a unit direction of A, from A's origin [m].
+double extent(const robot::LinkShape& shape, const Eigen::Isometry3d& X_AL,
+              const Vector3d& direction_A) {
+  return geometry::extent(shape.placed, X_AL.linear().transpose() * direction_A) +
+         direction_A.dot(X_AL.translation());
+}
+
+/// Middle of the box of W around a link's shape [m].
+Vector3d middle_of(const robot::LinkShape& shape, const Eigen::Isometry3d& X_WL) {
   Vector3d middle;
   for (int i = 0; i < 3; ++i) {
     const Vector3d axis = Vector3d::Unit(i);
-    middle[i] = (geometry::extent(shape, axis) - geometry::extent(shape, -axis)) / 2;
+    middle[i] = (extent(shape, X_WL, axis) - extent(shape, X_WL, -axis)) / 2;
   }
   return middle;
 }
@@ -43,9 +50,7 @@ Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links
   for (const robot::LinkShape& shape : robot.shapes()) {
     const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
     if (!contains(links, link)) continue;
-    geometry::PlacedShape in_W = shape.placed;
-    in_W.X_BG = X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG;
-    sum += middle_of(in_W);
+    sum += middle_of(shape, X_WL[static_cast<std::size_t>(shape.link)]);
     ++count;
   }
   return sum / std::max(1, count);
@@ -56,6 +61,11 @@ void require(bool holds, const std::string& field, const std::string& frame,
   if (holds) return;
   throw std::invalid_argument("hand." + field + " '" + frame + "': " + must +
                               " (judged by the collision shapes of the open hand)");
+}
+
+/// True if finger or wrist give way by the whole depth.
+bool yields(const Hand& hand) {
+  return hand.finger_model == FingerModel::flexure || hand.finger_model == FingerModel::impedance;
 }
 
 /// Depth of the sliding finger's shapes below the origin of F at a pitch, with the hand open [m].
@@ -69,9 +79,7 @@ double finger_below(const Problem& problem, double pitch) {
   for (const robot::LinkShape& shape : robot.shapes()) {
     const auto link = static_cast<std::size_t>(shape.link);
     if (!contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
-    geometry::PlacedShape in_F = shape.placed;
-    in_F.X_BG = X_WL[F].inverse() * X_WL[link] * shape.placed.X_BG;
-    below = std::max(below, geometry::extent(in_F, down_F));
+    below = std::max(below, extent(shape, X_WL[F].inverse() * X_WL[link], down_F));
   }
   return below;
 }
@@ -80,16 +88,10 @@ double finger_below(const Problem& problem, double pitch) {
 
 double finger_sink(const Problem& problem, double depth, double pitch) {
   const Hand& hand = problem.hand;
-  const bool yields =
-      hand.finger_model == FingerModel::flexure || hand.finger_model == FingerModel::impedance;
-  return finger_below(problem, yielded_pitch(hand, depth, pitch)) + (yields ? 0 : depth);
+  return finger_below(problem, yielded_pitch(hand, depth, pitch)) + (yields(hand) ? 0 : depth);
 }
 
-double allowed_sink(const Hand& hand) {
-  const bool is_rigid =
-      hand.finger_model == FingerModel::none || hand.finger_model == FingerModel::rigid_guarded;
-  return is_rigid ? 0.005 : 0.008;
-}
+double allowed_sink(const Hand& hand) { return yields(hand) ? 0.008 : 0.005; }
 
 void check_finger_fits(const Problem& problem, const Options& options) {
   constexpr double kReach = 0.003;  // [m]
