@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from .tree import Tree
 
 GRIPPER = re.compile(r"grip|jaw|finger|claw|thumb|pinch", re.IGNORECASE)
+HAND = re.compile(rf"{GRIPPER.pattern}|hand|palm", re.IGNORECASE)
+MANY = 5  # largest number of independent joints of a finger
 REACHES_AS_FAR = 0.6  # of a moving jaw's length: how far a fixed jaw must reach
 
 
@@ -75,7 +77,30 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
             f"{len(last)} places may be a hand; graspless robot inspect --palm LINK, or "
             f"graspless.robot.inspect(palm=...), takes one of: {names}"
         )
-    return _palm_at(tree, last[0]) if last else _jaw(tree)
+    if not last:
+        return _jaw(tree)
+    found = _palm_at(tree, last[0])
+    _require_fingers(tree, found)
+    return replace(found, is_sure=_is_named(tree, found))
+
+
+def _require_fingers(tree: Tree, palm: Palm) -> None:
+    """Raises ValueError if an arm or a leg is taken for a finger."""
+    for finger in palm.fingers:
+        count = len(tree.drivers([body for body in finger.bodies if body != palm.body]))
+        if count > MANY:
+            raise ValueError(
+                f"no hand was found: {_palm_link(tree, palm.body)} carries {finger.name(tree)} by "
+                f"{count} joints, more than the {MANY} of a finger; name its palm, or join a "
+                "gripper to the arm"
+            )
+
+
+def _is_named(tree: Tree, palm: Palm) -> bool:
+    """True if a link or joint of the hand is called one."""
+    bodies = [body for finger in palm.fingers for body in finger.bodies]
+    names = [tree.links[link] for body in (palm.body, *bodies) for link in tree.members[body]]
+    return HAND.search(" ".join([*names, *map(tree.driver, bodies)])) is not None
 
 
 def _shaped(tree: Tree, body: int) -> list[int]:

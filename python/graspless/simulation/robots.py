@@ -16,6 +16,7 @@ from ..tasks.robots import mesh_path
 from .settings import Servo, Solver
 
 if TYPE_CHECKING:
+    from ..frames import Matrix
     from ..robot import Robot
     from ..tasks.robots import Robot as RobotFields
 
@@ -40,8 +41,7 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
     spec = mujoco.MjSpec.from_string(xml, assets=assets)
     apply(spec)
     names = list(robot.frame_names)
-    base = spec.body(names[0])
-    base.pos, base.quat = robot.X_WB[:3, 3], frames.to_quaternion(robot.X_WB)
+    _place(spec, names[0], robot.X_WB)
     for body in spec.bodies:
         if body.name in names:
             body.gravcomp = 1.0
@@ -53,6 +53,16 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
         spec.joint(equality.name1).armature = spec.joint(equality.name2).armature
         equality.solimp[:2] = servo.mimic_solimp
     return spec
+
+
+def _place(spec: Any, root: str, X_WB: Matrix) -> None:
+    """Moves a robot to its pose. A root link that is called world is MuJoCo's own world."""
+    moved = [spec.body(root)]
+    if root == "world":
+        moved = [*spec.worldbody.bodies, *spec.worldbody.geoms]
+    for part in moved:
+        X_WP = X_WB @ frames.translation(part.pos) @ frames.from_quaternion(part.quat)
+        part.pos, part.quat = X_WP[:3, 3], frames.to_quaternion(X_WP)
 
 
 def untested_pairs(robot: Robot) -> list[tuple[int, int]]:
@@ -109,12 +119,15 @@ def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:
 def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
     """Returns the URDF for MuJoCo, and the meshes that it cannot read by itself.
 
-    Paths of meshes are absolute, all links are kept separate, and nothing is drawn.
+    Paths of meshes are absolute, all links are kept separate, shapes have no names, and nothing
+    is drawn.
     """
     root = ET.fromstring(fields.urdf_text or "")
     for link in root.iter("link"):
         for visual in link.findall("visual"):
             link.remove(visual)
+    for collision in root.iter("collision"):  # names need not differ, nor differ from ours
+        collision.attrib.pop("name", None)
     assets: dict[str, bytes] = {}
     for mesh in root.iter("mesh"):
         path = mesh_path(mesh.get("filename", ""), fields.packages, fields.directory)

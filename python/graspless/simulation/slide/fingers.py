@@ -19,6 +19,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ...errors import TaskError
 from ..robots import untested_pairs
 
 if TYPE_CHECKING:
@@ -117,6 +118,8 @@ def _add_flexure(
     # The mass of the finger turns about the flexure; the link keeps hardly any.
     p_XC = np.linalg.inv(X_LX)[:3] @ [*body.ipos, 1.0]
     mass, own = float(body.mass), float(np.max(body.fullinertia[:3]))
+    if not mass > 0:
+        raise TaskError(f"link '{link}' has no mass; the simulation needs its <inertial>")
     flex.mass, flex.ipos, flex.inertia = mass, p_XC, [own, own, own]
     flex.explicitinertial = True
     body.mass, body.fullinertia = settings.link_mass, [*3 * [settings.link_inertia], 0, 0, 0]

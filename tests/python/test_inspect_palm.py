@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Search for the palm: what is no hand, and what may be one."""
+
+import pytest
+
+import inspect_common as small
+from graspless import robot
+
+
+def read(urdf, **options):
+    return robot.Robot.from_urdf(urdf, **options)
+
+
+def finding(found, field):
+    return next(finding for finding in found.findings if finding.field == field)
+
+
+def with_head():
+    """A torso on a lift, with a head and an arm that has no hand."""
+    return small.robot(
+        "mobile",
+        small.base(),
+        small.box("torso", "0 0 0.2", "0.2 0.2 0.4"),
+        small.joint("lift", "prismatic", "base", "torso", "0 0 0.1", limits=(0, 0.3)),
+        small.arm("a_", "torso"),
+        small.box("head", "0 0 0.05", "0.1 0.1 0.1"),
+        small.joint("neck", "revolute", "torso", "head", "0.1 0 0.5"),
+    )
+
+
+def test_an_arm_is_no_finger():
+    message = "no hand was found: torso carries a_wrist by 6 joints, more than the 5 of a finger"
+    with pytest.raises(ValueError, match=message):
+        robot.inspect(read(with_head()))
+
+
+@pytest.mark.parametrize(
+    ("palm", "left", "is_sure"),
+    [("palm", "left", True), ("body", "left", False), ("body", "left_finger", True)],
+)
+def test_a_hand_without_a_name_is_doubtful(palm, left, is_sure):
+    hand = small.prismatic().replace('"palm"', f'"{palm}"').replace('"left"', f'"{left}"')
+    found = robot.inspect(read(small.gripper(hand=hand)))
+    assert finding(found, "palm").is_sure == is_sure
