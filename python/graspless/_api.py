@@ -157,12 +157,12 @@ def check(plan: Plan | str | Path) -> list[str]:
     Parameters
     ----------
     plan : Plan, str or Path
-        A plan, or the file it stands in.
+        A plan, or the path of its file.
 
     Returns
     -------
     list of str
-        What does not hold, by segment and row; empty when all does.
+        Faults by segment and row; empty if the plan holds.
     """
     given: Any = as_plan(plan)
     if not given:

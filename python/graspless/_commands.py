@@ -94,7 +94,8 @@ def checked_plan(options: argparse.Namespace) -> Plan:
     if faults:
         name = options.plan if options.plan != "-" else "stdin"
         more = f" and {len(faults) - 1} more" if len(faults) > 1 else ""
-        raise TaskError(f"{name}: does not hold: {faults[0]}{more}; --unchecked goes on")
+        hint = "add --unchecked to continue anyway"
+        raise TaskError(f"{name}: does not hold: {faults[0]}{more}; {hint}")
     return plan
 
 

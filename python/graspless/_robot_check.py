@@ -23,9 +23,9 @@ EXAMPLE = "example: graspless robot check my_arm.urdf"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `robot check`."""
     parser.description = (
-        "Tell what is wrong with a robot's SRDF, .hand.yaml and .clasp.yaml: frames that are not "
-        "on the fingers' surface, axes that point elsewhere, corners outside the links, states "
-        "that touch or do not close. The exit code is 1 if something is."
+        "Check a robot's SRDF, .hand.yaml and .clasp.yaml against its shapes. Reports frames that "
+        "are not on the fingers' surface, axes that point elsewhere, corners outside the links, "
+        "and states that touch or do not close. The exit code is 1 if there is a fault."
     )
     parser.epilog = EXAMPLE
     add_robot(parser)

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 # name: line of help, and module with add_arguments(parser)
 COMMANDS = {
-    "inspect": ("propose what a URDF does not say of arm and hand", "._robot_inspect"),
-    "check": ("tell what is wrong with a robot's SRDF and hand", "._robot_check"),
+    "inspect": ("propose arm, hand, frames and states from a URDF", "._robot_inspect"),
+    "check": ("check a robot's SRDF and hand description", "._robot_check"),
     "join": ("join an arm and a gripper into one URDF", "._robot_join"),
 }
 

@@ -23,9 +23,9 @@ EXAMPLE = "example: graspless robot inspect panda.urdf -o panda"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `robot inspect`."""
     parser.description = (
-        "Propose what a URDF does not say: joints of arm and hand, open and closed states, frames "
-        "of fingertip and grasp, a home, and pairs of links that need no test. The files that are "
-        "written are ready for tasks."
+        "Propose what a URDF does not contain: joints of arm and hand, open and closed states, "
+        "frames of fingertip and grasp, a home, and pairs of links that need no test. The files "
+        "that are written are ready for tasks."
     )
     parser.epilog = EXAMPLE
     add_robot(parser)
@@ -42,7 +42,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def add_robot(parser: argparse.ArgumentParser) -> None:
     """Adds the arguments that name a robot."""
     parser.add_argument("file", metavar="FILE", nargs="?", help=".urdf or .xacro file")
-    parser.add_argument("--name", metavar="NAME", help="instead of FILE: a robot by its name")
+    parser.add_argument(
+        "--name", metavar="NAME", help="instead of FILE: name of a robot in robot_descriptions"
+    )
     add_packages(parser)
     add_trust(parser)
 

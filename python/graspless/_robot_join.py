@@ -24,10 +24,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "an SRDF, one of both is written beside it."
     )
     parser.epilog = EXAMPLE
-    parser.add_argument(
-        "arm", metavar="ARM", help=".urdf or .xacro file, or a name in robot_descriptions"
-    )
-    parser.add_argument("gripper", metavar="GRIPPER", help="the same of the gripper or hand")
+    for name, what in (("arm", "the arm"), ("gripper", "the gripper or hand")):
+        parser.add_argument(
+            name,
+            metavar=name.upper(),
+            help=f".urdf or .xacro file of {what}, a robot that comes with graspless, or a name in "
+            "robot_descriptions that ends in _description",
+        )
     parser.add_argument(
         "--mount", metavar="LINK", required=True, help="link of the arm that carries the gripper"
     )
@@ -43,7 +46,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--prefix",
         default="",
-        help="put before all names of the gripper; default: gripper_, before those of the arm",
+        help="prefix of all names of the gripper (default: gripper_, only for names that the arm "
+        "also has)",
     )
     add_packages(parser)
     parser.add_argument(

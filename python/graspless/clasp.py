@@ -7,7 +7,7 @@ After Stork, Pokorny, Kragic 2013. `plan` is Section IV, `test_stability` Sectio
 >>> import numpy as np
 >>> from graspless import clasp, geometry, robot
 >>> arm = robot.Robot.from_urdf_file(robot.builtin("kr5_sdh"))  # doctest: +SKIP
->>> hand = clasp.hand_from_yaml_file("kr5_sdh.hand.yaml")  # doctest: +SKIP
+>>> hand = clasp.hand_from_yaml_file("kr5_sdh.clasp.yaml")  # doctest: +SKIP
 >>> cloud = geometry.sample_surface(clasp.sample_object("purse"), 2000)  # doctest: +SKIP
 >>> purse = clasp.Object.from_cloud("purse", cloud)  # doctest: +SKIP
 >>> problem = clasp.Problem(arm, hand, purse, X_WO, arm.state("home"))  # doctest: +SKIP
@@ -139,7 +139,7 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     ----------
     problem : Problem
     options : Options, optional
-        How to search.
+        Settings of the search.
     budget : planning.Budget, optional
         Time and randomness.
 

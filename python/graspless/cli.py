@@ -160,16 +160,16 @@ def _add_plan(parser: argparse.ArgumentParser) -> None:
         help="plan file to write (default: %(default)s); - for stdout, with the summary on stderr",
     )
     parser.add_argument(
-        "--seed", type=int, metavar="N", help="seed of the random numbers; instead of the task's"
+        "--seed", type=int, metavar="N", help="seed of the random numbers, overrides the task"
     )
     parser.add_argument(
-        "--time", type=float, metavar="S", help="time limit [s]; instead of the task's"
+        "--time", type=float, metavar="S", help="time limit [s], overrides the task"
     )
     parser.add_argument(
         "--iterations",
         type=int,
         metavar="N",
-        help="maximum number of iterations of the search; instead of the task's",
+        help="maximum number of iterations of the search, overrides the task",
     )
     parser.add_argument(
         "--search",

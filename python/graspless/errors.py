@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -88,4 +89,21 @@ def install_command(extra: str) -> str:
     checkout = Path(sys.prefix).parent
     if Path(sys.prefix).name == ".venv" and (checkout / "python" / "graspless").is_dir():
         return f".venv/bin/pip install '.[{extra}]'"
-    return f"pip install 'graspless[{extra}]'"
+    packages = dict.fromkeys(_packages(extra))
+    return f"pip install {' '.join(repr(package) for package in packages)}"
+
+
+def _packages(extra: str) -> list[str]:
+    """Returns the packages of an extra, by the metadata: graspless itself is not on PyPI."""
+    from importlib.metadata import requires
+
+    found = []
+    for line in requires("graspless") or []:
+        package, _, condition = (part.strip() for part in line.partition(";"))
+        if f'extra == "{extra}"' not in condition:
+            continue
+        if inner := re.fullmatch(r"graspless\[(.+)\]", package):
+            found += [name for other in inner[1].split(",") for name in _packages(other)]
+        else:
+            found.append(package)
+    return found

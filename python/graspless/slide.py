@@ -60,7 +60,7 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     ----------
     problem : Problem
     options : Options, optional
-        How to search.
+        Settings of the search.
     budget : planning.Budget, optional
         Time and randomness.
 

@@ -113,6 +113,7 @@ def test_cloud_without_a_hole_exits_1(tmp_path, monkeypatch, capsys):
     code, out, _ = run(capsys, "loops", "ball.xyz")
     assert code == 1
     assert out.startswith("no reliable hole: ")
+    assert out.count("no reliable hole") == 1
 
 
 @pytest.mark.parametrize(

@@ -274,7 +274,7 @@ def test_a_plan_that_does_not_hold_is_refused(tmp_path, capsys):
     err = capsys.readouterr().err
     assert err.startswith(f"{plan}: does not hold: ")
     assert graspless.check(plan)[0] in err
-    assert err.endswith("; --unchecked goes on\n")
+    assert err.endswith("; add --unchecked to continue anyway\n")
     assert not out.exists()
     assert cli.main([*command, "--unchecked"]) == 0
     assert out.exists()

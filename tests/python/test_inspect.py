@@ -393,6 +393,18 @@ def test_check_finds_a_home_in_collision(tmp_path, capsys):
     assert "home: " in capsys.readouterr().out
 
 
+def test_check_opens_the_hand_at_home(tmp_path, capsys):
+    """With the arm at 0 this robot would touch a ceiling, but no task starts there."""
+    ceiling = small.box("ceiling", "0 0 1.4", "0.3 0.3 0.04")
+    ceiling += small.joint("hung", "fixed", "base", "ceiling")
+    urdf = small.gripper().replace("</robot>", ceiling + "</robot>")
+    found = robot.inspect(read(urdf), name="mine")
+    at_zero = np.asarray(found.robot.state("open"))
+    assert "ceiling" in scene.Scene(found.robot).collision(at_zero)
+    found.write(tmp_path)
+    assert cli.main(["robot", "check", str(tmp_path / "mine.urdf")]) == 0, capsys.readouterr().out
+
+
 @pytest.mark.parametrize("name", ["kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar", "wam_t42"])
 def test_nothing_is_wrong_with_our_own_files(name, capsys):
     assert cli.main(["robot", "check", str(robot.builtin(name))]) == 0, capsys.readouterr().out

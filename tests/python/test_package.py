@@ -10,6 +10,7 @@ import sys
 import graspless
 from graspless import _core
 from graspless.cli import main
+from graspless.errors import install_command
 
 PACKAGE = pathlib.Path(graspless.__file__).parent
 
@@ -55,6 +56,15 @@ def test_bench_says_how_to_get_it(monkeypatch, capsys):
         assert "`make bench-install`" in capsys.readouterr().err
 
 
+def test_packages_of_an_extra_are_named_outside_a_checkout(monkeypatch, tmp_path):
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    command = install_command("sim")  # which includes the extra timing
+    assert command.startswith("pip install 'scipy")
+    assert "'toppra" in command
+    assert "'mujoco" in command
+    assert "graspless" not in command  # it is not on PyPI
+
+
 def test_version_is_that_of_the_metadata():
     assert graspless.__version__ == importlib.metadata.version("graspless")
 
@@ -83,6 +93,7 @@ def test_plan_imports_no_other_command_or_kind(tmp_path):
     program = """
 import sys
 from graspless.cli import main
+from graspless.errors import install_command
 main(["plan", sys.argv[1], "-o", sys.argv[2]])
 print(*sys.modules)
 """

@@ -97,7 +97,7 @@ def test_python_takes_the_file_too(plan_file, engine):
     assert repr(held).startswith("<Simulation: ")
     assert len(repr(held)) < 100
     trajectory = graspless.time(plan_file)
-    assert repr(trajectory).startswith(f"<Trajectory of {len(trajectory)} moments, ")
+    assert repr(trajectory).startswith(f"<Trajectory of {len(trajectory)} samples, ")
     for rate in (0, -1, float("nan"), "a"):
         with pytest.raises(graspless.TaskError, match="rate"):
             trajectory.sampled(rate)

@@ -372,7 +372,7 @@ def test_limits_that_would_fill_the_memory(name, limit, value):
 
 
 def test_a_rate_that_would_fill_the_memory():
-    words = r"rate: 1e\+09: .* moments, more than 1000000: should be less"
+    words = r"rate: 1e\+09: .* samples, more than 1000000: should be less"
     with pytest.raises(TaskError, match=words):
         graspless.time(planned("push"), rate=1e9)
     with pytest.raises(TaskError, match=words):
@@ -386,7 +386,7 @@ def test_moments_are_counted_over_the_whole(monkeypatch, name):
     moments, most = len(trajectory), np.bincount(trajectory.segment_index).max()
     assert most + 2 < 0.9 * moments
     monkeypatch.setattr(rates, "MOST_MOMENTS", int(most + 2))
-    with pytest.raises(TaskError, match=f"moments, more than {most + 2}: should be less"):
+    with pytest.raises(TaskError, match=f"samples, more than {most + 2}: should be less"):
         graspless.time(planned(name))
     monkeypatch.setattr(rates, "MOST_MOMENTS", 2 * moments)
     assert len(graspless.time(planned(name))) == moments
@@ -394,7 +394,7 @@ def test_moments_are_counted_over_the_whole(monkeypatch, name):
 
 def test_how_many_are_too_many_is_said_exactly():
     assert len(rates.Rate(10**6 - 1).times(1.0)) == 10**6
-    with pytest.raises(TaskError, match="have 1000001 moments, more than 1000000"):
+    with pytest.raises(TaskError, match="have 1000001 samples, more than 1000000"):
         rates.Rate(10**6).times(1.0)
     for duration in (np.inf, np.nan, 1e308):
         with pytest.raises(TaskError, match="more than 1000000"):

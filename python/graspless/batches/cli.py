@@ -61,16 +61,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="address of a Dask scheduler whose workers plan: tcp://host:8786",
     )
     parser.add_argument(
-        "--seed", type=int, metavar="N", help="seed of the random numbers; instead of each task's"
+        "--seed", type=int, metavar="N", help="seed of the random numbers, overrides every task"
     )
     parser.add_argument(
-        "--time", type=float, metavar="S", help="time limit [s]; instead of each task's"
+        "--time", type=float, metavar="S", help="time limit [s], overrides every task"
     )
     parser.add_argument(
         "--iterations",
         type=int,
         metavar="N",
-        help="maximum number of iterations; instead of each task's",
+        help="maximum number of iterations, overrides every task",
     )
     parser.add_argument(
         "--patience",

@@ -56,14 +56,14 @@ def export(
     Parameters
     ----------
     plan : Plan, str or Path
-        One that is solved, or the file it stands in. It is not checked: `check` does that.
+        A solved plan, or the path of its file. It is not checked: `check` does that.
     path : str or Path
         The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
         An ending of another format is refused.
     to : str
         ros, mcap, csv, mujoco or json: see docs/export.md.
     rate : float, optional
-        Moments a second. Default 100.
+        Samples per second. Default 100.
     robot : Robot, optional
         As in `time`.
     group : str, optional
@@ -75,13 +75,13 @@ def export(
     Returns
     -------
     Trajectory
-        What was written.
+        The trajectory that was written.
 
     Raises
     ------
     TaskError
-        There is no such format, the file's ending is another's, the plan cannot be timed or has
-        not what the format needs, or the file cannot be written.
+        The format is unknown, the file has the ending of another format, the plan cannot be
+        timed or lacks data that the format needs, or the file cannot be written.
     """
     writer = _writer(to)
     files.check_writable(path)

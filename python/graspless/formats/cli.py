@@ -44,15 +44,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--group", metavar="NAME", help="only the joints of a group of the SRDF: arm, hand"
     )
     for flag, what in (
-        ("--velocity", "velocity limit [rad/s, m/s]; the limits of the URDF hold as well"),
-        ("--acceleration", "acceleration limit [rad/s^2, m/s^2] (default: 5 and 1)"),
+        (
+            "--velocity",
+            "velocity limit of every joint [rad/s, m/s]; never above the limits of the URDF",
+        ),
+        (
+            "--acceleration",
+            "acceleration limit of every joint [rad/s^2, m/s^2] (default: 5 and 1)",
+        ),
     ):
         parser.add_argument(
             flag,
             type=_limit,
             action="append",
             metavar="V",
-            help=f"{what} of every joint; JOINT=V sets it for one joint and may be repeated",
+            help=f"{what}; JOINT=V limits one joint and may be repeated",
         )
     for flag, unit, what in (
         ("--rate", "HZ", "samples per second (default: 100)"),
@@ -115,10 +121,10 @@ def _run(options: argparse.Namespace) -> int:
         sys.stdout.write(written)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
-    print(f"  {len(trajectory)} moments, {trajectory.duration:.2f} s", file=told)
+    print(f"  {len(trajectory)} samples, {trajectory.duration:.2f} s", file=told)
     if trajectory.start:
         joints = ", ".join(f"{name} {value:.4f}" for name, value in trajectory.start.items())
-        print(f"  the robot must stand at the first point: {joints}", file=told)
+        print(f"  move the robot to the first configuration before you start: {joints}", file=told)
     return FOUND
 
 

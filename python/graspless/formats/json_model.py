@@ -13,7 +13,7 @@ from ..tasks.shapes import Fields, Point3
 
 
 class TrajectoryFile(Fields):
-    """A plan in time: N moments, n bare fingertips."""
+    """A plan in time: N samples, n bare fingertips."""
 
     format: Literal[1]
     kind: str = Field(description="kind of the plan")

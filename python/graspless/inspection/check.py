@@ -61,7 +61,7 @@ def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
         for number, node in enumerate(finger.nodes):
             if not _is_inside(robot, node.link, np.asarray(node.p_L)):
                 found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
-    touching = scene.Scene(robot).collision(np.asarray(robot.state(hand.open)))
+    touching = scene.Scene(robot).collision(_open(robot, hand.open))
     if touching is not None:
         found.append(f"open: {touching[0]} and {touching[1]} touch")
     return [*found, *_of_home(robot)]
@@ -151,7 +151,7 @@ class _Examined:
         if gaps[1] >= gaps[0]:
             shown = " and ".join(f"{1000 * gap:.1f} mm" for gap in gaps)
             yield f"closed: the tips are not nearer than when open: {shown} apart, closed and open"
-        touching = scene.Scene(self.robot).collision(np.asarray(self.robot.state(hand.open)))
+        touching = scene.Scene(self.robot).collision(_open(self.robot, hand.open))
         moved = {self.tree.links[i] for i in (*self.own, *self.other)}
         if touching is not None and moved & set(touching):
             yield f"open: {touching[0]} and {touching[1]} touch"
@@ -159,6 +159,13 @@ class _Examined:
     def _gap(self, state: str) -> float:
         own, other = (self.ends(state, links) for links in (self.own, self.other))
         return float(np.linalg.norm(middle(other) - middle(own)))
+
+
+def _open(robot: Robot, state: str) -> Matrix:
+    """[dof] configuration with the hand open and the arm at home, as at the start of a task."""
+    if "home" not in robot.state_names:
+        return np.asarray(robot.state(state))
+    return np.asarray(robot.state(state, robot.state("home")))
 
 
 def _of_home(robot: Robot) -> Iterator[str]:

@@ -78,7 +78,8 @@ def as_text(loops: geometry.Loops) -> str:
     """Returns a cloud's loops as a few lines of text, the shortest loop first."""
     found = [f"warning: {warning}" for warning in loops.warnings]
     if not loops.loops:
-        return "\n".join([f"no reliable hole: {loops.reason}", *betti_line(loops), *found])
+        reason = loops.reason.removeprefix("no reliable hole: ")
+        return "\n".join([f"no reliable hole: {reason}", *betti_line(loops), *found])
     longest = f"longest edge of the complex {loops.complex.max_edge_length:.4g} m"
     lines = [f"{count(len(loops.loops), 'loops')} found, {longest}"]
     for k, loop in enumerate(loops.loops):

@@ -177,10 +177,8 @@ class Slide:
     pad_points: int = 5  # of the line contact, for the torsion of an even pressure along it
     pad_softness: float = 0.008  # half length of the contact patch of a closed pad [m]: the moment
     # that a soft pad withstands is its force times this
-    squeeze: float = (
-        0.2  # commanded closing beyond contact [rad or m]: the flexures then press with
-    )
-    # 8 N per finger
+    squeeze: float = 0.2  # commanded closing beyond contact [rad; of prismatic joints 1/10 m], a
+    # choice: the flexures of the T42 then press with 8 N per finger
     squeeze_seconds: float = 0.8  # from the first touch to the lift [s]
     pause: float = 0.3  # for servos and object to come to rest after pressing and after sliding [s]
     lift_height: float = 0.1  # a choice: enough to see whether the grasp holds [m]

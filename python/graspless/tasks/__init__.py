@@ -70,7 +70,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
     problem : slide.Problem, fingertip.Problem, clasp.Problem, carry.Problem or chain.Problem
         What is given.
     options : slide.Options, fingertip.Options, clasp.Options, carry.Options or chain.Options
-        How to search.
+        Settings of the search.
     budget : planning.Budget
         Time and randomness.
     arm : tasks.fingertip.Arm or None
@@ -106,7 +106,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         ----------
         problem : slide.Problem, fingertip.Problem, clasp.Problem or carry.Problem
         options : slide.Options, ..., optional
-            How to search.
+            Settings of the search.
         budget : planning.Budget, optional
             Time and randomness.
         arm : tasks.fingertip.Arm, optional

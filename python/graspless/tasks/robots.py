@@ -46,8 +46,8 @@ class Gripper(Fields):
     )
     prefix: str = Field(
         default="",
-        description="put before all names of the gripper; default: gripper_, before names that the "
-        "arm has too",
+        description="prefix of all names of the gripper; default: gripper_, only for names that "
+        "the arm also has",
     )
     srdf: str | None = Field(
         default=None, description="SRDF file; default: the file of the same name beside the URDF"

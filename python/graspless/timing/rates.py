@@ -43,7 +43,7 @@ class Rate:
         if not self._moments <= MOST_MOMENTS:
             raise TaskError(
                 f"rate: {self.hertz:g}: {self._seconds:.3g} s of motion have {self._moments:.7g} "
-                f"moments, more than {MOST_MOMENTS}: should be less, or max_velocity, "
+                f"samples, more than {MOST_MOMENTS}: should be less, or max_velocity, "
                 "max_acceleration or contact_speed more"
             )
         return np.linspace(0.0, duration, int(count))

@@ -36,7 +36,7 @@ def robot_of(plan: Any) -> Robot | None:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """A timed plan: positions of joints and object at N moments.
+    """A timed plan: positions of joints and object at N samples.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class Trajectory:
 
     def __repr__(self) -> str:
         what = ", ".join(dict.fromkeys(self.names))
-        return f"<Trajectory of {len(self)} moments, {self.duration:.2f} s: {what}>"
+        return f"<Trajectory of {len(self)} samples, {self.duration:.2f} s: {what}>"
 
     def __len__(self) -> int:
         return len(self.times)
