@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Search for the palm: what is no hand, and what may be one."""
 
+import numpy as np
 import pytest
 
 import inspect_common as small
 from graspless import robot
+from graspless.inspection.palm import find_palm
+from graspless.inspection.tree import Tree
 
 
 def read(urdf, **options):
@@ -35,6 +38,18 @@ def test_an_arm_is_no_finger():
         robot.inspect(read(with_head()))
 
 
+def test_a_hand_by_its_name_has_fingers_of_many_joints():
+    hand = small.palm() + "".join(
+        small.arm(prefix, "palm").replace("0 0 0.1", f"0 {y} 0.1", 1)
+        for prefix, y in (("left_", 0.1), ("right_", -0.1))
+    )
+    tree = Tree(read(small.gripper(hand=hand)))
+    assert [finger.name(tree) for finger in find_palm(tree).fingers] == [
+        "left_wrist",
+        "right_wrist",
+    ]
+
+
 @pytest.mark.parametrize(
     ("palm", "left", "is_sure"),
     [("palm", "left", True), ("body", "left", False), ("body", "left_finger", True)],
@@ -43,3 +58,19 @@ def test_a_hand_without_a_name_is_doubtful(palm, left, is_sure):
     hand = small.prismatic().replace('"palm"', f'"{palm}"').replace('"left"', f'"{left}"')
     found = robot.inspect(read(small.gripper(hand=hand)))
     assert finding(found, "palm").is_sure == is_sure
+
+
+def test_axes_do_not_depend_on_where_the_hand_is_mounted():
+    straight, aside = (
+        robot.inspect(read(small.gripper(hand=hand)))
+        for hand in (
+            small.prismatic(),
+            small.prismatic().replace("0 0 0.03", "0.1 0 0.03", 1),
+        )
+    )
+    X_PH, X_PH_aside = (
+        np.linalg.inv(found.robot.pose("palm", q)) @ found.robot.pose("grasp", q)
+        for found in (straight, aside)
+        for q in [found.robot.state("open")]
+    )
+    np.testing.assert_allclose(X_PH_aside, X_PH, atol=1e-6)

@@ -53,11 +53,7 @@ class _Builder:
         self.open = self.closed = np.zeros(0)
 
     def palm_link(self) -> str:
-        """Link that all moving fingers are attached to, directly or through fixed joints."""
-        tree, moving = self.tree, (f for f in self.palm.fingers if not f.is_fixed)
-        lines = [tree.line(tree.parents[finger.bodies[0]]) for finger in moving]
-        shared = [link for link in lines[0] if all(link in line for line in lines)]
-        return tree.links[shared[0]]
+        return self.tree.links[self.palm.link(self.tree)]
 
     def build(self) -> Proposal:
         self._describe_arm()

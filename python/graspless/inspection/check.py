@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import collision, frames, geometry, scene
 from .jaws import middle
+from .pairs import touching
 from .tree import Tree
 
 if TYPE_CHECKING:
@@ -47,7 +48,11 @@ def faults(robot: Robot, hand: slide.Hand) -> list[str]:
     """
     robot.group(hand.arm)
     examined = _Examined(robot, hand)
-    return [*examined.of_frames(), *examined.of_states(), *_of_home(robot)]
+    return examined.of_links() or [
+        *examined.of_frames(),
+        *examined.of_states(),
+        *_of_home(robot, hand.open),
+    ]
 
 
 def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
@@ -61,10 +66,8 @@ def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
         for number, node in enumerate(finger.nodes):
             if not _is_inside(robot, node.link, np.asarray(node.p_L)):
                 found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
-    touching = scene.Scene(robot).collision(_open(robot, hand.open))
-    if touching is not None:
-        found.append(f"open: {touching[0]} and {touching[1]} touch")
-    return [*found, *_of_home(robot)]
+    links = [robot.frame(node.link) for finger in curves.values() for node in finger.nodes]
+    return [*found, *_of_open(Tree(robot), links, hand.open), *_of_home(robot, hand.open)]
 
 
 def _is_inside(robot: Robot, link: str, p_L: Matrix) -> bool:
@@ -99,15 +102,18 @@ class _Examined:
         heights = cloud @ out
         return np.asarray(cloud[heights > heights.max() - REACH])
 
+    def of_links(self) -> list[str]:
+        """Faults that leave nothing to be measured."""
+        if not self.other:
+            return ["fingers: must name a link besides those of sliding_finger"]
+        return [
+            f"{field}: no link of it has a collision shape"
+            for links, field in ((self.own, "sliding_finger"), (self.other, "fingers"))
+            if not any(link in self.tree.points for link in links)
+        ]
+
     def of_frames(self) -> Iterator[str]:
         hand, R_WF, R_WH = self.hand, self.X_WF[:3, :3], self.X_WH[:3, :3]
-        if not self.other:
-            yield "fingers: must name a link besides those of sliding_finger"
-            return
-        for links, field in ((self.own, "sliding_finger"), (self.other, "fingers")):
-            if not any(link in self.tree.points for link in links):
-                yield f"{field}: no link of it has a collision shape"
-                return
         own, other = (self.ends(hand.open, links) for links in (self.own, self.other))
         yield from self._of_surface()
         across = middle(other) - middle(own)
@@ -145,32 +151,31 @@ class _Examined:
 
     def of_states(self) -> Iterator[str]:
         hand = self.hand
-        if not self.other:
-            return
         gaps = [self._gap(state) for state in (hand.open, hand.closed)]
         if gaps[1] >= gaps[0]:
             shown = " and ".join(f"{1000 * gap:.1f} mm" for gap in gaps)
             yield f"closed: the tips are not nearer than when open: {shown} apart, closed and open"
-        touching = scene.Scene(self.robot).collision(_open(self.robot, hand.open))
-        moved = {self.tree.links[i] for i in (*self.own, *self.other)}
-        if touching is not None and moved & set(touching):
-            yield f"open: {touching[0]} and {touching[1]} touch"
+        yield from _of_open(self.tree, [*self.own, *self.other], hand.open)
 
     def _gap(self, state: str) -> float:
         own, other = (self.ends(state, links) for links in (self.own, self.other))
         return float(np.linalg.norm(middle(other) - middle(own)))
 
 
-def _open(robot: Robot, state: str) -> Matrix:
-    """[dof] configuration with the hand open and the arm at home, as at the start of a task."""
-    if "home" not in robot.state_names:
-        return np.asarray(robot.state(state))
-    return np.asarray(robot.state(state, robot.state("home")))
+def _of_open(tree: Tree, links: list[int], state: str) -> Iterator[str]:
+    """Names links of the open hand that touch each other, wherever the arm is."""
+    lines = [tree.line(tree.body(link)) for link in links]
+    palm = next(link for link in lines[0] if all(link in line for line in lines))
+    hand = {tree.links[link] for link in tree.links_below(tree.body(palm))}
+    robot = tree.robot
+    for a, b in sorted(touching(scene.Scene(robot), hand, np.asarray(robot.state(state)))):
+        yield f"open: {a} and {b} touch"
 
 
-def _of_home(robot: Robot) -> Iterator[str]:
+def _of_home(robot: Robot, state: str) -> Iterator[str]:
+    """Names links that touch at home with the hand open, as at the start of a task."""
     if "home" not in robot.state_names:
         return
-    touching = scene.Scene(robot).collision(np.asarray(robot.state("home")))
-    if touching is not None:
-        yield f"home: {touching[0]} and {touching[1]} touch"
+    pair = scene.Scene(robot).collision(np.asarray(robot.state("home", robot.state(state))))
+    if pair is not None:
+        yield f"home: {pair[0]} and {pair[1]} touch"

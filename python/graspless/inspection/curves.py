@@ -76,18 +76,29 @@ def _jaw_curve(tree: Tree, palm: str, finger: Finger, jaws: Jaws, tip: Tip) -> l
         other = next(f for f in jaws.fingers if not f.is_fixed)
         height = float(X_WL[other.bodies[0]][:3, 3] @ out)
         near = tip.middle_W + out * (height - tip.middle_W @ out)
-        return [_node(tree, X_WL, first, near), end]
+        return [_node(tree, X_WL, tip.link, near), end]
     heights = cloud @ out
     rear = cloud[heights < heights.min() + INSIDE]
     corner = (rear.min(axis=0) + rear.max(axis=0)) / 2 + INSIDE * out
     # In the palm where the closed finger begins: no joint moves this corner.
     X_WC = np.asarray(tree.robot.pose(first, jaws.closed))
     below = X_WC @ np.linalg.inv(X_WL[first]) @ [*(corner - 2 * INSIDE * out), 1.0]
+    carrier = tree.links.index(palm)
     return [
-        _node(tree, X_WL, tree.links.index(palm), below[:3]),
+        _node(tree, X_WL, carrier, _inside(tree, X_WL, carrier, below[:3])),
         _node(tree, X_WL, first, corner),
         end,
     ]
+
+
+def _inside(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> Matrix:
+    """Returns the point next to p in the box around a link, INSIDE its sides."""
+    if link not in tree.points:
+        return p_W
+    R, origin = X_WL[link][:3, :3], X_WL[link][:3, 3]
+    low, high = tree.points[link].min(axis=0), tree.points[link].max(axis=0)
+    inset = np.minimum(INSIDE, (high - low) / 2)
+    return np.asarray(R @ np.clip(R.T @ (p_W - origin), low + inset, high - inset) + origin)
 
 
 def _node(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import scene
+from .pairs import touching
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -233,19 +234,11 @@ def _until_free(tree: Tree, palm: Palm, opened: Matrix, closed: Matrix) -> None:
     made = scene.Scene(tree.robot)
     hand = {tree.links[link] for link in tree.links_below(palm.body)}
     step = (closed - opened) / 20
-    always = _touching(made, hand, (opened + closed) / 2)
+    always = touching(made, hand, (opened + closed) / 2)
     for _ in range(8):
-        if _touching(made, hand, opened) <= always:
+        if touching(made, hand, opened) <= always:
             return
         opened += step
-
-
-def _touching(made: scene.Scene, hand: set[str], q: Matrix) -> set[tuple[int, int]]:
-    made.is_free(q)
-    names = [made.world.name(body) for body in range(made.world.num_bodies)]
-    return {
-        pair for pair in made.world.all_collisions() if {names[pair[0]], names[pair[1]]} <= hand
-    }
 
 
 def _sideways(fingers: Fingers, thumb: int) -> Matrix:

@@ -135,7 +135,7 @@ class Measure:
         farthest, best = -1.0, np.zeros(3)
         for t in np.linspace(0, 1, 9):
             X_WL = self.poses(self.lower + t * (self.upper - self.lower))
-            origin = X_WL[self.palm.body][:3, 3]
+            origin = X_WL[self.palm.link(self.tree)][:3, 3]
             clouds = [self.tree.cloud(f.links(self.tree), X_WL) - origin for f in self.fingers]
             far = [np.linalg.norm(cloud, axis=1) for cloud in clouds]
             reach = sum(float(distances.max()) for distances in far)

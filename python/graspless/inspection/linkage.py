@@ -29,7 +29,7 @@ def without_linkage(tree: Tree, palm: Palm) -> Palm:
         return palm
     X_WL = tree.poses(tree.robot.clamp(np.zeros(tree.robot.dof)))
     clouds = [tree.cloud(finger.links(tree), X_WL) for finger in palm.fingers]
-    base = X_WL[palm.body][:3, 3]
+    base = X_WL[palm.link(tree)][:3, 3]
     axes = np.vstack([X_WL[link][:3, :3].T for link in tree.members[palm.body]])
     out = snapped(np.mean([cloud.mean(axis=0) for cloud in clouds], axis=0) - base, axes)
     heights = [float(((cloud - base) @ out).max()) for cloud in clouds]

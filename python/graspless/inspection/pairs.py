@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from .. import scene
 
 if TYPE_CHECKING:
+    from ..frames import Matrix
     from .arm import Arm
     from .palm import Palm
     from .tree import Tree
@@ -43,6 +44,14 @@ def moved_links(tree: Tree, palm: Palm, arm: Arm) -> list[int]:
     at = path.index(arm.base) + 1
     first = path[at:] or list(tree.children[palm.body])
     return [link for body in first[: 1 if path[at:] else None] for link in tree.links_below(body)]
+
+
+def touching(made: scene.Scene, links: set[str], q: Matrix) -> set[Pair]:
+    """Returns the pairs of these links that touch at q."""
+    made.is_free(q)
+    names = [made.world.name(body) for body in range(made.world.num_bodies)]
+    pairs = {(names[a], names[b]) for a, b in made.world.all_collisions()}
+    return {pair for pair in pairs if links.issuperset(pair)}
 
 
 def _finger_of(tree: Tree, palm: Palm) -> dict[int, int]:

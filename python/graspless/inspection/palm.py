@@ -46,6 +46,12 @@ class Palm:
     reason: str
     is_sure: bool = True
 
+    def link(self, tree: Tree) -> int:
+        """Link that all moving fingers are attached to, directly or through fixed joints."""
+        moving = (finger for finger in self.fingers if not finger.is_fixed)
+        lines = [tree.line(tree.parents[finger.bodies[0]]) for finger in moving]
+        return next(link for link in lines[0] if all(link in line for line in lines))
+
 
 def find_palm(tree: Tree, link: str | None = None) -> Palm:
     """Returns the palm: the last fork of the tree, or the fixed jaw at the end of a chain.
@@ -85,7 +91,9 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
 
 
 def _require_fingers(tree: Tree, palm: Palm) -> None:
-    """Raises ValueError if an arm or a leg is taken for a finger."""
+    """Raises ValueError if an arm or a leg is taken for a finger of a body not called a hand."""
+    if HAND.search(" ".join(tree.links[link] for link in tree.members[palm.body])):
+        return
     for finger in palm.fingers:
         count = len(tree.drivers([body for body in finger.bodies if body != palm.body]))
         if count > MANY:

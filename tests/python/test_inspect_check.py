@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Faults of descriptions: none in what inspect proposes, and those that hide behind others."""
+
+import pytest
+
+import inspect_common as small
+from graspless import robot, scene
+from graspless.inspection.check import clasp_faults, faults
+from graspless.tasks.clasp.hand import Hand as ClaspHand
+from graspless.tasks.clasp.hand import build_hand as build_clasp_hand
+from graspless.tasks.slide.build import build_hand
+from graspless.tasks.slide.model import Hand
+from graspless.tasks.source import Source
+
+# Two knobs that touch only where the last three joints of the arm are near 0.
+KNOB = '<collision><origin xyz="{}"/><geometry><box size="{}"/></geometry></collision></link>'
+
+
+def with_knobs(urdf):
+    for name, xyz, size in (
+        ("link_2", "0.045 0 0.42", "0.02 0.02 0.3"),
+        ("wrist", "0.045 0 0.02", "0.04 0.02 0.02"),
+    ):
+        before, start, after = urdf.partition(f'<link name="{name}">')
+        inner, _, rest = after.partition("</link>")
+        urdf = before + start + inner + KNOB.format(xyz, size) + rest
+    return urdf
+
+
+def found_in(made, fields):
+    hand = build_hand(Hand(**fields), made, Source("test", {}))
+    return faults(made, hand)
+
+
+def found_in_clasp(made, fields):
+    hand = build_clasp_hand(ClaspHand(**fields), made, Source("test", {}), ())
+    return clasp_faults(made, hand)
+
+
+def first_pair(made):
+    return scene.Scene(made).collision(made.state("open"))
+
+
+@pytest.fixture(scope="module")
+def knobs():
+    return robot.inspect(robot.Robot.from_urdf(with_knobs(small.gripper())))
+
+
+def test_an_arm_may_touch_itself_at_zero(knobs):
+    made = knobs.robot
+    assert set(first_pair(made)) == {"link_2", "wrist"}
+    assert found_in(made, knobs.hand) == []
+    assert found_in_clasp(made, knobs.clasp) == []
+
+
+def test_touching_fingers_are_found_behind_a_touching_arm(knobs):
+    made = robot.Robot.from_urdf(
+        knobs.urdf.replace('lower="0"', 'lower="-0.004"'),
+        srdf=knobs.srdf.replace(
+            '<joint name="slide_left" value="0.03"/>', '<joint name="slide_left" value="-0.004"/>'
+        ),
+    )
+    assert set(first_pair(made)) == {"link_2", "wrist"}
+    assert "open: left and right touch" in found_in(made, knobs.hand)
+    assert "open: left and right touch" in found_in_clasp(made, knobs.clasp)
+
+
+def test_a_finger_without_shapes_is_named():
+    found = robot.inspect(robot.Robot.from_urdf(small.gripper()))
+    bare = found.urdf.replace(
+        small.box("left", "0 0.005 0.04", "0.02 0.01 0.08"), small.link("left")
+    )
+    assert bare != found.urdf
+    made = robot.Robot.from_urdf(bare, srdf=found.srdf)
+    assert found_in(made, found.hand) == ["sliding_finger: no link of it has a collision shape"]
