@@ -11,12 +11,14 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "graspless/geometry/shape.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/read_off.hpp"
 #include "geometry/read_ply.hpp"
 
 namespace graspless::geometry {
@@ -80,19 +82,6 @@ struct Bounded : std::vector<T> {
   }
 };
 
-/// Refuses binary .off files.
-void require_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line.substr(0, line.find('#')));
-    for (std::string word; words >> word;) {
-      if (word.find("BINARY") != std::string::npos)
-        refuse_file(path, "is a binary .off file; save it as text");
-      if (word.find("OFF") == std::string::npos) return;
-    }
-  }
-}
-
 /// Reads a line; a backslash at its end continues it.
 bool read_line(std::istream& file, std::string& line) {
   if (!std::getline(file, line)) return false;
@@ -127,7 +116,7 @@ PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) 
   std::stringstream surface;
   if (extension == ".obj") surface = surface_of(path);
   const bool is_read = extension == ".obj" ? CGAL::IO::read_OBJ(surface, points, polygons)
-                                           : CGAL::IO::read_polygon_soup(path, points, polygons);
+                                           : CGAL::IO::read_STL(path, points, polygons);
   if (!is_read) {
     throw std::invalid_argument("it is damaged, or its format does not match its extension");
   }
@@ -138,11 +127,11 @@ PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) 
 }
 
 PolygonSoup read_soup(const std::string& path, const std::string& extension) {
-  if (extension == ".off") require_text(path);
   try {
-    if (extension != ".ply") return read_by_cgal(path, extension);
+    if (extension == ".stl" || extension == ".obj") return read_by_cgal(path, extension);
     std::ifstream file(path, std::ios::binary);
-    return read_ply({std::istreambuf_iterator<char>(file), {}});
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    return extension == ".off" ? read_off(text) : read_ply(text);
   } catch (const std::exception& error) {
     refuse_file(path, std::string("cannot be read: ") + error.what());
   }

@@ -17,6 +17,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/words.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -254,21 +256,13 @@ class PlyBodyReader {
     return type.bytes == 2 ? as<std::int16_t>(raw) : as<std::int32_t>(raw);
   }
 
-  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
   double written(const PlyType& type) {
-    const char* const end = text_.data() + text_.size();
-    const char* from = std::find_if_not(text_.data() + at_, end, is_space);
-    const char* const to = std::find_if(from, end, is_space);
-    at_ = static_cast<std::size_t>(to - text_.data());
-    if (from == to) refuse(item() + ": the file ends");
-    const std::string word(from, std::min<std::ptrdiff_t>(to - from, 40));
-    if (*from == '+') ++from;
-    double number = 0;
-    const auto [stop, error] = std::from_chars(from, to, number);
-    if (error != std::errc() || stop != to) refuse(item() + ": '" + word + "' is not a number");
+    const std::string_view word = next_word(text_, at_);
+    if (word.empty()) refuse(item() + ": the file ends");
+    const auto number = to_number(word);
+    if (!number) refuse(item() + ": '" + shortened(word) + "' is not a number");
     const bool is_float = type.kind == PlyKind::real && type.bytes == 4;
-    return is_float ? static_cast<float>(number) : number;
+    return is_float ? static_cast<float>(*number) : *number;
   }
 
   std::vector<std::size_t> indices(const std::vector<double>& numbers) const {

@@ -273,15 +273,6 @@ TEST_F(ReadMesh, RefusesDamagedFiles) {
   }
 }
 
-TEST_F(ReadMesh, RefusesCountsAboveTheSizeOfTheFile) {
-  const std::string corners = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n400000000 0 1 2\n";
-  const std::string named = "nOFF\n3\n3 1000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  EXPECT_NE(error_of_file(write("corners.off", corners)).find("states 400000000 elements"),
-            std::string::npos);
-  EXPECT_NE(error_of_file(write("named.off", named)).find("states 1000000000 elements"),
-            std::string::npos);
-}
-
 TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {
   Mesh mesh = tetrahedron();
   mesh.vertices(1, 2) = kInf;
