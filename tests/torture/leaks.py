@@ -6,6 +6,7 @@
 
 Every query reads its task anew, plans with another seed, checks the plan and writes it as JSON. The
 first tenth of the queries fills caches and the heap; over the rest, memory may grow by 1 MiB.
+Clasps have fewer points and moves than the example, which makes them six times faster.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from pathlib import Path
 
 import graspless
 from graspless import _data
+from graspless.tasks.source import read_yaml
 
 EXAMPLES = {
     "slide": "01_slide_card.yaml",
@@ -28,6 +30,8 @@ EXAMPLES = {
     "chain": "19_slide_then_lift.yaml",
 }
 ALLOWED = 1.0  # [MiB]
+POINTS = 300  # of the purse
+STABILITY = {"sequences": 1, "moves": 20}
 
 
 def resident() -> float:
@@ -40,7 +44,11 @@ def resident() -> float:
 
 def query(path: Path, seed: int) -> None:
     """Reads a task, plans, checks and writes the plan."""
-    plan = graspless.plan(path, budget=graspless.planning.Budget(seconds=60, seed=seed))
+    task = read_yaml(path).data | {"budget": {"seconds": 60, "seed": seed}}
+    if task["kind"] == "clasp":
+        task["object"]["points"] = POINTS
+        task["options"] = {"stability": STABILITY}
+    plan = graspless.plan(task)
     graspless.check(plan)
     plan.to_json()
 
