@@ -157,20 +157,22 @@ void bind_description(py::module_& m) {
   m.def(
       "join",
       [](const Description& arm, const Description& gripper, const std::string& mount,
-         const Array& X_MG, const std::string& prefix) {
-        const robot::Mount place{mount, to_pose(X_MG, "X_MG"), prefix};
+         const Array& X_MG, const std::string& prefix, const std::string& root) {
+        const robot::Mount place{mount, to_pose(X_MG, "X_MG"), prefix, root};
         const py::gil_scoped_release release;
         return robot::join(arm, gripper, place);
       },
       py::arg("arm"), py::arg("gripper"), py::arg("mount"), pose_arg("X_MG"),
-      py::arg("prefix") = "",
+      py::arg("prefix") = "", py::arg("root") = "",
       "Returns the description of an arm with a gripper. A fixed joint carries the root link of "
       "the gripper.\n\n"
       "arm, gripper: descriptions. mount: link M of the arm. X_MG: (4, 4) pose of the gripper's "
       "root link in M.\n"
       "prefix: put before all names of the gripper; empty: ``gripper_``, before names that the arm "
       "has too. Paths of meshes\n"
-      "become absolute. States of the same name are merged.\n\n"
+      "become absolute. States of the same name are merged.\n"
+      "root: link of the gripper to mount, with all that it carries and without its SRDF; empty: "
+      "all links.\n\n"
       "Raises ValueError that names the faulty description, the unknown link, or names that "
       "clash.");
 }

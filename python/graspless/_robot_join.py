@@ -34,6 +34,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--mount", metavar="LINK", required=True, help="link of the arm that carries the gripper"
     )
+    parser.add_argument(
+        "--root",
+        metavar="LINK",
+        default="",
+        help="link of GRIPPER to mount, with all that it carries; default: all of GRIPPER",
+    )
     for name, about in (("xyz", "position [m]"), ("rpy", "roll, pitch and yaw [rad]")):
         parser.add_argument(
             f"--{name}",
@@ -100,6 +106,7 @@ def _fields(options: argparse.Namespace) -> dict[str, Any]:
         "mount": options.mount,
         "pose": {"position": options.xyz, "rpy": options.rpy},
         "prefix": options.prefix,
+        "root": options.root,
         "packages": packages,
     }
     return {

@@ -197,6 +197,34 @@ void append_mount(const Mount& mount, const std::string& root, TiXmlElement& rob
   robot.InsertEndChild(joint);
 }
 
+/// Reduces the gripper to a link and all that it carries.
+void keep_below(const std::string& root, Side& gripper) {
+  TiXmlElement& robot = gripper.robot();
+  const Names links = names_of(robot, "link");
+  if (links.count(root) == 0) throw_unknown(root, {links.begin(), links.end()}, "root");
+  Names kept{root};
+  for (const std::string& name : gripper.tree.joints) {  // depth first: parents come before
+    for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+      if (attribute_or_empty(*e, "name") != name) continue;
+      const std::string parent = attribute_or_empty(*e->FirstChildElement("parent"), "link");
+      if (kept.count(parent) > 0)
+        kept.insert(attribute_or_empty(*e->FirstChildElement("child"), "link"));
+    }
+  }
+  const auto is_kept = [&](const TiXmlElement& e) {
+    if (e.ValueStr() == "link") return kept.count(attribute_or_empty(e, "name")) > 0;
+    if (e.ValueStr() != "joint") return e.ValueStr() == "material";
+    return kept.count(attribute_or_empty(*e.FirstChildElement("parent"), "link")) > 0;
+  };
+  for (TiXmlElement* e = robot.FirstChildElement(); e;) {
+    TiXmlElement* next = e->NextSiblingElement();
+    if (!is_kept(*e)) robot.RemoveChild(e);
+    e = next;
+  }
+  gripper.tree.root = root;
+  gripper.srdf.Clear();
+}
+
 void check_mount(const Mount& mount, TiXmlElement& arm) {
   if (!mount.X_MG.matrix().allFinite()) throw std::invalid_argument("pose must be finite");
   const Names links = names_of(arm, "link");
@@ -211,6 +239,7 @@ Description join(const Description& arm, const Description& gripper, const Mount
   read_side(arm, "arm", a);
   read_side(gripper, "gripper", g);
   check_mount(mount, a.robot());
+  if (!mount.root.empty()) keep_below(mount.root, g);
   const auto renamed = [&](const char* kind) {
     return rename(a.robot(), g.robot(), kind, mount.prefix);
   };
@@ -232,7 +261,7 @@ Description join(const Description& arm, const Description& gripper, const Mount
   append_children(g.semantics(), semantics);
 
   Description joined{printed(robot), "", arm.packages, ""};
-  if (!arm.srdf.empty() || !gripper.srdf.empty()) joined.srdf = printed(semantics);
+  if (!arm.srdf.empty() || g.srdf.FirstChildElement("robot")) joined.srdf = printed(semantics);
   joined.packages.insert(gripper.packages.begin(), gripper.packages.end());
   return joined;
 }

@@ -275,13 +275,14 @@ def find_packages(description: Description) -> dict[str, str]:
     
     Raises ValueError that says where a collision mesh's package was looked for.
     """
-def join(arm: Description, gripper: Description, mount: str, X_MG: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., prefix: str = '') -> Description:
+def join(arm: Description, gripper: Description, mount: str, X_MG: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., prefix: str = '', root: str = '') -> Description:
     """
     Returns the description of an arm with a gripper. A fixed joint carries the root link of the gripper.
     
     arm, gripper: descriptions. mount: link M of the arm. X_MG: (4, 4) pose of the gripper's root link in M.
     prefix: put before all names of the gripper; empty: ``gripper_``, before names that the arm has too. Paths of meshes
     become absolute. States of the same name are merged.
+    root: link of the gripper to mount, with all that it carries and without its SRDF; empty: all links.
     
     Raises ValueError that names the faulty description, the unknown link, or names that clash.
     """

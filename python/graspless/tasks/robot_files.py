@@ -58,7 +58,9 @@ def _with_gripper(
     description, path = _read(gripper, field, ("robot", "gripper", field), source, directory)
     with at(source, "robot", "gripper"):
         X_MG = pose_matrix(gripper.pose)
-        joined = robots.join(arm, description, gripper.mount, X_MG=X_MG, prefix=gripper.prefix)
+        joined = robots.join(
+            arm, description, gripper.mount, X_MG=X_MG, prefix=gripper.prefix, root=gripper.root
+        )
     return joined, path
 
 

@@ -44,6 +44,10 @@ class Gripper(Fields):
     pose: Pose = Field(
         default=Pose.model_construct(), description="pose of the gripper's root link in the mount"
     )
+    root: str = Field(
+        default="",
+        description="link of the gripper's file to mount, with all that it carries; default: all",
+    )
     prefix: str = Field(
         default="",
         description="prefix of all names of the gripper; default: gripper_, only for names that "

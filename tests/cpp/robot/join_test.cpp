@@ -112,6 +112,23 @@ TEST(Join, TakesTheSameGripperTwice) {
   EXPECT_EQ(robot.parent(robot.frame("right_world")), robot.frame("tool0"));
 }
 
+TEST(Join, TakesAPartOfTheGripper) {
+  Mount mount = tool();
+  mount.root = "palm";
+  const Description joined = join(arm(), gripper(), mount);
+  const Robot robot = read(joined);
+  EXPECT_EQ(robot.frame_names(),
+            (std::vector<std::string>{"world", "base", "tool0", "palm", "left", "right"}));
+  EXPECT_EQ(robot.parent(robot.frame("palm")), robot.frame("tool0"));
+  EXPECT_EQ(robot.group_names(), std::vector<std::string>{"arm"});  // of the arm's SRDF alone
+  const Eigen::Vector2d q(0.3, 0.02);
+  EXPECT_LT(distance(robot.pose(robot.frame("palm"), q),
+                     robot.pose(robot.frame("tool0"), q) * mount.X_MG),
+            1e-12);
+  mount.root = "hand";
+  EXPECT_CONTAINS(complaint([&] { join(arm(), gripper(), mount); }), "unknown root 'hand'");
+}
+
 TEST(Join, RefusesWhatDoesNotFit) {
   const auto refused = [](const Description& a, const Description& b, const Mount& mount) {
     return complaint([&] { join(a, b, mount); });

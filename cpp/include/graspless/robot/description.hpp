@@ -24,6 +24,7 @@ struct Mount {
   std::string link;                                        ///< link M of the arm
   Eigen::Isometry3d X_MG = Eigen::Isometry3d::Identity();  ///< pose of the gripper's root link
   std::string prefix;  ///< of all names of the gripper; empty: "gripper_", of names that clash
+  std::string root;    ///< link of the gripper to mount, with all that it carries; empty: all links
 };
 
 /// Finds the folders of the packages that the meshes of a URDF name as package://NAME/.... Returns
@@ -39,8 +40,9 @@ GRASPLESS_API std::string mesh_path(const std::string& name, const Description& 
 
 /// Joins two robots: a fixed joint carries the root link of the gripper. Paths of meshes become
 /// absolute. Groups of the gripper's SRDF are renamed as links are; states of the same name are
-/// merged when the result is read. Throws std::invalid_argument that names the faulty description,
-/// the unknown link, or names that clash in spite of the prefix.
+/// merged when the result is read. With `mount.root`, the gripper's SRDF is left out. Throws
+/// std::invalid_argument that names the faulty description, the unknown link, or names that clash
+/// in spite of the prefix.
 GRASPLESS_API Description join(const Description& arm, const Description& gripper,
                                const Mount& mount);
 
