@@ -63,6 +63,15 @@ void require(bool holds, const std::string& field, const std::string& frame,
                               " (judged by the collision shapes of the open hand)");
 }
 
+/// Links of hand.fingers that are not of the finger that slides.
+std::vector<std::string> other_links(const Hand& hand) {
+  std::vector<std::string> others;
+  for (const std::string& link : hand.fingers) {
+    if (!contains(hand.sliding_finger, link)) others.push_back(link);
+  }
+  return others;
+}
+
 /// True if finger or wrist give way by the whole depth.
 bool yields(const Hand& hand) {
   return hand.finger_model == FingerModel::flexure || hand.finger_model == FingerModel::impedance;
@@ -84,7 +93,39 @@ double finger_below(const Problem& problem, double pitch) {
   return below;
 }
 
+/// Interval that the shapes of links take along a direction of W at q [m].
+std::pair<double, double> interval(const Problem& problem, const Eigen::VectorXd& q,
+                                   const std::vector<std::string>& links,
+                                   const Vector3d& direction) {
+  robot::Poses X_WL;
+  problem.robot.forward(q, X_WL);
+  std::pair<double, double> found{std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity()};
+  for (const robot::LinkShape& shape : problem.robot.shapes()) {
+    const auto link = static_cast<std::size_t>(shape.link);
+    if (!contains(links, problem.robot.frame_names()[link])) continue;
+    found.first = std::min(found.first, -extent(shape, X_WL[link], -direction));
+    found.second = std::max(found.second, extent(shape, X_WL[link], direction));
+  }
+  return found;
+}
+
 }  // namespace
+
+void check_closing(const Problem& problem) {
+  const Hand& hand = problem.hand;
+  const Eigen::VectorXd& q = problem.robot.state(hand.closed);
+  const Vector3d across =
+      problem.robot.pose(problem.robot.frame(hand.grasp_frame), q).linear().col(1);
+  const auto own = interval(problem, q, hand.sliding_finger, across);
+  const auto other = interval(problem, q, other_links(hand), across);
+  const double apart = std::max(other.first - own.second, own.first - other.second);
+  if (!(apart > problem.object.thickness())) return;
+  throw std::invalid_argument("hand.closed '" + hand.closed + "': the fingers stay " +
+                              std::to_string(apart) + " m apart, but the object '" +
+                              problem.object.name() + "' is only " +
+                              std::to_string(problem.object.thickness()) + " m thick");
+}
 
 double finger_sink(const Problem& problem, double depth, double pitch) {
   const Hand& hand = problem.hand;
@@ -122,10 +163,7 @@ void check_finger_fits(const Problem& problem, const Options& options) {
 
 void check_hand_frames(const Problem& problem) {
   const Hand& hand = problem.hand;
-  std::vector<std::string> others;
-  for (const std::string& link : hand.fingers) {
-    if (!contains(hand.sliding_finger, link)) others.push_back(link);
-  }
+  const std::vector<std::string> others = other_links(hand);
   if (others.empty()) {
     throw std::invalid_argument(
         "hand.fingers must name at least one finger besides hand.sliding_finger");

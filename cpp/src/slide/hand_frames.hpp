@@ -11,6 +11,10 @@ namespace graspless::slide {
 /// docs/notation.md requires.
 void check_hand_frames(const Problem& problem);
 
+/// Throws std::invalid_argument with both lengths if the closed fingers stay farther apart than the
+/// object is thick.
+void check_closing(const Problem& problem);
+
 /// Depth of the sliding finger's shapes below the object's top face once it has yielded to a
 /// contact that its tip was commanded `depth` below [m]. Negative if they do not reach the contact.
 double finger_sink(const Problem& problem, double depth, double pitch);

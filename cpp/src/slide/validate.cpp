@@ -14,7 +14,7 @@
 namespace graspless::slide {
 namespace {
 
-constexpr double kMaxDepth = 0.1;  // range of options.max_depth [m]
+constexpr std::size_t kLeastJoints = 6;  // of an arm that reaches any pose in some region
 
 void require(bool holds, const std::string& field, double value, const std::string& must) {
   if (!holds) throw std::invalid_argument(field + " " + must + ", not " + std::to_string(value));
@@ -47,6 +47,11 @@ void check_links(const robot::Robot& robot, const std::string& field,
 void check_hand(const Hand& hand, const robot::Robot& robot) {
   if (robot.group(hand.arm).empty()) {
     throw std::invalid_argument("hand.arm '" + hand.arm + "' is a group without joints");
+  }
+  if (const std::size_t count = robot.group(hand.arm).size(); count < kLeastJoints) {
+    throw std::invalid_argument(
+        "hand.arm '" + hand.arm + "' has " + std::to_string(count) +
+        " joints; a slide needs 6 or more, as the hand grasps level and square to an edge");
   }
   robot.state(hand.open);
   robot.state(hand.closed);
@@ -124,6 +129,7 @@ void check_depths(const Hand& hand, const Options& options) {
 void validate(const Problem& problem) {
   check_hand(problem.hand, problem.robot);
   check_hand_frames(problem);
+  check_closing(problem);
   robot::require_configuration(problem.robot, problem.q_home, "q_home");
   geometry::require_pose(problem.X_WO_start, "X_WO_start");
   check_object_pose(problem);

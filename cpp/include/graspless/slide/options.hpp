@@ -21,6 +21,8 @@ constexpr auto choices(Search) {
              "Algorithm 1 with goals sampled to fit a start and connected to it directly first."}};
 }
 
+constexpr double kMaxDepth = 0.1;  ///< upper end of the range of depths [m]
+
 /// Options of the search; fields() describes them. Defaults are the paper's where it gives one.
 struct Options {
   Search search = Search::fast;
@@ -54,11 +56,11 @@ constexpr auto fields(const Options&) {
       Field{"min_depth", &Options::min_depth, "m",
             "Least depth of the commanded fingertip below the object's top face. By default that "
             "of hand.finger_model.",
-            Range::right_open(0, 0.1), "Delta_Z^-"},
+            Range::right_open(0, kMaxDepth), "Delta_Z^-"},
       Field{"max_depth", &Options::max_depth, "m",
             "Largest depth of the commanded fingertip below the object's top face. At least "
             "min_depth. By default that of hand.finger_model.",
-            Range::right_open(0, 0.1), "Delta_Z^+"},
+            Range::right_open(0, kMaxDepth), "Delta_Z^+"},
       Field{"root_scale", &Options::root_scale, "",
             "Scale of the number of roots: larger values add roots more often.", Range::positive(),
             "N*, Eq. (5)"},
