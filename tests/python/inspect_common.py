@@ -142,6 +142,30 @@ def one_jaw():
     )
 
 
+def spinning_horn():
+    """A motor's horn on the palm between two fingers: it turns about its own middle."""
+    return (
+        prismatic()
+        + box("horn", "0 0 0", "0.02 0.02 0.004")
+        + joint("motor", "continuous", "palm", "horn", "0.03 0 0.02", "0 0 1")
+    )
+
+
+def legs():
+    """Four legs on a trunk that also carries the arm."""
+    made = box("trunk", "0 0 0", "0.5 0.3 0.1") + joint(
+        "stand", "fixed", "trunk", "base", "0 0 0.05"
+    )
+    for x in (-0.2, 0.2):
+        for y in (-0.2, 0.2):
+            name = f"leg_{x}_{y}"
+            made += box(name, "0 0 -0.2", "0.05 0.05 0.4")
+            made += joint(
+                f"{name}_joint", "revolute", "trunk", name, f"{x} {y} 0", "0 1 0", (-1, 1)
+            )
+    return made
+
+
 def three_fingers():
     """Two fingers side by side, a third one opposite; each has two joints that bend inwards."""
     made = palm().replace("0.04 0.1 0.04", "0.09 0.1 0.04")

@@ -74,8 +74,11 @@ def test_fingertip_is_on_the_surface_and_its_axes_are_right(found):
         made, [link for link in hand["fingers"] if link not in hand["sliding_finger"]], q
     )
     seen = (own - X_WF[:3, 3]) @ X_WF[:3, :3]
-    assert seen[:, 2].max() == pytest.approx(0, abs=1e-6)  # at the end of the finger
+    assert -1e-6 < seen[:, 2].max() < 0.0025  # at the end of the finger
     assert seen[seen[:, 2] > -1e-3, 1].min() == pytest.approx(0, abs=1e-6)  # at its outer edge
+    pitch = hand.get("pitch", np.pi / 4)
+    down = np.array([0, -np.cos(pitch), np.sin(pitch)])
+    assert -1e-6 < (seen @ down).max() < 0.003  # where it touches a surface first
     assert (other.mean(axis=0) - X_WF[:3, 3]) @ X_WF[:3, 1] > 0  # Y towards the other finger
     np.testing.assert_allclose(X_WF[:3, :3].T @ X_WF[:3, :3], np.eye(3), atol=1e-9)
 
@@ -250,6 +253,70 @@ def test_two_hands_are_asked_about():
     assert all(found.robot.joint_names[i].startswith("b_") for i in found.robot.group("arm"))
     with pytest.raises(ValueError, match="palm: c_palm: no such link"):
         robot.inspect(read(urdf), palm="c_palm")
+
+
+def test_a_horn_that_spins_is_no_finger():
+    found = robot.inspect(read(small.gripper(hand=small.spinning_horn())))
+    assert found.hand["fingers"] == ["left", "right"]
+    assert found.robot.group("hand") == [found.robot.joint("slide_left")]
+
+
+def test_legs_are_no_fingers():
+    urdf = small.robot("dog", small.legs(), small.base(), small.arm(), small.one_jaw())
+    found = robot.inspect(read(urdf))
+    assert found.hand["fingers"] == ["fixed_jaw", "moving_jaw"]
+    assert len(found.robot.group("arm")) == 6
+
+
+def test_a_hand_with_visual_shapes_only_is_named():
+    hand = small.one_jaw().replace("collision>", "visual>")
+    with pytest.raises(ValueError, match="fixed_jaw and moving_jaw can be seen, but have no coll"):
+        robot.inspect(read(small.gripper(hand=hand)))
+
+
+def test_grasp_is_where_tips_on_arcs_meet():
+    """Fingers of 90 mm open by 0.2 rad; they reach farther when they are parallel."""
+    found = robot.inspect(read(small.gripper(hand=small.revolute())))
+    made = found.robot
+    depth = {
+        state: (np.linalg.inv(made.pose("palm", q)) @ made.pose("grasp", q))[2, 3]
+        for state in ("open", "closed")
+        if len(q := made.state(state))
+    }
+    assert depth["open"] == pytest.approx(depth["closed"])  # H is fixed in the palm
+    assert depth["open"] >= 0.04 + 0.09 - 1e-3
+    assert depth["open"] <= 0.04 + 0.0975  # with the corner of a finger
+
+
+def test_grasp_is_beside_a_jaw_that_does_not_move():
+    found = robot.inspect(read(small.gripper(hand=small.one_jaw())))
+    made, q = found.robot, found.robot.state("open")
+    X_JH = np.linalg.inv(made.pose("fixed_jaw", q)) @ made.pose("grasp", q)
+    assert abs(X_JH[1, 3]) == pytest.approx(0.006, abs=1e-6)  # the jaw's inner face is at y = 0
+
+
+def test_finger_with_a_knuckle_is_pitched_until_its_end_touches_first():
+    """A knuckle 20 mm behind the end, 40 mm outside of it: at 45 degrees it is lower."""
+    knuckle = small.box("knuckle", "0 0 0", "0.01 0.03 0.004")
+    knuckle += small.joint("bump", "fixed", "left", "knuckle", "0 0.035 0.058")
+    found = robot.inspect(read(small.gripper(hand=small.prismatic() + knuckle)))
+    made, q = found.robot, found.robot.state("open")
+    X_WF = np.asarray(made.pose(found.hand["fingertip"], q))
+    seen = (corners(made, found.hand["sliding_finger"], q) - X_WF[:3, 3]) @ X_WF[:3, :3]
+    for pitch in (found.hand["pitch"] - 0.1, found.hand["pitch"] + 0.1):
+        down = np.array([0, -np.cos(pitch), np.sin(pitch)])
+        assert (seen @ down).max() < 0.005  # the limit of slide.validate()
+
+
+def test_home_of_an_arm_on_a_torso_is_below_it():
+    """With elbow and shoulder stretched forwards, the hand points down below the base only."""
+    urdf = small.gripper().replace(
+        '<origin xyz="0 0 0.1"/>', '<origin xyz="0 0 0.1" rpy="3.14159265 0 0"/>'
+    )
+    found = robot.inspect(read(urdf))
+    q = found.robot.state("home")
+    assert found.robot.pose("grasp", q)[2, 2] == pytest.approx(-1, abs=1e-6)
+    assert "state home" not in [finding.field for finding in found.unsure]
 
 
 @pytest.mark.parametrize(

@@ -26,8 +26,10 @@ MANY = 8  # joints of an arm that is taken for granted
 SAMPLES = 1500  # configurations from which the home is chosen
 OFTEN, OFTEN_SAMPLES = 0.5, 60  # pairs that touch in this share of so many samples
 MARGIN = 0.1  # of a joint's range, to be kept from its limits
-DISTANCES = (0.45, 0.55, 0.35, 0.65)  # of the hand from the base, over the arm's reach
-HEIGHTS = (0.4, 0.3, 0.5, 0.2)  # of the hand over the base, over the arm's reach
+# Places of the hand, over the arm's reach: distance from the base, and height over it. Arms on a
+# torso reach tables that are below their base.
+DISTANCES = (0.45, 0.55, 0.35, 0.65)
+HEIGHTS = ((0.4, 0.3, 0.5, 0.2), (0.1, 0.0, -0.2, -0.4))
 
 
 @dataclass(frozen=True)
@@ -175,12 +177,12 @@ class _Search:
 
     def _places(self) -> Iterator[list[Matrix]]:
         """Yields places around the arm, those in front first: the hand straight down, two yaws."""
-        for turn, distance, height in product(
-            (0.0, np.pi / 2, -np.pi / 2, np.pi), DISTANCES, HEIGHTS
-        ):
-            away = [distance * np.cos(turn), distance * np.sin(turn), height]
-            at = frames.translation(self.base + self.reach * np.array(away))
-            yield [at @ frames.from_rpy([np.pi, 0.0, turn + yaw]) for yaw in (0.0, np.pi / 2)]
+        turns = (0.0, np.pi / 2, -np.pi / 2, np.pi)
+        for heights in HEIGHTS:
+            for turn, distance, height in product(turns, DISTANCES, heights):
+                away = [distance * np.cos(turn), distance * np.sin(turn), height]
+                at = frames.translation(self.base + self.reach * np.array(away))
+                yield [at @ frames.from_rpy([np.pi, 0.0, turn + yaw]) for yaw in (0.0, np.pi / 2)]
 
     def drawn(self) -> Matrix | None:
         """Returns the random configuration whose hand points down most."""

@@ -51,6 +51,7 @@ class _Builder:
         self.clasp: dict[str, Any] = {}
         self.drivers: tuple[str, ...] = ()
         self.open = self.closed = np.zeros(0)
+        self.gaps = (0.0, 0.0)
 
     def palm_link(self) -> str:
         return self.tree.links[self.palm.link(self.tree)]
@@ -76,11 +77,14 @@ class _Builder:
             hand=self.hand if self.arm.joints else {},
             clasp=self.clasp if self.arm.joints else {},
             hand_links=tuple(self.tree.links[i] for i in self.tree.links_below(self.palm.body)),
+            largest_gap=self.gaps[0],
+            smallest_gap=self.gaps[1],
         )
 
     def _propose_jaws(self) -> None:
         jaws = find_jaws(self.tree, self.palm, _ordered(self.tree, self.palm.fingers))
         self.drivers, self.open, self.closed = jaws.drivers, jaws.open, jaws.closed
+        self.gaps = jaws.opening, jaws.smallest
         self._describe_hand(jaws)
 
     def _propose_fist(self) -> None:
@@ -124,6 +128,10 @@ class _Builder:
 
     def _describe_hand(self, jaws: Jaws) -> None:
         tips = find_tips(self.tree, jaws)
+        pitch, room, touch = find_pitch(
+            self.tree, jaws, tips[0], self.tree.links_below(self.palm.body)
+        )
+        tips[0].X_WF[:3, 3] += tips[0].X_WF[:3, :3] @ touch
         self._place_frames(jaws, tips)
         self._describe_states(jaws)
         self.clasp = jaw_fields(self.tree, self.palm_link(), jaws, tips)
@@ -137,7 +145,7 @@ class _Builder:
             "open": "open",
             "closed": "closed",
             "finger_model": MODEL,
-            **self._pitch(jaws, tips[0]),
+            **self._pitch(pitch, room),
             "tip_radius": round(tips[0].radius, 4),
             "pad_width": round(tips[0].width, 4),
         }
@@ -148,9 +156,8 @@ class _Builder:
         self.find("tip_radius", _mm(tips[0].radius), "half the thickness of the finger's end")
         self.find("pad_width", _mm(tips[0].width), "width of the last 10 mm of the finger")
 
-    def _pitch(self, jaws: Jaws, tip: Tip) -> dict[str, float]:
+    def _pitch(self, pitch: float, room: float) -> dict[str, float]:
         """Field of the hand, unless the default pitch is right."""
-        pitch, room = find_pitch(self.tree, jaws, tip, self.tree.links_below(self.palm.body))
         if pitch == PITCHES[0]:
             return {}
         why = f"flattest pitch of the finger at which the rest of the hand is {_mm(room)} above"
@@ -164,14 +171,18 @@ class _Builder:
         self.grasp = free_name("grasp", tree.links)
         for name, parent, X_WA in (
             (fingertip, own, tip.X_WF),
-            (self.grasp, self.palm_link(), grasp_pose(jaws, tips)),
+            (self.grasp, self.palm_link(), grasp_pose(tree, jaws, tips)),
         ):
             X_WP = np.asarray(self.robot.pose(parent, jaws.open))
             self.placed[name] = (parent, np.linalg.inv(X_WP) @ X_WA)
         self.hand |= {"arm": "arm", "fingertip": fingertip, "grasp_frame": self.grasp}
         for field, name, why in (
             ("fingertip", fingertip, "outer edge of the finger's end, Z out of it, Y to the other"),
-            ("grasp_frame", self.grasp, "between the open tips, Z from the palm to them"),
+            (
+                "grasp_frame",
+                self.grasp,
+                "between the tips where they meet, Z from the palm to them",
+            ),
         ):
             parent, X_PA = self.placed[name]
             at = ", ".join(f"{1000 * value:.1f}" for value in X_PA[:3, 3])

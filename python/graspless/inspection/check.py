@@ -125,10 +125,16 @@ class _Examined:
             yield f"grasp_frame: Y of {hand.grasp_frame} does not run from finger to finger"
         if R_WH[:, 2] @ R_WF[:, 2] < ALONG:
             yield f"grasp_frame: Z of {hand.grasp_frame} and Z of {hand.fingertip} differ"
-        off = (self.X_WH[:3, 3] - (middle(own) + middle(other)) / 2) @ R_WH[:, 1]
-        if abs(off) > BESIDE:
-            what = f"{hand.grasp_frame} is {1000 * abs(off):.0f} mm beside the middle"
-            yield f"grasp_frame: {what} of the open tips"
+        off = min(self._beside(state) for state in (hand.open, hand.closed))
+        if off > BESIDE:
+            what = f"{hand.grasp_frame} is {1000 * off:.0f} mm beside the middle of the tips"
+            yield f"grasp_frame: {what}, open and closed"
+
+    def _beside(self, state: str) -> float:
+        """Distance of H from the middle between the tips in a state, along its Y [m]."""
+        own, other = (self.ends(state, links) for links in (self.own, self.other))
+        X_WH = np.asarray(self.robot.pose(self.hand.grasp_frame, self.robot.state(state)))
+        return abs(float((X_WH[:3, 3] - (middle(own) + middle(other)) / 2) @ X_WH[:3, 1]))
 
     def _of_surface(self) -> Iterator[str]:
         """Compares F with the surface of the finger that slides, along its Z and across."""

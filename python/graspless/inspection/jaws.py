@@ -154,6 +154,15 @@ class Measure:
                 found.append(float(((cloud - X_WL[finger.bodies[0]][:3, 3]) @ self.out).max()))
         return min(found)
 
+    def unevenness(self, state: Matrix) -> float:
+        """Returns how much farther one of two moving fingers reaches than the other [m]."""
+        if any(finger.is_fixed for finger in self.fingers):
+            return 0.0
+        X_WL = self.poses(state)
+        clouds = [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
+        first, second = (float((cloud @ self.out).max()) for cloud in clouds)
+        return abs(first - second)
+
     def axes(self, X_WL: Matrix) -> Matrix:
         """Axes of the palm's links; (N, 3)."""
         return np.vstack([X_WL[link][:3, :3].T for link in self.tree.members[self.palm.body]])
@@ -240,7 +249,7 @@ def _open(measure: Measure) -> Matrix:
     states = _states(measure)
     stretch = np.array([measure.stretch(state) for state in states])
     states = states[stretch >= STRETCHED * stretch.max()]
-    spreads = np.array([measure.spread(state) for state in states])
+    spreads = np.array([measure.spread(state) - measure.unevenness(state) for state in states])
     for i in np.argsort(-np.round(spreads, 6), kind="stable"):
         if not measure.touches(states[i]):
             return np.asarray(states[i])

@@ -85,6 +85,9 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
         )
     if not last:
         return _jaw(tree)
+    carries_legs = not tree.drivers(tree.path(last[0])[1:])
+    if carries_legs and (jaw := _named_jaw(tree)) is not None:
+        return jaw
     found = _palm_at(tree, last[0])
     _require_fingers(tree, found)
     return replace(found, is_sure=_is_named(tree, found))
@@ -133,19 +136,42 @@ def _palm_at(tree: Tree, body: int) -> Palm:
     return Palm(body, fingers, reason)
 
 
+def _ends(tree: Tree) -> list[int]:
+    """Bodies at the ends of chains that have a shape."""
+    return [b for b in tree.members if not _shaped(tree, b) and tree.has_shape(b) and b > 0]
+
+
 def _jaw(tree: Tree) -> Palm:
     """Returns the palm of a gripper with one moving jaw, at the end of a chain."""
-    leaves = [b for b in tree.members if not _shaped(tree, b) and tree.has_shape(b) and b > 0]
-    leaf = leaves[-1] if leaves else 0
+    ends = _ends(tree)
+    leaf = ends[-1] if ends else 0
     parent = tree.body(tree.parents[leaf]) if leaf else 0
     if leaf and any(link in tree.points for link in tree.members[parent]):
-        named = GRIPPER.search(f"{tree.links[leaf]} {tree.driver(leaf)}") is not None
+        named = _is_jaw(tree, leaf)
         if named or _is_beside(tree, parent, leaf):
             return _jaws(tree, parent, leaf, named)
+    drawn = [tree.links[link] for link in tree.links_below(leaf) if tree.links[link] in tree.drawn]
+    if drawn:
+        shown = " and ".join(drawn)
+        raise ValueError(f"no hand was found: {shown} can be seen, but have no collision shape")
     raise ValueError(
         "no hand was found: no link carries two or more moving links, and the last joint "
         "does not move one jaw against another; name its palm, or join a gripper to the arm"
     )
+
+
+def _named_jaw(tree: Tree) -> Palm | None:
+    """Returns the palm of the only part at the end of a chain that is called a jaw."""
+    found = [leaf for leaf in _ends(tree) if _is_jaw(tree, leaf)]
+    if len(found) != 1:
+        return None
+    parent = tree.body(tree.parents[found[0]])
+    has_shape = any(link in tree.points for link in tree.members[parent])
+    return _jaws(tree, parent, found[0], is_sure=True) if has_shape else None
+
+
+def _is_jaw(tree: Tree, leaf: int) -> bool:
+    return GRIPPER.search(f"{tree.links[leaf]} {tree.driver(leaf)}") is not None
 
 
 def _jaws(tree: Tree, parent: int, leaf: int, is_sure: bool) -> Palm:

@@ -63,6 +63,8 @@ class Proposal:
         Fields of the hand for clasps; empty if none could be proposed.
     hand_links : tuple of str
         Links of palm and fingers.
+    largest_gap, smallest_gap : float
+        Distance between the ends of two fingers, open and closed [m]; 0 for other hands.
     """
 
     name: str
@@ -73,6 +75,8 @@ class Proposal:
     hand: dict[str, Any] = field(default_factory=dict)
     clasp: dict[str, Any] = field(default_factory=dict)
     hand_links: tuple[str, ...] = ()
+    largest_gap: float = 0.0
+    smallest_gap: float = 0.0
 
     @property
     def unsure(self) -> list[Finding]:

@@ -76,6 +76,13 @@ class Tree:
         """Points on the collision shapes of each link that has some, in its frame [m]."""
         return link_points(self.robot)
 
+    @cached_property
+    def drawn(self) -> set[str]:
+        """Names of the links that have visual shapes and no collision shapes."""
+        links = ET.fromstring(self.robot.urdf).findall("link")
+        has = {element.get("name", ""): {part.tag for part in element} for element in links}
+        return {name for name, tags in has.items() if "visual" in tags and "collision" not in tags}
+
     def below(self, body: int) -> list[int]:
         """Returns a body and all bodies that it carries, base first."""
         found, waiting = [], [body]
