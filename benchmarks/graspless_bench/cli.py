@@ -10,6 +10,7 @@ from .clasp.command import add_parser as _add_clasp
 from .fingertip.command import add_parser as _add_fingertip
 from .ik import add_parser as _add_ik
 from .physics.command import add_parser as _add_physics
+from .robots.command import add_parser as _add_robots
 from .slide.command import add_parser as _add_slide
 
 if TYPE_CHECKING:
@@ -24,3 +25,4 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_clasp(experiments)
     _add_ik(experiments)
     _add_physics(experiments)
+    _add_robots(experiments)

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless bench robots`."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import FOUND, NOT_FOUND
+from graspless.errors import TaskError
+
+from ..arguments import check_writable, positive
+
+if TYPE_CHECKING:
+    import argparse
+
+    from .fleet import Member
+
+
+def add_parser(experiments: Any) -> None:
+    """Adds `robots` to the experiments."""
+    parser = experiments.add_parser(
+        "robots",
+        help="robots of packages on PyPI",
+        description="Inspects arms with hands from packages on PyPI, from their URDF alone, and "
+        "plans slides and clasps with each. Needs example-robot-data, rtb-data and mani-skill, "
+        "without their dependencies. Exit 1 when a plan failed its check.",
+    )
+    parser.add_argument("--robot", action="append", metavar="NAME", help="only this one; repeat")
+    for name, count in (("slides", 20), ("clasps", 5)):
+        parser.add_argument(
+            f"--{name}", type=positive(int), default=count, metavar="N", help=f"({count})"
+        )
+    parser.add_argument(
+        "--time", type=positive(float), default=4.0, metavar="S", help="limit of a slide [s] (4)"
+    )
+    parser.add_argument(
+        "--clasp-time", type=positive(float), default=10.0, metavar="S", help="of a clasp [s] (10)"
+    )
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="write results and robots.md there")
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from ..bar import Bar
+    from . import report
+    from .run import run
+
+    if options.out is not None:
+        check_writable(options.out)
+    fleet = _chosen(options.robot)
+    load = os.getloadavg()
+    bar = Bar("bench robots", len(fleet))
+    limits = (options.time, options.clasp_time)
+    rows = run(fleet, options.slides, options.clasps, limits, bar.tell)
+    bar.close()
+    result = report.as_result(rows, load)
+    if options.out is not None:
+        report.write(result, options.out)
+    print(json.dumps(result) if options.json else report.as_text(result))
+    return NOT_FOUND if result["complaints"] else FOUND
+
+
+def _chosen(names: list[str] | None) -> list[Member]:
+    from .fleet import FLEET
+
+    if names is None:
+        return list(FLEET)
+    known = {member.name: member for member in FLEET}
+    for name in names:
+        if name not in known:
+            raise TaskError(f"--robot: {name}: no such robot (one of: {', '.join(known)})")
+    return [known[name] for name in names]
