@@ -71,12 +71,14 @@ def _run(options: argparse.Namespace) -> int:
 
     robot, path = read_robot(options, "robot inspect")
     name = robot.name if path is None else robots.stem(path)
+    folder = Path(options.output or name)
+    if path is not None and (folder / f"{name}.urdf").resolve() == path.resolve():
+        raise TaskError(f"--output: {folder}: would replace {path}; choose another folder")
     with progress.waiting(f"inspecting {name}"):
         try:
             found = inspect(robot, palm=options.palm, name=name)
         except ValueError as error:
             raise TaskError(f"{name}: {error}") from None
-    folder = Path(options.output or name)
     written = found.write(folder)
     if find_spec("matplotlib") is not None:
         from .view import figures

@@ -30,6 +30,19 @@ def translation(p_AB: ArrayLike) -> Matrix:
     return X_AB
 
 
+def transform(X_AB: Matrix, p_BP: Matrix) -> Matrix:
+    """Returns points in A; (N, 3) [m].
+
+    Parameters
+    ----------
+    X_AB : array [4, 4]
+        Pose of B in A.
+    p_BP : array [N, 3]
+        Points in B [m].
+    """
+    return np.asarray(p_BP @ X_AB[:3, :3].T + X_AB[:3, 3])
+
+
 def planar(x: float, y: float, yaw: float) -> Matrix:
     """Returns the 4 x 4 pose at x, y and yaw in the plane z = 0 [m, m, rad]."""
     return translation([x, y, 0.0]) @ from_rpy([0.0, 0.0, yaw])

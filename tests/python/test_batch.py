@@ -131,7 +131,9 @@ def test_a_file_that_a_task_names_is_part_of_it(here, tmp_path):
     text = changed("object:", "hand: own.hand.yaml\nobject:")
     (tmp_path / "task.yaml").write_text(text)
     graspless.batch(tmp_path / "task.yaml", tmp_path / "out")
-    (tmp_path / "own.hand.yaml").write_text("{finger_model: flexure, tip_radius: 0.004}")
+    (tmp_path / "own.hand.yaml").write_text(
+        "{finger_model: flexure, flexure_length: 0.11, flexure_stiffness: 4.6, tip_radius: 0.004}"
+    )
     assert graspless.batch(tmp_path / "task.yaml", tmp_path / "out").kept == 0
 
 
@@ -481,7 +483,9 @@ def test_two_dask_workers(cluster, tasks, tmp_path):
 
 def test_dask_workers_see_no_files_of_ours(tasks, tmp_path):
     folder = tasks("a")
-    (folder / "own.hand.yaml").write_text("{finger_model: flexure, tip_radius: 0.004}")
+    (folder / "own.hand.yaml").write_text(
+        "{finger_model: flexure, flexure_length: 0.11, flexure_stiffness: 4.6, tip_radius: 0.004}"
+    )
     text = changed("object:", "hand: own.hand.yaml\nobject:")
     (folder / "a.yaml").write_text(text)
     direct = work.carry_out(work.Job("a", str(folder / "a.yaml"), {"seed": 5}))

@@ -16,6 +16,7 @@ from graspless.simulation.robots import joint_addresses, robot_spec
 from graspless.simulation.slide.scene import build_scene
 from graspless.simulation.variation import Variation
 from graspless.tasks.robots import Robot as Fields
+from graspless.view.bodies import robot_bodies
 
 INERTIAL = (
     '<inertial><mass value="0.5"/>'
@@ -90,3 +91,13 @@ def test_a_finger_without_a_mass_is_refused(plan_of):
     assert light != urdf
     with pytest.raises(TaskError, match="link 'left' has no mass; the simulation needs its <inert"):
         build_scene(plan_of(light), Variation())
+
+
+def test_elements_with_prefixes_are_read():
+    urdf = heavy(small.gripper()).replace(
+        "</robot>", '<gazebo><controller:force name="x"/></gazebo></robot>'
+    )
+    fields = Fields(urdf_text=urdf)
+    robot = Robot.from_urdf(urdf)
+    assert robot_spec(robot, fields).compile().nbody == len(robot.frame_names) + 1
+    assert len(robot_bodies(robot, fields)) == len(robot.frame_names)

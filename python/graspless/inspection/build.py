@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import robot as robots
+from .. import slide
 from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
-from .files import free_name, make_srdf, with_frames
+from .files import free_name, group_names, make_srdf, with_frames
 from .fist import find_fist
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 # Of the models of a rigid finger, the one that presses least.
 MODEL = "rigid_guarded"  # of the fingers: how they yield is not in a URDF
+DEFAULTS = {field: getattr(slide.Hand(), field) for field in ("pad_friction", "press_force")}
+SAME = 1e-5  # frames are one if their poses differ by less [m]
 THIN = 0.003  # a hand whose fingers stay farther apart than this holds no thin object [m]
 
 
@@ -52,6 +55,17 @@ class _Builder:
         self.drivers: tuple[str, ...] = ()
         self.open = self.closed = np.zeros(0)
         self.gaps = (0.0, 0.0)
+        self.groups = {"arm": self._group("arm", self.arm.joints)}
+        faulty = self.tree.states.keys() - set(self.robot.state_names)
+        self.states = {state: free_name(state, faulty) for state in ("open", "closed")}
+
+    def _group(self, wanted: str, joints: tuple[str, ...]) -> str:
+        """Returns the SRDF's group of that name if it has these joints, else a new name."""
+        robot = self.robot
+        columns = sorted(robot.joint(name) for name in joints)
+        if wanted in robot.group_names and sorted(robot.group(wanted)) == columns:
+            return wanted
+        return free_name(wanted, group_names(robot.srdf))
 
     def palm_link(self) -> str:
         return self.tree.links[self.palm.link(self.tree)]
@@ -62,11 +76,15 @@ class _Builder:
             self._propose_jaws()
         else:
             self._propose_fist()
-        groups = {"arm": self.arm.joints, "hand": self.drivers}
-        groups = {group: joints for group, joints in groups.items() if joints}
+        self.groups["hand"] = self._group("hand", self.drivers)
+        found = ((self.groups["arm"], self.arm.joints), (self.groups["hand"], self.drivers))
+        groups = {group: joints for group, joints in found if joints}
+        self.hand |= {"arm": self.groups["arm"], **self.states} if self.hand else {}
+        self.clasp |= {**self.groups, **self.states}
         pairs = self._pairs()
         states = [*self._hand_states(), *self._home(pairs)]
-        urdf = with_frames(self.robot.urdf, self.placed)
+        added = {name: at for name, at in self.placed.items() if name not in self.tree.links}
+        urdf = with_frames(self.robot.urdf, added)
         srdf = make_srdf(self.name, groups, states, pairs, self.robot.srdf)
         return Proposal(
             self.name,
@@ -91,9 +109,7 @@ class _Builder:
         tree, fist = self.tree, find_fist(self.tree, self.palm)
         self.drivers, self.open, self.closed = fist.drivers, fist.open, fist.closed
         palm, fingers = self.palm_link(), self.palm.fingers
-        self.grasp = free_name("grasp", tree.links)
-        X_WP = np.asarray(self.robot.pose(palm, fist.open))
-        self.placed[self.grasp] = (palm, np.linalg.inv(X_WP) @ fist.X_WH)
+        self.grasp = self._place("grasp", palm, fist.X_WH)
         self.clasp = fist_fields(tree, palm, fingers, fist)
         thumb = tree.links[fingers[fist.thumb].bodies[0]]
         self.find("thumb", thumb, "the finger that the others close against", fist.is_sure)
@@ -120,7 +136,7 @@ class _Builder:
     def _describe_arm(self) -> None:
         arm, palm = self.arm, self.palm
         if arm.joints:
-            self.find("group arm", ", ".join(arm.joints), arm.reason, arm.is_sure)
+            self.find(f"group {self.groups['arm']}", ", ".join(arm.joints), arm.reason, arm.is_sure)
         else:
             why = "no joint carries the hand: join it to an arm before you plan"
             self.find("group arm", "none", why, False)
@@ -148,6 +164,7 @@ class _Builder:
             **self._pitch(pitch, room),
             "tip_radius": round(tips[0].radius, 4),
             "pad_width": round(tips[0].width, 4),
+            **DEFAULTS,
         }
         self.find("sliding_finger", ", ".join(own), "links near the end of the finger that slides")
         self.find("fingers", ", ".join(own + other), "links near the ends of both fingers")
@@ -155,6 +172,8 @@ class _Builder:
         self.find("finger_model", MODEL, why, False)
         self.find("tip_radius", _mm(tips[0].radius), "half the thickness of the finger's end")
         self.find("pad_width", _mm(tips[0].width), "width of the last 10 mm of the finger")
+        for field, value in DEFAULTS.items():
+            self.find(field, f"{value:g}", "the default of slides; it is not in a URDF", False)
 
     def _pitch(self, pitch: float, room: float) -> dict[str, float]:
         """Field of the hand, unless the default pitch is right."""
@@ -164,17 +183,22 @@ class _Builder:
         self.find("pitch", f"{pitch:.3f} rad", f"{why} the surface", room > CLEARANCE)
         return {"pitch": round(pitch, 4)}
 
+    def _place(self, name: str, parent: str, X_WA: Matrix) -> str:
+        """Attaches a frame to a link and returns its name; one that is there already is taken."""
+        tree = self.tree
+        X_PA = np.linalg.inv(self.robot.pose(parent, self.open)) @ X_WA
+        is_there = name in tree.links and (
+            tree.body(tree.links.index(name)) == tree.body(tree.links.index(parent))
+            and np.allclose(self.robot.pose(name, self.open), X_WA, atol=SAME)
+        )
+        found = name if is_there else free_name(name, tree.links)
+        self.placed[found] = (parent, X_PA)
+        return found
+
     def _place_frames(self, jaws: Jaws, tips: tuple[Tip, Tip]) -> None:
-        tree, tip = self.tree, tips[0]
-        own = tree.links[tip.link]
-        fingertip = free_name(f"{own}_fingertip", tree.links)
-        self.grasp = free_name("grasp", tree.links)
-        for name, parent, X_WA in (
-            (fingertip, own, tip.X_WF),
-            (self.grasp, self.palm_link(), grasp_pose(tree, jaws, tips)),
-        ):
-            X_WP = np.asarray(self.robot.pose(parent, jaws.open))
-            self.placed[name] = (parent, np.linalg.inv(X_WP) @ X_WA)
+        own = self.tree.links[tips[0].link]
+        fingertip = self._place(f"{own}_fingertip", own, tips[0].X_WF)
+        self.grasp = self._place("grasp", self.palm_link(), grasp_pose(self.tree, jaws, tips))
         self.hand |= {"arm": "arm", "fingertip": fingertip, "grasp_frame": self.grasp}
         for field, name, why in (
             ("fingertip", fingertip, "outer edge of the finger's end, Z out of it, Y to the other"),
@@ -197,7 +221,7 @@ class _Builder:
             values = ", ".join(
                 f"{n} {v:.4g}" for n, v in zip(jaws.drivers, q[columns], strict=True)
             )
-            if field in self.robot.state_names:
+            if self.tree.state(field, jaws.drivers) is not None:
                 why = "a state of the SRDF"
             elif field == "closed" and not jaws.touches:
                 why = "the joints are at their limits"
@@ -208,13 +232,20 @@ class _Builder:
 
     def _hand_states(self) -> list[tuple[str, str, dict[str, float]]]:
         return [
-            (state, "hand", {n: float(q[self.robot.joint(n)]) for n in self.drivers})
-            for state, q in (("open", self.open), ("closed", self.closed), ("home", self.open))
+            (state, self.groups["hand"], {n: float(q[self.robot.joint(n)]) for n in self.drivers})
+            for state, q in (
+                (self.states["open"], self.open),
+                (self.states["closed"], self.closed),
+                ("home", self.open),
+            )
         ]
 
     def _home(self, pairs: dict[Pair, str]) -> list[tuple[str, str, dict[str, float]]]:
         """Home of the arm. Adds pairs that touch in most configurations if there is none else."""
-        if "home" in self.robot.state_names or not self.arm.joints:
+        if not self.arm.joints or self.tree.state("home", self.arm.joints) is not None:
+            return []
+        if "home" in self.tree.states and "home" not in self.robot.state_names:
+            self.find("state home", "none", "that of the SRDF is faulty", False)
             return []
         placed = self.placed[self.grasp]
         home = find_home(self.tree, self.arm, placed, pairs, self.open)
@@ -230,13 +261,13 @@ class _Builder:
         values = {name: float(home.q[self.robot.joint(name)]) for name in self.arm.joints}
         shown = ", ".join(f"{value:.3g}" for value in values.values())
         self.find("state home", shown, home.reason, home.is_sure)
-        return [("home", "arm", values)]
+        return [("home", self.groups["arm"], values)]
 
     def _pairs(self) -> dict[Pair, str]:
         found = find_pairs(self.tree, self.palm, self.arm)
         always, never = (sum(r == why for r in found.values()) for why in ("Always", "Never"))
         shown = f"{always} always, {never} never in contact"
-        self.find("disable_collisions", shown, "of 10000 random configurations")
+        self.find("disable_collisions", shown, "in random configurations")
         return found
 
 

@@ -5,16 +5,17 @@
 from __future__ import annotations
 
 import re
-import xml.etree.ElementTree as ET
 from collections import defaultdict
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr, unescape
 
 import numpy as np
 
+from .._xml import parse
 from ..tasks.robots import mesh_path
 
 if TYPE_CHECKING:
+    import xml.etree.ElementTree as ET
     from collections.abc import Iterable, Mapping
 
     from ..frames import Matrix
@@ -42,7 +43,7 @@ def free_name(name: str, taken: Iterable[str]) -> str:
 
 def with_frames(urdf: str, placed: Mapping[str, tuple[str, Matrix]]) -> str:
     """Returns a URDF with links without shapes: their parents' names and poses in them."""
-    joints = [element.get("name", "") for element in ET.fromstring(urdf).iter("joint")]
+    joints = [element.get("name", "") for element in parse(urdf).iter("joint")]
     added = ""
     for link, (parent, X_PL) in placed.items():
         added += _FRAME.format(
@@ -89,9 +90,7 @@ def make_srdf(
     given : str
         SRDF that is completed.
     """
-    root = ET.fromstring(given) if given else None
-    groups_given = _names(root, "group")
-    states_given = _state_joints(root)
+    groups_given, states_given = group_names(given), state_joints(given)
     lines = []
     for group, joints in groups.items():
         if group not in groups_given:
@@ -104,7 +103,9 @@ def make_srdf(
             f"  <disable_collisions link1={quoteattr(a)} link2={quoteattr(b)} "
             f"reason={quoteattr(reason)}/>"
         )
-    text = given or f'<?xml version="1.0"?>\n<robot name={quoteattr(name)}>\n</robot>\n'
+    is_empty = not given or not len(parse(given))  # <robot/> has no end to write before
+    text = f'<?xml version="1.0"?>\n<robot name={quoteattr(name)}>\n</robot>\n'
+    text = text if is_empty else given
     return _at_end(text, "\n".join(lines) + "\n")
 
 
@@ -124,16 +125,21 @@ def _state(name: str, group: str, values: Mapping[str, float]) -> str:
     return f"{head}\n{inner}\n  </group_state>"
 
 
-def _state_joints(root: ET.Element | None) -> defaultdict[str, set[str]]:
-    """Joints that the states of each name give a value."""
+def state_joints(srdf: str) -> defaultdict[str, set[str]]:
+    """Returns the joints that the states of each name give a value."""
     found: defaultdict[str, set[str]] = defaultdict(set)
-    for state in [] if root is None else root.findall("group_state"):
+    for state in _elements(srdf, "group_state"):
         found[state.get("name", "")] |= {joint.get("name", "") for joint in state.findall("joint")}
     return found
 
 
-def _names(root: ET.Element | None, kind: str) -> set[str]:
-    return set() if root is None else {e.get("name", "") for e in root.findall(kind)}
+def group_names(srdf: str) -> set[str]:
+    """Returns the names of the groups, faulty ones included."""
+    return {group.get("name", "") for group in _elements(srdf, "group")}
+
+
+def _elements(srdf: str, kind: str) -> list[ET.Element]:
+    return parse(srdf).findall(kind) if srdf else []
 
 
 def _numbers(values: Iterable[float]) -> str:

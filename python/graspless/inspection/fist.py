@@ -140,9 +140,10 @@ def find_fist(tree: Tree, palm: Palm) -> Fist:
     _oppose(fingers, thumb, [name for name in drivers if name not in ends], opened, closed)
     _until_free(tree, palm, opened, closed)
     for name, q in (("open", opened), ("closed", closed)):
-        if name in tree.robot.state_names:
+        given = tree.state(name, drivers)
+        if given is not None:
             columns = [tree.robot.joint(driver) for driver in drivers]
-            q[columns] = np.asarray(tree.robot.state(name))[columns]
+            q[columns] = given[columns]
     sideways = _sideways(fingers, thumb)
     half = (opened + closed) / 2
     others = [k for k in numbers if k != thumb]

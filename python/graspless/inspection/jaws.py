@@ -89,9 +89,8 @@ class Measure:
 
     def given(self, name: str) -> Matrix | None:
         """Returns the hand's joints in a state of the SRDF, if it has that."""
-        if name not in self.tree.robot.state_names:
-            return None
-        return np.asarray(self.tree.robot.state(name))[self.columns]
+        q = self.tree.state(name, self.drivers)
+        return None if q is None else q[self.columns]
 
     def poses(self, state: Matrix) -> Matrix:
         return self.tree.poses(self.q(state))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import geometry
+from .. import frames, geometry
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -47,7 +47,6 @@ def link_points(robot: Robot) -> dict[int, Matrix]:
     """Returns the points of each link with collision shapes, in the link's frame [m]."""
     parts: dict[int, list[Matrix]] = {}
     for link, placed in robot.shapes:
-        X_LG = np.asarray(placed.X_BG)
-        points = shape_points(placed.shape) @ X_LG[:3, :3].T + X_LG[:3, 3]
+        points = frames.transform(np.asarray(placed.X_BG), shape_points(placed.shape))
         parts.setdefault(link, []).append(points)
     return {link: np.vstack(points) for link, points in parts.items()}

@@ -14,6 +14,8 @@ from .. import files
 from ..errors import TaskError
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from matplotlib.figure import Figure
 
     from ..robot import Robot
@@ -83,20 +85,32 @@ class Proposal:
         """Findings that a person should look at."""
         return [finding for finding in self.findings if not finding.is_sure]
 
-    def summary(self) -> str:
-        """Returns the proposal in one line."""
-        shown = ("state open", "state closed") if self.hand else ()
-        states = [f"{f.field.split()[1]} {f.value}" for f in self.findings if f.field in shown]
-        named = [f"{name} {self.hand[name]}" for name in SHOWN if name in self.hand]
-        if not self.hand:
-            named = [f"palm {self.clasp['frame']}", f"fingers {', '.join(self.clasp['fingers'])}"]
-        arm = f"arm of {len(self.robot.group('arm'))} joints"
-        parts = "; ".join([arm, *named, *states])
-        return f"{parts}; graspless robot inspect shows and writes it"
+    def summary(self, kind: str = "slide", given: Mapping[str, Any] | None = None) -> str:
+        """Returns what is used of the proposal in one line.
+
+        Parameters
+        ----------
+        kind : str
+            Kind of the task: slide or clasp.
+        given : mapping, optional
+            Fields of the hand that replace the proposed ones.
+        """
+        fields = self.clasp if kind == "clasp" else self.hand
+        used = {k for k, value in fields.items() if (given or {}).get(k, value) == value}
+        values = {f.field.removeprefix("state "): f.value for f in self.findings}
+        shown = {"arm": f"arm of {len(self.robot.group(fields['arm']))} joints"} if fields else {}
+        if kind == "clasp":
+            shown["frame"] = f"palm {fields.get('frame')}"
+            shown["fingers"] = f"fingers {', '.join(fields.get('fingers', ()))}"
+        else:
+            shown |= {name: f"{name} {fields[name]}" for name in SHOWN if name in fields}
+            shown |= {name: f"{name} {values[name]}" for name in ("open", "closed") if name in used}
+        parts = "; ".join(text for name, text in shown.items() if name in used)
+        return f"{parts or 'pairs of links'}; graspless robot inspect shows and writes it"
 
     def refusal(self, kind: str) -> str:
         """Returns why there is no hand for a kind of task, in one line."""
-        if "arm" not in self.robot.group_names:
+        if not self.hand and not self.clasp:
             return "no joint carries the hand; join it to an arm"
         needed = "two fingers" if kind == "slide" else "fingers that close against a thumb"
         return f"no hand for this task was found: it needs {needed}"

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .. import slide
+
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .jaws import Jaws
@@ -18,11 +20,11 @@ if TYPE_CHECKING:
 END = 0.001  # depth of the end of a finger, whose middle is the tip [m]
 PAD = 0.010  # length of the pad, whose width is measured [m]
 NEAR = 0.040  # links of a finger within this distance of its end may touch the object [m]
-PITCHES = np.radians([45, 50, 55, 60, 65, 70, 75, 80])  # the first is the default of options
+PITCHES = (slide.Options().pitch, *np.radians([50, 55, 60, 65, 70, 75, 80]))
+PITCH_TOLERANCE = slide.Options().pitch_tolerance
 DEEPEST = 0.003  # of the finger below F; where it is lower, F is moved to its lowest point [m]
 SINK = 0.0045  # of the finger below F within the tolerance of the pitch; check() allows 5 mm [m]
 AT_END = 0.0025  # the point that touches a surface is this near to the finger's end [m]
-PITCH_TOLERANCE = 0.1  # default of options [rad]
 BESIDE_JAW = 0.006  # of the grasp frame from a jaw that does not move [m]
 STATES = 9  # of the hand, from open to closed, in which its tips are looked at
 CLEARANCE = 0.01  # of the rest of the hand over the surface [m]
@@ -47,7 +49,9 @@ class Tip:
     links : tuple of int
         Links that may touch the object.
     radius, width : float
-        Of the pad: half of the end's size along Y, and its size along X [m].
+        Of the pad: half of the end's size along Y, and its size along X, within limits [m].
+    has_limits : tuple of bool
+        True if the radius, or the width, is at its limit.
     """
 
     X_WF: Matrix

@@ -4,16 +4,20 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .. import frames
+from .._xml import parse
+from .files import state_joints
 from .points import link_points
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..frames import Matrix
     from ..robot import Robot
 
@@ -79,9 +83,20 @@ class Tree:
     @cached_property
     def drawn(self) -> set[str]:
         """Names of the links that have visual shapes and no collision shapes."""
-        links = ET.fromstring(self.robot.urdf).findall("link")
+        links = parse(self.robot.urdf).findall("link")
         has = {element.get("name", ""): {part.tag for part in element} for element in links}
         return {name for name, tags in has.items() if "visual" in tags and "collision" not in tags}
+
+    @cached_property
+    def states(self) -> dict[str, set[str]]:
+        """Joints that each state of the SRDF sets, faulty states included."""
+        return state_joints(self.robot.srdf)
+
+    def state(self, name: str, joints: Iterable[str]) -> Matrix | None:
+        """Returns a state of the SRDF [dof], if it sets one of these joints and has no fault."""
+        if name not in self.robot.state_names or not self.states[name] & set(joints):
+            return None
+        return np.asarray(self.robot.state(name))
 
     def below(self, body: int) -> list[int]:
         """Returns a body and all bodies that it carries, base first."""
@@ -122,7 +137,7 @@ class Tree:
 
     def cloud(self, links: list[int], X_WL: Matrix) -> Matrix:
         """Returns the points of links at the link poses [N, 4, 4]; (M, 3) in W [m]."""
-        parts = [_moved(X_WL[i], self.points[i]) for i in links if i in self.points]
+        parts = [frames.transform(X_WL[i], self.points[i]) for i in links if i in self.points]
         return np.vstack([np.zeros((0, 3)), *parts])
 
     def poses(self, q: Matrix) -> Matrix:
@@ -130,14 +145,10 @@ class Tree:
         return np.array([self.robot.pose(i, q) for i in range(len(self.links))])
 
 
-def _moved(X_AB: Matrix, p_BP: Matrix) -> Matrix:
-    return np.asarray(p_BP @ X_AB[:3, :3].T + X_AB[:3, 3])
-
-
 def _moving_joints(urdf: str) -> dict[str, Joint]:
     """Returns the moving joint of each link that has one. The robot has been read from the text."""
     found = {}
-    for element in ET.fromstring(urdf).findall("joint"):
+    for element in parse(urdf).findall("joint"):
         kind, child = element.get("type", ""), element.find("child")
         if kind == "fixed" or child is None:
             continue

@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 
 from .. import frames, geometry
+from .._xml import parse
 from ..tasks.meshes import FOREIGN
 from ..tasks.robots import mesh_path
 from .settings import Servo, Solver
@@ -122,7 +123,7 @@ def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
     Paths of meshes are absolute, all links are kept separate, shapes have no names, and nothing
     is drawn.
     """
-    root = ET.fromstring(fields.urdf_text or "")
+    root = parse(fields.urdf_text or "")
     for link in root.iter("link"):
         for visual in link.findall("visual"):
             link.remove(visual)

@@ -9,6 +9,7 @@ import json
 import xml.etree.ElementTree as ET
 from typing import Any
 
+from .._xml import parse
 from .robots import mesh_path
 
 
@@ -41,8 +42,8 @@ def _robot(robot: dict[str, Any], files: dict[str, str]) -> dict[str, Any]:
     said = {key: value for key, value in robot.items() if key not in ("packages", "directory")}
     for key in {"urdf_text", "srdf_text"} & set(said):
         try:
-            root = ET.fromstring(said[key])  # drops remarks: xacro's has the path of its file
-        except ET.ParseError:  # which the robot's reader tells
+            root = parse(said[key])  # drops remarks: xacro's has the path of its file
+        except ValueError:  # which the robot's reader tells
             continue
         for mesh in root.iter("mesh"):
             name = mesh.get("filename", "")

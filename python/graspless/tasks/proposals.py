@@ -46,19 +46,19 @@ def with_proposal(
         return robot, hand, None
     from ..robot import inspect
 
-    kind = source.data["kind"] if isinstance(source.data, dict) else "slide"
+    kind = "clasp" if "thumb" in model.model_fields else "slide"
     built = build_robot(robot, source, warn=False)
     with at(source, "robot"):
         found = inspect(built)
         proposed: dict[str, Any] = found.clasp if kind == "clasp" else found.hand
-        if not proposed:
+        if not proposed and hand is None:
             raise ValueError(found.refusal(kind))
     given = {} if hand is None else {name: getattr(hand, name) for name in hand.model_fields_set}
     lacking = [
         *(["SRDF"] if robot.srdf_text is None else []),
         *(["description of the hand"] if hand is None else []),
     ]
-    note = f"no {' and no '.join(lacking)}: proposed {found.summary()}"
+    note = f"no {' and no '.join(lacking)}: proposed {found.summary(kind, given)}"
     warnings.warn(source.message(("robot",), note), stacklevel=5)
     changes = {"urdf_text": found.urdf, "srdf_text": found.srdf}
     completed = model.model_validate(proposed | given)

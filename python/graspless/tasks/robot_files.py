@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _data
 from .._descriptions import Described, described
+from .._xml import parse
 from ..limits import uncounted
 from .meshes import FOREIGN, prepare_meshes
 from .robots import Gripper, Robot, collision_meshes, robot_meshes, stem
@@ -22,12 +23,17 @@ if TYPE_CHECKING:
 
 
 def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
-    """Returns the robot with the content of its files, and its URDF; with a gripper, that of it."""
+    """Returns the robot with the content of its files, and the path of its URDF.
+
+    With a gripper it is the path of the gripper's URDF; None if links of it were renamed or left
+    out, because the files beside it have the old names.
+    """
     if robot.urdf_text is not None:
         with at(source, "robot", "urdf_text"):
             robot_meshes(robot)
         return robot, None
     field = next(name for name in ("urdf", "name", "arm") if getattr(robot, name) is not None)
+    path: Path | None
     description, path = _read(robot, field, ("robot", field), source, directory)
     if robot.gripper is not None:
         description, path = _with_gripper(description, robot.gripper, source, directory)
@@ -51,7 +57,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
 
 def _with_gripper(
     arm: robots.Description, gripper: Gripper, source: Source, directory: Path
-) -> tuple[robots.Description, Path]:
+) -> tuple[robots.Description, Path | None]:
     from .. import robot as robots
 
     field = "file" if gripper.file is not None else "name"
@@ -61,7 +67,13 @@ def _with_gripper(
         joined = robots.join(
             arm, description, gripper.mount, X_MG=X_MG, prefix=gripper.prefix, root=gripper.root
         )
-    return joined, path
+        is_whole = not gripper.prefix and not gripper.root
+        is_whole = is_whole and not _links(arm) & _links(description)
+    return joined, path if is_whole else None
+
+
+def _links(description: robots.Description) -> set[str]:
+    return {link.get("name", "") for link in parse(description.urdf).iterfind("link")}
 
 
 def _read(

@@ -12,6 +12,7 @@ from xml.parsers import expat
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from .._xml import parse
 from .meshes import is_mesh
 from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
@@ -196,11 +197,9 @@ def robot_meshes(robot: Robot) -> set[Path]:
 
 def collision_meshes(robot: Robot) -> set[Path]:
     """Returns the mesh files of the collision shapes of a robot whose XML `mesh_files` accepts."""
-    import xml.etree.ElementTree as ET
-
     names = [
         mesh.get("filename", "")
-        for mesh in ET.fromstring(robot.urdf_text or "").iterfind(".//collision//mesh")
+        for mesh in parse(robot.urdf_text or "").iterfind(".//collision//mesh")
     ]
     return {mesh_path(name, robot.packages, robot.directory) for name in names}
 

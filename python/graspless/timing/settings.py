@@ -5,13 +5,13 @@
 from __future__ import annotations
 
 import math
-import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._xml import parse
 from ..errors import TaskError
 
 if TYPE_CHECKING:
@@ -134,7 +134,7 @@ def _require_velocities(robot: Robot, given: PerJoint | None) -> None:
     """Raises TaskError if the URDF's velocity limit of a joint is none, and the caller has none."""
     if given is not None and not isinstance(given, Mapping):
         return
-    for joint in ET.fromstring(robot.urdf).iter("joint"):
+    for joint in parse(robot.urdf).iter("joint"):
         name, limit = joint.get("name"), joint.find("limit")
         if name not in robot.joint_names or limit is None or name in (given or {}):
             continue

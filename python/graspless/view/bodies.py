@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import frames, geometry
+from .._xml import parse
 from ..errors import TaskError
 from ..tasks.meshes import prepare_meshes
 from ..tasks.obstacles import placed_parts
@@ -19,6 +19,7 @@ from ..tasks.shapes import pose_matrix
 from .visuals import UnreadableError, read_visual, warn_once
 
 if TYPE_CHECKING:
+    import xml.etree.ElementTree as ET
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
@@ -83,7 +84,7 @@ def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
     names = list(robot.frame_names)
     bodies = [Body(name) for name in names]
     text = (fields and fields.urdf_text) or "<robot/>"
-    root = ET.fromstring(text)
+    root = parse(text)
     palette = {
         material.get("name", ""): _color(material)
         for material in root.iter("material")

@@ -69,6 +69,10 @@ def build_hand(fields: model.Hand, robot: robots.Robot, source: Source) -> slide
         choices = ", ".join(slide.FingerModel.__members__)
         what = f"must be given: how the sliding finger yields (one of: {choices})"
         raise source.error((*place, "finger_model"), what)
+    if given["finger_model"] == "flexure":
+        for field in ("flexure_length", "flexure_stiffness"):
+            if field not in given:
+                raise source.error((*place, field), "must be given with finger_model flexure")
     given["finger_model"] = slide.FingerModel.__members__[given["finger_model"]]
     hand = slide.Hand(**given)
     _check_hand(hand, robot, source, place)

@@ -79,7 +79,7 @@ def _resolve_hand(
     of_file = read.validate(model.Hand)
     if not isinstance(hand, model.Hand):
         return of_file, read
-    given = hand.model_dump(exclude_unset=True)
+    given = {name: getattr(hand, name) for name in hand.model_fields_set}
     return of_file.model_copy(update=given), source
 
 
@@ -109,7 +109,9 @@ def _resolve_object(
         warnings.warn(source.message(location, f"{what}; {hint}"), stacklevel=4)
     pose = thing.pose
     if thing.frame == "world":
-        p_SP = _transform(np.linalg.inv(support_pose(support)), points)
+        p_SP = frames.transform(
+            np.asarray(np.linalg.inv(support_pose(support)), dtype=float), points
+        )
         center = np.array([*p_SP[:, :2].mean(axis=0), 0.0])
         points, pose = p_SP - center, shapes.PlanarPose(x=center[0], y=center[1])
     return thing.model_copy(
@@ -128,10 +130,6 @@ def support_pose(support: model.Support) -> Matrix:
     if support.pose is not None:
         return pose_matrix(support.pose)
     return frames.translation([0.0, 0.0, support.height or 0.0])
-
-
-def _transform(X_AB: Any, p_BP: Matrix) -> Matrix:
-    return np.asarray(p_BP @ X_AB[:3, :3].T + X_AB[:3, 3])
 
 
 __all__ = ["resolve", "support_pose"]

@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""XML of URDF and SRDF files."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from xml.parsers import expat
+
+
+def parse(text: str) -> ET.Element:
+    """Returns the root element of a URDF or SRDF.
+
+    Prefixes such as that of ``<controller:gazebo>`` need no namespace: urdfdom knows none.
+
+    Raises
+    ------
+    ValueError
+        The text is not well-formed.
+    """
+    builder = ET.TreeBuilder()
+    reader = expat.ParserCreate()
+    reader.StartElementHandler = builder.start
+    reader.EndElementHandler = builder.end
+    reader.CharacterDataHandler = builder.data
+    try:
+        reader.Parse(text, True)
+    except expat.ExpatError as error:
+        raise ValueError(f"is not well-formed XML: {error}") from None
+    return builder.close()
