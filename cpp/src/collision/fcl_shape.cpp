@@ -3,6 +3,7 @@
 #include "collision/fcl_shape.hpp"
 
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -17,7 +18,7 @@
 namespace graspless::collision {
 namespace {
 
-using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
+using Geometry = FclGeometry::Made;
 
 /// Returns the centre of the points' box: the origin of the core's frame.
 Eigen::Vector3d box_middle(const Eigen::Matrix3Xd& points) {
@@ -45,6 +46,7 @@ Geometry make_surface(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& 
   for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
     faces.emplace_back(triangles(0, i), triangles(1, i), triangles(2, i));
   }
+  // FCL's trees of OBB alone are quicker to build, but miss contacts of surfaces.
   auto surface = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   surface->beginModel(static_cast<int>(faces.size()), static_cast<int>(corners.size()));
   surface->addSubModel(corners, faces);
@@ -52,14 +54,30 @@ Geometry make_surface(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& 
   return surface;
 }
 
-CollisionShape make_convex(const geometry::Mesh& hull) {
-  const Eigen::Vector3d middle = box_middle(hull.vertices);
-  const Eigen::Matrix3Xd centred = hull.vertices.colwise() - middle;
-  return {make_hull(centred, hull.triangles), box_core(centred),
+CollisionShape make_shape(std::function<Geometry()> geometry, HullTree hulls, const Core& core,
+                          const Eigen::Vector3d& middle = Eigen::Vector3d::Zero()) {
+  return {std::make_shared<const FclGeometry>(std::move(geometry)),
+          std::make_shared<const HullTree>(std::move(hulls)), core,
           Eigen::Isometry3d(Eigen::Translation3d(middle))};
 }
 
-/// Returns the convex hull of a mesh's vertices, or nothing if they lie in a plane.
+CollisionShape make_convex(const geometry::Mesh& hull) {
+  const Eigen::Vector3d middle = box_middle(hull.vertices);
+  const Eigen::Matrix3Xd centred = hull.vertices.colwise() - middle;
+  return make_shape([centred, faces = hull.triangles] { return make_hull(centred, faces); },
+                    convex_tree(centred), box_core(centred), middle);
+}
+
+/// Prepares a surface; `hull`: corners of its convex hull.
+CollisionShape make_surface(const geometry::Mesh& mesh, const Eigen::Matrix3Xd& hull) {
+  const Eigen::Vector3d middle = box_middle(mesh.vertices);
+  const Eigen::Matrix3Xd centred = mesh.vertices.colwise() - middle;
+  return make_shape([centred, faces = mesh.triangles] { return make_surface(centred, faces); },
+                    surface_tree(centred, mesh.triangles, hull.colwise() - middle),
+                    box_core(centred), middle);
+}
+
+/// False if the vertices of a mesh lie in a plane.
 bool spans_volume(const geometry::Mesh& mesh) {
   try {
     geometry::validate(geometry::Convex{mesh.vertices}, "mesh");
@@ -70,17 +88,21 @@ bool spans_volume(const geometry::Mesh& mesh) {
 }
 
 CollisionShape make(const geometry::Box& box) {
-  return {std::make_shared<fcl::Boxd>(box.size), {box.size / 2, 0, false}};
+  const Core core{box.size / 2, 0, false};
+  return make_shape([box] { return std::make_shared<fcl::Boxd>(box.size); }, box_tree(core), core);
 }
 
 CollisionShape make(const geometry::Sphere& sphere) {
-  return {std::make_shared<fcl::Sphered>(sphere.radius),
-          {Eigen::Vector3d::Zero(), sphere.radius, true}};
+  const Core core{Eigen::Vector3d::Zero(), sphere.radius, true};
+  return make_shape([sphere] { return std::make_shared<fcl::Sphered>(sphere.radius); },
+                    box_tree(core), core);
 }
 
 CollisionShape make(const geometry::Capsule& capsule) {
-  return {std::make_shared<fcl::Capsuled>(capsule.radius, capsule.length),
-          {{0, 0, capsule.length / 2}, capsule.radius, true}};
+  const Core core{{0, 0, capsule.length / 2}, capsule.radius, true};
+  return make_shape(
+      [capsule] { return std::make_shared<fcl::Capsuled>(capsule.radius, capsule.length); },
+      box_tree(core), core);
 }
 
 CollisionShape make(const geometry::Convex& convex) {
@@ -88,17 +110,21 @@ CollisionShape make(const geometry::Convex& convex) {
 }
 
 CollisionShape make(const geometry::Mesh& mesh) {
-  if (spans_volume(mesh)) {
-    const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
-    if (geometry::is_convex(mesh, hull)) return make_convex(hull);
-  }
-  const Eigen::Vector3d middle = box_middle(mesh.vertices);
-  const Eigen::Matrix3Xd centred = mesh.vertices.colwise() - middle;
-  return {make_surface(centred, mesh.triangles), box_core(centred),
-          Eigen::Isometry3d(Eigen::Translation3d(middle))};
+  if (!spans_volume(mesh)) return make_surface(mesh, mesh.vertices);
+  const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
+  if (geometry::is_convex(mesh, hull)) return make_convex(hull);
+  return make_surface(mesh, hull.vertices);
 }
 
 }  // namespace
+
+const fcl::CollisionGeometryd* FclGeometry::get() const {
+  std::call_once(once_, [this] {
+    made_ = make_();
+    make_ = nullptr;  // frees what it was made from
+  });
+  return made_.get();
+}
 
 CollisionShape make_collision_shape(const geometry::PlacedShape& placed, const std::string& what) {
   geometry::validate(placed.shape, what);
@@ -130,7 +156,7 @@ Touch FclTest::operator()(const CollisionShape& a, const Eigen::Isometry3d& X_WA
                           const CollisionShape& b, const Eigen::Isometry3d& X_WB) {
   scratch_->result.clear();
   try {
-    const auto contacts = fcl::collide(a.geometry.get(), X_WA, b.geometry.get(), X_WB,
+    const auto contacts = fcl::collide(a.geometry->get(), X_WA, b.geometry->get(), X_WB,
                                        scratch_->request, scratch_->result);
     return contacts > 0 ? Touch::yes : Touch::no;
   } catch (const std::exception&) {

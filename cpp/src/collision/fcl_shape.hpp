@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Wraps FCL: conversion of shapes to its geometry, and its boolean test.
+// Shapes prepared for queries. Wraps FCL: conversion of shapes to its geometry, and its boolean
+// test.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -12,6 +15,7 @@
 #include "graspless/geometry/shape.hpp"
 
 #include "collision/bounds.hpp"
+#include "collision/hulls.hpp"
 
 namespace fcl {
 template <typename S>
@@ -20,9 +24,24 @@ class CollisionGeometry;
 
 namespace graspless::collision {
 
+/// FCL's form of a shape, in the core's frame. It is made at the first use, because most shapes of
+/// an arm never come near anything, and the tree of a mesh takes milliseconds. Thread-safe.
+class FclGeometry {
+ public:
+  using Made = std::shared_ptr<const fcl::CollisionGeometry<double>>;
+  explicit FclGeometry(std::function<Made()> make) : make_(std::move(make)) {}
+  const fcl::CollisionGeometry<double>* get() const;
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::function<Made()> make_;
+  mutable Made made_;
+};
+
 /// A shape prepared for queries. Immutable, and shared between copies of a World.
 struct CollisionShape {
-  std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;  ///< in the core's frame
+  std::shared_ptr<const FclGeometry> geometry;
+  std::shared_ptr<const HullTree> hulls;
   Core core;
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< the core's frame in the body
 };

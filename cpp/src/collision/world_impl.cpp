@@ -11,10 +11,21 @@ namespace {
 
 // Boxes this near are passed to FCL [m], so that rounding in our bounds never hides a contact.
 constexpr double kMargin = 1e-9;
+// Hulls hardly ever improve the bound of the boxes by this factor.
+constexpr double kFar = 2;
 
 bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W) {
   const Eigen::Array3d gap = (b.middle + shift_W - a.middle).cwiseAbs() - a.half - b.half;
   return (gap <= kMargin).all();
+}
+
+Eigen::Isometry3d relative(const Placement& at_a, const Placement& at_b,
+                           const Eigen::Vector3d& shift_W) {
+  const Eigen::Matrix3d R_AW = at_a.X_WC.linear().transpose();
+  Eigen::Isometry3d X_AB = Eigen::Isometry3d::Identity();
+  X_AB.linear() = R_AW * at_b.X_WC.linear();
+  X_AB.translation() = R_AW * (at_b.X_WC.translation() + shift_W - at_a.X_WC.translation());
+  return X_AB;
 }
 
 }  // namespace
@@ -49,12 +60,17 @@ void World::Impl::place(int body) {
 
 template <typename Visit>
 bool World::Impl::any_shapes(const Pair& pair, Visit visit) const {
+  const auto &shapes_a = bodies[pair.a].solid.data().shapes,
+             &shapes_b = bodies[pair.b].solid.data().shapes;
+  pair.witnesses.resize(shapes_a.size() * shapes_b.size());
+  auto witnesses = pair.witnesses.begin();
   const Placement* at_a = &placements[first_placement[pair.a]];
-  for (const CollisionShape& a : bodies[pair.a].solid.data().shapes) {
+  for (const CollisionShape& a : shapes_a) {
     const Placement* at_b = &placements[first_placement[pair.b]];
-    for (const CollisionShape& b : bodies[pair.b].solid.data().shapes) {
-      if (visit(a, *at_a, b, *at_b)) return true;
+    for (const CollisionShape& b : shapes_b) {
+      if (visit(a, *at_a, b, *at_b, *witnesses)) return true;
       ++at_b;
+      ++witnesses;
     }
     ++at_a;
   }
@@ -72,20 +88,24 @@ bool World::Impl::fcl_touch(const CollisionShape& a, const Placement& at_a, cons
 
 bool World::Impl::touch(const Pair& pair) {
   if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
-  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
+                              Witnesses& witnesses) {
     const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
     const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
     if (!overlap(box_a, box_b, pair.shift_W)) return false;
     if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > kMargin) return false;
     if (a.core.is_exact_segment && b.core.is_exact_segment) return true;
+    if (a.hulls->has_parts() || b.hulls->has_parts()) {  // otherwise FCL is as fast
+      const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
+      if (are_apart(*a.hulls, *b.hulls, X_AB, kMargin, witnesses)) return false;
+    }
     return fcl_touch(a, at_a, b, at_b, pair.shift_W);
   });
 }
 
 bool World::Impl::touch_by_fcl(const Pair& pair) {
-  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
-    return fcl_touch(a, at_a, b, at_b, pair.shift_W);
-  });
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
+                              Witnesses&) { return fcl_touch(a, at_a, b, at_b, pair.shift_W); });
 }
 
 double World::Impl::bound(const Pair& pair, double enough) const {
@@ -93,8 +113,16 @@ double World::Impl::bound(const Pair& pair, double enough) const {
   const double gap = box_gap(box_b.middle + pair.shift_W - box_a.middle, box_a.half + box_b.half);
   if (gap >= enough) return gap;
   double least = std::numeric_limits<double>::infinity();
-  any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b) {
-    least = std::min(least, shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W));
+  any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
+                       Witnesses& witnesses) {
+    const double wanted = std::min(enough, least);
+    double bound = shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W);
+    const bool is_exact = a.core.is_exact_segment && b.core.is_exact_segment;
+    if (bound < wanted && !is_exact && !(bound > 0 && kFar * bound < wanted)) {
+      const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
+      bound = std::max(bound, separation(*a.hulls, *b.hulls, X_AB, wanted, witnesses));
+    }
+    least = std::min(least, bound);
     return least <= gap;
   });
   return std::max(gap, least);

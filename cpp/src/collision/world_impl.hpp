@@ -12,6 +12,7 @@
 
 #include "collision/bounds.hpp"
 #include "collision/fcl_shape.hpp"
+#include "collision/separation.hpp"
 
 namespace graspless::collision {
 
@@ -34,6 +35,7 @@ struct WorldBox {
 struct Pair {
   int a, b;
   Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
+  mutable std::vector<Witnesses> witnesses;  // of each pair of shapes
 };
 
 struct World::Impl {

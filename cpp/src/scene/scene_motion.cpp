@@ -81,10 +81,10 @@ bool Scene::is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& st
   place(q1 + middle * step);
   for (std::size_t i = begin; i < end; ++i) {
     OpenPair& pair = open_[i];
-    if (world_.touches(pair.index)) return false;
     const double needed = std::max(pair.motion * (middle - first) - pair.bound_first,
                                    pair.motion * (last - middle) - pair.bound_last);
     pair.bound_middle = world_.distance_bound(pair.index, needed + 2 * kMargin);
+    if (pair.bound_middle <= kMargin && world_.touches(pair.index)) return false;
   }
   const auto open_half = [&](bool second) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -165,5 +165,44 @@ TEST(DistanceBounds, OfParallelBoxesAreTheDistance) {
   EXPECT_DOUBLE_EQ(world.distance_bounds()[0], 3);
 }
 
+TEST(DistanceBounds, HoldAlongMotionsOfFineSurfaces) {
+  std::mt19937 rng(5);
+  const Shape tube = square_tube(6, 0.5, 1), rod = dented_prism(40, 0.1, 0.8);
+  const auto p_A = points_of(tube, rng, 600), p_B = points_of(rod, rng, 600);
+  World world = two_bodies(tube, rod);
+  int apart = 0, touching = 0;
+  for (int round = 0; round < 20; ++round) {
+    const Isometry3d from = random_pose(rng, 0.3), to = random_pose(rng, 0.8);
+    const Eigen::Quaterniond first(from.linear()), last(to.linear());
+    for (int i = 0; i <= 40; ++i) {
+      const double t = i / 40.0;
+      world.set_pose(1, Eigen::Translation3d((1 - t) * from.translation() + t * to.translation()) *
+                            first.slerp(t, last));
+      const double enough = i % 3 == 0 ? 0.01 : i % 3 == 1 ? 0.1 : 10;
+      const double bound = world.distance_bound(0, enough);
+      EXPECT_LE(std::min(bound, enough),
+                least_distance(p_A, world.pose(0), p_B, world.pose(1)) + 1e-12);
+      const bool touches = !world.all_collisions().empty();
+      EXPECT_EQ(world.collides(), touches);
+      if (bound > 1e-9) {
+        EXPECT_FALSE(touches);
+      }
+      ++(touches ? touching : apart);
+    }
+  }
+  EXPECT_GT(apart, 50);
+  EXPECT_GT(touching, 100);
+}
+
+TEST(DistanceBounds, SeeThroughTheHullOfAConcaveSurface) {
+  World world = two_bodies(square_tube(12, 0.5, 1), geometry::Box{{0.1, 0.1, 0.1}});
+  for (const double x : {0.0, 0.05, 0.1}) {
+    world.set_pose(1, translation(x, 0.02, 0.3));
+    const double distance = 0.2 - x;
+    EXPECT_LE(world.distance_bounds()[0], distance + 1e-12);
+    EXPECT_GE(world.distance_bounds()[0], 0.2 * distance);
+  }
+}
+
 }  // namespace
 }  // namespace graspless::collision

@@ -58,6 +58,27 @@ inline geometry::Mesh dented_prism(int sides, double radius, double height) {
   return mesh;
 }
 
+/// Surface of a tube, open at both ends: a square of walls, each of `pieces` by `pieces` squares.
+inline geometry::Mesh square_tube(int pieces, double side, double height) {
+  geometry::Mesh mesh;
+  const int around = 4 * pieces, rows = pieces + 1;
+  mesh.vertices.resize(3, around * rows);
+  mesh.triangles.resize(3, 2 * around * pieces);
+  for (int i = 0; i < around; ++i) {
+    const double angle = M_PI / 2 * (i / pieces), along = 1.0 * (i % pieces) / pieces - 0.5;
+    const Eigen::Vector2d corner = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(0.5, along) * side;
+    for (int row = 0; row < rows; ++row) {
+      mesh.vertices.col(row * around + i) << corner, height * (1.0 * row / pieces - 0.5);
+    }
+    for (int row = 0; row < pieces; ++row) {
+      const int a = row * around + i, b = row * around + (i + 1) % around;
+      mesh.triangles.col(2 * (row * around + i)) << a, b, b + around;
+      mesh.triangles.col(2 * (row * around + i) + 1) << a, b + around, a + around;
+    }
+  }
+  return mesh;
+}
+
 /// Body 0 is a, body 1 is b, and they are tested.
 inline World two_bodies(const geometry::Shape& a, const geometry::Shape& b) {
   World world;

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision/hulls.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "graspless/watch.hpp"
+
+namespace graspless::collision {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kLeaf = 24;         // triangles of a part that is not cut further
+constexpr int kMaxVertices = 96;  // of a hull; a larger part is bounded by its box
+
+/// Cuts the triangles of a surface into parts.
+class SurfaceCutter {
+ public:
+  SurfaceCutter(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& triangles)
+      : vertices_(vertices), triangles_(triangles), order_(triangles.cols()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    middles_.resize(3, triangles.cols());
+    for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
+      middles_.col(i) = vertices(Eigen::all, triangles.col(i)).rowwise().mean();
+    }
+  }
+
+  HullTree run(const Eigen::Matrix3Xd& hull) {
+    tree_.hulls.emplace_back();
+    set_vertices(0, hull);
+    cut(0, 0, static_cast<int>(order_.size()));
+    return std::move(tree_);
+  }
+
+ private:
+  void cut(int at, int begin, int end) {
+    poll();
+    if (end - begin <= kLeaf) return;
+    Eigen::Index axis = 0;
+    const auto range = order_.begin();
+    Vector3d low = middles_.col(order_[begin]), high = low;
+    for (int i = begin; i < end; ++i) {
+      low = low.cwiseMin(middles_.col(order_[i]));
+      high = high.cwiseMax(middles_.col(order_[i]));
+    }
+    (high - low).maxCoeff(&axis);
+    const int middle = (begin + end) / 2;
+    std::nth_element(range + begin, range + middle, range + end, [&](int i, int j) {
+      return std::make_pair(middles_(axis, i), i) < std::make_pair(middles_(axis, j), j);
+    });
+    const int child = static_cast<int>(tree_.hulls.size());
+    tree_.hulls[at].child = child;
+    tree_.hulls.resize(tree_.hulls.size() + 2);
+    add(child, begin, middle);
+    add(child + 1, middle, end);
+  }
+
+  void add(int at, int begin, int end) {
+    std::vector<int> used;
+    for (int i = begin; i < end; ++i) {
+      for (int k = 0; k < 3; ++k) used.push_back(triangles_(k, order_[i]));
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    set_vertices(at, vertices_(Eigen::all, used));
+    cut(at, begin, end);
+  }
+
+  void set_vertices(int at, const Eigen::Matrix3Xd& part) {
+    const Vector3d low = part.rowwise().minCoeff(), high = part.rowwise().maxCoeff();
+    Hull& hull = tree_.hulls[at];
+    hull.middle = (low + high) / 2;
+    hull.half = (high - low) / 2;
+    if (part.cols() > kMaxVertices) return;
+    hull.first = static_cast<int>(tree_.coordinates.size());
+    hull.count = static_cast<int>(part.cols());
+    for (const auto& row : part.rowwise()) {
+      tree_.coordinates.insert(tree_.coordinates.end(), row.begin(), row.end());
+    }
+  }
+
+  const Eigen::Matrix3Xd& vertices_;
+  const Eigen::Matrix3Xi& triangles_;
+  std::vector<int> order_;
+  Eigen::Matrix3Xd middles_;
+  HullTree tree_;
+};
+
+}  // namespace
+
+Eigen::Vector3d HullTree::farthest(const Hull& hull, const Eigen::Vector3d& direction) const {
+  if (hull.count == 0) {
+    return hull.middle + hull.half.cwiseProduct(
+                             (direction.array() < 0).select(-Vector3d::Ones(), Vector3d::Ones()));
+  }
+  using Values = Eigen::Map<const Eigen::ArrayXd>;
+  const double* p = coordinates.data() + hull.first;
+  const Values x(p, hull.count), y(p + hull.count, hull.count), z(p + 2 * hull.count, hull.count);
+  Eigen::Array<double, Eigen::Dynamic, 1, 0, kMaxVertices, 1> along =
+      direction.x() * x + direction.y() * y + direction.z() * z;
+  const double most = along.maxCoeff();
+  Eigen::Index best = 0;
+  while (along[best] != most) ++best;
+  return {x[best], y[best], z[best]};
+}
+
+HullTree box_tree(const Core& core) {
+  HullTree tree;
+  tree.hulls.push_back({Vector3d::Zero(), core.half});
+  tree.radius = core.radius;
+  return tree;
+}
+
+HullTree convex_tree(const Eigen::Matrix3Xd& vertices) {
+  return SurfaceCutter(vertices, Eigen::Matrix3Xi(3, 0)).run(vertices);
+}
+
+HullTree surface_tree(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& triangles,
+                      const Eigen::Matrix3Xd& hull) {
+  return SurfaceCutter(vertices, triangles).run(hull);
+}
+
+}  // namespace graspless::collision
