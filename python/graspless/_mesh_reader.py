@@ -64,11 +64,14 @@ def prepare(paths: Iterable[Path]) -> None:
                 files.append((str(path), data))
     if len(files) < 2:
         return
-    converted = _convert(files)
+    try:
+        converted = _convert(files)
+    except ValueError:
+        return
     for name, data in files:
         try:
             _keep(_cached(name, data), next(converted))
-        except ValueError:  # a fault, or a package is missing
+        except ValueError:
             continue
 
 

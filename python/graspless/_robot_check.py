@@ -41,8 +41,7 @@ def _run(options: argparse.Namespace) -> int:
 
     robot, path = read_robot(options, "robot check")
     given = Path(options.hand) if options.hand else None
-    folder, name = (Path(), robot.name) if path is None else (path.parent, stem(path))
-    beside = [folder / f"{name}.{end}.yaml" for end in ("hand", "clasp")]
+    beside = [path.with_name(f"{stem(path)}.{end}.yaml") for end in ("hand", "clasp")]
     files = [file for file in beside if file.is_file()] if given is None else [given]
     if not files:
         raise TaskError(

@@ -49,7 +49,7 @@ def add_robot(parser: argparse.ArgumentParser) -> None:
     add_trust(parser)
 
 
-def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path | None]:
+def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path]:
     """Returns the robot that the arguments name, and its file."""
     from .tasks import robots, source
     from .tasks.robot_files import resolve_robot
@@ -60,6 +60,7 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path |
     fields = {field: options.file or options.name, "packages": given_packages(options)}
     given = source.Source(command, {"robot": fields}, is_trusted=options.trust)
     resolved, path = resolve_robot(robots.Robot.model_validate(fields), given, Path())
+    assert path is not None
     return robots.build_robot(resolved, given), path
 
 
@@ -70,9 +71,9 @@ def _run(options: argparse.Namespace) -> int:
     from .tasks import robots
 
     robot, path = read_robot(options, "robot inspect")
-    name = robot.name if path is None else robots.stem(path)
+    name = robots.stem(path)
     folder = Path(options.output or name)
-    if path is not None and (folder / f"{name}.urdf").resolve() == path.resolve():
+    if (folder / f"{name}.urdf").resolve() == path.resolve():
         raise TaskError(f"--output: {folder}: would replace {path}; choose another folder")
     with progress.waiting(f"inspecting {name}"):
         try:

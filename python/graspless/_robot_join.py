@@ -74,27 +74,31 @@ def _join(options: argparse.Namespace) -> int:
 
     to_stdout = options.output == "-"
     path = Path(options.output)
+    srdf = path.with_suffix(".srdf")
     if not to_stdout:
         if path.suffix != ".urdf":
             raise TaskError(f"--output: {path}: should end in .urdf")
         files.check_writable(path)
-        files.check_writable(path.with_suffix(".srdf"))
+        files.check_writable(srdf)
     given = source.Source("robot join", {"robot": _fields(options)}, is_trusted=options.trust)
     robot = robots.Robot.model_validate(given.data["robot"])
     resolved, _ = resolve_robot(robot, given, Path())
     built = robots.build_robot(resolved, given)
+    if not to_stdout and not resolved.srdf_text and srdf.exists():
+        what = "neither robot has an SRDF, and this file would be read instead; remove it"
+        raise TaskError(f"--output: {srdf}: {what}")
     if to_stdout:
         print(resolved.urdf_text, end="")
     else:
         files.write(path, resolved.urdf_text or "")
         if resolved.srdf_text:
-            files.write(path.with_suffix(".srdf"), resolved.srdf_text)
+            files.write(srdf, resolved.srdf_text)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"{built.name}: {built.dof} joints, {len(built.frame_names)} links", file=told)
     if not to_stdout:
         print(f"written: {path}")
         if resolved.srdf_text:
-            print(f"written: {path.with_suffix('.srdf')}")
+            print(f"written: {srdf}")
     return FOUND
 
 

@@ -60,6 +60,16 @@ def from_rpy(rpy: Sequence[float]) -> Matrix:
     return X_AB
 
 
+def to_rpy(X_AB: Matrix) -> Matrix:
+    """Returns roll, pitch and yaw [3] of a 4 x 4 pose, as in URDF [rad]."""
+    R = X_AB[:3, :3]
+    level = float(np.hypot(R[0, 0], R[1, 0]))
+    pitch = np.arctan2(-R[2, 0], level)
+    if level < 1e-9:
+        return np.array([np.arctan2(-R[1, 2], R[1, 1]), pitch, 0.0])
+    return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])
+
+
 def from_quaternion(wxyz: ArrayLike) -> Matrix:
     """Returns the rotations [..., 4, 4] of quaternions [..., 4] (w, x, y, z), normalised first."""
     q = np.asarray(wxyz, dtype=float)

@@ -106,11 +106,11 @@ def inspect(
         There is no hand, or there are several and `palm` is not given.
     """
     from .inspection.build import propose
+    from .tasks.robots import stem
 
     if not isinstance(robot, Robot):
-        path = Path(robot)
-        name = path.name.removesuffix(".urdf") if name is None else name
-        robot = Robot.from_urdf_file(str(path))
+        name = stem(robot) if name is None else name
+        robot = Robot.from_urdf_file(str(robot))
     return propose(robot, palm, name or robot.name)
 
 

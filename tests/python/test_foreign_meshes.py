@@ -228,3 +228,14 @@ def test_names_the_missing_package(tmp_path, monkeypatch):
     fault = said(tmp_path / "a.dae", dae())
     assert "needs collada for .dae, .glb and .gltf files: " in fault
     assert "[robots]" in fault
+
+
+def test_preparing_leaves_the_fault_to_the_reader(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    paths = [tmp_path / "a.dae", tmp_path / "b.dae"]
+    for path in paths:
+        path.write_text(path.name)
+    monkeypatch.setattr(_mesh_reader, "find_spec", lambda name: None)
+    _mesh_reader.prepare(paths)
+    with pytest.raises(ValueError, match=r"a\.dae' needs trimesh"):
+        _mesh_reader.read(str(paths[0]))

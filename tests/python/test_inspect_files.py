@@ -94,3 +94,10 @@ def test_the_users_own_file_is_not_replaced(tmp_path, capsys, monkeypatch):
     assert "--output: .: would replace mine.urdf; choose another folder" in capsys.readouterr().err
     assert mine.read_text() == small.gripper()
     assert [path.name for path in tmp_path.iterdir()] == ["mine.urdf"]
+
+
+def test_visual_meshes_of_unknown_packages_keep_their_names():
+    visual = '<visual><geometry><mesh filename="package://nowhere/a.dae"/></geometry></visual>'
+    urdf = small.gripper().replace('<link name="left">', f'<link name="left">{visual}')
+    found = inspected(urdf)
+    assert '<mesh filename="package://nowhere/a.dae"/>' in found.files()[f"{found.name}.urdf"]

@@ -74,3 +74,54 @@ def test_axes_do_not_depend_on_where_the_hand_is_mounted():
         for q in [found.robot.state("open")]
     )
     np.testing.assert_allclose(X_PH_aside, X_PH, atol=1e-6)
+
+
+def test_a_joint_without_a_range_leaves_a_home():
+    urdf = small.gripper().replace(
+        '<child link="link_0"/><axis xyz="0 0 1"/><limit lower="-2.9" upper="2.9"',
+        '<child link="link_0"/><axis xyz="0 0 1"/><limit lower="0" upper="0"',
+    )
+    made = read(urdf)
+    assert made.lower[0] == made.upper[0]
+    with np.errstate(invalid="raise", divide="raise"):
+        found = robot.inspect(made)
+    assert finding(found, "state home").is_sure
+
+
+def test_joints_may_be_in_front_of_the_tips():
+    """Fingers that hang on rails at their far ends."""
+    hand = small.palm() + "".join(
+        small.box(side, f"0 {0.005 * sign} -0.06", "0.02 0.01 0.08")
+        + small.joint(
+            f"slide_{side}", "prismatic", "palm", side, "0 0 0.15", f"0 {sign} 0", (0, 0.03)
+        )
+        for side, sign in (("left", 1), ("right", -1))
+    )
+    found = robot.inspect(read(small.gripper(hand=hand)))
+    assert found.robot.state("open")[-2:] == pytest.approx([0.03, 0.03])
+
+
+@pytest.mark.parametrize(
+    ("size", "field", "value"),
+    [("0.02 0.0004 0.08", "tip_radius", "0.5 mm"), ("0.4 0.01 0.08", "pad_width", "200.0 mm")],
+)
+def test_sizes_at_their_limits_are_doubtful(size, field, value):
+    hand = small.prismatic().replace("0.02 0.01 0.08", size)
+    limited = finding(robot.inspect(read(small.gripper(hand=hand))), field)
+    assert (limited.value, limited.is_sure) == (value, False)
+    assert "limited to 0.5 mm and" in limited.reason
+
+
+def test_the_finger_called_left_slides():
+    for prefix in ("", "left_", "my_"):
+        hand = robot.inspect(read(small.gripper(hand=small.prismatic(prefix)))).hand
+        assert hand["sliding_finger"] == [f"{prefix}left"]
+
+
+def test_a_pitch_without_room_says_so():
+    wide = small.prismatic().replace("0.04 0.1 0.04", "0.04 0.9 0.04", 1)
+    pitch = finding(robot.inspect(read(small.gripper(hand=wide))), "pitch")
+    assert not pitch.is_sure
+    assert pitch.reason.startswith(
+        "at no pitch of the finger is the rest of the hand 10.0 mm above"
+    )

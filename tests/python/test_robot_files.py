@@ -225,6 +225,19 @@ def test_join_refuses(folder, capsys, monkeypatch, arguments, message):
     assert not list(folder.glob("joined*"))
 
 
+def test_join_leaves_no_srdf_of_other_robots(folder, capsys, monkeypatch):
+    monkeypatch.chdir(folder)
+    for path in folder.rglob("*.srdf"):
+        path.unlink()
+    (folder / "joined.srdf").write_text("<robot name='other'/>")
+    command = ["robot", "join", "my_arm/urdf/arm.urdf", "gripper.urdf", "--mount", "tool"]
+    assert cli.main(command) == 2
+    assert "--output: joined.srdf: neither robot has an SRDF" in capsys.readouterr().err
+    assert not (folder / "joined.urdf").exists()
+    (folder / "joined.srdf").unlink()
+    assert cli.main(command) == 0
+
+
 FAKE = """\
 PACKAGE_PATH = {package!r}
 REPOSITORY_PATH = {repository!r}

@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from .pairs import Pair
     from .tree import Tree
 
-MANY = 8  # joints of an arm that is taken for granted
+MANY = 8  # largest number of joints of an arm that is marked as sure
 SAMPLES = 1500  # configurations from which the home is chosen
-OFTEN, OFTEN_SAMPLES = 0.5, 60  # pairs that touch in this share of so many samples
-MARGIN = 0.1  # of a joint's range, to be kept from its limits
-# Places of the hand, over the arm's reach: distance from the base, and height over it. Arms on a
-# torso reach tables that are below their base.
+OFTEN, OFTEN_SAMPLES = 0.5, 60  # pairs touch often in more than this fraction of the samples
+MARGIN = 0.1  # distance kept from the limits, as a fraction of the joint's range
+# Distances of the hand from the base and heights over it, as fractions of the arm's reach. Arms on
+# a torso reach tables that are below their base.
 DISTANCES = (0.45, 0.55, 0.35, 0.65)
 HEIGHTS = ((0.4, 0.3, 0.5, 0.2), (0.1, 0.0, -0.2, -0.4))
 
@@ -55,7 +55,7 @@ def find_arm(tree: Tree, palm: int) -> Arm:
         reason += f"; {tree.links[base]} carries other parts, too"
         reason += f", and {others} joints below it do not move" if others else ""
     if len(joints) > MANY:
-        reason += "; so many may include a base that floats: give it fixed joints"
+        reason += "; some may belong to a floating base; make these fixed"
     return Arm(base, joints, reason, first == 0 and len(joints) <= MANY)
 
 
@@ -146,10 +146,11 @@ class _Search:
         return np.asarray(self.robot.pose(self.link, q) @ self.X_LH)
 
     def room(self, q: Matrix) -> float:
-        """Smallest distance to a limit, as a share of the joint's range."""
-        values = q[self.columns]
-        span = self.upper - self.lower
-        return float((np.minimum(values - self.lower, self.upper - values) / span).min())
+        """Smallest distance to a limit, as a fraction of the joint's range."""
+        values, span = q[self.columns], self.upper - self.lower
+        moves = span > 0  # a joint whose limits are equal is always in its middle
+        nearest = np.minimum(values - self.lower, self.upper - values)
+        return float((nearest[moves] / span[moves]).min(initial=0.5))
 
     def is_free(self, q: Matrix) -> bool:
         return bool(self.scene.is_free(q))

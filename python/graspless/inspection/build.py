@@ -17,9 +17,18 @@ from .fist import find_fist
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
 from .pairs import find_pairs
-from .palm import Finger, Palm, find_palm
+from .palm import Palm, find_palm
 from .proposal import Finding, Proposal
-from .tips import CLEARANCE, PITCHES, find_pitch, find_tips, grasp_pose
+from .tips import (
+    CLEARANCE,
+    LARGEST_PAD,
+    LARGEST_RADIUS,
+    PITCHES,
+    SMALLEST,
+    find_pitch,
+    find_tips,
+    grasp_pose,
+)
 from .tree import Tree
 
 if TYPE_CHECKING:
@@ -100,7 +109,7 @@ class _Builder:
         )
 
     def _propose_jaws(self) -> None:
-        jaws = find_jaws(self.tree, self.palm, _ordered(self.tree, self.palm.fingers))
+        jaws = find_jaws(self.tree, self.palm, self.palm.ordered(self.tree))
         self.drivers, self.open, self.closed = jaws.drivers, jaws.open, jaws.closed
         self.gaps = jaws.opening, jaws.smallest
         self._describe_hand(jaws)
@@ -170,8 +179,18 @@ class _Builder:
         self.find("fingers", ", ".join(own + other), "links near the ends of both fingers")
         why = "a rigid finger; how much finger and arm give way is not in a URDF"
         self.find("finger_model", MODEL, why, False)
-        self.find("tip_radius", _mm(tips[0].radius), "half the thickness of the finger's end")
-        self.find("pad_width", _mm(tips[0].width), "width of the last 10 mm of the finger")
+        for field, size, most, why in (
+            (
+                "tip_radius",
+                tips[0].radius,
+                LARGEST_RADIUS,
+                "half the thickness of the finger's end",
+            ),
+            ("pad_width", tips[0].width, LARGEST_PAD, "width of the last 10 mm of the finger"),
+        ):
+            is_sure = SMALLEST < size < most
+            limits = "" if is_sure else f", limited to {_mm(SMALLEST)} and {_mm(most)}"
+            self.find(field, _mm(size), why + limits, is_sure)
         for field, value in DEFAULTS.items():
             self.find(field, f"{value:g}", "the default of slides; it is not in a URDF", False)
 
@@ -180,6 +199,8 @@ class _Builder:
         if pitch == PITCHES[0]:
             return {}
         why = f"flattest pitch of the finger at which the rest of the hand is {_mm(room)} above"
+        if room <= CLEARANCE:
+            why = f"at no pitch of the finger is the rest of the hand {_mm(CLEARANCE)} above"
         self.find("pitch", f"{pitch:.3f} rad", f"{why} the surface", room > CLEARANCE)
         return {"pitch": round(pitch, 4)}
 
@@ -269,14 +290,6 @@ class _Builder:
         shown = f"{always} always, {never} never in contact"
         self.find("disable_collisions", shown, "in random configurations")
         return found
-
-
-def _ordered(tree: Tree, fingers: tuple[Finger, ...]) -> tuple[Finger, Finger]:
-    """Returns the finger that slides first: a fixed jaw, or the one that is called left."""
-    first, second = fingers
-    if second.is_fixed or (not first.is_fixed and "left" in second.name(tree).lower()):
-        first, second = second, first
-    return first, second
 
 
 def _mm(length: float) -> str:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .fist import INSIDE
+
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .fist import Fist
@@ -17,7 +19,6 @@ if TYPE_CHECKING:
     from .tree import Tree
 
 APART = 0.002  # corners that are nearer than this are one [m]
-INSIDE = 0.005  # depth of a corner in a finger or the palm [m]
 
 
 def fist_fields(tree: Tree, palm: str, fingers: tuple[Finger, ...], fist: Fist) -> dict[str, Any]:

@@ -9,8 +9,7 @@ from collections import defaultdict
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr, unescape
 
-import numpy as np
-
+from .. import frames
 from .._xml import parse
 from ..tasks.robots import mesh_path
 
@@ -42,7 +41,10 @@ def free_name(name: str, taken: Iterable[str]) -> str:
 
 
 def with_frames(urdf: str, placed: Mapping[str, tuple[str, Matrix]]) -> str:
-    """Returns a URDF with links without shapes: their parents' names and poses in them."""
+    """Returns a URDF with additional links without shapes.
+
+    `placed` maps each to its parent link and its pose in it, X_PL [4, 4].
+    """
     joints = [element.get("name", "") for element in parse(urdf).iter("joint")]
     added = ""
     for link, (parent, X_PL) in placed.items():
@@ -51,7 +53,7 @@ def with_frames(urdf: str, placed: Mapping[str, tuple[str, Matrix]]) -> str:
             joint=quoteattr(free_name(f"{link}_mount", joints)),
             parent=quoteattr(parent),
             xyz=_numbers(X_PL[:3, 3]),
-            rpy=_numbers(_rpy(X_PL)),
+            rpy=_numbers(frames.to_rpy(X_PL)),
         )
     return _at_end(urdf, f"\n{added}")
 
@@ -62,6 +64,9 @@ def with_absolute_meshes(robot: Robot, urdf: str) -> str:
     def replaced(found: re.Match[str]) -> str:
         entities = {"&quot;": '"', "&apos;": "'"}
         name = unescape(found[2][1:-1], entities)
+        package = name.removeprefix("package://").lstrip("/").partition("/")[0]
+        if name.startswith("package://") and package not in robot.packages:
+            return found[0]  # of a visual shape that is not there
         path = mesh_path(name, robot.packages, robot.directory).resolve()
         return found[1] + quoteattr(str(path))
 
@@ -75,7 +80,7 @@ def make_srdf(
     pairs: Mapping[tuple[str, str], str],
     given: str = "",
 ) -> str:
-    """Returns an SRDF; what the given one defines has precedence.
+    """Returns an SRDF; definitions in `given` take precedence.
 
     Parameters
     ----------
@@ -144,13 +149,3 @@ def _elements(srdf: str, kind: str) -> list[ET.Element]:
 
 def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{round(float(value), 9) + 0.0:.9g}" for value in values)
-
-
-def _rpy(X: Matrix) -> Matrix:
-    """Roll, pitch and yaw of a rotation, as URDF means them [rad]."""
-    R = X[:3, :3]
-    level = float(np.hypot(R[0, 0], R[1, 0]))
-    pitch = np.arctan2(-R[2, 0], level)
-    if level < 1e-9:
-        return np.array([np.arctan2(-R[1, 2], R[1, 1]), pitch, 0.0])
-    return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from .tree import Tree
 
 BENDS = 0.7  # cosine: the axis of a joint that bends a finger is along the finger's main axis
-OPENED, CLOSED = 0.1, 0.9  # shares of a joint's range, from its open end
+OPENED, CLOSED = 0.1, 0.9  # fractions of a joint's range, from its open end
 BACK = 1.0  # largest angle by which the base of an open finger bends back [rad]
 SPREADS = 5  # values that are tried for a joint that spreads a finger or turns the thumb
-INSIDE = 0.005  # depth of a tip's corner in the finger [m]
+INSIDE = 0.005  # depth of a curve's corner in a finger or the palm [m]
 
 
 @dataclass(frozen=True)

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from .tree import Tree
 
 SNAP = np.cos(np.radians(20))  # axes of the hand within this angle of a link's are that link's
-TIP_ZONE = 0.015  # length of a finger's end that is looked at [m]
+TIP_ZONE = 0.015  # length of a finger's end that is measured [m]
 GAP = 0.0005  # between the closed fingers, if they would touch [m]
 SMALLEST_STROKE = 0.001  # of a hand that opens and closes [m]
-STRETCHED = 0.7  # open fingers reach this share of their length out of the hand
+STRETCHED = 0.7  # open fingers reach this fraction of their length out of the hand
 MAX_STATES = 1700  # states of the hand that are compared
 
 
@@ -247,7 +247,8 @@ def _open(measure: Measure) -> Matrix:
     """Returns the state with the ends farthest apart, in which the fingers do not touch."""
     states = _states(measure)
     stretch = np.array([measure.stretch(state) for state in states])
-    states = states[stretch >= STRETCHED * stretch.max()]
+    longest = stretch.max()  # negative, if the fingers' joints are in front of their tips
+    states = states[stretch >= longest - (1 - STRETCHED) * abs(longest)]
     spreads = np.array([measure.spread(state) - measure.unevenness(state) for state in states])
     for i in np.argsort(-np.round(spreads, 6), kind="stable"):
         if not measure.touches(states[i]):
@@ -257,11 +258,11 @@ def _open(measure: Measure) -> Matrix:
 
 
 def _nearest(measure: Measure, opened: Matrix, i: int, value: float, across: Matrix) -> float:
-    """Returns the smallest gap on the first half of the way of one joint to a limit [m]."""
+    """Returns the smallest gap while one joint moves halfway to a limit [m]."""
     gaps = []
-    for share in (0.05, 0.2, 0.5):
+    for fraction in (0.05, 0.2, 0.5):
         state = opened.copy()
-        state[i] += share * (value - opened[i])
+        state[i] += fraction * (value - opened[i])
         gaps.append(measure.gap(state, across))
     return min(gaps)
 

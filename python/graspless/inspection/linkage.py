@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .tree import Tree
 
 SPINS = 0.15  # offset of a part's middle from the axis that it turns about, over its size
-SHORTER = 0.9  # a bar reaches less far than this share of the finger beside it
+SHORTER = 0.9  # a bar reaches less far than this fraction of the finger beside it
 BESIDE = 0.7  # cosine: directions from the middle of the palm to a bar and to its finger
 
 

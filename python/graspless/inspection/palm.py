@@ -52,6 +52,14 @@ class Palm:
         lines = [tree.line(tree.parents[finger.bodies[0]]) for finger in moving]
         return next(link for link in lines[0] if all(link in line for line in lines))
 
+    def ordered(self, tree: Tree) -> tuple[Finger, Finger]:
+        """Two fingers, the one that slides first: a fixed jaw, or the only one called left."""
+        first, second = self.fingers
+        is_left = ["left" in finger.name(tree).lower() for finger in self.fingers]
+        if second.is_fixed or (not first.is_fixed and is_left == [False, True]):
+            first, second = second, first
+        return first, second
+
 
 def find_palm(tree: Tree, link: str | None = None) -> Palm:
     """Returns the palm: the last fork of the tree, or the fixed jaw at the end of a chain.
@@ -80,8 +88,8 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
     if len(last) > 1:
         names = ", ".join(_palm_link(tree, body) for body in last)
         raise ValueError(
-            f"{len(last)} places may be a hand; graspless robot inspect --palm LINK, or "
-            f"graspless.robot.inspect(palm=...), takes one of: {names}"
+            f"{len(last)} links may be the palm of a hand: {names}; choose one with "
+            "`graspless robot inspect --palm LINK` or `graspless.robot.inspect(palm=...)`"
         )
     if not last:
         return _jaw(tree)

@@ -31,7 +31,10 @@ SPHERE = _sphere()
 
 
 def shape_points(shape: Any) -> Matrix:
-    """Returns points of a shape whose convex hull is the shape's; (N, 3) in its frame [m]."""
+    """Returns points of a shape; (N, 3) in its frame [m].
+
+    Their convex hull is that of the shape; of a sphere or capsule it is inscribed.
+    """
     if isinstance(shape, geometry.Box):
         return np.asarray(CORNERS * shape.size)
     if isinstance(shape, geometry.Sphere):

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Joint:
-    """Moving joint of a URDF."""
+    """Joint of a URDF that is not fixed."""
 
     name: str
     kind: str

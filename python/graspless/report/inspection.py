@@ -14,13 +14,13 @@ WIDTH = 44  # letters of a column
 
 
 def as_text(proposal: Proposal) -> str:
-    """Returns a table with a row per finding, and what to look at."""
+    """Returns a table with a row per finding, and the fields to check."""
     fields = max(len(finding.field) for finding in proposal.findings)
     rows = [f"{'field':{fields}}  {'value':{WIDTH}}  {'reason':{WIDTH}}"]
     for finding in proposal.findings:
         rows += _row(finding, fields)
     unsure = ", ".join(finding.field for finding in proposal.unsure)
-    rows.append(f"please look at: {unsure}" if unsure else "nothing is doubtful")
+    rows.append(f"unsure, please check: {unsure}" if unsure else "nothing is unsure")
     return "\n".join(line.rstrip() for line in rows)
 
 

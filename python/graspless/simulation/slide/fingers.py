@@ -85,14 +85,14 @@ def _soften_wrist(spec: Any, problem: slide.Problem, settings: Slide) -> None:
     last = robot.joint_names[robot.group(hand.arm)[-1]]
     wrist = spec.joint(last).parent
     damping = 2 * settings.wrist_damping_ratio * np.sqrt(stiffness * settings.wrist_mass)
-    for axis in np.eye(3):
-        joint = wrist.add_joint(name=f"{WRIST}{axis}", type=mujoco.mjtJoint.mjJNT_SLIDE, axis=axis)
+    for name, axis in zip("xyz", np.eye(3), strict=True):
+        joint = wrist.add_joint(name=f"{WRIST}{name}", type=mujoco.mjtJoint.mjJNT_SLIDE, axis=axis)
         joint.stiffness = [stiffness, 0, 0]
         joint.damping = [damping, 0, 0]
 
 
 def _flexing_links(problem: slide.Problem) -> dict[str, str]:
-    """Returns the link that carries a fingertip."""
+    """Returns the link that carries the fingertip, and the last one of the other finger."""
     robot, hand = problem.robot, problem.hand
     index = robot.frame(hand.fingertip)
     while robot.frame_names[index] not in hand.sliding_finger and robot.parent(index) >= 0:
