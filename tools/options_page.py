@@ -18,8 +18,8 @@ HEAD = """# Options, statistics and status
 Made by `make stubs` from the tables in the C++ headers: change those, not this page. Task files
 name the options under `options`, those of the budget under `budget`, those of joint paths under
 `realize`, and those of the hand under `hand`. Defaults are those of C++ and Python; in a task,
-[`hand`](../task-files.md#hand) must name `finger_model` and may have a `pitch`. Symbols and
-equations are those of the planner's paper ([notation](../notation.md)).
+[`hand`](../task-files.md#hand) must name `finger_model` with the fields that it needs, and may
+have a `pitch`. Symbols and equations are those of the planner's paper ([notation](../notation.md)).
 """
 
 SECTIONS = [
