@@ -70,4 +70,5 @@ def _faults(robot: Robot, file: Path) -> list[str]:
     if "thumb" in source.given():
         fields = source.validate(ClaspHand)
         return check.clasp_faults(robot, build_clasp_hand(fields, robot, source, ()))
-    return check.faults(robot, build_hand(source.validate(Hand), robot, source))
+    given = source.validate(Hand)
+    return check.faults(robot, build_hand(given, robot, source), given.pitch)

@@ -124,7 +124,7 @@ def test_home_is_free_away_from_limits_and_points_down(found):
 def test_nothing_is_wrong_with_a_proposal(found):
     source = Source("test", {})
     hand = build_hand(Hand(**found.hand), found.robot, source)
-    assert faults(found.robot, hand) == []
+    assert faults(found.robot, hand, found.hand.get("pitch")) == []
     clasp = build_clasp_hand(ClaspHand(**found.clasp), found.robot, source, ())
     assert clasp_faults(found.robot, clasp) == []
 

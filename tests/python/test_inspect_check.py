@@ -30,7 +30,7 @@ def with_knobs(urdf):
 
 def found_in(made, fields):
     hand = build_hand(Hand(**fields), made, Source("test", {}))
-    return faults(made, hand)
+    return faults(made, hand, fields.get("pitch"))
 
 
 def found_in_clasp(made, fields):
@@ -64,6 +64,19 @@ def test_touching_fingers_are_found_behind_a_touching_arm(knobs):
     assert set(first_pair(made)) == {"link_2", "wrist"}
     assert "open: left and right touch" in found_in(made, knobs.hand)
     assert "open: left and right touch" in found_in_clasp(made, knobs.clasp)
+
+
+def test_what_the_planner_refuses_is_told():
+    """A knuckle that is lower than the fingertip at 45 degrees, where the proposal is steeper."""
+    knuckle = small.box("knuckle", "0 0 0", "0.01 0.03 0.004")
+    knuckle += small.joint("bump", "fixed", "left", "knuckle", "0 0.035 0.058")
+    hand = small.prismatic() + knuckle
+    found = robot.inspect(robot.Robot.from_urdf(small.gripper(hand=hand)))
+    assert found_in(found.robot, found.hand) == []
+    flat = {field: value for field, value in found.hand.items() if field != "pitch"}
+    (fault,) = found_in(found.robot, flat)
+    assert fault.startswith("fingertip 'left_fingertip': at pitch ")
+    assert "the sliding finger is 0.0" in fault
 
 
 def test_a_finger_without_shapes_is_named():

@@ -27,7 +27,7 @@ CORNER = 0.002  # a corner of a curve may be this far outside the shapes [m]
 REACH = 0.02  # length of the fingers' ends that are compared [m]
 
 
-def faults(robot: Robot, hand: slide.Hand) -> list[str]:
+def faults(robot: Robot, hand: slide.Hand, pitch: float | None = None) -> list[str]:
     """Returns what is wrong with a hand for slides and with the states that it names.
 
     Parameters
@@ -35,6 +35,8 @@ def faults(robot: Robot, hand: slide.Hand) -> list[str]:
     robot : Robot
         With its SRDF.
     hand : slide.Hand
+    pitch : float, optional
+        Of the fingertip [rad]; the default of the options.
 
     Returns
     -------
@@ -48,11 +50,28 @@ def faults(robot: Robot, hand: slide.Hand) -> list[str]:
     """
     robot.group(hand.arm)
     examined = _Examined(robot, hand)
-    return examined.of_links() or [
+    found = examined.of_links() or [
         *examined.of_frames(),
         *examined.of_states(),
         *_of_home(robot, hand.open),
     ]
+    return found or _of_planner(robot, hand, pitch)
+
+
+def _of_planner(robot: Robot, hand: slide.Hand, pitch: float | None) -> list[str]:
+    """Returns what the planner refuses in a hand, whatever the object is."""
+    from .. import slide
+
+    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
+    thing = slide.Object.from_polygon("object", geometry.Polygon(square), 0.5)  # as thick as can be
+    support = slide.Support(geometry.Polygon(square), np.eye(4))
+    home = robot.state(hand.open)
+    options = slide.Options() if pitch is None else slide.Options(pitch=pitch)
+    try:
+        slide.validate(slide.Problem(robot, hand, thing, support, np.eye(4), home), options)
+    except ValueError as error:
+        return [str(error).removeprefix("hand.")]
+    return []
 
 
 def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:

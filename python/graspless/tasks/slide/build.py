@@ -54,6 +54,8 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
         if str(error).startswith("hand."):
             place = ("hand",) if "hand" in hand_source.given() else ()
             field, _, what = str(error).removeprefix("hand.").partition(" ")
+            given = f"'{getattr(hand, field, '')}'"  # which the message names before the text
+            what = what.removeprefix(given).removeprefix(":").lstrip()
             raise hand_source.error((*place, field), what) from None
         at_home = str(error).startswith("q_home")
         location = ("robot", "home") if at_home else ("object", "pose")
