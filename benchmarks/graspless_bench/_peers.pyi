@@ -2,6 +2,7 @@
 Planners that ours are compared with.
 """
 from __future__ import annotations
+import collections.abc
 import enum
 import graspless._core.clasp
 import graspless._core.planning
@@ -92,6 +93,14 @@ class PairProblem:
         """
     def __repr__(self) -> str:
         ...
+    def completed(self, path: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]]) -> graspless._core.slide.Plan:
+        """
+        Returns the plan whose slide is a path of the arm's joints from start to goal. `path`: list of (arm dof,) [rad].
+        """
+    def is_valid(self, arm: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"]) -> bool:
+        """
+        Returns True if the arm's joints keep the contact of the slide, and nothing collides.
+        """
     def run(self, peer: Peer, budget: graspless._core.planning.Budget) -> tuple[graspless._core.slide.Plan, float]:
         """
         Plans with a peer.

@@ -103,6 +103,11 @@ void bind_pair_problem(py::module_& m) {
           "Plans with a peer.\n\n"
           "Returns (plan, seconds): the peer's path with the pair's motions before and after, and "
           "the time that the peer alone took [s].")
+      .def("is_valid", &PairProblem::is_valid, py::arg("arm"),
+           "Returns True if the arm's joints keep the contact of the slide, and nothing collides.")
+      .def("completed", &PairProblem::completed, py::arg("path"),
+           "Returns the plan whose slide is a path of the arm's joints from start to goal. `path`: "
+           "list of (arm dof,) [rad].")
       .def("__repr__", [](const py::object& self) {
         return py::str("PairProblem(has_pair={0.has_pair})").format(self);
       });

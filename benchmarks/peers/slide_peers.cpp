@@ -131,6 +131,18 @@ const Eigen::VectorXd& PairProblem::goal() const {
   return impl_->pair->second;
 }
 
+bool PairProblem::is_valid(const Eigen::VectorXd& arm) {
+  return impl_->query.contact.is_valid(arm, impl_->query.carried_from(start()));
+}
+
+slide::Plan PairProblem::completed(const Path& path) {
+  slide::Plan plan;
+  plan.joint_names = impl_->problem.robot.joint_names();
+  slide::assemble(impl_->query, impl_->motions, path, plan);
+  plan.reason = slide::to_string(plan.status);
+  return plan;
+}
+
 Answer PairProblem::run(Peer peer, const planning::Budget& budget) {
   const bool is_ours = peer == Peer::forest || peer == Peer::cbirrt || peer == Peer::cbirrt2;
   impl_->query.rng.seed(budget.seed);
@@ -140,8 +152,7 @@ Answer PairProblem::run(Peer peer, const planning::Budget& budget) {
   Answer answer;
   answer.seconds = clock.seconds();
   if (path) {
-    answer.plan.joint_names = impl_->problem.robot.joint_names();
-    slide::assemble(impl_->query, impl_->motions, *path, answer.plan);
+    answer.plan = completed(*path);
   } else if (clock.was_interrupted()) {
     answer.plan.status = slide::Status::interrupted;
   }

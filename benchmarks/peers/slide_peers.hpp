@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "graspless/planning/path.hpp"
 #include "graspless/slide/slide.hpp"
 
 namespace graspless::benchmarks {
@@ -53,6 +54,11 @@ class PairProblem {
   /// Lets a peer slide from start to goal; the motions before and after are the pair's. Uses the
   /// budget's time, seed and interruption. Throws std::logic_error without a pair.
   Answer run(Peer peer, const planning::Budget& budget);
+
+  /// True if the arm at `arm` keeps the contact of the slide from start(), and nothing collides.
+  bool is_valid(const Eigen::VectorXd& arm);
+  /// Returns the plan whose slide is `path` from start() to goal().
+  slide::Plan completed(const planning::Path& path);
 
  private:
   struct Impl;

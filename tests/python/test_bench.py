@@ -8,12 +8,13 @@ import os
 import signal
 import threading
 
+import numpy as np
 import pytest
 
 from graspless import slide
 from graspless.cli import main
 from graspless_bench import _peers, statistics, tables
-from graspless_bench.slide import grid, run, shapes, summary
+from graspless_bench.slide import grid, run, shapes, sscbirrt, summary
 
 KEYS = {
     *("runs", "solved", "p50_ms", "p90_ms", "p99_ms"),
@@ -205,6 +206,34 @@ def test_baselines_grid(capsys, tmp_path):
     assert section(result, "range 2 cm, fast")["violations"] == 0
     assert section(result, "fitting pairs, forest")["runs"] == 4
     assert "TangentBundle" in (tmp_path / "slide.md").read_text()
+
+
+def test_ur5e_grid(capsys, tmp_path):
+    arguments = ("--grid", "ur5e", "--runs", 3, "--time", 1, "--out", tmp_path)
+    _, result = bench(capsys, *arguments)
+    assert section(result, "UR5e, fast")["solved"] == 3
+    assert section(result, "UR5e, fitting, forest")["violations"] == 0
+    page = (tmp_path / "slide.md").read_text()
+    assert "## A UR5e, and sscbirrt" in page
+    shown = "sscbirrt, Python, our collision tests" in page
+    assert shown == sscbirrt.is_installed()
+
+
+def test_any_path_of_the_pair_gets_its_motions():
+    """A straight path is checked like a peer's: it holds, or check() says where it does not."""
+    trial = next(iter(grid.arms(1, 1)))
+    problem, options = trial.make_problem(), trial.make_options()
+    pair = _peers.PairProblem(problem, options, _peers.PairDraw.fitting, 1)
+    assert pair.is_valid(pair.start)
+    assert not pair.is_valid(pair.start + 0.3)  # off the table's top
+    plan = pair.completed([pair.start, pair.goal])
+    assert plan
+    group = problem.robot.group(problem.hand.arm)
+    slid = next(segment for segment in plan.segments if segment.name == "slide")
+    np.testing.assert_allclose(np.asarray(slid.positions[0])[group], pair.start)
+    np.testing.assert_allclose(np.asarray(slid.positions[-1])[group], pair.goal)
+    bad = pair.completed([pair.start, pair.start + 0.3, pair.goal])
+    assert any("slide" in fault for fault in slide.check(problem, bad, options))
 
 
 def test_roots_grid(capsys, tmp_path):

@@ -8,7 +8,7 @@ import json
 from typing import TYPE_CHECKING
 
 from ..tables import Column, markdown
-from .grid import OMPL_PEERS
+from .grid import FOREIGN
 from .tables import PARTS, named
 
 if TYPE_CHECKING:
@@ -51,11 +51,11 @@ def circumstances(results: Results, directory: Path) -> dict[str, str]:
         ("process [MB]", lambda r: f"{r['process_peak_mb']:.0f}"),
     ]
     faults = [fault["method"] for result in ordered for fault in result["failed_checks"]]
-    ours = sum(method not in OMPL_PEERS for method in faults)
+    ours = sum(method not in FOREIGN for method in faults)
     some = ordered[0]
     return {
         "machine": f"{some['machine']['cpu']}, {some['machine']['cores']} cores",
         "table": markdown(rows, shown, "command"),
         "versions": ", ".join(f"{name} {version}" for name, version in some["versions"].items()),
-        "failed": f"{ours} of ours, {len(faults) - ours} of OMPL's planners",
+        "failed": f"{ours} of ours, {len(faults) - ours} of other planners",
     }

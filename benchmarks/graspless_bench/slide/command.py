@@ -25,6 +25,7 @@ DEFAULTS = {
     "reconfiguration": (500, 10.0),
     "baselines": (200, 1.0),
     "roots": (100, 2.0),
+    "ur5e": (50, 1.0),
 }
 
 
@@ -64,7 +65,7 @@ def add_parser(experiments: Any) -> None:
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from . import report, run, summary
-    from .grid import OMPL_PEERS
+    from .grid import FOREIGN
 
     if options.out is not None:
         check_writable(options.out)
@@ -85,7 +86,7 @@ def _run(options: argparse.Namespace) -> int:
         print(report.as_text(table))
     if not result.is_complete:
         return say_partial()
-    ours = [fault for fault in table["failed_checks"] if fault["method"] not in OMPL_PEERS]
+    ours = [fault for fault in table["failed_checks"] if fault["method"] not in FOREIGN]
     return NOT_FOUND if ours else FOUND
 
 
@@ -96,6 +97,8 @@ def _trials(grid: str, runs: int, seed: int, search: str | None) -> list[Trial]:
         return list(grids.paper(runs, seed, search or "fast"))
     if grid == "baselines":
         return list(grids.baselines(runs, seed))
+    if grid == "ur5e":
+        return list(grids.arms(runs, seed))
     searches = [search] if search else ["fast", "paper"]
     make = grids.reconfiguration if grid == "reconfiguration" else grids.roots
     return list(make(runs, seed, searches))

@@ -19,6 +19,7 @@ from .pictures import Panel
 from .tables import (
     BASELINES,
     METHODS,
+    OF_UR5E,
     PAIRED,
     SEARCHES,
     TIMES,
@@ -47,6 +48,7 @@ def write(directory: Path) -> None:
         "paper": _paper,
         "reconfiguration": _reconfiguration,
         "baselines": _baselines,
+        "ur5e": _ur5e,
         "roots": _roots,
         "parts": appendix.parts,
         "circumstances": appendix.circumstances,
@@ -219,6 +221,25 @@ def _baselines(results: Results, directory: Path) -> dict[str, str] | None:
             ]
         ),
         "compared": _compared(row),
+    }
+
+
+def _ur5e(results: Results, directory: Path) -> dict[str, str] | None:
+    del directory
+    result = results.get("slide_ur5e")
+    if result is None:
+        return None
+    known = {row["name"]: row for row in rows_of(result, "section")}
+
+    def table(section: str, methods: Sequence[str], title: str) -> str:
+        names = {m: f"{section}, {m}" for m in methods if f"{section}, {m}" in known}
+        return markdown([named(known[n], METHODS[m]) for m, n in names.items()], TIMES, title)
+
+    return {
+        "limit": f"{result['time_limit_s']:g}",
+        "whole": table("UR5e", ("fast",), "whole problem"),
+        **{pairs: table(f"UR5e, {pairs}", OF_UR5E, f"{pairs} pairs") for pairs in PAIRS},
+        "sscbirrt": result["versions"].get("sscbirrt", "not installed"),
     }
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from graspless import _data, frames, geometry, planning, slide
 from graspless.robot import Robot
 
+from . import sscbirrt, ur5e
 from .shapes import LETTERS, OBJECTS, TABLES, THICKNESS, outline_of
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ OMPL_PEERS = (
     "atlas_rrt_connect",
     "projected_rrt_connect",
 )
+SSC_PEERS = ("sscbirrt_native", "sscbirrt")
+FOREIGN = (*OMPL_PEERS, *SSC_PEERS)  # planners that are not ours
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,6 +92,7 @@ class Trial:
     defaults: bool = False  # the library's own margins and effective tip, not the paper's terms
     root_scale: float = 100  # N*
     pairs: str = "independent"  # how a peer's start and goal are drawn: of PAIRS
+    arm: str = "wam_t42"  # or "ur5e"
 
     @property
     def label(self) -> str:
@@ -99,8 +103,14 @@ class Trial:
         start = self.start
         hand = slide.Hand() if self.defaults else PAPERS_HAND
         X_WO = frames.planar(*start.draw_pose())
+        robot_of, home = (ur5e.robot, ur5e.home) if self.arm == "ur5e" else (robot, lambda: HOME)
         return slide.Problem(
-            robot(), hand, thin_object(start.object, start.scale), table(start.table), X_WO, HOME
+            robot_of(),
+            hand,
+            thin_object(start.object, start.scale),
+            table(start.table),
+            X_WO,
+            home(),
         )
 
     def make_options(self) -> slide.Options:
@@ -188,6 +198,18 @@ def baselines(runs: int, seed: int) -> Iterator[Trial]:
         for method in ("forest", *OMPL_PEERS):
             for start in problems:
                 yield Trial(start, f"{pairs} pairs", method, range=0.0, pairs=pairs)
+
+
+def arms(runs: int, seed: int) -> Iterator[Trial]:
+    """A UR5e at one depth: our planners, OMPL's, and sscbirrt where it is installed."""
+    problems = list(starts(runs, seed, tables=("square",)))
+    foreign = FOREIGN if sscbirrt.is_installed() else OMPL_PEERS
+    for start in problems:
+        yield Trial(start, "UR5e", "fast", range=0.0, arm="ur5e")
+    for pairs in PAIRS:
+        for method in ("forest", *foreign):
+            for start in problems:
+                yield Trial(start, f"UR5e, {pairs}", method, range=0.0, pairs=pairs, arm="ur5e")
 
 
 def roots(runs: int, seed: int, searches: Iterable[str]) -> Iterator[Trial]:

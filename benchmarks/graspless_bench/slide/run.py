@@ -14,6 +14,8 @@ from graspless import slide
 from graspless._core import slide as core  # the file's numbers are not wanted
 
 from .. import _peers, memory
+from . import sscbirrt
+from .grid import SSC_PEERS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -125,6 +127,9 @@ def _prepare(
     pair = _peers.PairProblem(problem, options, draw, trial.start.draw_seed())
     if not pair.has_pair:
         return lambda budget: (None, None)
+    if trial.method in SSC_PEERS:
+        foreign = sscbirrt.Peer(pair, problem, is_native=trial.method == "sscbirrt_native")
+        return foreign.run
     peer = _peers.Peer[trial.method]
     return lambda budget: pair.run(peer, budget)
 

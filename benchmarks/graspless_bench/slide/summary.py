@@ -6,10 +6,12 @@ from __future__ import annotations
 
 import collections
 import math
+from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from ..machine import MEGA, machine, versions
 from ..statistics import quantile
+from . import sscbirrt
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -76,9 +78,16 @@ def as_result(grid: str, run: Run, seed: int, limit: float, load: Sequence[float
         "unsolved": _unsolved(run.outcomes),
         "failed_checks": _failed_checks(run.outcomes),
         "machine": machine(load, run.baseline_bytes),
-        "versions": versions(),
+        "versions": versions() | _foreign(grid),
         "curves": _curves(run.outcomes),
     }
+
+
+def _foreign(grid: str) -> dict[str, str]:
+    """Versions of the planners from PyPI that take part in a grid."""
+    if grid != "ur5e" or not sscbirrt.is_installed():
+        return {}
+    return {name: version(name) for name in ("sscbirrt", "ssik")}
 
 
 def _rows(run: Run, main: Sequence[Outcome], limit: float) -> list[Row]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..tables import Column, milliseconds, percent
-from .grid import OMPL_PEERS
+from .grid import OMPL_PEERS, SSC_PEERS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -28,9 +28,12 @@ METHODS = {
     "projected_biest": "Projected + BiEST",
     "atlas_rrt_connect": "Atlas + RRTConnect",
     "projected_rrt_connect": "Projected + RRTConnect",
+    "sscbirrt_native": "sscbirrt, native, no collision tests",
+    "sscbirrt": "sscbirrt, Python, our collision tests",
 }
 BASELINES = ("fast", "paper", "cbirrt2", "cbirrt")
 PAIRED = ("forest", *OMPL_PEERS)
+OF_UR5E = (*PAIRED, *SSC_PEERS)
 PARTS = {  # of benchmarks/
     "solve_free": "closed-form inverse kinematics, up to eight solutions",
     "BM_SlideProjection/range_mm:0": "projection after a step of 0.1 rad, range 0",
