@@ -33,7 +33,7 @@ class Described:
     directory : pathlib.Path
         Folder that relative mesh paths start from.
     srdf : pathlib.Path, optional
-        SRDF file, if it does not stand beside the URDF.
+        SRDF file, if it is not beside the URDF.
     packages : dict
         Folder of each package://NAME/.
     xacro_args : dict

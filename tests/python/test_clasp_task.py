@@ -283,5 +283,5 @@ def test_plan_file_names_no_other_file(write, section, field, value):
     if field == "points":
         owner["sample"] = "purse"
     owner.pop("urdf_text", None)
-    with pytest.raises(graspless.TaskError, match=f"{field}.*must stand in the plan file itself"):
+    with pytest.raises(graspless.TaskError, match=f"{field}.*must be part of the plan file"):
         task_from_dict(document, "plan.json")

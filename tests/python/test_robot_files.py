@@ -320,5 +320,5 @@ def test_names_need_the_extra(folder, monkeypatch):
     ],
 )
 def test_plan_files_name_no_robot(given):
-    with pytest.raises(TaskError, match="must stand in the plan file itself"):
+    with pytest.raises(TaskError, match="must be part of the plan file"):
         require_text(Robot.model_validate(given), Source("plan.json", {"robot": given}))

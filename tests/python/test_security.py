@@ -257,8 +257,8 @@ def test_plan_file_opens_its_meshes_only(document, tmp_path):
         (lambda task, mesh: task["files"].update({str(mesh): "0" * 64}), "has changed since"),
         (lambda task, mesh: task["files"].update({"/etc/shadow": "0" * 64}), "should be a mesh"),
         (lambda task, mesh: task["robot"].update(urdf="arm.urdf"), "robot"),
-        (lambda task, mesh: task["robot"].update(urdf="a", urdf_text=None), "must stand in the plan"),
-        (lambda task, mesh: task.update(hand="arm.hand.yaml"), "must stand in the plan file"),
+        (lambda task, mesh: task["robot"].update(urdf="a", urdf_text=None), "must be part of the plan"),
+        (lambda task, mesh: task.update(hand="arm.hand.yaml"), "must be part of the plan file"),
         (lambda task, mesh: task.update(object=task["object"] | {"cloud": "a.ply"}), "object"),
     ],
 )  # fmt: skip

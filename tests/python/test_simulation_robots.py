@@ -93,6 +93,18 @@ def test_a_finger_without_a_mass_is_refused(plan_of):
         build_scene(plan_of(light), Variation())
 
 
+def test_all_links_of_a_finger_may_touch_the_object(plan_of):
+    nail = small.box("nail", "0 -0.012 0.07", "0.02 0.004 0.02")
+    nail += small.joint("glue", "fixed", "right", "nail")
+    plan = plan_of(heavy(small.gripper(hand=small.prismatic() + nail)))
+    assert list(plan.task.problem.hand.fingers) == ["left", "right", "nail"]
+    scene = build_scene(plan, Variation())
+    model, geoms = scene.model, scene.groups["other finger"]
+    bodies = {model.body(model.geom_bodyid[geom]).name for geom in geoms}
+    assert bodies == {"other finger", "right"}
+    assert (model.geom_contype[geoms] > 0).all()
+
+
 def test_elements_with_prefixes_are_read():
     urdf = heavy(small.gripper()).replace(
         "</robot>", '<gazebo><controller:force name="x"/></gazebo></robot>'

@@ -422,7 +422,7 @@ def test_task_of_a_plan_needs_no_other_file(write):
     np.testing.assert_array_equal(again.problem.q_home, task.problem.q_home)
     np.testing.assert_array_equal(again.problem.X_WO_start, task.problem.X_WO_start)
     document = task.to_dict() | {"robot": {"urdf": "wam_t42"}}
-    with pytest.raises(TaskError, match=r"plan.json: robot.urdf: .*must stand in the plan file"):
+    with pytest.raises(TaskError, match=r"plan.json: robot.urdf: .*must be part of the plan file"):
         task_from_dict(document, "plan.json")
 
 

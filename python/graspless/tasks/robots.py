@@ -154,7 +154,7 @@ def given_field(source: Source) -> str:
 def require_text(robot: Robot, source: Source) -> None:
     """Raises TaskError if a robot in a plan file names files."""
     if robot.urdf_text is None:
-        raise source.error(("robot", given_field(source)), "must stand in the plan file itself")
+        raise source.error(("robot", given_field(source)), "must be part of the plan file")
 
 
 def require_srdf(robot: Robot, source: Source) -> None:

@@ -105,7 +105,10 @@ def _along(path: Matrix, t: Matrix) -> Matrix:
 
 
 def _squeeze(plan: Plan, travel: float) -> Matrix:
-    """[dof] how the hand goes on closing beyond contact, by a largest Robot.step() of `travel`."""
+    """Returns how far each joint closes beyond contact [dof].
+
+    The largest Robot.step() is `travel`.
+    """
     problem = plan.task.problem
     hand, arm = problem.hand, problem.robot
     way = np.array(arm.state(hand.closed)) - np.array(arm.state(hand.open))
@@ -116,9 +119,9 @@ def _squeeze(plan: Plan, travel: float) -> Matrix:
 
 
 def straight_lift(plan: Plan, q: Matrix, height: float) -> tuple[Matrix, float]:
-    """[N, dof] the hand straight up from q, and how high that goes [m].
+    """Returns the path [N, dof] that lifts the hand straight up from q, and the height reached [m].
 
-    It does not turn, but about the vertical where a joint is at its limit.
+    The hand turns about the vertical only if it cannot rise otherwise.
     """
     problem = plan.task.problem
     hand = problem.hand

@@ -26,6 +26,7 @@ from .shapes import add_prism, even_points, plate_inertia, points_along
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ... import slide
     from ...frames import Matrix
     from ...slide import Plan
     from ..variation import Variation
@@ -76,7 +77,7 @@ def build_scene(
         if geom.priority == 1:
             geom.friction = [variation.friction * geom.friction[0], *geom.friction[1:]]
     model = spec.compile()
-    return Scene(model, X_WO, _groups(model))
+    return Scene(model, X_WO, _groups(model, problem.hand))
 
 
 def varied_start(problem: Any, variation: Variation) -> Matrix:
@@ -173,15 +174,17 @@ def _coulomb(friction: float) -> list[float]:
     return [friction, friction, 0.0, 0.0, 0.0]
 
 
-def _groups(model: Any) -> dict[str, Any]:
+def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
+    """Returns the indices of geoms by role. All links of a finger belong to it."""
     names = [model.geom(i).name for i in range(model.ngeom)]
     bodies = [model.body(model.geom_bodyid[i]).name for i in range(model.ngeom)]
     groups = {
         what: np.array([i for i, name in enumerate(names) if name.startswith(what)], dtype=int)
         for what in (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD)
     }
-    for what in (SLIDING, OTHER):
-        own = [i for i, body in enumerate(bodies) if body == what and names[i][:3] != PAD]
+    others = set(hand.fingers) - set(hand.sliding_finger)
+    for what, links in ((SLIDING, {SLIDING, *hand.sliding_finger}), (OTHER, {OTHER, *others})):
+        own = [i for i, body in enumerate(bodies) if body in links and model.geom_contype[i]]
         groups[what] = np.array(own, dtype=int)
     return groups
 

@@ -58,7 +58,7 @@ def require_resolved(fields: CarryTask, source: Source) -> None:
         require_text(fields.robot, source)
     thing = fields.object
     if thing is not None and thing.clasp is not None and not isinstance(thing.clasp.points, list):
-        raise source.error(("object", "clasp", "points"), "must stand in the plan file itself")
+        raise source.error(("object", "clasp", "points"), "must be part of the plan file")
 
 
 def build(fields: CarryTask, source: Source, other: Source) -> tuple[carry.Problem, None]:

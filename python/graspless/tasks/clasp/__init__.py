@@ -53,9 +53,9 @@ def require_resolved(fields: ClaspTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
     require_text(fields.robot, source)
     if not isinstance(fields.hand, Hand):
-        raise source.error(("hand",), "must stand in the plan file itself")
+        raise source.error(("hand",), "must be part of the plan file")
     if not isinstance(fields.object.points, list):
-        raise source.error(("object", "points"), "must stand in the plan file itself")
+        raise source.error(("object", "points"), "must be part of the plan file")
 
 
 def build(fields: ClaspTask, source: Source, other: Source) -> tuple[clasp.Problem, None]:

@@ -30,9 +30,9 @@ def require_resolved(fields: SlideTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
     require_text(fields.robot, source)
     if fields.object.cloud is not None:
-        raise source.error(("object", "cloud"), "must stand in the plan file itself")
+        raise source.error(("object", "cloud"), "must be part of the plan file")
     if isinstance(fields.hand, str):
-        raise source.error(("hand",), "must stand in the plan file itself")
+        raise source.error(("hand",), "must be part of the plan file")
 
 
 def build(fields: SlideTask, source: Source, other: Source) -> tuple[slide.Problem, None]:

@@ -20,7 +20,7 @@ LARGEST_SUPPORT = 5.0  # [m]
 
 
 def warn_of_units(task: model.SlideTask, source: Source) -> None:
-    """Warns of lengths and angles that nobody means."""
+    """Warns of lengths and angles that look like millimetres or degrees."""
     for section, shape, largest in (
         ("object", task.object, LARGEST),
         ("support", task.support, LARGEST_SUPPORT),
