@@ -17,6 +17,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..parts import slice_links
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
 from ..shapes import add_placed, give_inertia
@@ -63,6 +64,7 @@ def build_scene(
     settings = settings or Slide()
     problem = plan.task.problem
     spec = robot_spec(problem.robot, plan.task.fields.robot)
+    slice_links(spec, problem.robot, whole=problem.hand.fingers)
     solver = dataclasses.replace(Solver(), impratio=settings.impratio)
     apply(spec, solver)
     spec.option.timestep = solver.timestep * variation.timestep
