@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from .robot import Robot
 
+PORT = 8080
 EXAMPLE = "example: graspless robot inspect panda.urdf -o panda"
 
 
@@ -36,6 +37,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "-o", "--output", metavar="DIR", help="folder to write to (default: the robot's name)"
     )
     parser.add_argument("--json", action="store_true", help="print the proposal as JSON")
+    parser.add_argument(
+        "--serve", type=int, metavar="PORT", nargs="?", const=PORT,
+        help=f"then serve a viewer with a slider per joint until Ctrl-C (default port: {PORT})",
+    )  # fmt: skip
     parser.set_defaults(run=_run)
 
 
@@ -70,6 +75,10 @@ def _run(options: argparse.Namespace) -> int:
     from .robot import inspect
     from .tasks import robots
 
+    if options.serve is not None:
+        from .view import check_viewer
+
+        check_viewer(options.serve)
     robot, path = read_robot(options, "robot inspect")
     name = robots.stem(path)
     folder = Path(options.output or name)
@@ -92,4 +101,6 @@ def _run(options: argparse.Namespace) -> int:
     else:
         print(report.as_text(found))
         print("\n".join(f"written: {path}" for path in written))
+    if options.serve is not None:
+        found.serve(options.serve)
     return FOUND

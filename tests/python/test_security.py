@@ -306,9 +306,9 @@ def test_meshes_of_all_namespaces_have_checksums():
 
 def test_viewer_is_bound_to_this_machine():
     pytest.importorskip("viser")
-    replay = importlib.import_module("graspless.view.replay")
-    port = replay._free_port()
-    with replay._server(port) as server:
+    servers = importlib.import_module("graspless.view.server")
+    port = servers.free_port()
+    with servers.open_server(port) as server:
         assert server.get_host() == "127.0.0.1"
         others = {info[4][0] for info in socket.getaddrinfo(socket.gethostname(), port)}
         for address in others - {"127.0.0.1", "::1"}:

@@ -147,7 +147,7 @@ def test_html_is_checked_before_the_work(plan_file, engine, capsys, tmp_path):
 
 
 def test_what_takes_long_is_told(plan_file, engine, capsys, monkeypatch, tmp_path):
-    from graspless.view import replay
+    from graspless.view import replay, server
 
     told = []
 
@@ -169,7 +169,7 @@ def test_what_takes_long_is_told(plan_file, engine, capsys, monkeypatch, tmp_pat
     assert told == ["checking", "timing and writing"]
     told.clear()
     monkeypatch.setattr(replay, "time", types.SimpleNamespace(sleep=interrupt))
-    code, out, _ = run(capsys, "view", plan_file, "--port", str(replay._free_port()))
+    code, out, _ = run(capsys, "view", plan_file, "--port", str(server.free_port()))
     assert code == 130
     assert out.startswith("http://")
     assert told == ["drawing"]

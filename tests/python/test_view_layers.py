@@ -16,6 +16,7 @@ from tasks_common import GOOD, last_positions, recording
 pytest.importorskip("viser")
 
 from graspless.view import clock, film, film_stage, replay  # noqa: E402
+from graspless.view import server as servers  # noqa: E402
 
 TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
 LAYERS = {
@@ -71,7 +72,7 @@ def test_legend_explains_the_colours(plan, tmp_path):
 
 
 def test_layer_hides_what_is_in_it(plan):
-    with replay._server(replay._free_port()) as server:
+    with servers.open_server(servers.free_port()) as server:
         stage = replay._stage(server, plan, None)
         assert set(stage.layers.handles) == LAYERS[plan.kind]
         for name, handle in stage.layers.handles.items():

@@ -161,6 +161,23 @@ class Proposal:
 
         return hand.draw(self)
 
+    def serve(self, port: int = 8080) -> None:
+        """Serves a viewer on this machine until Ctrl-C: a slider per joint, a button per state.
+
+        Parameters
+        ----------
+        port : int
+            Port on localhost, in [1, 65535].
+
+        Raises
+        ------
+        TaskError
+            The port cannot be used, or a package of `graspless[view]` is missing.
+        """
+        from ..view import serve_proposal
+
+        serve_proposal(self, port)
+
     def to_dict(self) -> dict[str, Any]:
         """Returns the proposal in plain types."""
         found = [

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from .. import geometry
     from .._plan import Plan
+    from ..inspection import Proposal
     from ..simulation import Recording
 
 
@@ -137,6 +138,16 @@ def check_html(path: str | Path) -> None:
         import viser  # noqa: F401
 
 
+def check_viewer(port: int) -> None:
+    """Raises TaskError if a viewer could not be served, also because viser is missing."""
+    with _told():
+        import viser  # noqa: F401
+
+    from .server import check_port
+
+    check_port(port)
+
+
 def serve(plan: Plan, port: int = 8080) -> None:
     """Serves a viewer on this machine until Ctrl-C.
 
@@ -157,6 +168,14 @@ def serve(plan: Plan, port: int = 8080) -> None:
         from .replay import serve as run
 
         run(plan, port)
+
+
+def serve_proposal(proposal: Proposal, port: int = 8080) -> None:
+    """Serves a proposed robot on this machine until Ctrl-C, as `Proposal.serve` does."""
+    with _told():
+        from .joints import serve as run
+
+        run(proposal, port)
 
 
 @contextlib.contextmanager

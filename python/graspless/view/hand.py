@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
 AXES: tuple[Color, ...] = ((0.85, 0.15, 0.15), (0.15, 0.6, 0.2), (0.15, 0.3, 0.85))
 PANEL = (460, 460)  # pixels
-AXIS, THICKNESS = 0.35, 0.02  # of the hand's size: length and radius of an axis
+AXIS = 0.35  # length of an axis, relative to the hand
+THICKNESS = 0.06  # radius of an axis, relative to its length
 
 
 def draw(proposal: Proposal) -> Figure:
@@ -65,18 +66,18 @@ class _Hand:
             [p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in wanted for p in b.parts]
         )
         size = float(np.ptp(points, axis=0).max()) if state != "home" else 0.3
-        wanted += [(_axes(size), X_WL[names.index(name)]) for name in self.frames]
+        wanted += [(axes_body(AXIS * size), X_WL[names.index(name)]) for name in self.frames]
         X_WH = X_WL[names.index(self.frames[-1])] if self.frames else np.eye(4)
         return raster.render(wanted, _camera(points, X_WH, state == "home"), *PANEL)
 
 
-def _axes(size: float) -> Body:
-    """Axes of a frame as three bars."""
+def axes_body(length: float, name: str = "axes") -> Body:
+    """Axes of a frame as three bars: X red, Y green, Z blue."""
     parts: list[Part] = [
-        tube(np.array([np.zeros(3), AXIS * size * np.eye(3)[k]]), THICKNESS * size, AXES[k])
+        tube(np.array([np.zeros(3), length * np.eye(3)[k]]), THICKNESS * length, AXES[k])
         for k in range(3)
     ]
-    return Body("axes", parts)
+    return Body(name, parts)
 
 
 def _camera(points: Matrix, X_WH: Matrix, whole: bool) -> Camera:

@@ -4,21 +4,15 @@
 
 from __future__ import annotations
 
-import contextlib
 import html
-import io
-import socket
 import time
-from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import kinds, progress
-from ..errors import TaskError
 from .scene import legend_html
+from .server import add_boxes, check_port, free_port, open_server
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from .._plan import Plan
     from ..simulation import Recording
     from .scene import Layers
@@ -51,7 +45,7 @@ def as_html(plan: Plan, recording: Recording | None = None) -> str:
 
     The page has a time slider, a legend, and a scene tree that hides and shows layers.
     """
-    with _server(_free_port()) as server:
+    with open_server(free_port()) as server:
         stage = _stage(server, plan, recording)
         stage.show(0)
         serializer = server.get_scene_serializer()
@@ -69,8 +63,8 @@ def as_html(plan: Plan, recording: Recording | None = None) -> str:
 
 def serve(plan: Plan, port: int) -> None:
     """Serves the replay with a time slider, a legend and a check box per layer until Ctrl-C."""
-    _check_port(port)  # before the work of drawing
-    with _server(port) as server:
+    check_port(port)  # before the work of drawing
+    with open_server(port) as server:
         with progress.waiting("drawing"):
             stage = _stage(server, plan, None)
             stage.show(0)
@@ -81,7 +75,7 @@ def serve(plan: Plan, port: int) -> None:
         )
         now.on_update(lambda _: stage.show(round(now.value * RATE)))
         speed = server.gui.add_dropdown("speed", SPEEDS, initial_value="1x")
-        _add_boxes(server, stage.layers)
+        add_boxes(server, stage.layers)
         with server.gui.add_folder("legend"):
             server.gui.add_html(legend_html(stage.layers.legend))
         print(f"http://localhost:{server.get_port()}  (Ctrl-C ends it)", flush=True)
@@ -92,18 +86,6 @@ def serve(plan: Plan, port: int) -> None:
                 now.value = 0.0 if now.value >= last else min(now.value + step, last)
 
 
-def _add_boxes(server: Any, layers: Layers) -> None:
-    """Adds a check box for each layer, which hides and shows it."""
-    with server.gui.add_folder("layers"):
-        for name, handle in layers.handles.items():
-            box = server.gui.add_checkbox(name, initial_value=handle.visible)
-            box.on_update(partial(_follow, box, handle))
-
-
-def _follow(box: Any, handle: Any, _: Any) -> None:
-    handle.visible = box.value
-
-
 def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
     server.scene.set_up_direction("+z")
     server.scene.configure_default_lights(cast_shadow=True)
@@ -111,43 +93,3 @@ def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
     given = () if recording is None else (recording,)
     stage: Stage = kind.set_stage(server, plan, *given)
     return stage
-
-
-def _check_port(port: int) -> None:
-    """Raises TaskError unless the port is free.
-
-    viser waits for ever for a port that it may not use, and takes the next one if it is busy.
-    """
-    if not 1 <= port <= 65535:
-        raise TaskError(f"--port: {port}: should be from 1 to 65535")
-    try:
-        with socket.socket() as probe:
-            # Like servers do, so that a port counts as free as soon as its last server has ended.
-            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            probe.bind(("127.0.0.1", port))
-    except OSError as error:
-        raise TaskError(f"--port: {port}: cannot be served: {error.strerror}") from None
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
-
-
-@contextlib.contextmanager
-def _server(port: int) -> Iterator[Any]:
-    """Starts a viser server that only this machine can reach."""
-    import viser
-
-    _check_port(port)
-    try:
-        with contextlib.redirect_stdout(io.StringIO()):  # suppresses viser's banner
-            server = viser.ViserServer(host="127.0.0.1", port=port, verbose=False)
-    except OSError as error:
-        raise TaskError(f"--port: {port}: cannot be served: {error.strerror}") from None
-    try:
-        yield server
-    finally:
-        with contextlib.redirect_stdout(io.StringIO()):
-            server.stop()
