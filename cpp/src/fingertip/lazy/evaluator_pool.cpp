@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::fingertip {
 
 namespace {
@@ -35,6 +37,7 @@ EvaluatorPool::~EvaluatorPool() {
 void EvaluatorPool::start(std::vector<StabilityQuery>& queries) {
   queries_ = &queries;
   next_lane_ = 0;
+  cancelled_ = false;
   shared_ = !threads_.empty() && !queries.empty();
   if (!shared_) return;
   busy_ = threads_.size();
@@ -51,7 +54,16 @@ void EvaluatorPool::finish() {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
+void EvaluatorPool::cancel() {
+  cancelled_ = true;
+  while (shared_ && busy_ > 0) std::this_thread::yield();
+  failure_ = nullptr;
+}
+
 void EvaluatorPool::help() {
+  const Watch watch([this] {
+    if (cancelled_) throw Stop{};
+  });
   int seen = 0;
   while (true) {
     const auto until = std::chrono::steady_clock::now() + kAwake;
@@ -74,14 +86,15 @@ void EvaluatorPool::take_lanes() {
       solve_lane(lane);
     } catch (...) {
       const std::lock_guard<std::mutex> lock(mutex_);
-      failure_ = std::current_exception();
+      if (!failure_) failure_ = std::current_exception();
+      cancelled_ = true;  // the whole batch fails with this query
     }
   }
 }
 
 void EvaluatorPool::solve_lane(std::size_t lane) {
   Evaluator& evaluator = evaluators_[lane];
-  for (std::size_t i = lane; i < queries_->size(); i += evaluators_.size()) {
+  for (std::size_t i = lane; i < queries_->size() && !cancelled_; i += evaluators_.size()) {
     StabilityQuery& query = (*queries_)[i];
     evaluator.solver().clear_supports();
     query.z = evaluator.stability(query.instant, query.placement);

@@ -40,6 +40,8 @@ class EvaluatorPool {
   void start(std::vector<StabilityQuery>& queries);
   /// Solves what is left and waits for the rest.
   void finish();
+  /// Leaves the rest of the batch unsolved, and waits for the queries that other threads have begun.
+  void cancel();
 
  private:
   void help();        // what the other threads do
@@ -54,7 +56,7 @@ class EvaluatorPool {
   std::atomic<int> round_{0};
   std::atomic<std::size_t> next_lane_{0}, busy_{0};
   bool shared_ = false;  // the other threads were woken
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, cancelled_{false};
   std::exception_ptr failure_;
 };
 

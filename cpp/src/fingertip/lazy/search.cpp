@@ -286,7 +286,7 @@ Route search_fast(const PoseGraph& graph, std::vector<Evaluator>& evaluators,
   LazyState lazy(graph, evaluators, clock, statistics, limit);
   Route route;
   if (!clock.run([&] { route = search(lazy); })) {
-    lazy.finish();
+    lazy.cancel();
     route = unfinished(lazy, lazy.least_displacement);
   }
   lazy.note_memory();

@@ -61,6 +61,12 @@ void LazyState::finish() {
   in_flight_.clear();
 }
 
+void LazyState::cancel() {
+  pool_.cancel();
+  in_flight_.clear();
+  solved_.clear();
+}
+
 std::int64_t LazyState::note_memory(std::int64_t more_candidates) {
   constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
   const std::int64_t bytes = bounds.memory() + candidates.memory() + hubs.memory() +

@@ -24,6 +24,7 @@ struct LazyState {
   void start(std::vector<StabilityQuery>& queries);  // takes them
   void record_last();                                // records the results of those before
   void finish();
+  void cancel();  // instead of finish(), when the clock has ended the search
   std::int64_t note_memory(std::int64_t more_candidates = 0);  // of the tables, now [bytes]
   /// Throws std::bad_alloc when the tables have outgrown Options::max_memory.
   void watch_memory(std::int64_t more_candidates = 0);

@@ -6,11 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <csetjmp>
+#include <exception>
+#include <utility>
 
 #include <glpk.h>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::mechanics {
 namespace {
+
+constexpr int kProgress = 5;  // between two lines of progress [ms]
 
 /// Frees this thread's GLPK memory when the thread ends.
 struct Environment {
@@ -18,8 +24,27 @@ struct Environment {
   ~Environment() { glp_free_env(); }
 };
 
-extern "C" void graspless_on_glpk_error(void* jump) {
-  std::longjmp(*static_cast<std::jmp_buf*>(jump), 1);  // returning would abort
+/// The point to which GLPK's callbacks leave its calls.
+struct Exit {
+  std::jmp_buf jump;
+  std::exception_ptr stopped;  // thrown by poll(); none after a fatal error
+};
+
+extern "C" void graspless_on_glpk_error(void* exit) {
+  std::longjmp(static_cast<Exit*>(exit)->jump, 1);  // returning would abort
+}
+
+/// Called for each line that GLPK would print, which a long simplex does every kProgress.
+extern "C" int graspless_on_glpk_output(void* info, const char* /*line*/) {
+  constexpr int kPrinted = 1;
+  auto* exit = static_cast<Exit*>(info);
+  try {
+    poll();
+    return kPrinted;
+  } catch (...) {  // must not pass through C
+    exit->stopped = std::current_exception();
+  }
+  std::longjmp(exit->jump, 1);
 }
 
 /// Data exchanged with GLPK. It is plain, since a fatal error jumps out of the calls without
@@ -87,20 +112,21 @@ void run(Exchange* exchange) {
   glp_delete_prob(problem);
 }
 
-/// Returns false if GLPK met a fatal error.
+/// Returns false if GLPK met a fatal error. Throws what poll() throws.
 bool run_guarded(Exchange* exchange) {
   static thread_local Environment environment;
   static_cast<void>(environment);
-  static thread_local std::jmp_buf jump;
-  if (setjmp(jump) != 0) {
-    glp_free_env();  // also removes the hook, and frees what the call left behind
+  static thread_local Exit exit;
+  if (setjmp(exit.jump) != 0) {
+    glp_free_env();  // also removes the hooks, and frees what the call left behind
     glp_init_env();
+    if (exit.stopped) std::rethrow_exception(std::exchange(exit.stopped, nullptr));
     return false;
   }
-  glp_error_hook(graspless_on_glpk_error, &jump);
-  const int terminal = glp_term_out(GLP_OFF);
+  glp_error_hook(graspless_on_glpk_error, &exit);
+  glp_term_hook(graspless_on_glpk_output, &exit);
   run(exchange);
-  glp_term_out(terminal);
+  glp_term_hook(nullptr, nullptr);
   glp_error_hook(nullptr, nullptr);
   return true;
 }
@@ -108,7 +134,8 @@ bool run_guarded(Exchange* exchange) {
 glp_smcp options(const LinearProgram& lp, const GlpkMethod& method) {
   glp_smcp options;
   glp_init_smcp(&options);
-  options.msg_lev = GLP_MSG_OFF;
+  options.msg_lev = GLP_MSG_ON;  // for the hook alone, which prints nothing
+  options.out_dly = options.out_frq = kProgress;
   options.meth = method.dual ? GLP_DUAL : GLP_PRIMAL;
   options.presolve = GLP_OFF;  // with the primal method it gave wrong optima
   options.tol_bnd = options.tol_dj = method.tolerance;
