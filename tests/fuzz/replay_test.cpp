@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cpp/paths.hpp"
 #include "fuzz/targets.hpp"
 
 namespace graspless::fuzz {
@@ -24,7 +25,7 @@ std::vector<std::uint8_t> bytes_of(const fs::path& path) {
 TEST(Replay, BreaksNoLaw) {
   int replayed = 0;
   for (const Target& target : kTargets) {
-    const fs::path folder = fs::path(GRASPLESS_ROOT "/tests/fuzz/regressions") / target.name;
+    const fs::path folder = fs::path(checkout_file("tests/fuzz/regressions")) / target.name;
     if (!fs::is_directory(folder)) continue;  // nothing was found yet
     for (const auto& entry : fs::directory_iterator(folder)) {
       const auto bytes = bytes_of(entry.path());

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cpp/paths.hpp"
 #include "graspless/robot/robot.hpp"
 
 #include <fstream>
@@ -15,7 +16,7 @@ namespace {
 using robot::Robot;
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(GRASPLESS_ROOT "/" + path);
+  std::ifstream file(checkout_file(path));
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -58,7 +59,7 @@ void read_srdf(Bytes bytes) {
 }
 
 void read_hand(Bytes bytes) {
-  static const Robot robot = Robot::from_urdf_file(GRASPLESS_ROOT "/urdf/wam_t42.urdf");
+  static const Robot robot = Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
   accepts([&] {
     const clasp::Hand hand = clasp::hand_from_yaml(bytes.rest());
     require(hand.forward_H.allFinite() && hand.sideways_H.allFinite(), "directions are finite");

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cpp/paths.hpp"
 #include "graspless/slide/slide.hpp"
 
 #include <cmath>
@@ -70,7 +71,7 @@ collision::Obstacle obstacle(Bytes& bytes) {
 }  // namespace
 
 void plan_slide(Bytes bytes) {
-  static const auto wam = robot::Robot::from_urdf_file(GRASPLESS_ROOT "/urdf/wam_t42.urdf");
+  static const auto wam = robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
   accepts([&] {
     const Options options = search_options(bytes);
     const planning::Budget budget = small_budget(bytes, 300);

@@ -10,6 +10,7 @@
 
 #include "graspless/clasp/hand.hpp"
 #include "graspless/robot/robot.hpp"
+#include "paths.hpp"
 
 namespace graspless::clasp {
 
@@ -20,7 +21,7 @@ struct RobotWithHand {
 
 /// kr5_sdh, kr5_dlr, kr5_icub, kr5_armar or wam_t42.
 inline RobotWithHand robot_with_hand(const std::string& name) {
-  const std::string stem = std::string(GRASPLESS_URDF_DIR) + "/" + name;
+  const std::string stem = urdf_file(name);
   return {robot::Robot::from_urdf_file(stem + ".urdf"), hand_from_yaml_file(stem + ".clasp.yaml")};
 }
 

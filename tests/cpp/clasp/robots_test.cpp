@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Our robots that clasp: the published figures, and what a planner of clasps takes for granted.
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 #include <fstream>
@@ -166,7 +167,7 @@ TEST_P(OurHands, AreTestedForCollisionOfFingersThumbAndPalm) {
 }
 
 TEST_P(OurHands, HaveMassInEveryLink) {
-  std::ifstream file(std::string(GRASPLESS_URDF_DIR) + "/" + GetParam() + ".urdf");
+  std::ifstream file(urdf_file(GetParam() + ".urdf"));
   std::stringstream text;
   text << file.rdbuf();
   const auto count = [&](const std::string& word) {

@@ -4,6 +4,7 @@
 
 #include "graspless/robot/description.hpp"
 
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -48,7 +49,7 @@ Description gripper() {
           "<group_state name='home' group='arm'><joint name='turn' value='0.04'/></group_state>"
           "<disable_collisions link1='left' link2='right'/></robot>",
           {},
-          GRASPLESS_TEST_DATA_DIR};
+          data_file()};
 }
 
 Mount tool(const std::string& prefix = "") {

@@ -8,6 +8,7 @@
 
 #include "graspless/robot/description.hpp"
 
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -31,7 +32,7 @@ class Packages : public ::testing::Test {
 
   std::string make_package(const std::string& path, const std::string& mesh = "t.obj") const {
     fs::create_directories(folder_ / path);
-    fs::copy(GRASPLESS_TEST_DATA_DIR "/tetrahedron.obj", folder_ / path / mesh);
+    fs::copy(data_file("tetrahedron.obj"), folder_ / path / mesh);
     return fs::canonical(folder_ / path).string();
   }
 

@@ -10,6 +10,7 @@
 #include <kdl/tree.hpp>
 #include <urdf_parser/urdf_parser.h>
 
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -122,7 +123,7 @@ Isometry3d kdl_pose(const urdf::ModelInterface& urdf, const std::string& link,
 
 TEST(Robot, ForwardIsKdlsForEveryFrame) {
   const Robot robot = oddity();
-  const auto urdf = urdf::parseURDFFile(GRASPLESS_TEST_DATA_DIR "/oddity.urdf");
+  const auto urdf = urdf::parseURDFFile(data_file("oddity.urdf"));
   ASSERT_TRUE(urdf);
   std::mt19937_64 rng(3);
   Poses X_WL;
@@ -173,7 +174,7 @@ TEST(Robot, ForwardToAndPoseAgreeWithForward) {
 TEST(Robot, StandsWhereItIsPut) {
   Robot::Options options;
   options.X_WB = translation(1, 2, 3) * rotation(0.5, Vector3d(1, 2, 3).normalized());
-  const Robot moved = Robot::from_urdf_file(GRASPLESS_URDF_DIR "/wam_t42.urdf", options);
+  const Robot moved = Robot::from_urdf_file(urdf_file("wam_t42.urdf"), options);
   const Robot robot = wam();
   const VectorXd q = VectorXd::Constant(8, 0.3);
   const int tip = robot.frame("left_fingertip");

@@ -11,15 +11,16 @@
 #include "graspless/robot/robot.hpp"
 
 #include "complaint.hpp"
+#include "paths.hpp"
 
 namespace graspless::robot {
 
-inline Robot wam() { return Robot::from_urdf_file(GRASPLESS_URDF_DIR "/wam_t42.urdf"); }
-inline Robot kr5() { return Robot::from_urdf_file(GRASPLESS_URDF_DIR "/kr5_t42.urdf"); }
+inline Robot wam() { return Robot::from_urdf_file(urdf_file("wam_t42.urdf")); }
+inline Robot kr5() { return Robot::from_urdf_file(urdf_file("kr5_t42.urdf")); }
 
 /// Three revolute joints about skew axes, one that slides, one that turns without end, and two that
 /// follow others: joint "echo" the joint "mirror", which follows "first".
-inline Robot oddity() { return Robot::from_urdf_file(GRASPLESS_TEST_DATA_DIR "/oddity.urdf"); }
+inline Robot oddity() { return Robot::from_urdf_file(data_file("oddity.urdf")); }
 
 /// Uniform within the limits.
 inline Eigen::VectorXd random_q(const Robot& robot, std::mt19937_64& rng) {

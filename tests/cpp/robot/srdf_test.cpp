@@ -4,6 +4,7 @@
 
 #include "graspless/robot/robot.hpp"
 
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -12,7 +13,7 @@ namespace {
 Robot with(const std::string& body) {
   Robot::Options options;
   options.srdf = "<robot name='oddity'>\n" + body + "</robot>";
-  return Robot::from_urdf_file(GRASPLESS_TEST_DATA_DIR "/oddity.urdf", options);
+  return Robot::from_urdf_file(data_file("oddity.urdf"), options);
 }
 
 std::string fault_of_group(const std::string& body, const std::string& group = "g") {

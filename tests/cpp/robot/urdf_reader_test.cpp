@@ -7,6 +7,7 @@
 
 #include "graspless/robot/robot.hpp"
 
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -143,7 +144,7 @@ TEST(UrdfReader, RefusesBadShapes) {
 }
 
 TEST(UrdfReader, FindsMeshes) {
-  const std::string data = GRASPLESS_TEST_DATA_DIR;
+  const std::string data = data_file();
   Robot::Options options;
   options.packages["mine"] = data;
   const auto mesh = [](const std::string& path) {

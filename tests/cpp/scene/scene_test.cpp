@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
+#include "paths.hpp"
 
 namespace graspless::scene {
 namespace {
@@ -48,7 +49,7 @@ const char* const kPlanarArm = R"(
 </robot>)";
 
 Robot planar_arm() { return Robot::from_urdf(kPlanarArm, {}); }
-Robot wam() { return Robot::from_urdf_file(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.urdf"); }
+Robot wam() { return Robot::from_urdf_file(urdf_file("wam_t42.urdf")); }
 
 VectorXd vector(std::initializer_list<double> values) {
   VectorXd q(static_cast<Eigen::Index>(values.size()));

@@ -11,6 +11,7 @@
 #include "graspless/slide/slide.hpp"
 
 #include "geometry/polygons.hpp"
+#include "paths.hpp"
 
 /// Problems of the paper: its tables in the WAM's base frame (the top in z = 0), its objects.
 namespace graspless::slide {
@@ -19,13 +20,13 @@ using geometry::columns;
 
 inline const robot::Robot& wam() {
   static const auto robot =
-      robot::Robot::from_urdf_file(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.urdf");
+      robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
   return robot;
 }
 
 inline const robot::Robot& kr5() {
   static const auto robot =
-      robot::Robot::from_urdf_file(std::string(GRASPLESS_URDF_DIR) + "/kr5_t42.urdf");
+      robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
   return robot;
 }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
+#include "paths.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -268,7 +269,7 @@ TEST(Plan, RefusesBadProblems) {
 /// The WAM's URDF with an attribute of a fixed joint's origin replaced.
 robot::Robot wam_with(const std::string& link, const std::string& attribute,
                       const std::string& value) {
-  std::ifstream file(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.urdf");
+  std::ifstream file(urdf_file("wam_t42.urdf"));
   std::string xml{std::istreambuf_iterator<char>(file), {}};
   const auto child = xml.find("<child link=\"" + link + "\"");
   const auto joint = xml.rfind("<joint", child), end = xml.find("</joint>", child);
@@ -279,7 +280,7 @@ robot::Robot wam_with(const std::string& link, const std::string& attribute,
   } else {
     xml.insert(origin + 7, " " + attribute + "=\"" + value + "\"");
   }
-  std::ifstream srdf(std::string(GRASPLESS_URDF_DIR) + "/wam_t42.srdf");
+  std::ifstream srdf(urdf_file("wam_t42.srdf"));
   robot::Robot::Options options;
   options.srdf.assign(std::istreambuf_iterator<char>(srdf), {});
   return robot::Robot::from_urdf(xml, options);

@@ -9,6 +9,7 @@
 
 #include "clasp/hands.hpp"
 #include "complaint.hpp"
+#include "paths.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -116,7 +117,7 @@ TEST(HandYaml, RefusesWhatIsNoHand) {
   expect_refused_text("frame: palm\nforward: [0, 0\nsideways: ]\n", "not YAML");
   expect_refused_text("? [1, 2]\n: 3\n", "must be a word");
   expect_refused([] { hand_from_yaml_file("/no/such.yaml"); }, "/no/such.yaml");
-  expect_refused([] { hand_from_yaml_file(GRASPLESS_URDF_DIR); }, GRASPLESS_URDF_DIR);
+  expect_refused([] { hand_from_yaml_file(urdf_file()); }, urdf_file());
 }
 
 class HandValidate : public testing::Test {

@@ -9,6 +9,7 @@
 
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/hands.hpp"
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::clasp {
@@ -43,7 +44,7 @@ std::string text_of(const std::string& path) {
 /// The KR 5 with the SDH whose first joint does not turn about the vertical but slides along y,
 /// from `lower` to `upper` [m].
 RobotWithHand on_a_rail(const std::string& lower, const std::string& upper) {
-  const std::string stem = std::string(GRASPLESS_URDF_DIR) + "/kr5_sdh";
+  const std::string stem = urdf_file("kr5_sdh");
   std::string urdf = text_of(stem + ".urdf");
   std::size_t at = urdf.find("name=\"kr5_joint_1\"");
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"revolute", "prismatic"},

@@ -12,6 +12,7 @@
 
 #include "clasp/hands.hpp"
 #include "clasp/rings.hpp"
+#include "paths.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::clasp {
@@ -171,7 +172,7 @@ TEST_P(ControllerOf, RepeatsItselfToTheBit) {
 /// The KR 5 with the SDH, and in its SRDF a group of the arm's joints but one.
 RobotWithHand without_arm_joint(int left_out) {
   const RobotWithHand whole = robot_with_hand("kr5_sdh");
-  const std::string stem = std::string(GRASPLESS_URDF_DIR) + "/kr5_sdh";
+  const std::string stem = urdf_file("kr5_sdh");
   std::ifstream file(stem + ".srdf");
   std::string srdf{std::istreambuf_iterator<char>(file), {}};
   std::string group = "<group name=\"rest\">";
