@@ -13,6 +13,7 @@
 #include <CGAL/property_map.h>
 
 #include "graspless/geometry/sampling.hpp"
+#include "graspless/watch.hpp"
 
 #include "geometry/require_points.hpp"
 
@@ -24,6 +25,21 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 // Radius of the sphere relative to the distance of the farthest point. With a larger one, points
 // behind gaps of the cloud count as visible. With a smaller one, slanted surfaces are lost.
 constexpr double kRadiusRatio = 100;
+
+/// Points by their indices; polls where CGAL's loops look at them.
+struct PollingPoints {
+  using key_type = int;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::lvalue_property_map_tag;
+
+  const std::vector<value_type>* points;
+
+  friend reference get(const PollingPoints& map, int index) {
+    poll();
+    return (*map.points)[static_cast<std::size_t>(index)];
+  }
+};
 
 }  // namespace
 
@@ -49,9 +65,8 @@ std::vector<int> visible_points(const Eigen::Matrix3Xd& points, const Eigen::Vec
   std::vector<int> indices(flipped.size());
   std::iota(indices.begin(), indices.end(), 0);
   std::vector<int> visible;
-  CGAL::extreme_points_3(
-      indices, std::back_inserter(visible),
-      CGAL::make_extreme_points_traits_adapter(CGAL::make_property_map(flipped)));
+  CGAL::extreme_points_3(indices, std::back_inserter(visible),
+                         CGAL::make_extreme_points_traits_adapter(PollingPoints{&flipped}));
   visible.erase(std::remove(visible.begin(), visible.end(), n), visible.end());
   std::sort(visible.begin(), visible.end());
   return visible;
