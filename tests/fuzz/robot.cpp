@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cpp/paths.hpp"
 #include "graspless/robot/robot.hpp"
 
 #include <fstream>
@@ -8,6 +7,7 @@
 
 #include "graspless/clasp/hand.hpp"
 
+#include "cpp/paths.hpp"
 #include "fuzz/targets.hpp"
 
 namespace graspless::fuzz {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cpp/paths.hpp"
 #include "graspless/slide/slide.hpp"
 
 #include <cmath>
 #include <memory>
 
+#include "cpp/paths.hpp"
 #include "fuzz/plan.hpp"
 #include "fuzz/targets.hpp"
 

@@ -41,8 +41,8 @@ Geometry make_hull(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& tri
   return std::make_shared<fcl::Convexd>(corners, static_cast<int>(triangles.cols()), faces);
 }
 
-/// Fits a box to each node of a tree as FCL does, but with polls: a tree of 10^5 triangles takes half
-/// a second.
+/// Fits a box to each node of a tree as FCL does, but with polls: a tree of 10^5 triangles takes
+/// half a second.
 class PollingFitter : public fcl::detail::BVFitter<fcl::OBBRSSd> {
  public:
   fcl::OBBRSSd fit(unsigned int* primitives, int count) override {

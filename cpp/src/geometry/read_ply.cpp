@@ -83,6 +83,7 @@ class PlyHeaderReader {
 
   /// Goes to the next line; returns its first word, empty in an empty line.
   std::string next_word() {
+    poll();
     ++line_;
     require(next_ < text_.size(), "is missing: the header does not end");
     const std::size_t end = std::min(text_.find('\n', next_), text_.size());
@@ -143,7 +144,7 @@ class PlyHeaderReader {
     property.type = type();
     property.name = word();
     for (const PlyProperty& other : properties) {
-      require(other.name != property.name, "has property '" + property.name + "' again");
+      if (other.name == property.name) require(false, "has property '" + property.name + "' again");
     }
     properties.push_back(property);
   }

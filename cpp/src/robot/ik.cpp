@@ -212,9 +212,11 @@ struct Ik::Impl {
     const auto n = static_cast<Eigen::Index>(group.size());
     int count = 0;
     for (int attempt = 0; attempt <= options.restarts; ++attempt) {
-      VectorXd answer = robot.clamp(q);
+      VectorXd answer = q;  // joints outside the group stay there
       for (const int joint : group) {
-        if (attempt > 0) answer[joint] = uniform(robot.lower()[joint], robot.upper()[joint], rng);
+        const double lower = robot.lower()[joint], upper = robot.upper()[joint];
+        answer[joint] =
+            attempt > 0 ? uniform(lower, upper, rng) : std::clamp(q[joint], lower, upper);
       }
       if (!solver.solve(X_WF, options.tolerance, options.max_iterations, attempt > 0, answer))
         continue;

@@ -16,7 +16,7 @@
 
 #include "robot/names.hpp"
 #include "robot/urdf_tree.hpp"
-#include "robot/xml_depth.hpp"
+#include "robot/xml.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -94,15 +94,6 @@ struct Side {
   }
 };
 
-void parse(const std::string& xml, const std::string& what, TiXmlDocument& document) {
-  require_shallow(xml, what);
-  document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document.Error()) {
-    throw std::invalid_argument(what + " line " + std::to_string(document.ErrorRow()) +
-                                ": not XML: " + document.ErrorDesc());
-  }
-}
-
 /// Makes the paths of meshes absolute; leaves those of packages that were not found.
 void resolve_meshes(const Description& description, TiXmlElement& robot) {
   Description found = description;
@@ -122,8 +113,8 @@ void read_side(const Description& description, const std::string& what, Side& si
   try {
     side.description = &description;
     side.tree = read_urdf_tree(description.urdf);
-    parse(description.urdf, "URDF", side.urdf);
-    if (!description.srdf.empty()) parse(description.srdf, "SRDF", side.srdf);
+    parse_xml(description.urdf, "URDF", side.urdf);
+    if (!description.srdf.empty()) parse_xml(description.srdf, "SRDF", side.srdf);
     resolve_meshes(description, side.robot());
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(what + ": " + error.what());
@@ -153,14 +144,16 @@ void rename_srdf(const Renamings& names, TiXmlElement& gripper) {
     if (tag == "link") apply(names.links, e, "name");
     if (tag == "joint" || tag == "passive_joint") apply(names.joints, e, "name");
     if (tag == "group") apply(names.groups, e, "name");
-    for (const char* link : {"base_link", "tip_link", "link1", "link2", "parent_link"}) {
+    for (const char* link :
+         {"base_link", "tip_link", "link1", "link2", "parent_link", "child_link"}) {
       apply(names.links, e, link);
     }
-    apply(names.groups, e, "group");
+    if (tag == "disable_default_collisions") apply(names.links, e, "link");
+    for (const char* group : {"group", "parent_group"}) apply(names.groups, e, group);
   });
 }
 
-/// A joint from the gripper's world to its base no longer lies at the root, where it may float.
+/// Fixes floating and planar joints of the gripper: they are allowed at the root alone.
 void weld(TiXmlElement& gripper) {
   for (auto* e = gripper.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
     const std::string type = attribute_or_empty(*e, "type");

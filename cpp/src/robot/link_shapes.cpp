@@ -90,6 +90,7 @@ class CapsuleFinder {
   /// A sphere may serve two capsules that share an end.
   Spheres find_spheres(const Vector3d& p_LS, double radius) const {
     Spheres found;
+    poll();
     for (std::size_t i = 0; i < used_.size(); ++i) {
       const urdf::Collision& element = *link_.collision_array[i];
       if (element.geometry->type != urdf::Geometry::SPHERE) continue;

@@ -14,7 +14,7 @@
 #include "graspless/robot/description.hpp"
 #include "graspless/watch.hpp"
 
-#include "robot/xml_depth.hpp"
+#include "robot/xml.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -41,7 +41,8 @@ PackageFile split(const std::string& uri) {
   if (!names_file(uri)) throw std::invalid_argument("'" + uri + "' names no file");
   const std::size_t start = uri.find_first_not_of('/', kPackage.size());
   const std::size_t slash = uri.find('/', start);
-  return {uri.substr(start, slash - start), uri.substr(slash + 1)};
+  const std::size_t path = uri.find_first_not_of('/', slash);
+  return {uri.substr(start, slash - start), path == std::string::npos ? "" : uri.substr(path)};
 }
 
 /// Entries of an environment variable that holds paths.
@@ -154,16 +155,16 @@ std::map<std::string, std::string> find_packages(const Description& description)
   const TiXmlElement* robot = document.FirstChildElement("robot");
   if (document.Error() || !robot) return packages;  // the reader of robots says what is wrong
   const PackageFinder finder(description.directory);
-  std::set<std::string> missing;
+  std::set<std::string> missing;  // meshes of packages that were not found
   const auto look_up = [&](const std::string& name, const std::string& what) {
     poll();
     if (!starts_with(name, kPackage) || (what.empty() && !names_file(name))) return;
     const PackageFile file = split(name);
     if (packages.count(file.package) > 0) return;
-    const std::string folder = missing.count(file.package) > 0 ? "" : finder.find(file);
+    const std::string folder = missing.count(name) > 0 ? "" : finder.find(file);
     if (!folder.empty()) {
       packages.emplace(file.package, folder);
-    } else if (missing.insert(file.package); !what.empty()) {
+    } else if (missing.insert(name); !what.empty()) {
       throw std::invalid_argument(what + ": mesh '" + name + "': package '" + file.package +
                                   "' was not found; " + finder.places());
     }

@@ -14,7 +14,7 @@
 #include "graspless/watch.hpp"
 
 #include "robot/model.hpp"
-#include "robot/xml_depth.hpp"
+#include "robot/xml.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -222,13 +222,8 @@ class SrdfReader {
 }  // namespace
 
 void read_srdf(const std::string& xml, Robot::Model& model) {
-  require_shallow(xml, "SRDF");
   TiXmlDocument document;
-  document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document.Error()) {
-    throw std::invalid_argument("SRDF line " + std::to_string(document.ErrorRow()) +
-                                ": not XML: " + document.ErrorDesc());
-  }
+  parse_xml(xml, "SRDF", document);
   const TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::invalid_argument("SRDF: there is no <robot> element");
   SrdfReader(*robot, model).read();

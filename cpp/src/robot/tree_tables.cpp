@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspless/watch.hpp"
+
 #include "robot/model.hpp"
 
 namespace graspless::robot {
@@ -17,11 +19,14 @@ using Eigen::VectorXd;
 
 std::pair<int, int> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Returns the first link of the rigid body that `link` belongs to: links connected by fixed
-/// joints.
-int rigid_body(const Robot::Model& model, int link) {
-  while (link > 0 && model.links[link].joint < 0) link = model.links[link].parent;
-  return link;
+/// Returns for each link the first one of its rigid body: of the links connected by fixed joints.
+std::vector<int> rigid_bodies(const Robot::Model& model) {
+  std::vector<int> first;
+  for (int link = 0; link < static_cast<int>(model.links.size()); ++link) {  // parents come first
+    const Link& it = model.links[link];
+    first.push_back(link > 0 && it.joint < 0 ? first[static_cast<std::size_t>(it.parent)] : link);
+  }
+  return first;
 }
 
 /// Returns the largest distance from A's origin to a point of the shape [m].
@@ -102,13 +107,16 @@ VectorXd reach_of(const Robot::Model& model, int link) {
 std::set<std::pair<int, int>> neighbours(const Robot::Model& model) {
   std::set<int> shaped;
   for (const LinkShape& shape : model.shapes) shaped.insert(shape.link);
+  const std::vector<int> body = rigid_bodies(model);
   std::set<std::pair<int, int>> pairs;
   for (const int link : shaped) {
+    poll();
     int ancestor = model.links[link].parent;
     while (ancestor >= 0 && shaped.count(ancestor) == 0) ancestor = model.links[ancestor].parent;
     if (ancestor >= 0) pairs.insert(ordered(ancestor, link));
     for (const int other : shaped) {
-      if (other < link && rigid_body(model, other) == rigid_body(model, link)) {
+      if (other >= link) break;
+      if (body[static_cast<std::size_t>(other)] == body[static_cast<std::size_t>(link)]) {
         pairs.insert(ordered(other, link));
       }
     }
@@ -119,6 +127,7 @@ std::set<std::pair<int, int>> neighbours(const Robot::Model& model) {
 std::vector<VectorXd> reach_bounds(const Robot::Model& model) {
   std::vector<VectorXd> reach;
   for (std::size_t link = 0; link < model.links.size(); ++link) {
+    poll();
     reach.push_back(reach_of(model, static_cast<int>(link)));
   }
   return reach;

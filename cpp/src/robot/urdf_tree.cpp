@@ -8,7 +8,7 @@
 
 #include <tinyxml.h>
 
-#include "robot/xml_depth.hpp"
+#include "robot/xml.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -161,13 +161,8 @@ void check_chains(const TiXmlElement& robot, const std::vector<Edge>& edges,
 }  // namespace
 
 UrdfTree read_urdf_tree(const std::string& xml) {
-  require_shallow(xml, "URDF");
   TiXmlDocument document;
-  document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document.Error()) {
-    throw std::invalid_argument("URDF line " + std::to_string(document.ErrorRow()) +
-                                ": not XML: " + document.ErrorDesc());
-  }
+  parse_xml(xml, "URDF", document);
   const TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::invalid_argument("URDF: there is no <robot> element");
   const std::set<std::string> links = declared_links(*robot);

@@ -19,7 +19,7 @@ constexpr int kLeastFirst = 50;    // samples that decide about pairs that touch
 constexpr int kEnoughNear = 2000;  // samples in which a pair's boxes meet, but it does not touch
 constexpr double kAlways = 0.95;   // of the samples, as MoveIt's set-up assistant
 
-/// A pair of the world that is still tested: in how many samples its boxes met, and it touched.
+/// A pair that is still tested, with the number of samples in which its boxes met, and it touched.
 struct OpenContact {
   int pair;
   int near = 0;

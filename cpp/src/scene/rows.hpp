@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "graspless/robot/robot.hpp"
+#include "graspless/watch.hpp"
 
 /// Conditions that every check() puts on the rows of a motion.
 namespace graspless::scene {
@@ -19,16 +20,20 @@ constexpr double kReplayStep = 0.01;          // between checked configurations,
 constexpr double kLongestStep = 0.05 + 1e-9;  // between rows, Robot::step() [rad]
 
 /// Calls visit(row, q) at steps of kReplayStep along the rows; `row` is the index of the row that
-/// the step leads to.
+/// the step leads to. Of a step longer than kLongestStep, which check_rows() reports, it visits
+/// few.
 template <typename Visit>
 void replay_rows(const robot::Robot& robot, const std::vector<Eigen::VectorXd>& rows, Visit visit) {
   visit(std::size_t{0}, rows[0]);
   for (std::size_t row = 1; row < rows.size(); ++row) {
     const Eigen::VectorXd& from = rows[row - 1];
     const Eigen::VectorXd step = rows[row] - from;
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(robot.step(from, rows[row]) / kReplayStep)));
-    for (int i = 1; i <= pieces; ++i) visit(row, from + step * i / pieces);
+    const double length = std::min(robot.step(from, rows[row]), kLongestStep);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / kReplayStep)));
+    for (int i = 1; i <= pieces; ++i) {
+      poll();
+      visit(row, from + step * i / pieces);
+    }
   }
 }
 

@@ -136,7 +136,7 @@ void Examination::check_object_poses() {
 
 /// The hand must stay open in every segment but approach and close.
 void Examination::check_hand_open() {
-  const Eigen::VectorXd& open = problem_.robot.state(problem_.hand.open);
+  const Eigen::VectorXd open = problem_.robot.state(problem_.hand.open, problem_.q_home);
   const std::vector<int>& arm = problem_.robot.group(problem_.hand.arm);
   for (const Segment& s : plan_.segments) {
     if (s.name == "approach" || s.name == "close") continue;
@@ -152,7 +152,7 @@ void Examination::check_hand_open() {
 void Examination::check_collisions(const Segment& segment) {
   const bool pressing =
       segment.name == "press" || segment.name == "slide" || segment.name == "lift";
-  Replay world(problem_, options_,
+  Replay world(problem_, depths_.max,
                pressing                  ? Contacts::press
                : segment.name == "close" ? Contacts::close
                                          : Contacts::none);

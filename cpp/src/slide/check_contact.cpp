@@ -21,6 +21,18 @@ constexpr double kStray = 5e-4;
 
 }  // namespace
 
+DepthBand allowed_depths(const Hand& hand, const Options& options) {
+  DepthBand depths{0, 0};
+  if (hand.finger_model == FingerModel::flexure) depths = {0.005, 0.025};
+  if (hand.finger_model == FingerModel::impedance) {
+    const double spring = hand.press_force / hand.wrist_stiffness;  // its deflection [m]
+    depths = {spring / 2, 3 * spring / 2};
+  }
+  if (options.min_depth) depths.min = *options.min_depth;
+  if (options.max_depth) depths.max = *options.max_depth;
+  return depths;
+}
+
 Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   const Eigen::Isometry3d X_SF =
       X_SW_ * problem_.robot.pose(problem_.robot.frame(problem_.hand.fingertip), q);
@@ -33,14 +45,15 @@ Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   f.commanded = X_SF.translation().head<2>();
   f.heading = Eigen::Vector2d(R(1, 0), -R(0, 0)).normalized();  // across the line contact X_F
   f.effective = f.commanded;
+  f.bent = f.pitch;
   if (problem_.hand.finger_model == FingerModel::flexure) {
     // The flexure, a length L behind the commanded tip, stays in place. The finger turns up about
     // it until its tip lies in the top face: L sin(pitch') = L sin(pitch) - depth. The pad rolls by
     // the same angle.
     const double L = problem_.hand.flexure_length;
-    const double bent = std::asin(std::clamp(std::sin(f.pitch) - f.depth / L, -1.0, 1.0));
-    const double ahead = L * std::cos(bent) - L * std::cos(f.pitch);
-    const double rolled = problem_.hand.tip_radius * (options_.pitch - bent);
+    f.bent = std::asin(std::clamp(std::sin(f.pitch) - f.depth / L, -1.0, 1.0));
+    const double ahead = L * std::cos(f.bent) - L * std::cos(f.pitch);
+    const double rolled = problem_.hand.tip_radius * (options_.pitch - f.bent);
     f.effective += (ahead + rolled) * f.heading;
   }
   return f;
@@ -63,6 +76,9 @@ Eigen::Isometry3d Examination::followed(const Finger& start, const Finger& now) 
 void Examination::check_pressing(const Segment& segment) {
   constexpr double kTurn = 1e-3;  // [rad]
   const bool press = segment.name == "press";
+  // Rigid fingers press at depth 0, where the contact of a flexing one begins to move.
+  const bool flexes = problem_.hand.finger_model == FingerModel::flexure;
+  const double touching = flexes ? 0 : -kHeightTolerance;
   const Finger pressed = finger(press ? segment.positions.back() : segment.positions.front());
   scene::replay_rows(
       problem_.robot, segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
@@ -70,7 +86,7 @@ void Examination::check_pressing(const Segment& segment) {
         if (now.depth > depths_.max + kHeightTolerance) {
           fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
         }
-        if (now.depth <= 0) return;
+        if (now.depth <= touching) return;
         const double moved = (now.effective - pressed.effective).norm();
         if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
         const double turned = (now.heading - pressed.heading).norm();
@@ -153,7 +169,9 @@ void Examination::check_touching_row(const Segment& segment, std::size_t row, co
   if (!(std::abs(now.roll) <= kRollTolerance + kRound)) {
     fault(segment, row, "roll " + figure(now.roll) + " rad exceeds its tolerance");
   }
-  const double sink = finger_sink(problem_, now.depth, now.pitch);
+  const FingerModel model = problem_.hand.finger_model;
+  const bool yields = model == FingerModel::flexure || model == FingerModel::impedance;
+  const double sink = finger_below(problem_, now.bent) + (yields ? 0 : now.depth);
   if (!(sink <= allowed_sink(problem_.hand) + kHeightTolerance)) {
     fault(segment, row, "the finger is " + figure(sink) + " m below the object's top face");
   }

@@ -33,7 +33,7 @@ const Eigen::Vector2d& closest(const Points& points, const Eigen::Vector2d& to) 
   return points[best];
 }
 
-/// The points that are as near to a place as the closest: of a symmetric object there are several.
+/// Returns all points that are as near to `to` as the closest one. A symmetric object has several.
 Points nearly_closest(const Points& points, const Eigen::Vector2d& to) {
   const double least = (closest(points, to) - to).norm();
   Points found;
@@ -68,7 +68,7 @@ Points largest_group(const Points& points, double distance) {
 
 }  // namespace
 
-/// True if a place lies inside the outline, and near a point of the part that sticks out.
+/// True if `p` lies inside the outline, and near a point of the part that sticks out.
 bool Examination::is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
                              const Eigen::Isometry3d& X_SO) const {
   const Eigen::Vector3d p_O = X_SO.inverse() * Eigen::Vector3d(p.x(), p.y(), 0);
@@ -170,7 +170,7 @@ void Examination::check_closing() {
   constexpr double kPrecision = 2e-4;  // of the joint that moves most, at the touch [rad or m]
   const Segment& close = segment("close");
   const Eigen::VectorXd open = close.positions.front();
-  Eigen::VectorXd stroke = problem_.robot.state(problem_.hand.closed) - open;
+  Eigen::VectorXd stroke = problem_.robot.state(problem_.hand.closed, open) - open;
   for (int joint : problem_.robot.group(problem_.hand.arm)) stroke[joint] = 0;
   Eigen::Index fastest = 0;
   const double travel = stroke.cwiseAbs().maxCoeff(&fastest);
@@ -183,7 +183,7 @@ void Examination::check_closing() {
     }
     before = t;
   }
-  Replay strict(problem_, options_, Contacts::none);
+  Replay strict(problem_, depths_.max, Contacts::none);
   const Eigen::Isometry3d& X_WO = close.object_poses.back();
   if (strict.touching(close.positions.back(), X_WO).empty()) {
     fault("close", "no finger touches the object at the end");

@@ -18,11 +18,11 @@ using Planar = Eigen::Isometry2d;
 
 /// Tolerances that the search keeps and check() allows. A straight motion between two projected
 /// configurations 0.1 rad apart leaves the surface by a few tenths of a millimetre; both are far
-/// below what a pad gives way.
+/// less than a pad yields.
 inline constexpr double kHeightTolerance = 5e-4;  ///< of the depth [m]
 inline constexpr double kRollTolerance = 1e-3;    ///< tilt of the line contact [rad]
 
-/// Largest depth to which a rigid finger may be commanded: what its pad gives way [m].
+/// Largest commanded depth of a rigid finger: its pad yields by this much [m].
 inline constexpr double kPadGive = 0.003;
 
 /// The fingertip as commanded.
@@ -40,8 +40,8 @@ Tip tip(const Eigen::Isometry3d& X_SF);
 Eigen::Isometry3d tip_pose(const Eigen::Vector2d& position, double height,
                            const Eigen::Vector2d& heading, double pitch);
 
-/// Pitch of the sliding finger once it has yielded to a contact that its tip was commanded `depth`
-/// below [rad].
+/// Pitch of the sliding finger after it has yielded, for a tip commanded `depth` [m] below the
+/// contact [rad].
 double yielded_pitch(const Hand& hand, double depth, double pitch);
 
 /// Distance of the contact ahead of the commanded tip, along the heading, for a tip commanded

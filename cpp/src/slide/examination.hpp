@@ -13,8 +13,8 @@
 #include "slide/contact.hpp"
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
-/// again from the paper and docs/architecture.md, so that a mistake in the search does not repeat
-/// itself here.
+/// again from the paper and docs/internals/slide.md, so that a mistake in the search does not
+/// repeat itself here.
 namespace graspless::slide {
 
 constexpr double kSame = 1e-6;  // [m, rad]
@@ -27,6 +27,10 @@ bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tole
 /// Signed distance of a point to a polygon's boundary [m], positive inside (by the winding number).
 double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p);
 
+/// Depths of the commanded fingertip below the object's top face: those of the options, or of the
+/// model of the finger.
+DepthBand allowed_depths(const Hand& hand, const Options& options);
+
 /// Replays one plan and collects its faults.
 class Examination {
  public:
@@ -34,7 +38,7 @@ class Examination {
       : problem_(problem),
         plan_(plan),
         options_(options),
-        depths_(depth_band(problem.hand, options)),
+        depths_(allowed_depths(problem.hand, options)),
         X_SW_(problem.support.X_WS().inverse()) {}
 
   Faults run();
@@ -43,6 +47,7 @@ class Examination {
   /// The finger relative to the support, computed from the pose of its frame alone.
   struct Finger {
     double depth, pitch, roll;
+    double bent;  // pitch after the finger has yielded
     bool other_finger_up;
     Eigen::Vector2d commanded, effective, heading;
   };

@@ -40,8 +40,10 @@ Vector3d middle_of(const robot::LinkShape& shape, const Eigen::Isometry3d& X_WL)
   return middle;
 }
 
-/// Mean position of the links' collision shapes, in W, with the hand open [m].
-Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links) {
+/// Mean position of the links' collision shapes, in W, with the hand open [m]. Throws if there are
+/// none; `what` names the links.
+Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links,
+                   const std::string& what) {
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
   robot.forward(robot.state(problem.hand.open), X_WL);
@@ -53,7 +55,8 @@ Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links
     sum += middle_of(shape, X_WL[static_cast<std::size_t>(shape.link)]);
     ++count;
   }
-  return sum / std::max(1, count);
+  if (count == 0) throw std::invalid_argument(what + " must name a link with a collision shape");
+  return sum / count;
 }
 
 void require(bool holds, const std::string& field, const std::string& frame,
@@ -77,22 +80,6 @@ bool yields(const Hand& hand) {
   return hand.finger_model == FingerModel::flexure || hand.finger_model == FingerModel::impedance;
 }
 
-/// Depth of the sliding finger's shapes below the origin of F at a pitch, with the hand open [m].
-double finger_below(const Problem& problem, double pitch) {
-  const robot::Robot& robot = problem.robot;
-  robot::Poses X_WL;
-  robot.forward(robot.state(problem.hand.open), X_WL);
-  const auto F = static_cast<std::size_t>(robot.frame(problem.hand.fingertip));
-  const Vector3d down_F(0, -std::cos(pitch), std::sin(pitch));
-  double below = -std::numeric_limits<double>::infinity();
-  for (const robot::LinkShape& shape : robot.shapes()) {
-    const auto link = static_cast<std::size_t>(shape.link);
-    if (!contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
-    below = std::max(below, extent(shape, X_WL[F].inverse() * X_WL[link], down_F));
-  }
-  return below;
-}
-
 /// Interval that the shapes of links take along a direction of W at q [m].
 std::pair<double, double> interval(const Problem& problem, const Eigen::VectorXd& q,
                                    const std::vector<std::string>& links,
@@ -111,6 +98,21 @@ std::pair<double, double> interval(const Problem& problem, const Eigen::VectorXd
 }
 
 }  // namespace
+
+double finger_below(const Problem& problem, double pitch) {
+  const robot::Robot& robot = problem.robot;
+  robot::Poses X_WL;
+  robot.forward(robot.state(problem.hand.open), X_WL);
+  const auto F = static_cast<std::size_t>(robot.frame(problem.hand.fingertip));
+  const Vector3d down_F(0, -std::cos(pitch), std::sin(pitch));
+  double below = -std::numeric_limits<double>::infinity();
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    const auto link = static_cast<std::size_t>(shape.link);
+    if (!contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
+    below = std::max(below, extent(shape, X_WL[F].inverse() * X_WL[link], down_F));
+  }
+  return below;
+}
 
 void check_closing(const Problem& problem) {
   const Hand& hand = problem.hand;
@@ -172,8 +174,9 @@ void check_hand_frames(const Problem& problem) {
   const Eigen::VectorXd& open = robot.state(hand.open);
   const Eigen::Isometry3d X_WF = robot.pose(robot.frame(hand.fingertip), open);
   const Eigen::Isometry3d X_WH = robot.pose(robot.frame(hand.grasp_frame), open);
-  const Vector3d finger = middle_of(problem, hand.sliding_finger),
-                 other = middle_of(problem, others);
+  const Vector3d finger = middle_of(problem, hand.sliding_finger, "hand.sliding_finger"),
+                 other = middle_of(problem, others,
+                                   "hand.fingers, besides those of hand.sliding_finger,");
   const Vector3d across = (other - finger).normalized();
 
   require(X_WF.linear().col(2).dot(X_WF.translation() - finger) > 0, "fingertip", hand.fingertip,

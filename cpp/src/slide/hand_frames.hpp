@@ -15,8 +15,11 @@ void check_hand_frames(const Problem& problem);
 /// object is thick.
 void check_closing(const Problem& problem);
 
-/// Depth of the sliding finger's shapes below the object's top face once it has yielded to a
-/// contact that its tip was commanded `depth` below [m]. Negative if they do not reach the contact.
+/// Depth of the sliding finger's shapes below the origin of F at a pitch, with the hand open [m].
+double finger_below(const Problem& problem, double pitch);
+
+/// Depth of the sliding finger's shapes below the object's top face after it has yielded, for a tip
+/// commanded `depth` below the contact [m]. Negative if they do not reach the contact.
 double finger_sink(const Problem& problem, double depth, double pitch);
 
 /// Largest sink that check() allows [m]: 5 mm for a rigid finger, 8 mm for one that yields. The

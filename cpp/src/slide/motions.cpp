@@ -134,17 +134,18 @@ bool Motions::stands_still(const Path& press, const Planar& contact) {
 std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& from,
                                    const std::vector<Eigen::Isometry3d>& poses,
                                    scene::Scene& scene) {
-  constexpr double kJump =
-      0.3;  // [rad]; a larger joint step has left the branch of inverse kinematics
+  // Robot::step() [rad]; a longer one has left the branch of inverse kinematics.
+  constexpr double kJump = 0.3;
+  const robot::Robot& robot = query_.problem.robot;
   Path path{from};
   Eigen::VectorXd q = query_.arm.full(from);
   for (const Eigen::Isometry3d& pose : poses) {
     ++query_.statistics.ik_calls;
     const auto next = ik.solve_near(pose, q);
-    if (!next || (*next - q).lpNorm<Eigen::Infinity>() > kJump) return std::nullopt;
-    if (!scene.is_free(q, *next,
-                       replay_step(query_.problem.robot, q, *next, query_.options.resolution)))
+    if (!next || robot.step(q, *next) > kJump) return std::nullopt;
+    if (!scene.is_free(q, *next, replay_step(robot, q, *next, query_.options.resolution))) {
       return std::nullopt;
+    }
     q = *next;
     path.push_back(query_.arm.part(q));
   }

@@ -21,8 +21,8 @@ geometry::Polygon::Edge draw_edge(const geometry::Polygon& Q, std::mt19937_64& r
   return Q.edge(std::discrete_distribution<int>(lengths.begin(), lengths.end())(rng));
 }
 
-// Points of one part lie within this many spacings of another, and a place on the object within
-// half of that. Neighbours on the diagonal of a grid are 1.4 spacings apart.
+// Points at most this many spacings apart belong to one part. A position is on the object if a
+// point is within half that distance. Neighbours on the diagonal of a grid are 1.4 spacings apart.
 constexpr double kLink = 2.5;
 
 Eigen::Vector2d center_of(const Points& points) {

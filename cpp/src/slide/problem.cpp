@@ -163,6 +163,7 @@ Object Object::scaled(double scale) const {
   check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
   Object other(name_, scale * points_, geometry::Polygon(scale * outline_.vertices()), thickness_,
                scale * com_.head<2>());
+  check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
   other.com_.z() = com_.z();
   other.mass_ = mass_;
   return other;

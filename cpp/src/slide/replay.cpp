@@ -9,10 +9,10 @@
 #include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
-Replay::Replay(const Problem& problem, const Options& options, Contacts contacts)
+Replay::Replay(const Problem& problem, double max_depth, Contacts contacts)
     : problem_(problem), replay_(problem.robot) {
   add_surroundings();
-  if (contacts == Contacts::press) allow_press(options);
+  if (contacts == Contacts::press) allow_press(max_depth);
   if (contacts == Contacts::close) ignore_fingers();
 }
 
@@ -26,10 +26,9 @@ void Replay::add_surroundings() {
   }
 }
 
-void Replay::allow_press(const Options& options) {
+void Replay::allow_press(double max_depth) {
   constexpr double kRoundOff = 1e-4;
-  const double deepest = depth_band(problem_.hand, options).max + allowed_sink(problem_.hand) +
-                         kHeightTolerance + kRoundOff;
+  const double deepest = max_depth + allowed_sink(problem_.hand) + kHeightTolerance + kRoundOff;
   const Eigen::Vector3d normal_W = problem_.support.normal_W();
   for (const std::string& link : problem_.hand.sliding_finger) {
     const int body = replay_.body_of(link);

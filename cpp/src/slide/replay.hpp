@@ -19,14 +19,15 @@ enum class Contacts {
 
 class Replay {
  public:
-  Replay(const Problem& problem, const Options& options, Contacts contacts);
+  /// `max_depth` of the commanded fingertip below the top face [m].
+  Replay(const Problem& problem, double max_depth, Contacts contacts);
 
   /// Names of touching pairs, "a - b", with the robot at q and the object at X_WO.
   std::vector<std::string> touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO);
 
  private:
   void add_surroundings();
-  void allow_press(const Options& options);
+  void allow_press(double max_depth);
   void ignore_fingers();
 
   const Problem& problem_;

@@ -131,7 +131,7 @@ Turning turning(const Problem& problem, const Plan& plan) {
     const double distance = step.norm();
     const double turn = std::abs(std::remainder(now.yaw - before.yaw, 2 * std::acos(-1.0)));
     const double allowed = max_turn_per_length(problem, now.radius, press_on(problem, now, step));
-    if (distance > 0) found.max_turn_rate = std::max(found.max_turn_rate, turn / distance);
+    if (distance >= kMinStep) found.max_turn_rate = std::max(found.max_turn_rate, turn / distance);
     found.allowed_turn_rate = std::min(found.allowed_turn_rate, allowed);
     if (std::isfinite(allowed)) found.lag += std::max(0.0, turn - allowed * distance);
   }

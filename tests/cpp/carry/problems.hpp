@@ -5,20 +5,19 @@
 #include <string>
 
 #include "graspless/carry/carry.hpp"
+
 #include "paths.hpp"
 
 /// A box in the hands of the WAM and of the KR5, as the tests of carrying need them.
 namespace graspless::carry {
 
 inline const robot::Robot& wam() {
-  static const auto robot =
-      robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
+  static const auto robot = robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
   return robot;
 }
 
 inline const robot::Robot& kr5() {
-  static const auto robot =
-      robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
+  static const auto robot = robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
   return robot;
 }
 

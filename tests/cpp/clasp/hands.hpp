@@ -10,6 +10,7 @@
 
 #include "graspless/clasp/hand.hpp"
 #include "graspless/robot/robot.hpp"
+
 #include "paths.hpp"
 
 namespace graspless::clasp {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Our robots that clasp: the published figures, and what a planner of clasps takes for granted.
-#include "paths.hpp"
 #include "robot/robots.hpp"
 
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "graspless/scene/scene.hpp"
 
 #include "clasp/hands.hpp"
+#include "paths.hpp"
 
 namespace graspless::clasp {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graspless/realize/realize.hpp"
+
 #include "paths.hpp"
 
 /// Plans made by hand, robots to carry them out, and a block.
@@ -94,8 +95,7 @@ inline std::string faults(const std::vector<std::string>& found) {
 }
 
 inline const robot::Robot& wam_tips() {
-  static const auto robot =
-      robot::Robot::from_urdf_file(urdf_file("wam_t42_tips.urdf"));
+  static const auto robot = robot::Robot::from_urdf_file(urdf_file("wam_t42_tips.urdf"));
   return robot;
 }
 
@@ -104,8 +104,7 @@ inline Carrier t42() {
 }
 
 inline const robot::Robot& two_arms() {
-  static const auto robot =
-      robot::Robot::from_urdf_file(data_file("two_arms.urdf"));
+  static const auto robot = robot::Robot::from_urdf_file(data_file("two_arms.urdf"));
   return robot;
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/arms.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -37,8 +38,8 @@ TEST(Ik, SolveAllSortsAndRepeats) {
   EXPECT_EQ(ik.solve_all(X_WF, q, same), solutions);
 }
 
-/// The eight ways of a wrist-partitioned arm to one pose: over the shoulder or not, elbow up or
-/// down, wrist flipped or not. Limits are widened so that all of them exist.
+/// The eight solutions of a wrist-partitioned arm for one pose: over the shoulder or not, elbow up
+/// or down, wrist flipped or not. Limits are widened so that all of them exist.
 TEST(Ik, FindsAllEightBranchesOfTheKr5) {
   std::string urdf = "<robot name='kr5'><link name='l0'/>";
   const char* origins[] = {"xyz='0 0 0.335'",
@@ -140,6 +141,33 @@ TEST(Ik, DrivesJointsThatOthersMimic) {
     EXPECT_LT(distance(robot.pose(frame, *answer), robot.pose(frame, q)), 1e-8);
   }
   EXPECT_GE(found, 45);
+}
+
+// An arm without a closed form, on a torso that is outside its limits.
+TEST(Ik, LeavesJointsOutsideTheGroupAlone) {
+  std::mt19937_64 rng(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Arm arm{"crooked", {}};
+  for (int i = 0; i < 8; ++i) {
+    const auto draw = [&] { return Eigen::Vector3d(unit(rng), unit(rng), unit(rng)); };
+    arm.origins.push_back({0.2 * draw(), draw()});
+  }
+  const Robot robot = arm.robot(2.5, {{-0.3, 0.3}});
+  const int frame = robot.frame("l8");
+  const Ik ik(robot, frame, {1, 2, 3, 4, 5, 6});
+  ASSERT_FALSE(ik.is_closed_form());
+  int found = 0;
+  for (int sample = 0; sample < 20; ++sample) {
+    VectorXd q = random_q(robot, rng);
+    q[0] = 0.305;
+    const auto X_WF = robot.pose(frame, q);
+    for (const VectorXd& answer : ik.solve_all(X_WF, q, rng)) {
+      ++found;
+      EXPECT_EQ(answer[0], q[0]);
+      EXPECT_LT(distance(robot.pose(frame, answer), X_WF), 1e-8);
+    }
+  }
+  EXPECT_GT(found, 20);
 }
 
 TEST(Ik, RefusesGroupsThatDoNotMoveTheFrame) {

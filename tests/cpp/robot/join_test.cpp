@@ -97,8 +97,17 @@ TEST(Join, MergesTheSrdfs) {
 }
 
 TEST(Join, PutsThePrefixBeforeAllNames) {
-  const Description joined = join(arm(), gripper(), tool("left_"));
+  Description hand = gripper();
+  hand.srdf.insert(hand.srdf.rfind("</robot>"),
+                   "<virtual_joint name='v' type='fixed' parent_frame='w' child_link='palm'/>"
+                   "<end_effector name='e' parent_link='palm' parent_group='arm' group='hand'/>"
+                   "<disable_default_collisions link='left'/>");
+  const Description joined = join(arm(), hand, tool("left_"));
   const Robot robot = read(joined);
+  for (const char* renamed : {"child_link=\"left_palm\"", "parent_group=\"left_arm\"",
+                              "<disable_default_collisions link=\"left_left\""}) {
+    EXPECT_CONTAINS(joined.srdf, renamed);
+  }
   EXPECT_EQ(robot.joint_names(), (std::vector<std::string>{"turn", "left_turn"}));
   EXPECT_EQ(robot.group_names(), (std::vector<std::string>{"arm", "left_arm", "left_hand"}));
   EXPECT_EQ(robot.frame("left_palm"), 4);

@@ -61,6 +61,7 @@ TEST_F(Packages, AreFoundBesideTheUrdf) {
   EXPECT_EQ(found("package:///mine/t.obj"), contained);
   fs::create_directories(folder_ / "robots" / "mine");
   EXPECT_EQ(found(), contained);  // the nearer one does not contain the mesh
+  EXPECT_EQ(found("package://mine//t.obj"), contained);
   fs::create_directories(folder_ / "robots" / "mine" / "meshes");
   EXPECT_EQ(make_package("robots/mine/meshes", "other.obj"),
             found("package://mine/meshes/other.obj") + "/meshes");
@@ -69,6 +70,18 @@ TEST_F(Packages, AreFoundBesideTheUrdf) {
 TEST_F(Packages, AreFoundAboveTheUrdf) {
   const std::string above = make_package("robots/arm");
   EXPECT_EQ(find_packages(arm("package://arm/t.obj")).at("arm"), above);
+}
+
+TEST_F(Packages, AreFoundWhetherPicturesComeFirstOrLast) {
+  const std::string folder = make_package("robots/collision");
+  Description both = arm("package://mine/collision/t.obj");
+  const std::string picture =
+      "<visual><geometry><mesh filename='package://mine/visual/t.obj'/></geometry></visual>";
+  const std::string urdf = both.urdf;
+  for (const char* at : {"<collision>", "</link>"}) {
+    both.urdf = std::string(urdf).insert(urdf.find(at), picture);
+    EXPECT_EQ(find_packages(both).at("mine") + "/collision", folder) << at;
+  }
 }
 
 TEST_F(Packages, MayHaveAFolderOfAnotherName) {

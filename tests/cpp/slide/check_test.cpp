@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// check() must see every way in which a plan can lie: each test breaks one promise of a good plan.
+// check() must report every kind of fault: each test breaks one property of a valid plan.
 #include <gtest/gtest.h>
 
 #include "graspless/robot/ik.hpp"
@@ -153,7 +153,7 @@ TEST_F(Check, AHandThatNeverTouches) {
   expect_fault("no finger touches");
 }
 
-// --- More lies, each of which an earlier check() believed or no test had told. ---
+// --- Faults that an earlier check() missed. ---
 
 TEST_F(Check, AStartAMillimetreAside) {
   for (Segment& s : plan_.segments) {
@@ -207,6 +207,34 @@ TEST_F(Check, AFingerThatTurnsWhileItPresses) {
 TEST_F(Check, AFingerThatShiftsWhileItLifts) {
   twitch(problem_, segment("lift"), Eigen::Isometry3d(Eigen::Translation3d(0.003, 0, 0)), 0);
   expect_fault("the contact moves");
+}
+
+/// A plan with rigid fingers, which touch at depth 0.
+class CheckOfRigidFingers : public Check {
+ protected:
+  CheckOfRigidFingers() {
+    problem_.hand.finger_model = FingerModel::rigid_guarded;
+    plan_ = plan(problem_, {}, seeded(1));
+  }
+};
+
+TEST_F(CheckOfRigidFingers, ThatTurnWhileTheyPress) {
+  EXPECT_TRUE(check(problem_, plan_).empty());
+  Segment& press = segment("press");
+  const std::size_t last = press.positions.size() - 1;
+  twitch(problem_, press, yawed(problem_, press.positions[last], 0.1), last);
+  expect_fault("the contact turns");
+}
+
+TEST_F(CheckOfRigidFingers, ThatShiftWhileTheyLift) {
+  twitch(problem_, segment("lift"), Eigen::Isometry3d(Eigen::Translation3d(0.003, 0, 0)), 0);
+  expect_fault("the contact moves");
+}
+
+TEST_F(Check, ARowFarAway) {  // is not replayed in steps of 0.01 rad
+  auto& rows = segment("approach").positions;
+  rows[rows.size() / 2][0] = 1e9;
+  expect_fault("leaves the joint limits");
 }
 
 TEST_F(Check, APressThatGoesTooDeep) {

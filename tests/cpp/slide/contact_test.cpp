@@ -44,7 +44,7 @@ TEST(Contact, TurnedAboutItsOwnAxisTheOtherFingerPointsDown) {
   EXPECT_FALSE(read.other_finger_up);
 }
 
-// The figures of docs/architecture.md, from an independent physics engine: 5 / 13.4 / 20 mm of
+// Figures from an independent physics engine: 5 / 13.4 / 20 mm of
 // shift at 5 / 15 / 25 mm of depth and 45 degrees.
 TEST(Contact, ShiftOfAFlexingFinger) {
   Hand hand;

@@ -19,14 +19,12 @@ namespace graspless::slide {
 using geometry::columns;
 
 inline const robot::Robot& wam() {
-  static const auto robot =
-      robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
+  static const auto robot = robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
   return robot;
 }
 
 inline const robot::Robot& kr5() {
-  static const auto robot =
-      robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
+  static const auto robot = robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
   return robot;
 }
 

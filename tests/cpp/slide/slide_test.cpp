@@ -266,11 +266,22 @@ TEST(Plan, RefusesBadProblems) {
                  "obstacles[0].shapes");
 }
 
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A robot with the WAM's SRDF.
+robot::Robot wam_of(const std::string& xml) {
+  robot::Robot::Options options;
+  options.srdf = text_of(urdf_file("wam_t42.srdf"));
+  return robot::Robot::from_urdf(xml, options);
+}
+
 /// The WAM's URDF with an attribute of a fixed joint's origin replaced.
 robot::Robot wam_with(const std::string& link, const std::string& attribute,
                       const std::string& value) {
-  std::ifstream file(urdf_file("wam_t42.urdf"));
-  std::string xml{std::istreambuf_iterator<char>(file), {}};
+  std::string xml = text_of(urdf_file("wam_t42.urdf"));
   const auto child = xml.find("<child link=\"" + link + "\"");
   const auto joint = xml.rfind("<joint", child), end = xml.find("</joint>", child);
   const auto origin = xml.find("<origin", joint);
@@ -280,10 +291,36 @@ robot::Robot wam_with(const std::string& link, const std::string& attribute,
   } else {
     xml.insert(origin + 7, " " + attribute + "=\"" + value + "\"");
   }
-  std::ifstream srdf(urdf_file("wam_t42.srdf"));
-  robot::Robot::Options options;
-  options.srdf.assign(std::istreambuf_iterator<char>(srdf), {});
-  return robot::Robot::from_urdf(xml, options);
+  return wam_of(xml);
+}
+
+TEST(Plan, JointsOfNeitherArmNorHandStay) {
+  Problem problem = simple_problem();
+  std::string xml = text_of(urdf_file("wam_t42.urdf"));
+  xml.insert(xml.rfind("</robot>"),
+             "<link name='head'/><joint name='head_turn' type='revolute'>"
+             "<parent link='base_link'/><child link='head'/><axis xyz='0 0 1'/>"
+             "<limit lower='-1' upper='1' velocity='1' effort='1'/></joint>");
+  problem.robot = wam_of(xml);
+  problem.q_home = problem.robot.state("home");
+  const int head = problem.robot.joint("head_turn");
+  problem.q_home[head] = 0.3;
+  Plan found = plan(problem, {}, seeded(1));
+  ASSERT_TRUE(found) << found.reason;
+  for (const Segment& segment : found.segments) {
+    for (const Eigen::VectorXd& q : segment.positions) EXPECT_EQ(q[head], 0.3);
+  }
+  EXPECT_TRUE(check(problem, found).empty());
+  for (Eigen::VectorXd& q : found.segments[2].positions) q[head] = 0;
+  EXPECT_FALSE(check(problem, found).empty());
+}
+
+TEST(Plan, RefusesAFingerWithoutAShape) {
+  expect_refused(with([](Problem& p) {
+                   p.hand.fingers = {"left_finger", "right_fingertip"};
+                 }),
+                 "hand.fingers, besides those of hand.sliding_finger, must name a link with a "
+                 "collision shape");
 }
 
 // The finger ends 0.11 m from its joint.
@@ -441,6 +478,7 @@ TEST(Object, RefusesWhatIsNotThinOrNotThere) {
   expect_refused([&] { objects()[0].with_mass(1e6); }, "mass must lie in [1e-09, 100000] kg");
   expect_refused([&] { objects()[0].scaled(0); }, "scale must lie in [1e-06, 1e+06], not 0");
   expect_refused([&] { objects()[0].scaled(1e300); }, "scale must lie in");
+  expect_refused([&] { objects()[0].scaled(0.02); }, "thick");
   expect_refused([&] { Object::from_cloud("far", 1e160 * Eigen::Matrix3Xd::Random(3, 9)); },
                  "must lie within 10000 m of the origin along x and y");
 }

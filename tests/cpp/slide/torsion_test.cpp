@@ -95,8 +95,8 @@ TEST(Torsion, ADraggingFingerIsInBalanceAboutItsFlexure) {
   EXPECT_EQ(dragging_force(hand, 0.015, 0.8, 0, 0.3, 10), press_force(hand, 0.015, 0.8));
 }
 
-/// A plan whose finger goes `way` along its heading and turns by `turn`, at a depth of 15 mm.
-Plan slide(const Problem& problem, double way, double turn) {
+/// A plan whose finger goes `distance` along its heading and turns by `turn`, at a depth of 15 mm.
+Plan slide(const Problem& problem, double distance, double turn) {
   Plan plan;
   const robot::Ik ik(problem.robot, problem.robot.frame(problem.hand.fingertip),
                      problem.robot.group(problem.hand.arm));
@@ -105,7 +105,7 @@ Plan slide(const Problem& problem, double way, double turn) {
   std::mt19937_64 rng(1);
   for (int i = 0; i <= 20; ++i) {
     const double yaw = turn * i / 20;
-    const Eigen::Vector2d p(.6 + way * i / 20, 0);
+    const Eigen::Vector2d p(.6 + distance * i / 20, 0);
     const Eigen::Isometry3d X_WF =
         tip_pose(p, problem.object.thickness() - .015, {std::cos(yaw), std::sin(yaw)}, 0.785);
     const auto all = ik.solve_all(X_WF, q, rng);
@@ -126,6 +126,7 @@ TEST(Torsion, AStraightSlideNeverLagsAndATurnOnTheSpotLagsByItself) {
   EXPECT_GT(straight.allowed_turn_rate, 0);
   const Turning turned = turning(rough, slide(rough, 1e-4, 0.5));
   EXPECT_NEAR(turned.lag, 0.5, 0.02);
+  EXPECT_EQ(turned.max_turn_rate, 0);  // no step is long enough for a rate
   const Problem smooth = with(0.05, 0.1);
   EXPECT_NEAR(turning(smooth, slide(smooth, 1e-4, 0.5)).lag, 0, 1e-9);
 }

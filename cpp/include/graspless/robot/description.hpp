@@ -19,11 +19,11 @@ struct Description {
   std::string directory;                        ///< directory that relative mesh paths start from
 };
 
-/// Place of a gripper on an arm.
+/// Mounting of a gripper on an arm.
 struct Mount {
   std::string link;                                        ///< link M of the arm
   Eigen::Isometry3d X_MG = Eigen::Isometry3d::Identity();  ///< pose of the gripper's root link
-  std::string prefix;  ///< of all names of the gripper; empty: "gripper_", of names that clash
+  std::string prefix;  ///< of the gripper's names; empty: "gripper_" where names clash
   std::string root;    ///< link of the gripper to mount, with all that it carries; empty: all links
 };
 

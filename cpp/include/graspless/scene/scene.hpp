@@ -52,8 +52,8 @@ class GRASPLESS_API Scene {
   /// Same, from poses already computed. Joint limits are not checked.
   bool is_free(const robot::Poses& X_WL);
   /// True if q1 and q2 are within the limits and the straight motion between them is free:
-  /// is_free(q) holds at both ends and at equal steps of at most `resolution` [rad or m] in any
-  /// joint. Skips stretches that a bound on the motion of every pair (Robot::reach) proves free.
+  /// is_free(q) holds at both ends and at equal steps whose Robot::step() is `resolution` [rad] at
+  /// most. Skips stretches that a bound on the motion of every pair (Robot::reach) proves free.
   bool is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution = 0.01);
   /// Returns the names of the first pair that touches at q; empty if none does. Joint limits are
   /// not checked.

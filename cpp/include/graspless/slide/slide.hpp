@@ -60,7 +60,7 @@ constexpr auto choices(Status) {
 }
 GRASPLESS_API std::string to_string(Status status);
 
-/// Part of a motion: consecutive rows of `positions` differ by at most 0.05 rad in any joint.
+/// Part of a motion: Robot::step() between rows of `positions` is 0.05 rad at most.
 struct Segment {
   std::string name;                        ///< approach, press, slide, lift, reach, grasp or close
   std::vector<Eigen::VectorXd> positions;  ///< all joints [rad or m]

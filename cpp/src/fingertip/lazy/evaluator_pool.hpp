@@ -40,7 +40,8 @@ class EvaluatorPool {
   void start(std::vector<StabilityQuery>& queries);
   /// Solves what is left and waits for the rest.
   void finish();
-  /// Leaves the rest of the batch unsolved, and waits for the queries that other threads have begun.
+  /// Leaves the rest of the batch unsolved, and waits for the queries that other threads have
+  /// begun.
   void cancel();
 
  private:

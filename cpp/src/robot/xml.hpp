@@ -4,6 +4,8 @@
 
 #include <string>
 
+class TiXmlDocument;
+
 namespace graspless::robot {
 
 constexpr int kMaxXmlDepth = 100;
@@ -11,5 +13,9 @@ constexpr int kMaxXmlDepth = 100;
 /// Throws std::invalid_argument that starts with `what` and names the line where elements are
 /// nested deeper than kMaxXmlDepth. TinyXML recurses once a level, so it would overflow the stack.
 void require_shallow(const std::string& xml, const std::string& what);
+
+/// Parses XML of any depth up to kMaxXmlDepth. Throws std::invalid_argument that starts with `what`
+/// and names the line of a fault.
+void parse_xml(const std::string& xml, const std::string& what, TiXmlDocument& document);
 
 }  // namespace graspless::robot

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/xml_depth.hpp"
+#include "robot/xml.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+
+#include <tinyxml.h>
 
 namespace graspless::robot {
 namespace {
@@ -53,6 +55,15 @@ void require_shallow(const std::string& xml, const std::string& what) {
                                   ": elements may be nested " + std::to_string(kMaxXmlDepth) +
                                   " deep at most, but these are deeper");
     }
+  }
+}
+
+void parse_xml(const std::string& xml, const std::string& what, TiXmlDocument& document) {
+  require_shallow(xml, what);
+  document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document.Error()) {
+    throw std::invalid_argument(what + " line " + std::to_string(document.ErrorRow()) +
+                                ": not XML: " + document.ErrorDesc());
   }
 }
 
