@@ -22,6 +22,7 @@ from .server import add_boxes, check_port, open_server
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..inspection import Proposal
+    from .bodies import Body
 
 AXIS = 0.06  # length of the axes of a frame [m]
 CURVE_RADIUS = 0.003  # [m]
@@ -67,7 +68,7 @@ class Joints:
         self.links = self.layers.add_bodies("robot", placed)
         self._add_frames(proposal, poses)
         self._add_curves(proposal, poses)
-        look(server, _camera([p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in placed for p in b.parts]))
+        look(server, _camera(placed))
         self.sliders = self._add_sliders(server)
         self._add_states(server)
         add_boxes(server, self.layers)
@@ -115,9 +116,7 @@ class Joints:
                 for node in nodes
             ]
             ends = _segments(known, poses)
-            handle = add_segments(
-                self.layers.scene, f"/curves/{name}", ends, CURVE, CURVE_RADIUS
-            )
+            handle = add_segments(self.layers.scene, f"/curves/{name}", ends, CURVE, CURVE_RADIUS)
             self.curves.append((handle, known))
 
     def _add_sliders(self, server: Any) -> list[Any]:
@@ -151,8 +150,8 @@ def _segments(nodes: list[tuple[int, Matrix]], poses: list[Matrix]) -> Matrix:
     return np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)
 
 
-def _camera(points: list[Matrix]) -> Camera:
-    seen = np.vstack(points)
+def _camera(placed: list[tuple[Body, Matrix]]) -> Camera:
+    seen = np.vstack([p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in placed for p in b.parts])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     size = float(np.linalg.norm(np.ptp(seen, axis=0)))
     eye = middle + 2 * size * np.array([0.7, -1.0, 0.5])
