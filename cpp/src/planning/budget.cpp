@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds kPollInterval{10};
 constexpr std::chrono::milliseconds kGrace{30};  // for loops that ask is_out() and end in order
 
 // Growth that is not held against a query: free lists of the allocator, other threads' small work.
-constexpr double kUnnoticed = 32e6;  // [bytes]
+constexpr double kUnnoticed = 20e6;  // [bytes]
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::robot {
 namespace {
 

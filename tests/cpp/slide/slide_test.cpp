@@ -316,9 +316,9 @@ TEST(Plan, JointsOfNeitherArmNorHandStay) {
 }
 
 TEST(Plan, RefusesAFingerWithoutAShape) {
-  expect_refused(with([](Problem& p) {
-                   p.hand.fingers = {"left_finger", "right_fingertip"};
-                 }),
+  Problem problem = simple_problem();
+  problem.hand.fingers = {"left_finger", "right_fingertip"};
+  expect_refused([&] { plan(problem); },
                  "hand.fingers, besides those of hand.sliding_finger, must name a link with a "
                  "collision shape");
 }
