@@ -4,6 +4,7 @@
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 import inspect_common as small
 from graspless import cli, robot
@@ -61,6 +62,9 @@ def test_faulty_names_are_taken_names():
     assert len(found.robot.group(found.hand["arm"])) == 6
     opened = found.robot.state(found.hand["open"])
     assert opened[found.robot.joint("slide_left")] == pytest.approx(0.03)
+    titles = [text.get_text() for text in found.plot().findobj(Text)]
+    assert found.hand["open"] == "open_2"
+    assert any("open_2" in title for title in titles)
     home = next(finding for finding in found.unsure if finding.field == "state home")
     assert home.reason == "that of the SRDF is faulty"
 

@@ -88,8 +88,9 @@ class _Builder:
         self.groups["hand"] = self._group("hand", self.drivers)
         found = ((self.groups["arm"], self.arm.joints), (self.groups["hand"], self.drivers))
         groups = {group: joints for group, joints in found if joints}
-        self.hand |= {"arm": self.groups["arm"], **self.states} if self.hand else {}
-        self.clasp |= {**self.groups, **self.states}
+        if self.hand:
+            self.hand = {"arm": self.groups["arm"], **self.states, **self.hand}
+        self.clasp = {**self.groups, **self.states, **self.clasp}
         pairs = self._pairs()
         states = [*self._hand_states(), *self._home(pairs)]
         added = {name: at for name, at in self.placed.items() if name not in self.tree.links}
@@ -167,8 +168,6 @@ class _Builder:
         self.hand |= {
             "sliding_finger": own,
             "fingers": own + other,
-            "open": "open",
-            "closed": "closed",
             "finger_model": MODEL,
             **self._pitch(pitch, room),
             "tip_radius": round(tips[0].radius, 4),
@@ -220,7 +219,7 @@ class _Builder:
         own = self.tree.links[tips[0].link]
         fingertip = self._place(f"{own}_fingertip", own, tips[0].X_WF)
         self.grasp = self._place("grasp", self.palm_link(), grasp_pose(self.tree, jaws, tips))
-        self.hand |= {"arm": "arm", "fingertip": fingertip, "grasp_frame": self.grasp}
+        self.hand |= {"fingertip": fingertip, "grasp_frame": self.grasp}
         for field, name, why in (
             ("fingertip", fingertip, "outer edge of the finger's end, Z out of it, Y to the other"),
             (

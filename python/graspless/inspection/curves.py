@@ -54,13 +54,9 @@ def _fields(
 ) -> dict[str, Any]:
     forward, sideways = (X_WP[:3, :3].T @ direction for direction in (forward_W, sideways_W))
     return {
-        "arm": "arm",
-        "hand": "hand",
         "frame": palm,
         "forward": _numbers(forward - sideways * (sideways @ forward)),
         "sideways": _numbers(sideways),
-        "open": "open",
-        "closed": "closed",
         "fingers": fingers,
         "thumb": thumb,
     }

@@ -30,7 +30,9 @@ THICKNESS = 0.06  # radius of an axis, relative to its length
 def draw(proposal: Proposal) -> Figure:
     """Returns the picture of a proposal."""
     shown = _Hand(proposal)
-    states = [s for s in ("open", "closed", "home") if s in proposal.robot.state_names]
+    own = {"open": "open", "closed": "closed"} | (proposal.hand or proposal.clasp)
+    states = [own["open"], own["closed"], "home"]
+    states = [state for state in states if state in proposal.robot.state_names]
     figure = new_figure(4.6 * len(states), 5.0)
     for k, state in enumerate(states):
         axes = figure.add_axes((k / len(states), 0.0, 1 / len(states), 0.84))
