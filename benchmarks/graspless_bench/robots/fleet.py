@@ -26,7 +26,9 @@ PACKAGES = {
 PANDA_HAND = ("example-robot-data:panda_description/urdf/panda.urdf", "panda_hand")
 PR2_GRIPPER = ("example-robot-data:pr2_description/urdf/pr2.urdf", "r_gripper_palm_link")
 FETCH_GRIPPER = ("mani-skill:fetch/fetch.urdf", "gripper_link")
-FORWARD = (0.0, -1.5707963267948966, 0.0)  # turns X of a palm to Z of a flange [rad]
+# Poses of palms with X towards the fingers, on a flange with Z out of it.
+TURNED: dict[str, Any] = {"rpy": [0.0, -1.5707963267948966, 0.0]}
+FETCH_POSE = TURNED | {"position": [0.0, 0.0, 0.13]}  # its palm reaches behind gripper_link
 ALLEGRO = ("example-robot-data:allegro_hand_description/urdf/allegro_right_hand.urdf", "")
 
 
@@ -113,12 +115,12 @@ def _trossen(name: str) -> dict[str, Any]:
 
 
 def _joined(
-    arm: str, gripper: tuple[str, str], mount: str, rpy: tuple[float, float, float] | None = None
+    arm: str, gripper: tuple[str, str], mount: str, pose: dict[str, Any] | None = None
 ) -> dict[str, Any]:
     file, root = gripper
     carried: dict[str, Any] = {"file": file, "mount": mount}
     carried |= {"root": root} if root else {}
-    carried |= {"pose": {"rpy": list(rpy)}} if rpy else {}
+    carried |= {"pose": pose} if pose else {}
     return {"arm": arm, "gripper": carried}
 
 
@@ -173,7 +175,7 @@ FLEET = (
     Member(
         "KR 16 and PR2 gripper",
         _joined(
-            "rtb-data:kuka_description/kuka_kr16/urdf/kr16_2.urdf", PR2_GRIPPER, "tool0", FORWARD
+            "rtb-data:kuka_description/kuka_kr16/urdf/kr16_2.urdf", PR2_GRIPPER, "tool0", TURNED
         ),
     ),
     Member(
@@ -182,6 +184,6 @@ FLEET = (
     ),
     Member(
         "xArm7 and Fetch gripper",
-        _joined("mani-skill:xarm7/xarm7.urdf", FETCH_GRIPPER, "link_eef", FORWARD),
+        _joined("mani-skill:xarm7/xarm7.urdf", FETCH_GRIPPER, "link_eef", FETCH_POSE),
     ),
 )
