@@ -87,6 +87,25 @@ ValueError
 )");
   m.def("hand_from_yaml_file", &hand_from_yaml_file, py::arg("path"),
         "Reads a hand from a YAML file; see hand_from_yaml. The folder urdf/ has examples.");
+  m.def("with_palm_corners", &with_palm_corners, py::arg("hand"), py::arg("robot"),
+        R"(Adds corners in the palm to fingers whose joints move their first corners against it.
+
+Fingers of a parallel gripper need them. Other hands are returned as they are.
+
+Parameters
+----------
+hand : Hand
+robot : robot.Robot
+
+Returns
+-------
+Hand
+
+Raises
+------
+ValueError
+    If a link, group or state is unknown.
+)");
 }
 
 void bind_object(py::module_& m) {
@@ -247,6 +266,47 @@ void bind_stability(py::module_& m) {
       Field{"checks", &Stability::checks, "Number of poses checked."});
 }
 
+void bind_pinch(py::module_& m) {
+  py::class_<Pinch> found(m, "Pinch", "Result of the test of a pinch.");
+  bind_fields(found, "Any field by keyword; the others keep their defaults.",
+              Field{"holds", &Pinch::holds,
+                    "True if both fingers touch, and their forces resist every wrench."},
+              Field{"strength", &Pinch::strength,
+                    "Largest force in any direction that is resisted for each newton of a finger."},
+              Field{"gap", &Pinch::gap,
+                    "Gap between the object and the finger that is farther from it [m]."});
+  m.def(
+      "test_pinch",
+      [](const Problem& problem, const Array& q, double friction) {
+        const Eigen::VectorXd given = to_configuration(problem.robot, q, "q");
+        const py::gil_scoped_release release;
+        return test_pinch(problem, given, friction);
+      },
+      py::arg("problem"), py::arg("q"), py::arg("friction") = Options{}.friction,
+      R"(Tests if friction holds the object between the two fingers of a hand.
+
+Each finger presses with 1 N on two points of its contact with the object's surface.
+
+Parameters
+----------
+problem : Problem
+    Its hand has one finger besides the thumb.
+q : (dof,) array
+    Configuration of all joints [rad or m].
+friction : float, optional
+    Coefficient of friction, in [0, 10].
+
+Returns
+-------
+Pinch
+
+Raises
+------
+ValueError
+    If the problem, the hand, the configuration or the friction is invalid.
+)");
+}
+
 void bind_segment(py::module_& m) {
   py::class_<Segment>(
       m, "Segment",
@@ -327,6 +387,8 @@ void bind_plan(py::module_& m) {
               "Threshold of virtual linking that the plan fulfils."});
   field(Field{"stability", &Plan::stability,
               "Result of the stability test at the last row; a copy."});
+  field(Field{"pinch", &Plan::pinch,
+              "Result of the test of a pinch at the last row, if only friction holds; or None."});
   field(Field{"tree", &Plan::tree, "Search tree that contains the clasp; a copy."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
@@ -385,6 +447,7 @@ void bind_clasp(py::module_ m) {
   bind_object(m);
   bind_problem(m);
   bind_stability(m);
+  bind_pinch(m);
   bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_segment(m);
   bind_tree(m);

@@ -418,6 +418,10 @@ void bind_loops(py::module_& m) {
           "thickness", &Loop::thickness,
           "Thickness of the handle that the loop runs along, at its thinnest cross-section [m];\n"
           "0 if unknown.")
+      .def_readonly(
+          "width", &Loop::width,
+          "Width of the same handle in its narrowest direction [m]; 0 if unknown. Two jaws must\n"
+          "open farther.")
       .def("__repr__", [](const Loop& self) {
         return "<Loop of " + std::to_string(self.points.cols()) + " corners, " + text(self.length) +
                " m>";

@@ -28,6 +28,7 @@ from ._core.clasp import (
     Hand,
     Object,
     Options,
+    Pinch,
     Problem,
     Stability,
     StabilityOptions,
@@ -39,8 +40,10 @@ from ._core.clasp import (
     hand_from_yaml_file,
     sample_object,
     sample_object_names,
+    test_pinch,
     test_stability,
     validate,
+    with_palm_corners,
 )
 from ._plan import AnyPlan, of_found, own_segments
 from .collision import Obstacle
@@ -99,16 +102,18 @@ class Plan(AnyPlan, _core.Plan):
         loop: int | None  # type: ignore[assignment]
         target: geometry.ClaspTarget | None  # type: ignore[assignment]
         stability: Stability | None  # type: ignore[assignment]
+        pinch: Pinch | None
     else:
         segments = own_segments(_core.Plan)
         loop = of_found(_core.Plan, "loop", Status.solved)
         target = of_found(_core.Plan, "target", Status.solved)
         stability = of_found(_core.Plan, "stability", Status.solved)
+        pinch = of_found(_core.Plan, "pinch", Status.solved)
 
     @classmethod
     def _of(cls, found: Any, task: Any, **changes: Any) -> Plan:
         if not found:
-            changes |= dict.fromkeys(("loop", "target", "stability"))
+            changes |= dict.fromkeys(("loop", "target", "stability", "pinch"))
         changes["segments"] = [
             Segment(s.name, s.positions, [task.problem.X_WO] * len(s), s.virtual_linking)
             for s in found.segments
@@ -158,6 +163,7 @@ __all__ = [
     "Object",
     "Obstacle",
     "Options",
+    "Pinch",
     "Plan",
     "Problem",
     "Segment",
@@ -172,8 +178,10 @@ __all__ = [
     "plan",
     "sample_object",
     "sample_object_names",
+    "test_pinch",
     "test_stability",
     "validate",
+    "with_palm_corners",
 ]
 
 

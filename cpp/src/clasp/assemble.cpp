@@ -8,7 +8,7 @@
 
 #include "graspless/watch.hpp"
 
-#include "clasp/close.hpp"
+#include "clasp/center.hpp"
 #include "clasp/parameters.hpp"
 #include "clasp/search/task_space.hpp"
 
@@ -64,7 +64,8 @@ std::string reason(const Plan& plan) {
   std::ostringstream out;
   switch (plan.status) {
     case Status::solved:
-      out << "loop " << plan.loop << " clasped after " << plan.statistics.cycles << " cycles";
+      out << "loop " << plan.loop << (plan.pinch ? " pinched after " : " clasped after ")
+          << plan.statistics.cycles << " cycles";
       break;
     case Status::interrupted:
       out << "interrupted after " << plan.statistics.cycles << " cycles";
@@ -80,21 +81,32 @@ std::string reason(const Plan& plan) {
   return out.str();
 }
 
-/// Runs the stability test. If the clasp must be secure, a failure in the first sequence ends it.
-Stability tested(Query& query, int loop, const Eigen::VectorXd& q) {
+/// Result of the test of a pinch, if the hand has two fingers and friction holds the object.
+std::optional<Pinch> pinched(Query& query, const Eigen::VectorXd& q) {
+  if (!query.may_pinch()) return std::nullopt;
+  if (!query.pinch_tester) query.pinch_tester.emplace(query.problem);
+  const Pinch pinch = query.pinch_tester->test(q, query.options.friction);
+  return pinch.holds ? std::optional(pinch) : std::nullopt;
+}
+
+/// Runs the stability test and, if the loop escapes, that of a pinch. If the clasp must hold, a
+/// failure of both in the first sequence ends them.
+void test(Query& query, int loop, Clasp& clasp) {
   const double before = query.clock.seconds();
+  const Eigen::VectorXd& q = clasp.close.back();
   if (!query.tester) query.tester.emplace(query.problem);
   const Eigen::Matrix3Xd& loop_O =
       query.problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
   StabilityOptions first = query.options.stability;
   if (query.options.must_be_secure) first.sequences = 1;
-  Stability stability = query.tester->test(q, loop_O, first);
-  if (stability.secure && query.options.must_be_secure) {
-    stability = query.tester->test(q, loop_O, query.options.stability);
+  clasp.stability = query.tester->test(q, loop_O, first);
+  if (!clasp.stability.secure) clasp.pinch = pinched(query, q);
+  if (query.options.must_be_secure && (clasp.stability.secure || clasp.pinch)) {
+    clasp.stability = query.tester->test(q, loop_O, query.options.stability);
+    if (!clasp.stability.secure && !clasp.pinch) clasp.pinch = pinched(query, q);
   }
   ++query.statistics.stability_tests;
   query.statistics.stability_seconds += query.clock.seconds() - before;
-  return stability;
 }
 
 /// Warns of handles that are too thick for the hand, a likely reason for failure.
@@ -106,7 +118,7 @@ void warn_of_thick_handles(const Problem& problem,
     if (!is_too_thick(problem.robot, problem.hand, thickness)) continue;
     std::ostringstream out;
     out << "loop " << loop << ": its handle of " << std::lround(100 * thickness)
-        << " cm is too thick for this hand to close around";
+        << " cm is too thick for this hand to close around; only friction can hold it";
     plan.warnings.push_back(out.str());
   }
 }
@@ -114,14 +126,13 @@ void warn_of_thick_handles(const Problem& problem,
 }  // namespace
 
 std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
-  const Problem& problem = query.problem;
   const auto refused = [&](const char* why) {
     query.refuse(why);
     return std::nullopt;
   };
   Clasp clasp;
   clasp.reach = search.path();
-  clasp.close = close_hand(query.free, problem.robot, problem.hand, clasp.reach.back());
+  close_centered(query, clasp.reach, clasp.close);
   const Eigen::VectorXd& q = clasp.close.back();
   if (search.linking(q).minCoeff() < search.task().options.min_linking) {
     return refused("clasp: a finger loses the loop while it closes");
@@ -129,8 +140,8 @@ std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
   const geometry::ClaspTarget* held = search.held_target_W(q);
   if (!held) return refused("clasp: away from every target");
   clasp.target_W = *held;
-  clasp.stability = tested(query, search.task().loop, q);
-  if (query.options.must_be_secure && !clasp.stability.secure) {
+  test(query, search.task().loop, clasp);
+  if (query.options.must_be_secure && !clasp.stability.secure && !clasp.pinch) {
     return refused("clasp: not secure");
   }
   return clasp;
@@ -152,6 +163,7 @@ void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
   plan.target = {X_OW * clasp.target_W.point, X_OW.linear() * clasp.target_W.tangent};
   plan.min_linking = task.options.min_linking;
   plan.stability = clasp.stability;
+  plan.pinch = clasp.pinch;
   plan.tree = search.tree();
 }
 

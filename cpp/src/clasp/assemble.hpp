@@ -12,6 +12,7 @@ struct Clasp {
   planning::Path reach, close;
   geometry::ClaspTarget target_W;
   Stability stability;
+  std::optional<Pinch> pinch;
 };
 
 /// Closes the fingers until contact and tests the stability. Returns nothing if the clasp is

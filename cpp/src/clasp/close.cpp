@@ -9,13 +9,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kJointStep = 0.01;         // largest joint step between collision checks [rad]
-constexpr double kStride = 5 * kJointStep;  // largest joint step between rows [rad]
+// Largest joint steps, Robot::step() [rad].
+constexpr double kJointStep = 0.01;         // between collision checks
+constexpr double kStride = 5 * kJointStep;  // between rows
 
 class HandCloser {
  public:
   HandCloser(FreeSpace& space, const robot::Robot& robot, const Hand& hand, const VectorXd& q)
       : space_(space),
+        robot_(robot),
         joints_(robot.group(hand.hand)),
         closed_(q),
         moves_(VectorXd::Zero(q.size())),
@@ -58,7 +60,8 @@ class HandCloser {
   }
 
   VectorXd towards(const VectorXd& q, double step, const VectorXd& which) const {
-    return q + (closed_ - q).cwiseMax(-step).cwiseMin(step).cwiseProduct(which);
+    const VectorXd most = step * robot_.step_weights().cwiseInverse();
+    return q + (closed_ - q).cwiseMax(-most).cwiseMin(most).cwiseProduct(which);
   }
 
   /// Drops rows that a straight free motion of at most a stride can skip.
@@ -72,10 +75,11 @@ class HandCloser {
   }
 
   bool can_skip_between(const VectorXd& from, const VectorXd& to) {
-    return (to - from).cwiseAbs().maxCoeff() <= kStride && space_.is_free(from, to, kJointStep);
+    return robot_.step(from, to) <= kStride && space_.is_free(from, to, kJointStep);
   }
 
   FreeSpace& space_;
+  const robot::Robot& robot_;
   const std::vector<int>& joints_;
   VectorXd closed_;
   VectorXd moves_;  // 1 for joints that moved last time, else 0

@@ -13,8 +13,9 @@
 namespace graspless::clasp {
 
 /// Closes the hand from q until contact (Stork 2013, Section IV-D). The joints of the hand move in
-/// turn by 0.01 rad towards the closed state, until every further step would collide or reach the
-/// closed state. Returns collision-free rows from q on, at most 0.05 rad apart in any joint.
+/// turn by 0.01 rad or 1 mm towards the closed state, until every further step would collide or
+/// reach the closed state. Returns collision-free rows from q on, at most 0.05 rad or 5 mm apart in
+/// any joint.
 GRASPLESS_API std::vector<Eigen::VectorXd> close_hand(FreeSpace& space, const robot::Robot& robot,
                                                       const Hand& hand, const Eigen::VectorXd& q);
 

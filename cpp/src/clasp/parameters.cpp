@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using Points = Eigen::Matrix3Xd;
 
-constexpr double kStep = 0.05;     // of a closing joint [rad]
+constexpr double kStep = 0.05;     // of a closing joint, Robot::step() [rad]
 constexpr double kFraction = 0.5;  // threshold between the open (0) and the closed hand (1)
 constexpr double kTip = 0.012;     // radius of a fingertip without shapes [m]
 
@@ -123,7 +123,8 @@ double reachable_linking(const robot::Robot& robot, const Hand& hand, double thi
   const auto is_done = [&](int joint) {
     const double before = q[joint], left = closed[joint] - before;
     if (std::abs(left) < 1e-9) return true;
-    q[joint] += std::clamp(left, -kStep, kStep);
+    const double step = kStep / robot.step_weights()[joint];
+    q[joint] += std::clamp(left, -step, step);
     kinematics.update(q);
     const double now = sum_of_closures(kinematics);
     if (now > sum && is_clear_of_bar(kinematics, clear)) {

@@ -6,6 +6,7 @@
 #include "clasp/assemble.hpp"
 #include "clasp/query.hpp"
 #include "clasp/search/loop_search.hpp"
+#include "clasp/search/reachability.hpp"
 #include "clasp/search/targets.hpp"
 #include "planning/plan_within.hpp"
 
@@ -50,6 +51,14 @@ Status failure(const Query& query) {
                                                               : Status::not_found;
 }
 
+/// Adds to the reason of a failed search what the arm reaches. Runs after the clock has ended.
+void add_reach(const Problem& problem, Plan& plan) {
+  const bool failed = plan.status == Status::not_found || plan.status == Status::not_secure;
+  if (!failed || plan.statistics.cycles == 0) return;
+  const std::string reach = describe_reach(problem);
+  if (!reach.empty()) plan.reason += "; " + reach;
+}
+
 Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
               std::uint64_t seed) {
   validate(problem);
@@ -83,6 +92,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   Plan plan = planning::plan_within(clock, "fewer points or options.targets",
                                     [&] { return searched(problem, options, clock, budget.seed); });
   plan.joint_names = problem.robot.joint_names();
+  add_reach(problem, plan);
   return plan;
 }
 

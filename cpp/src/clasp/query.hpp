@@ -10,6 +10,7 @@
 #include "graspless/planning/path.hpp"
 
 #include "clasp/free_space/free_space.hpp"
+#include "clasp/stability/pinch.hpp"
 #include "clasp/stability/tester.hpp"
 
 namespace graspless::clasp {
@@ -26,8 +27,12 @@ struct Query {
   planning::Clock& clock;
   std::mt19937_64 rng;
   FreeSpace free;
-  std::optional<StabilityTester> tester;  ///< created with the first clasp to test
+  std::optional<StabilityTester> tester;    ///< created with the first clasp to test
+  std::optional<PinchTester> pinch_tester;  ///< the same, for hands of two fingers
   Statistics statistics;
+
+  /// True if the hand has two fingers, which may pinch.
+  bool may_pinch() const { return problem.hand.fingers.size() == 1 && options.friction > 0; }
 
   void refuse(const std::string& why) { ++statistics.refusals[why]; }
 

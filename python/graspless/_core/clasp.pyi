@@ -11,7 +11,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_stability', 'validate']
+__all__: list[str] = ['CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
 class CurveNode:
     """
     A corner of a finger curve, fixed to a link.
@@ -413,6 +413,40 @@ class Stability:
     @secure.setter
     def secure(self, arg0: bool) -> None:
         ...
+class Pinch:
+    """
+    Result of the test of a pinch.
+    """
+    def __init__(self, *, holds: bool = False, strength: typing.SupportsFloat | typing.SupportsIndex = 0.0, gap: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def gap(self) -> float:
+        """
+        Gap between the object and the finger that is farther from it [m].
+        """
+    @gap.setter
+    def gap(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def holds(self) -> bool:
+        """
+        True if both fingers touch, and their forces resist every wrench.
+        """
+    @holds.setter
+    def holds(self, arg0: bool) -> None:
+        ...
+    @property
+    def strength(self) -> float:
+        """
+        Largest force in any direction that is resisted for each newton of a finger.
+        """
+    @strength.setter
+    def strength(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 class Options:
     """
     Options of the search.
@@ -422,7 +456,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, stability: StabilityOptions = ..., must_be_secure: bool = True, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, stability: StabilityOptions = ..., must_be_secure: bool = True, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -437,6 +471,16 @@ class Options:
         """
     @attract.setter
     def attract(self, arg0: bool) -> None:
+        ...
+    @property
+    def friction(self) -> float:
+        """
+        Coefficient of friction between the object and a hand of two fingers. Such a hand may also pinch a bar that could slip out without friction. 0: it may not.
+        
+        Range: [0, 10]. Default: 0.5.
+        """
+    @friction.setter
+    def friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_memory(self) -> float:
@@ -461,7 +505,7 @@ class Options:
     @property
     def must_be_secure(self) -> bool:
         """
-        Accept a clasp only if it passes the stability test; otherwise the search continues.
+        Accept a clasp only if it passes the stability test or is a pinch that friction holds; otherwise the search continues.
         
         Default: True.
         """
@@ -673,6 +717,7 @@ class Status(graspless._named.Named):
     out_of_memory = ...
     solved = ...
     start_in_collision = ...
+    too_thick = ...
 class Plan:
     """
     Result of a query. False unless it is solved.
@@ -710,6 +755,14 @@ class Plan:
         """
     @min_linking.setter
     def min_linking(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pinch(self) -> Pinch | None:
+        """
+        Result of the test of a pinch at the last row, if only friction holds; or None.
+        """
+    @pinch.setter
+    def pinch(self, arg0: Pinch | None) -> None:
         ...
     @property
     def reason(self) -> str:
@@ -840,6 +893,30 @@ def sample_object_names() -> list[str]:
     """
     Names of the sample objects with holes: purse, bag, travel_bag, lawn_mower, chair.
     """
+def test_pinch(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.SupportsFloat | typing.SupportsIndex = 0.5) -> Pinch:
+    """
+    Tests if friction holds the object between the two fingers of a hand.
+    
+    Each finger presses with 1 N on two points of its contact with the object's surface.
+    
+    Parameters
+    ----------
+    problem : Problem
+        Its hand has one finger besides the thumb.
+    q : (dof,) array
+        Configuration of all joints [rad or m].
+    friction : float, optional
+        Coefficient of friction, in [0, 10].
+    
+    Returns
+    -------
+    Pinch
+    
+    Raises
+    ------
+    ValueError
+        If the problem, the hand, the configuration or the friction is invalid.
+    """
 def test_stability(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loop: typing.SupportsInt | typing.SupportsIndex, options: StabilityOptions = ...) -> Stability:
     """
     Tests if a loop stays in the hand: random moves try to separate object and hand.
@@ -878,4 +955,24 @@ def validate(problem: Problem) -> None:
 def validate(options: Options) -> None:
     """
     Raises ValueError that names the first bad option, its value and what is allowed.
+    """
+def with_palm_corners(hand: Hand, robot: graspless._core.robot.Robot) -> Hand:
+    """
+    Adds corners in the palm to fingers whose joints move their first corners against it.
+    
+    Fingers of a parallel gripper need them. Other hands are returned as they are.
+    
+    Parameters
+    ----------
+    hand : Hand
+    robot : robot.Robot
+    
+    Returns
+    -------
+    Hand
+    
+    Raises
+    ------
+    ValueError
+        If a link, group or state is unknown.
     """

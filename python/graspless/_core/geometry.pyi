@@ -426,6 +426,12 @@ class Loop:
         """
         Indices of the corners in the input cloud.
         """
+    @property
+    def width(self) -> float:
+        """
+        Width of the same handle in its narrowest direction [m]; 0 if unknown. Two jaws must
+        open farther.
+        """
 class LoopOptions:
     """
     Options of shortest_loops().

@@ -101,7 +101,9 @@ class Proposal:
         shown = {"arm": f"arm of {len(self.robot.group(fields['arm']))} joints"} if fields else {}
         if kind == "clasp":
             shown["frame"] = f"palm {fields.get('frame')}"
-            shown["fingers"] = f"fingers {', '.join(fields.get('fingers', ()))}"
+            thumb = fields["thumb"][-1]["link"] if fields else ""
+            names = ", ".join(fields.get("fingers", ()))
+            shown["fingers"] = f"curves of {names} against {thumb}"
         else:
             shown |= {name: f"{name} {fields[name]}" for name in SHOWN if name in fields}
             shown |= {name: f"{name} {values[name]}" for name in ("open", "closed") if name in used}

@@ -55,6 +55,18 @@ class Stability(Table):
     checks: Index = Field(description="number of poses checked")
 
 
+class Pinch(Table):
+    """Result of the test of a pinch at the last row: forces that friction resists."""
+
+    MAKE: ClassVar = clasp.Pinch
+
+    holds: bool
+    strength: NotNegative = Field(
+        description="largest force that is resisted in any direction, per newton of a finger"
+    )
+    gap: float = Field(description="of the finger that is farther from the object [m]")
+
+
 class Tree(Table):
     """Search tree that contains the clasp."""
 
@@ -87,6 +99,10 @@ class ClaspPlanFile(PlanFields):
     target: Target | None = Field(default=None, description="place on the clasped loop")
     min_linking: NotNegative = Field(description="threshold of virtual linking")
     stability: Stability | None = Field(default=None, description="result at the last row")
+    pinch: Pinch | None = Field(
+        default=None,
+        description="result at the last row, if only friction between two fingers holds",
+    )
     segments: list[Segment]
     tree: Tree
     warnings: list[str]

@@ -26,6 +26,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "min_linking": plan.min_linking,
         "virtual_linking": ends,
         "stability": _stability(plan),
+        "pinch": _pinch(plan),
         "path_nodes": len(plan.tree.path),
         "warnings": list(plan.warnings),
         "segments": [{"name": s.name, "rows": len(s)} for s in plan.segments],
@@ -49,6 +50,10 @@ def lines(plan: Plan) -> list[str]:
     escapes = f"{stability.escapes} of {count(sequences, 'sequences')} of random moves"
     margin = f"margin {stability.margin:.2f} (1: cannot move, 0: escapes)"
     found.append(f"{held}: the loop escapes in {escapes}, {margin}")
+    if plan.pinch is not None:
+        friction = f"friction {plan.task.options.friction:g} holds it all the same"
+        strength = f"each newton of the fingers resists {plan.pinch.strength:.2f} N"
+        found.append(f"pinched: {friction}; {strength} in any direction")
     return found
 
 
@@ -71,6 +76,11 @@ def _stability(plan: Plan) -> dict[str, Any] | None:
     names = ("secure", "escapes", "margin", "checks")
     found = plan.stability
     return None if found is None else {name: getattr(found, name) for name in names}
+
+
+def _pinch(plan: Plan) -> dict[str, Any] | None:
+    found = plan.pinch
+    return None if found is None else {n: getattr(found, n) for n in ("holds", "strength", "gap")}
 
 
 def _ends(plan: Plan) -> dict[str, float]:

@@ -49,6 +49,7 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
         return {
             "length": loop.length,
             "thickness": loop.thickness,
+            "width": loop.width,
             "birth": loop.birth,
             "death": loop.death if math.isfinite(loop.death) else None,
             "points": loop.points.tolist(),

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ enum class Status {
   start_in_collision,
   no_reliable_hole,
   no_target_in_reach,
+  too_thick,
   not_found,
   not_secure,
   interrupted,
@@ -38,9 +40,13 @@ constexpr auto choices(Status) {
              "The point cloud shows no hole to clasp. Object.loops has its Betti numbers."},
       Choice{Status::no_target_in_reach, "no_target_in_reach",
              "Every target is farther away than the arm is long."},
+      Choice{Status::too_thick, "too_thick",
+             "Every handle in reach is thicker than the two fingers of the hand open."},
       Choice{Status::not_found, "not_found", "No motion to a clasp was found within the budget."},
-      Choice{Status::not_secure, "not_secure",
-             "Clasps were found within the budget, and none passed the stability test."},
+      Choice{
+          Status::not_secure, "not_secure",
+          "Clasps were found within the budget, and none passed the stability test or is held by "
+          "friction."},
       Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
       Choice{Status::out_of_memory, "out_of_memory",
              "The search would need more memory than options.max_memory."}};
@@ -111,6 +117,7 @@ struct Plan {
   geometry::ClaspTarget target;  ///< target that the hand holds, in O
   double min_linking = 0;        ///< threshold on |VLk| of the closed hand
   Stability stability;           ///< of the last row
+  std::optional<Pinch> pinch;    ///< of the last row, if only friction holds the object there
   Tree tree;
   std::vector<std::string> warnings;
   Statistics statistics;
@@ -127,8 +134,8 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 /// Replays a plan at steps of 0.01 rad and returns its faults; an empty list means that the plan is
 /// valid. Checks joint limits, collisions by FCL, linking by the double integral, eq. (1), that the
 /// target is one of those requested, and that the fingers closed until contact. It uses no code of
-/// the search, with two exceptions: the threshold derived from the hand, and the stability test,
-/// which is run again. A second escape test uses FCL alone.
+/// the search, with two exceptions: the threshold derived from the hand, and the tests of stability
+/// and of a pinch, which are run again. A second escape test uses FCL alone.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

@@ -47,6 +47,13 @@ struct Hand {
 GRASPLESS_API Hand hand_from_yaml(const std::string& text, const std::string& what = "hand");
 GRASPLESS_API Hand hand_from_yaml_file(const std::string& path);
 
+/// Returns the hand with a corner in the palm (`frame`) at the beginning of each finger and thumb
+/// whose first node joints of the hand move against the palm, such as those of a parallel gripper.
+/// The corner lies half way between the node's positions in the palm with the hand open and closed.
+/// It takes the place of a first node that is in the same position in both states. Other hands are
+/// returned as they are. Throws std::invalid_argument like validate() for unknown names.
+GRASPLESS_API Hand with_palm_corners(const Hand& hand, const robot::Robot& robot);
+
 /// Throws std::invalid_argument that names the field, the value and the choices in these cases:
 /// - a link, group or state is unknown, or arm and hand share joints;
 /// - `frame` is not carried by the arm, or `forward` and `sideways` are not orthogonal unit

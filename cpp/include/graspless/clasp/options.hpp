@@ -14,6 +14,7 @@ struct Options {
   int targets = 0;
   bool attract = false;
   double resolution = 0.01;
+  double friction = 0.5;
   StabilityOptions stability;
   bool must_be_secure = true;
   double max_memory = 4e9;
@@ -38,6 +39,10 @@ constexpr auto fields(const Options&) {
       Field{"resolution", &Options::resolution, "rad",
             "Largest joint step between checked configurations. At most 0.01, the step of check().",
             Range::closed(1e-4, 0.01)},
+      Field{"friction", &Options::friction, "",
+            "Coefficient of friction between the object and a hand of two fingers. Such a hand may "
+            "also pinch a bar that could slip out without friction. 0: it may not.",
+            Range::closed(0, 10)},
       Field{"stability",
             &Options::stability,
             "",
@@ -45,8 +50,8 @@ constexpr auto fields(const Options&) {
             {},
             "Section V-A"},
       Field{"must_be_secure", &Options::must_be_secure, "",
-            "Accept a clasp only if it passes the stability test; otherwise the search "
-            "continues."},
+            "Accept a clasp only if it passes the stability test or is a pinch that friction "
+            "holds; otherwise the search continues."},
       Field{"max_memory", &Options::max_memory, "bytes", "Largest memory that the search may take.",
             Range::positive()});
 }

@@ -64,6 +64,24 @@ struct Stability {
   std::int64_t checks = 0;  ///< number of poses checked
 };
 
+/// Result of the test of a pinch: the forces that a hand of two fingers can exert on the object.
+struct Pinch {
+  bool holds = false;  ///< true if both fingers touch, and their forces resist every wrench
+  /// Largest force in any direction that friction resists for each newton with which a finger
+  /// presses, with as large a moment divided by the object's radius of gyration, both about the
+  /// mean of its points.
+  double strength = 0;
+  double gap = 0;  ///< of the finger that is farther from the object [m]; it must touch, to 3 mm
+};
+
+/// Tests if friction holds the object between finger and thumb at configuration q. Each presses
+/// with 1 N on two points, the ends of its contact with the object along the bar, and
+/// mechanics::max_stability() tells which wrenches they resist; a strength below 0.01 is none. The
+/// normals are those of the finger, because the cloud is rough. Throws std::invalid_argument on an
+/// invalid problem or configuration, more than one finger besides the thumb, or friction outside
+/// [0, 10].
+GRASPLESS_API Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q, double friction);
+
 /// Tests if the object's loop stays in the hand at configuration q (Stork 2013, Section V-A). All
 /// links of the robot are obstacles, filled with balls; a mesh that is not convex is filled to its
 /// hull. The clasp is not secure if the robot is deeper than `penetration` in the object. The

@@ -25,6 +25,9 @@ struct Loop {
   /// Thickness of the handle that the loop runs along, at its thinnest cross-section [m]. A hand
   /// must close around it. 0 if unknown.
   double thickness = 0;
+  /// Width of the same handle in its narrowest direction [m]. Two jaws must open farther. 0 if
+  /// unknown.
+  double width = 0;
 };
 
 /// Options of shortest_loops().

@@ -118,15 +118,17 @@ void PlanChecker::check_hand_closes() {
   }
 }
 
-/// At the end, no joint of the hand can close by another 0.01 rad: it touches or is closed. FCL
-/// alone misses grazing contacts of two capsules, so the world's exact distances are used as well.
+/// At the end, no joint of the hand can close by another 0.01 rad or 1 mm: it touches or is closed.
+/// FCL alone misses grazing contacts of two capsules, so the world's exact distances are used as
+/// well.
 void PlanChecker::check_closed_until_contact() {
   const Eigen::VectorXd& closed = problem_.robot.state(problem_.hand.closed);
   for (const auto& [joint, sign] : closing_joints(problem_)) {
+    const double step = scene::kReplayStep / problem_.robot.step_weights()[joint];
     const double left = sign * (closed[joint] - q_end()[joint]);
-    if (left < scene::kReplayStep) continue;
+    if (left < step) continue;
     Eigen::VectorXd q = q_end();
-    q[joint] += sign * scene::kReplayStep;
+    q[joint] += sign * step;
     if (replay_.touching(q).empty() && !replay_.world().collides()) {
       fault("close", "joint ", problem_.robot.joint_names()[static_cast<std::size_t>(joint)],
             " could close further before anything touches");
@@ -142,9 +144,21 @@ void PlanChecker::check_stability() {
     fault("plan", "stability is not what its test says: ", found.escapes, " escapes, margin ",
           found.margin);
   }
-  if (options_.must_be_secure && !found.secure) fault("plan", "the clasp is not secure");
+  if (!found.secure) check_pinch();
   if (found.secure && comes_free(problem_, plan_.loop, q_end()))
     fault("plan", "the loop came out of the hand, though the stability test calls it secure");
+}
+
+/// Friction must hold what is not secure without it.
+void PlanChecker::check_pinch() {
+  const bool may = problem_.hand.fingers.size() == 1 && options_.friction > 0;
+  const Pinch found = may ? test_pinch(problem_, q_end(), options_.friction) : Pinch{};
+  if (found.holds != plan_.pinch.has_value() ||
+      (found.holds && !(std::abs(found.strength - plan_.pinch->strength) <= kTolerance))) {
+    fault("plan", "pinch is not what its test says: strength ", found.strength, ", gap ",
+          found.gap);
+  }
+  if (options_.must_be_secure && !found.holds) fault("plan", "the clasp is not secure");
 }
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {

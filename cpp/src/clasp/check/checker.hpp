@@ -67,6 +67,7 @@ class PlanChecker {
   void check_hand_closes();
   void check_closed_until_contact();
   void check_stability();
+  void check_pinch();
 
   const Problem& problem_;
   const Plan& plan_;

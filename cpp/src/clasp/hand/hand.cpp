@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "clasp/hand/palm.hpp"
+
 namespace graspless::clasp {
 namespace {
 
@@ -46,22 +48,6 @@ void check_groups(const Hand& hand, const robot::Robot& robot) {
                                 "' share the joint '" +
                                 robot.joint_names()[static_cast<std::size_t>(joint)] + "'");
   }
-}
-
-Vector3d node_position(const robot::Robot& robot, const CurveNode& node, const Eigen::VectorXd& q) {
-  return robot.pose(robot.frame(node.link), q) * node.p_L;
-}
-
-/// True if moving a single joint of the hand from the open state changes `measure(q)`.
-template <typename Measure>
-bool a_joint_changes(const Hand& hand, const robot::Robot& robot, Measure measure) {
-  const Eigen::VectorXd open = robot.state(hand.open);
-  for (const int joint : robot.group(hand.hand)) {
-    Eigen::VectorXd moved = open;
-    moved[joint] += 0.1;
-    if ((measure(moved) - measure(open)).norm() > 1e-6) return true;
-  }
-  return false;
 }
 
 void check_states(const Hand& hand, const robot::Robot& robot) {
@@ -154,6 +140,22 @@ void check_tip(const Hand& hand, const robot::Robot& robot, const std::string& f
                               "', is moved by no joint of the group '" + hand.hand + "'");
 }
 
+/// Corners that with_palm_corners() would add.
+std::string advice(const Hand& hand, const robot::Robot& robot) {
+  const Hand made = with_palm_corners(hand, robot);
+  std::string found;
+  const auto compare = [&](const std::string& field, const Finger& given, const Finger& now) {
+    const CurveNode& corner = now.nodes.front();
+    if (corner.link == given.nodes.front().link && corner.p_L == given.nodes.front().p_L) return;
+    found += (found.empty() ? "; begin " : ", and ") + field + " with {link: " + corner.link +
+             ", point: " + text(corner.p_L) + "}";
+  };
+  for (std::size_t i = 0; i < hand.fingers.size(); ++i)
+    compare("hand.fingers." + hand.fingers[i].name, hand.fingers[i], made.fingers[i]);
+  compare("hand.thumb", hand.thumb, made.thumb);
+  return found;
+}
+
 /// The first nodes of finger and thumb must be close to each other in the palm, and no joint of the
 /// hand may move one against the other.
 void check_meeting(const Hand& hand, const robot::Robot& robot, const std::string& field,
@@ -174,12 +176,12 @@ void check_meeting(const Hand& hand, const robot::Robot& robot, const std::strin
   throw std::invalid_argument(field + " does not meet the thumb: joints of the group '" +
                               hand.hand + "' move its first node, on link '" + first.link +
                               "', against the thumb's, on link '" + thumbs.link +
-                              "'; nodes run from the palm to the tip");
+                              "'; nodes run from the palm to the tip" + advice(hand, robot));
 }
 
 }  // namespace
 
-void validate(const Hand& hand, const robot::Robot& robot) {
+void require_names(const Hand& hand, const robot::Robot& robot) {
   check_groups(hand, robot);
   check_states(hand, robot);
   check_frame(hand, robot);
@@ -189,9 +191,14 @@ void validate(const Hand& hand, const robot::Robot& robot) {
   }
   check_names(hand);
   check_nodes("hand.thumb", hand.thumb, robot);
+  for (const Finger& finger : hand.fingers)
+    check_nodes("hand.fingers." + finger.name, finger, robot);
+}
+
+void validate(const Hand& hand, const robot::Robot& robot) {
+  require_names(hand, robot);
   for (const Finger& finger : hand.fingers) {
     const std::string field = "hand.fingers." + finger.name;
-    check_nodes(field, finger, robot);
     check_tip(hand, robot, field, finger);
     check_meeting(hand, robot, field, finger);
     check_curve(hand, robot, field, finger);

@@ -24,13 +24,13 @@ constexpr double kLinkingDamping = 0.02;
 // has no such term (0).
 constexpr double kPatience = 20;
 
-constexpr double kMinStep = 2e-4;  // shorter steps make no node [rad]
+constexpr double kMinStep = 2e-4;  // shorter steps make no node, Robot::step() [rad]
 constexpr double kAtLimit = 1e-9;  // distance from a limit that counts as reached [rad]
 constexpr int kMaxRounds = 4;      // of excluding joints at their limits
 
 Eigen::RowVectorXd gains_of(const robot::Robot& robot, const std::string& group) {
   Eigen::RowVectorXd gains = Eigen::RowVectorXd::Zero(robot.dof());
-  for (const int joint : robot.group(group)) gains[joint] = 1;
+  for (const int joint : robot.group(group)) gains[joint] = 1 / robot.step_weights()[joint];
   return gains;
 }
 
@@ -42,6 +42,7 @@ Controller::Controller(TaskSpace& task_space, const robot::Robot& robot, const H
       options_(options),
       lower_(robot.lower()),
       upper_(robot.upper()),
+      weights_(robot.step_weights()),
       arm_gains_(gains_of(robot, hand.arm)),
       hand_gains_(gains_of(robot, hand.hand)),
       position_(make_task(kPositionDamping, 3)),
@@ -75,8 +76,8 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
   q_dot_ *= kTimeStep;  // 15
   const double longest = q_dot_.cwiseAbs().maxCoeff();
   if (longest > max_step) q_dot_ *= max_step / longest;
-  q_new = (q + q_dot_).cwiseMax(lower_).cwiseMin(upper_);
-  return (q_new - q).cwiseAbs().maxCoeff() >= kMinStep;
+  q_new = (q + q_dot_.cwiseQuotient(weights_)).cwiseMax(lower_).cwiseMin(upper_);
+  return (q_new - q).cwiseProduct(weights_).cwiseAbs().maxCoeff() >= kMinStep;
 }
 
 /// GAIN of line 12: 1 far from the target, 0 near it.

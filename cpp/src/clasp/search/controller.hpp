@@ -27,8 +27,8 @@ class Controller {
              const Options& options);
 
   /// Computes the configuration one step from q towards x_target, within the joint limits. No joint
-  /// moves more than `max_step` [rad]. Returns false if no joint would move by 2e-4 rad. Projects q
-  /// unless it was projected last. Allocates no memory.
+  /// moves more than `max_step`, Robot::step() [rad]. Returns false if no joint would move by 2e-4
+  /// rad. Projects q unless it was projected last. Allocates no memory.
   bool step(const Eigen::VectorXd& q, const TaskPoint& x_target, double max_step,
             Eigen::VectorXd& q_new);
 
@@ -50,11 +50,13 @@ class Controller {
 
   TaskSpace& task_space_;
   Options options_;
-  Eigen::VectorXd lower_, upper_;
-  Eigen::RowVectorXd arm_gains_, hand_gains_;  // diagonals of M_arm and M_hand
+  Eigen::VectorXd lower_, upper_, weights_;
+  // Diagonals of M_arm and M_hand. They convert to the units of Robot::step(), in which a step is
+  // solved: metres and radians would not weigh alike.
+  Eigen::RowVectorXd arm_gains_, hand_gains_;
   Task position_, alignment_, linking_;
   double blend_ = 0;
-  Eigen::VectorXd q_dot_arm_, q_dot_hand_, q_dot_;
+  Eigen::VectorXd q_dot_arm_, q_dot_hand_, q_dot_;  // in the units of Robot::step()
 };
 
 }  // namespace graspless::clasp

@@ -13,6 +13,7 @@
 #include "clasp/hand/reach.hpp"
 #include "clasp/parameters.hpp"
 #include "clasp/search/pull.hpp"
+#include "clasp/stability/pinch.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -146,11 +147,29 @@ std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
   return targets;
 }
 
-std::vector<int> allowed_loops(const Problem& problem) {
-  if (!problem.loops.empty()) return problem.loops;
-  std::vector<int> all(problem.object.loops().loops.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+/// Drops the loops along handles that are wider than the two fingers of the hand open.
+std::vector<int> without_thick(Query& query, std::vector<int> loops, Plan& plan) {
+  const Problem& problem = query.problem;
+  if (problem.hand.fingers.size() > 1) return loops;
+  const double open = opening(problem.robot, problem.hand);
+  const auto width = [&](int loop) {
+    return problem.object.loops().loops[static_cast<std::size_t>(loop)].width;
+  };
+  const auto thinnest = std::min_element(loops.begin(), loops.end(),
+                                         [&](int a, int b) { return width(a) < width(b); });
+  if (width(*thinnest) >= open) {
+    const auto mm = [](double length) { return std::to_string(std::lround(1000 * length)); };
+    plan.status = Status::too_thick;
+    plan.reason = "loop " + std::to_string(*thinnest) + ": its handle is " + mm(width(*thinnest)) +
+                  " mm thick, the hand opens " + mm(open) + " mm";
+  }
+  const auto is_thick = [&](int loop) {
+    if (width(loop) < open) return false;
+    query.refuse("target: handle too thick");
+    return true;
+  };
+  loops.erase(std::remove_if(loops.begin(), loops.end(), is_thick), loops.end());
+  return loops;
 }
 
 void explain_no_target(const Query& query, const TargetRater& rater, Plan& plan) {
@@ -168,9 +187,17 @@ void explain_no_target(const Query& query, const TargetRater& rater, Plan& plan)
 
 }  // namespace
 
+std::vector<int> allowed_loops(const Problem& problem) {
+  if (!problem.loops.empty()) return problem.loops;
+  std::vector<int> all(problem.object.loops().loops.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan) {
   const Problem& problem = query.problem;
-  const std::vector<int> loops = allowed_loops(problem);
+  const std::vector<int> loops = without_thick(query, allowed_loops(problem), plan);
+  if (loops.empty()) return {};
   std::vector<Options> options;
   for (const int loop : loops) {
     options.push_back(derived(query.options, problem, loop));

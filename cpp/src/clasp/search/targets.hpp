@@ -21,4 +21,7 @@ struct LoopTask {
 /// finger all round come first. If none is left, sets status and reason of the plan.
 std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan);
 
+/// Indices of the loops that may be clasped.
+std::vector<int> allowed_loops(const Problem& problem);
+
 }  // namespace graspless::clasp

@@ -114,7 +114,9 @@ void find_loops(const Filtration& filtration, const std::vector<int>& columns, b
     Loop loop = make_loop(complex.points, basis[i], columns);
     loop.birth = span.birth;
     loop.death = span.death;
-    loop.thickness = thickness(complex, basis[i]);
+    const Thickness found = thickness(complex, basis[i]);
+    loop.thickness = found.widest;
+    loop.width = found.narrowest;
     (is_meridian[i] ? result.meridians : result.loops).push_back(std::move(loop));
   }
 }
@@ -133,6 +135,7 @@ void polish(const Eigen::Matrix3Xd& points, Loops& result) {
     loop.birth = result.loops[i].birth;
     loop.death = result.loops[i].death;
     loop.thickness = result.loops[i].thickness;
+    loop.width = result.loops[i].width;
     result.loops[i] = std::move(loop);
   }
   std::stable_sort(result.loops.begin(), result.loops.end(),

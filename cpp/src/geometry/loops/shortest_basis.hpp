@@ -22,9 +22,14 @@ std::vector<Cycle> shortest_basis(const Complex& complex);
 /// shortest. Empty if a loop cannot be traced on `whole`.
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops);
 
-/// Thickness of the handle that a cycle runs along, at its thinnest cross-section [m]; 0 if
+/// Largest and smallest width of the cross-sections of a handle, at the thinnest ones [m]; 0 if
 /// unknown.
-double thickness(const Complex& complex, const Cycle& cycle);
+struct Thickness {
+  double widest = 0, narrowest = 0;
+};
+
+/// Thickness of the handle that a cycle runs along.
+Thickness thickness(const Complex& complex, const Cycle& cycle);
 
 /// Returns true for each cycle of a basis that runs around a thick handle instead of along it. A
 /// cloud shows only the surface of a handle. The hollow inside adds a second class to H_1.

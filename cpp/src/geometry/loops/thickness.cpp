@@ -49,9 +49,9 @@ class CrossSection {
   std::vector<Eigen::Vector2d> points_;
 };
 
-/// Largest width of planar points over a few directions [m].
-double width(const std::vector<Eigen::Vector2d>& points) {
-  double widest = 0;
+/// Smallest and largest width of planar points over a few directions [m].
+std::pair<double, double> widths_of(const std::vector<Eigen::Vector2d>& points) {
+  double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = kPi * i / kDirections;
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
@@ -61,26 +61,34 @@ double width(const std::vector<Eigen::Vector2d>& points) {
       upper = std::max(upper, p.dot(along));
     }
     widest = std::max(widest, upper - lower);
+    narrowest = std::min(narrowest, upper - lower);
   }
-  return widest;
+  return {narrowest, widest};
+}
+
+/// A low quantile instead of the minimum: a single cross-section may hit few points.
+double tenth(std::vector<double> values) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 }  // namespace
 
-double thickness(const Complex& complex, const Cycle& cycle) {
+Thickness thickness(const Complex& complex, const Cycle& cycle) {
   const Eigen::Matrix3Xd loop = complex.points(Eigen::all, cycle);
   const double d = complex.max_edge_length;
-  std::vector<double> widths;
+  std::vector<double> narrowest, widest;
   for (const ClaspTarget& center : clasp_targets(loop, kSections)) {
     const std::vector<Eigen::Vector2d> piece =
         CrossSection(complex, center, d / 3).take_connected(d);
-    if (piece.size() >= kMinPoints) widths.push_back(width(piece));
+    if (piece.size() < kMinPoints) continue;
+    const auto [least, most] = widths_of(piece);
+    narrowest.push_back(least);
+    widest.push_back(most);
   }
-  if (widths.empty()) return 0;
-  // A low quantile instead of the minimum: a single cross-section may hit few points.
-  const auto tenth = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 10);
-  std::nth_element(widths.begin(), tenth, widths.end());
-  return *tenth;
+  if (widest.empty()) return {};
+  return {tenth(std::move(widest)), tenth(std::move(narrowest))};
 }
 
 }  // namespace graspless::geometry

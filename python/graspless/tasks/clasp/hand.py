@@ -103,6 +103,7 @@ def build_hand(
         **names,
     )
     try:
+        hand = clasp.with_palm_corners(hand, robot)
         clasp.validate(hand, robot)
     except ValueError as error:
         where, what = _blamed(str(error), fields)

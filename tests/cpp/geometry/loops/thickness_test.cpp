@@ -42,7 +42,7 @@ Found look(const Eigen::Matrix3Xd& cloud, double d) {
   const std::vector<Cycle> basis = shortest_basis(complex);
   Found found;
   for (const Cycle& cycle : basis) {
-    found.thickness.push_back(thickness(complex, cycle));
+    found.thickness.push_back(thickness(complex, cycle).widest);
     found.lengths.push_back(cycle_length(complex.points, cycle));
   }
   found.is_meridian = find_meridians(complex, basis);

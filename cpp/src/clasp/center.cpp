@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/center.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "graspless/robot/ik.hpp"
+
+#include "clasp/close.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kRounds = 3;
+constexpr double kEven = 0.0015;  // gaps whose difference is smaller are equal [m]
+
+/// Distance of a finger from the object and the direction in which it touches.
+struct Side {
+  double gap;
+  Vector3d n_W;
+};
+
+std::optional<Side> side_of(const std::vector<Touch>& touches) {
+  if (touches.empty()) return std::nullopt;
+  Side side{touches.front().gap, Vector3d::Zero()};
+  for (const Touch& touch : touches) {
+    side.gap = std::min(side.gap, touch.gap);
+    side.n_W += touch.n_W;
+  }
+  return side;
+}
+
+/// Motion of the hand that makes both gaps equal [m]; nothing if they are.
+std::optional<Vector3d> offset_W(Query& query, const VectorXd& q) {
+  if (!query.pinch_tester) query.pinch_tester.emplace(query.problem);
+  const auto touches = query.pinch_tester->touches(q);
+  const auto finger = side_of(touches[0]), thumb = side_of(touches[1]);
+  if (!finger || !thumb || std::abs(finger->gap - thumb->gap) < kEven) return std::nullopt;
+  const Vector3d across = finger->n_W.normalized() - thumb->n_W.normalized();
+  if (across.norm() < 0.1) return std::nullopt;
+  return (finger->gap - thumb->gap) / 2 * across.normalized();
+}
+
+/// The arm moved so that the hand is displaced in W; nothing if it cannot.
+std::optional<VectorXd> displaced(const Problem& problem, const VectorXd& q, const Vector3d& by_W) {
+  const int frame = problem.robot.frame(problem.hand.frame);
+  Eigen::Isometry3d X_WH = problem.robot.pose(frame, q);
+  X_WH.translation() += by_W;
+  try {
+    return robot::Ik(problem.robot, frame, problem.robot.group(problem.hand.arm))
+        .solve_near(X_WH, q);
+  } catch (const std::invalid_argument&) {  // the arm is not a chain that ends at the palm
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void close_centered(Query& query, planning::Path& reach, planning::Path& close) {
+  const Problem& problem = query.problem;
+  const auto closed_from = [&](const VectorXd& q) {
+    return close_hand(query.free, problem.robot, problem.hand, q);
+  };
+  close = closed_from(reach.back());
+  for (int round = 0; query.may_pinch() && round < kRounds; ++round) {
+    const auto by_W = offset_W(query, close.back());
+    const auto q = by_W ? displaced(problem, reach.back(), *by_W) : std::nullopt;
+    if (!q || !query.is_motion_free(reach.back(), *q)) return;
+    reach.push_back(*q);
+    close = closed_from(*q);
+  }
+}
+
+}  // namespace graspless::clasp

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "clasp/query.hpp"
+
+namespace graspless::clasp {
+
+/// Closes the hand at the end of a reach. If a hand of two fingers stops with one of them away from
+/// the object, the reach is continued towards that side and the hand closes there. Fingers that
+/// mimic each other could not pinch otherwise.
+void close_centered(Query& query, planning::Path& reach, planning::Path& close);
+
+}  // namespace graspless::clasp

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// An arm of three sliding joints with a parallel gripper, whose right finger mimics the left.
+#pragma once
+
+#include <string>
+
+#include "graspless/clasp/hand.hpp"
+#include "graspless/robot/robot.hpp"
+
+namespace graspless::clasp {
+
+inline std::string slider(const std::string& name, const std::string& parent,
+                          const std::string& child, const std::string& xyz, const std::string& axis,
+                          const std::string& range, const std::string& mimic = "") {
+  return "<joint name='" + name + "' type='prismatic'><origin xyz='" + xyz + "'/><parent link='" +
+         parent + "'/><child link='" + child + "'/><axis xyz='" + axis + "'/><limit " + range +
+         " velocity='1' effort='50'/>" + mimic + "</joint>";
+}
+
+inline std::string box_link(const std::string& name, const std::string& xyz,
+                            const std::string& size) {
+  return "<link name='" + name + "'><collision><origin xyz='" + xyz + "'/><geometry><box size='" +
+         size + "'/></geometry></collision></link>";
+}
+
+/// Fingers of 80 x 20 x 10 mm that are 60 mm apart when open and touch when closed. The palm hangs
+/// at (0, 0, 1) and looks along +z.
+inline robot::Robot parallel_gripper() {
+  const std::string far = "lower='-1' upper='1'", near = "lower='0' upper='0.03'";
+  const std::string urdf =
+      "<robot name='gripper'><link name='world'/><link name='x'/><link name='y'/>" +
+      box_link("palm", "0 0 0.02", "0.04 0.1 0.04") +
+      box_link("left", "0 0.005 0.04", "0.02 0.01 0.08") +
+      box_link("right", "0 -0.005 0.04", "0.02 0.01 0.08") +
+      slider("arm_x", "world", "x", "0 0 1", "1 0 0", far) +
+      slider("arm_y", "x", "y", "0 0 0", "0 1 0", far) +
+      slider("arm_z", "y", "palm", "0 0 0", "0 0 1", far) +
+      slider("slide_left", "palm", "left", "0 0 0.04", "0 1 0", near) +
+      slider("slide_right", "palm", "right", "0 0 0.04", "0 -1 0", near,
+             "<mimic joint='slide_left'/>") +
+      "</robot>";
+  const std::string srdf =
+      "<robot name='gripper'><group name='arm'><joint name='arm_x'/><joint name='arm_y'/><joint "
+      "name='arm_z'/></group><group name='hand'><joint name='slide_left'/></group>"
+      "<group_state name='open' group='hand'><joint name='slide_left' value='0.03'/></group_state>"
+      "<group_state name='closed' group='hand'><joint name='slide_left' "
+      "value='0'/></group_state></robot>";
+  robot::Robot::Options options;
+  options.srdf = srdf;
+  return robot::Robot::from_urdf(urdf, options);
+}
+
+/// Its curves, with corners on the fingers only.
+inline Hand hand_without_palm() {
+  Hand hand;
+  hand.sideways_H = Eigen::Vector3d::UnitX();
+  hand.fingers = {{"left", {{"left", {0, 0, 0.01}}, {"left", {0, 0.005, 0.075}}}}};
+  hand.thumb = {"thumb", {{"right", {0, 0, 0.01}}, {"right", {0, -0.005, 0.075}}}};
+  return hand;
+}
+
+}  // namespace graspless::clasp
