@@ -74,7 +74,7 @@ def test_the_note_says_what_is_used(folder):
 
 
 def test_a_clasp_is_told_of_its_own_hand(found):
-    assert "palm palm; fingers left; graspless" in found.summary("clasp")
+    assert "palm palm; curves of left against right; graspless" in found.summary("clasp")
     assert "fingertip" not in found.summary("clasp")
 
 
