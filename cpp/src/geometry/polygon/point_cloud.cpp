@@ -183,6 +183,10 @@ void require_one_piece(const AlphaShape& shape, double gap, const std::string& w
                               " m apart; remove stray points and other objects");
 }
 
+double extent(const Eigen::Matrix2Xd& points) {
+  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+}
+
 /// As CGAL inserts a range of points, but with polls.
 Delaunay delaunay(const Eigen::Matrix2Xd& points) {
   std::vector<Kernel::Point_2> cloud;
@@ -195,6 +199,35 @@ Delaunay delaunay(const Eigen::Matrix2Xd& points) {
     hint = triangulation.insert(point, hint)->face();
   }
   return triangulation;
+}
+
+/// True if CGAL would divide by zero: a triangle has a positive area, which predicates find
+/// exactly, but its determinant is 0 in double precision.
+bool has_needle(const Delaunay& triangulation) {
+  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) {
+    poll();
+    const auto q = f->vertex(1)->point() - f->vertex(0)->point();
+    const auto r = f->vertex(2)->point() - f->vertex(0)->point();
+    if (q.x() * r.y() == q.y() * r.x()) return true;
+  }
+  return false;
+}
+
+/// Rounds points to multiples of 2^-25 of their extent: determinants of differences are exact.
+Eigen::Matrix2Xd rounded(const Eigen::Matrix2Xd& points) {
+  const double unit = std::exp2(std::ceil(std::log2(extent(points))) - 25);
+  return (points / unit).array().round() * unit;
+}
+
+/// Delaunay triangulation of points, or of rounded ones if it has needles.
+Delaunay spanning_delaunay(const Eigen::Matrix2Xd& points, const std::string& what) {
+  Delaunay triangulation = delaunay(points);
+  if (triangulation.dimension() == 2 && extent(points) >= kMinLength) {
+    if (has_needle(triangulation)) triangulation = delaunay(rounded(points));
+    if (triangulation.dimension() == 2) return triangulation;
+  }
+  throw std::invalid_argument(what + " must span an area; got " + std::to_string(points.cols()) +
+                              " points on a line or fewer than three");
 }
 
 }  // namespace
@@ -231,12 +264,8 @@ Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
                                 " m of the origin along x and y, not at " +
                                 number(points.cwiseAbs().maxCoeff()) + " m");
   }
-  Delaunay triangulation = delaunay(points);
+  Delaunay triangulation = spanning_delaunay(points, what);
   AlphaShape shape(triangulation, 0, AlphaShape::REGULARIZED);
-  if (shape.dimension() < 2) {
-    throw std::invalid_argument(what + " must span an area; got " + std::to_string(points.cols()) +
-                                " points on a line or fewer than three");
-  }
   double alpha = *shape.find_optimal_alpha(1);
   const double spacing = std::sqrt(alpha);  // radius of the largest empty disc [m]
   require_one_piece(shape, spacing, what);

@@ -73,6 +73,13 @@ TEST(Outline, RefusesPointsWithoutArea) {
   EXPECT_THROW(outline(Eigen::Matrix2Xd(2, 0)), std::invalid_argument);
 }
 
+TEST(Outline, AcceptsPointsThatAreAlmostOnALine) {
+  const double tiny = std::numeric_limits<double>::denorm_min();  // 0.5 * tiny is 0
+  const Polygon around = outline(columns({{0, 0}, {1, tiny}, {0.5, 0}, {0.5, 1}}));
+  EXPECT_NEAR(around.area(), 0.5, 1e-6);
+  EXPECT_THROW(outline(columns({{0, 0}, {1e-200, 0}, {0, 1e-200}})), std::invalid_argument);
+}
+
 TEST(Outline, RefusesStrayPoints) {
   const Eigen::Matrix2Xd points = sample_grid(square(0.1), 0.005);
   Eigen::Matrix2Xd stray(2, points.cols() + 1);
