@@ -42,7 +42,7 @@ void read_urdf(Bytes bytes) {
 }
 
 void read_srdf(Bytes bytes) {
-  static const std::string urdf = text_of("tests/data/two_arms.urdf");
+  static const std::string urdf = text_of("tests/fuzz/seeds/arms.urdf");
   Robot::Options options;
   options.srdf = bytes.rest();
   accepts([&] {
