@@ -135,19 +135,28 @@ Eigen::Matrix2Xd simplified(const Loop& loop, double tolerance) {
   return out;
 }
 
-/// Polygon of the largest loop after simplification, if it is simple.
+double twice_area(const AlphaShape& shape) {
+  double sum = 0;
+  for (auto f = shape.finite_faces_begin(); f != shape.finite_faces_end(); ++f) {
+    if (shape.classify(f) != AlphaShape::INTERIOR) continue;
+    sum += 2 * shape.triangle(f).area();
+  }
+  return sum;
+}
+
+/// Polygon of the largest loop after simplification, if it is simple and surrounds the shape. It
+/// does not where the shape touches itself at a vertex; the caller retries with a larger alpha.
 std::optional<Polygon> outer_polygon(const AlphaShape& shape, double tolerance) {
   const Loop* outer = nullptr;
   const std::vector<Loop> all = loops(shape);
   for (const Loop& loop : all) {
     if (!outer || twice_area(loop) > twice_area(*outer)) outer = &loop;
   }
-  if (!outer || outer->size() < 3) return std::nullopt;
+  if (!outer || twice_area(*outer) < (1 - 1e-9) * twice_area(shape)) return std::nullopt;
   try {
     return Polygon(simplified(*outer, tolerance));
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // The boundary touches itself at a vertex. The caller retries with a
-                          // larger alpha.
+    return std::nullopt;
   }
 }
 
@@ -169,6 +178,17 @@ double median_spacing(const AlphaShape& shape) {
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;
+}
+
+/// Least squared radius of discs that leave one piece with all points in it.
+double optimal_alpha(AlphaShape& shape) {
+  const auto found = shape.find_optimal_alpha(1);
+  if (found == shape.alpha_begin()) return *found;
+  // CGAL gives the radius after the optimal one, which may be the vast one of a needle.
+  const double alpha = 1.5 * *(found - 1);
+  const bool is_enough =
+      alpha >= shape.find_alpha_solid() && shape.number_of_solid_components(alpha) == 1;
+  return is_enough ? std::min(alpha, *found) : *found;
 }
 
 /// Throws if one piece is possible only by bridging a gap of many spacings, as with stray points or
@@ -266,7 +286,7 @@ Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
   }
   Delaunay triangulation = spanning_delaunay(points, what);
   AlphaShape shape(triangulation, 0, AlphaShape::REGULARIZED);
-  double alpha = *shape.find_optimal_alpha(1);
+  double alpha = optimal_alpha(shape);
   const double spacing = std::sqrt(alpha);  // radius of the largest empty disc [m]
   require_one_piece(shape, spacing, what);
   for (int attempt = 0; attempt < 60; ++attempt, alpha *= 1.5) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "geometry/polygons.hpp"
@@ -74,10 +75,19 @@ TEST(Outline, RefusesPointsWithoutArea) {
 }
 
 TEST(Outline, AcceptsPointsThatAreAlmostOnALine) {
-  const double tiny = std::numeric_limits<double>::denorm_min();  // 0.5 * tiny is 0
-  const Polygon around = outline(columns({{0, 0}, {1, tiny}, {0.5, 0}, {0.5, 1}}));
-  EXPECT_NEAR(around.area(), 0.5, 1e-6);
+  const double t = std::numeric_limits<double>::denorm_min();  // 0.5 * t is 0
+  const Polygon around =
+      outline(columns({{0.5, -1}, {0.125, 2 * t}, {0.875, 3 * t}, {0.875, t}, {0.625, 2 * t}}));
+  EXPECT_NEAR(around.area(), 0.375, 1e-6);
   EXPECT_THROW(outline(columns({{0, 0}, {1e-200, 0}, {0, 1e-200}})), std::invalid_argument);
+}
+
+TEST(Outline, OfATurnedGridIsThatOfTheGrid) {
+  const Eigen::Matrix2Xd points = sample_grid(square(0.1), 0.005);
+  for (int i = 1; i < 40; ++i) {
+    const Polygon around = outline(Eigen::Rotation2Dd(0.04 * i).toRotationMatrix() * points);
+    EXPECT_NEAR(around.area(), square(0.095).area(), 5e-4) << i;
+  }
 }
 
 TEST(Outline, RefusesStrayPoints) {
