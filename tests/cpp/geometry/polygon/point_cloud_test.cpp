@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/geometry/point_cloud.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -53,6 +54,19 @@ TEST(Outline, DoesNotDependOnWhereMemoryLies) {
     elsewhere.emplace_back(i * 997);  // moves what is allocated next
     EXPECT_EQ(outline(points).vertices(), first);
     if (i % 3 == 0) elsewhere.erase(elsewhere.begin());
+  }
+}
+
+// Alpha shapes of few points often touch themselves at a point.
+TEST(Outline, DoesNotDependOnTheOrderOfThePoints) {
+  std::mt19937_64 rng(4);
+  const Polygon polygon = l_shape();
+  for (int i = 0; i < 100; ++i) {
+    std::vector<Eigen::Vector2d> points;
+    while (points.size() < 60) points.push_back(random_point(polygon, rng));
+    const Polygon around = outline(columns(points));
+    std::shuffle(points.begin(), points.end(), rng);
+    EXPECT_EQ(outline(columns(points)).vertices(), around.vertices());
   }
 }
 
