@@ -158,6 +158,8 @@ class AlphaShapes {
     const auto radius = Kernel().compute_squared_radius_2_object();
     for (const auto face : delaunay_.finite_face_handles()) {
       poll();
+      const auto q = corner(face, 1) - corner(face, 0), r = corner(face, 2) - corner(face, 0);
+      if (q.x() * r.y() == q.y() * r.x()) return false;  // CGAL would divide by the difference
       const double squared = radius(corner(face, 0), corner(face, 1), corner(face, 2));
       if (!std::isfinite(squared)) return false;
       face->info() = {squared, static_cast<int>(faces_.size())};
