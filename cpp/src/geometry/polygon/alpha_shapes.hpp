@@ -4,20 +4,14 @@
 // Alpha shapes of points in the plane (Edelsbrunner, Kirkpatrick, Seidel 1983).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/spatial_sort.h>
 #include <Eigen/Core>
-
-#include "graspless/watch.hpp"
 
 namespace graspless::geometry::alpha {
 
@@ -39,95 +33,28 @@ struct Loop {
 };
 
 /// Longest side of the points' box [m]; there must be points.
-inline double extent(const Eigen::Matrix2Xd& points) {
-  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
-}
+double extent(const Eigen::Matrix2Xd& points);
 
 /// The alpha shapes of points in the plane, regularized: for each alpha, the faces of the Delaunay
 /// triangulation whose squared circumradius is alpha at most. CGAL's Alpha_shape_2 keeps intervals
 /// of all faces, edges and vertices in maps, which takes five times as long.
 class AlphaShapes {
  public:
-  explicit AlphaShapes(const Eigen::Matrix2Xd& points) {
-    insert(points);
-    if (!read_faces()) {
-      delaunay_.clear();
-      insert(rounded(points));
-      read_faces();
-    }
-    int count = 0;
-    for (const auto vertex : delaunay_.finite_vertex_handles()) vertex->info() = count++;
-    std::sort(faces_.begin(), faces_.end(), [](const auto& a, const auto& b) {
-      poll();
-      return std::make_pair(a->info().squared_radius, a->info().index) <
-             std::make_pair(b->info().squared_radius, b->info().index);
-    });
-  }
+  explicit AlphaShapes(const Eigen::Matrix2Xd& points);
 
   bool span_an_area() const { return delaunay_.dimension() == 2; }
 
   /// Alpha at which all points lie on one piece, and somewhat more: CGAL's find_optimal_alpha(1)
   /// returns the next value of its spectrum, which may be the vast one of a needle.
-  double optimal_alpha() const {
-    constexpr double kMore = 1.5;
-    const std::vector<double> spectrum = alpha_spectrum();
-    const std::vector<int> pieces = count_pieces(spectrum);
-    const auto start = std::lower_bound(spectrum.begin(), spectrum.end(), least_covering());
-    const auto is_split = [](int count) { return count > 1; };
-    const auto best =
-        static_cast<std::size_t>(std::partition_point(pieces.begin() + (start - spectrum.begin()),
-                                                      pieces.end() - 1, is_split) -
-                                 pieces.begin());
-    if (best + 1 == spectrum.size()) return spectrum[best];
-    const double more = kMore * spectrum[best];
-    const auto at = std::upper_bound(spectrum.begin(), spectrum.end(), more) - spectrum.begin() - 1;
-    if (more > spectrum[best + 1] || is_split(pieces[static_cast<std::size_t>(at)])) {
-      return spectrum[best + 1];
-    }
-    return more;
-  }
+  double optimal_alpha() const;
 
   /// Median distance of a point to its nearest neighbour [m].
-  double median_spacing() const {
-    std::vector<double> nearest(delaunay_.number_of_vertices(),
-                                std::numeric_limits<double>::infinity());
-    for (const auto& [face, i] : delaunay_.finite_edges()) {
-      poll();
-      const auto a = face->vertex(Delaunay::ccw(i)), b = face->vertex(Delaunay::cw(i));
-      const double length = std::sqrt(CGAL::squared_distance(a->point(), b->point()));
-      for (const int vertex : {a->info(), b->info()}) {
-        auto& least = nearest[static_cast<std::size_t>(vertex)];
-        least = std::min(least, length);
-      }
-    }
-    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-    std::nth_element(nearest.begin(), middle, nearest.end());
-    return *middle;
-  }
+  double median_spacing() const;
 
   /// Boundaries of the shape, with the interior on the left. Where the shape touches itself at a
   /// point, the part outside decides which edges follow each other: a hole that touches the outer
   /// boundary has a loop of its own.
-  std::vector<Loop> loops(double alpha) const {
-    const std::vector<Edge> edges = boundary(alpha);
-    std::vector<bool> used(edges.size(), false);
-    std::vector<Loop> all;
-    for (std::size_t start = 0; start < edges.size(); ++start) {
-      if (used[start]) continue;
-      Loop loop;
-      for (std::size_t at = start; !used[at]; at = following(edges, at)) {
-        poll();
-        used[at] = true;
-        loop.points.push_back(position(edges[at].from));
-        loop.touches |= meets(edges, at);
-      }
-      auto& points = loop.points;
-      std::rotate(points.begin(), std::min_element(points.begin(), points.end(), is_left_of),
-                  points.end());
-      all.push_back(std::move(loop));
-    }
-    return all;
-  }
+  std::vector<Loop> loops(double alpha) const;
 
  private:
   using FaceHandle = Delaunay::Face_handle;
@@ -137,165 +64,39 @@ class AlphaShapes {
     VertexHandle from, to;
   };
 
-  static bool is_left_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return std::make_pair(a.x(), a.y()) < std::make_pair(b.x(), b.y());
-  }
-  static Eigen::Vector2d position(VertexHandle vertex) {
-    return {vertex->point().x(), vertex->point().y()};
-  }
+  static bool is_left_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+  static Eigen::Vector2d position(VertexHandle vertex);
   static const Kernel::Point_2& corner(FaceHandle face, int i) { return face->vertex(i)->point(); }
 
   /// Rounds points to multiples of 2^-25 of their extent: determinants of differences are exact.
-  static Eigen::Matrix2Xd rounded(const Eigen::Matrix2Xd& points) {
-    const double unit = std::exp2(std::ceil(std::log2(extent(points))) - 25);
-    return (points / unit).array().round() * unit;
-  }
+  static Eigen::Matrix2Xd rounded(const Eigen::Matrix2Xd& points);
 
   /// Computes the circles of the finite faces. Returns false at a needle: a triangle has a positive
   /// area, which predicates find exactly, but its determinant is 0 in double precision.
-  bool read_faces() {
-    faces_.clear();
-    const auto radius = Kernel().compute_squared_radius_2_object();
-    for (const auto face : delaunay_.finite_face_handles()) {
-      poll();
-      const auto q = corner(face, 1) - corner(face, 0), r = corner(face, 2) - corner(face, 0);
-      if (q.x() * r.y() == q.y() * r.x()) return false;  // CGAL would divide by the difference
-      const double squared = radius(corner(face, 0), corner(face, 1), corner(face, 2));
-      if (!std::isfinite(squared)) return false;
-      face->info() = {squared, static_cast<int>(faces_.size())};
-      faces_.push_back(face);
-    }
-    return true;
-  }
+  bool read_faces();
 
   /// As CGAL inserts a range of points, but with polls.
-  void insert(const Eigen::Matrix2Xd& points) {
-    std::vector<Kernel::Point_2> cloud;
-    for (const auto& p : points.colwise()) cloud.emplace_back(p.x(), p.y());
-    CGAL::spatial_sort(cloud.begin(), cloud.end(), Kernel());
-    FaceHandle hint;
-    for (const Kernel::Point_2& point : cloud) {
-      poll();
-      hint = delaunay_.insert(point, hint)->face();
-    }
-  }
+  void insert(const Eigen::Matrix2Xd& points);
 
   /// Values of alpha at which the general alpha shape changes: squared radii of faces, and of edges
   /// whose smallest circle holds no other point; ascending.
-  std::vector<double> alpha_spectrum() const {
-    std::vector<double> values;
-    for (const FaceHandle face : faces_) values.push_back(face->info().squared_radius);
-    const auto side = Kernel().side_of_bounded_circle_2_object();
-    const auto radius = Kernel().compute_squared_radius_2_object();
-    for (const auto& [face, i] : delaunay_.finite_edges()) {
-      poll();
-      const auto &p = corner(face, Delaunay::ccw(i)), &q = corner(face, Delaunay::cw(i));
-      const FaceHandle other = face->neighbor(i);
-      const auto holds = [&](FaceHandle at, int opposite) {
-        return !delaunay_.is_infinite(at) &&
-               side(p, q, corner(at, opposite)) == CGAL::ON_BOUNDED_SIDE;
-      };
-      if (!holds(face, i) && !holds(other, other->index(face))) values.push_back(radius(q, p));
-    }
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    values.erase(values.begin(), std::upper_bound(values.begin(), values.end(), 0.0));
-    return values;
-  }
+  std::vector<double> alpha_spectrum() const;
 
   /// Least alpha at which every point is a corner of the shape.
-  double least_covering() const {
-    std::vector<bool> covered(delaunay_.number_of_vertices(), false);
-    double last = 0;
-    for (const FaceHandle face : faces_) {
-      for (int i = 0; i < 3; ++i) {
-        const auto vertex = static_cast<std::size_t>(face->vertex(i)->info());
-        if (!covered[vertex]) last = face->info().squared_radius;
-        covered[vertex] = true;
-      }
-    }
-    return last;
-  }
+  double least_covering() const;
 
   /// Number of pieces, connected by edges, at each value.
-  std::vector<int> count_pieces(const std::vector<double>& values) const {
-    std::vector<int> above(faces_.size(), -1);  // forest of joined faces; -1: not in the shape
-    const auto piece = [&](int face) {
-      while (above[static_cast<std::size_t>(face)] != face) {
-        auto& parent = above[static_cast<std::size_t>(face)];
-        face = parent = above[static_cast<std::size_t>(parent)];
-      }
-      return face;
-    };
-    std::vector<int> pieces;
-    int count = 0;
-    auto next = faces_.begin();
-    for (const double value : values) {
-      for (; next != faces_.end() && (*next)->info().squared_radius <= value; ++next) {
-        poll();
-        const int own = (*next)->info().index;
-        above[static_cast<std::size_t>(own)] = own;
-        ++count;
-        for (int i = 0; i < 3; ++i) {
-          const int other = (*next)->neighbor(i)->info().index;
-          if (other < 0 || above[static_cast<std::size_t>(other)] < 0) continue;
-          const int a = piece(own), b = piece(other);
-          if (a == b) continue;
-          above[static_cast<std::size_t>(a)] = b;
-          --count;
-        }
-      }
-      pieces.push_back(count);
-    }
-    return pieces;
-  }
+  std::vector<int> count_pieces(const std::vector<double>& values) const;
 
   /// Boundary edges of the shape, with the interior on the left, by their first vertex.
-  std::vector<Edge> boundary(double alpha) const {
-    std::vector<Edge> edges;
-    for (auto [face, i] : delaunay_.finite_edges()) {
-      poll();
-      const FaceHandle other = face->neighbor(i);
-      const bool inside = face->info().squared_radius <= alpha;
-      if (inside == (other->info().squared_radius <= alpha)) continue;
-      if (!inside) {
-        i = other->index(face);
-        face = other;
-      }
-      edges.push_back({face->vertex(Delaunay::ccw(i)), face->vertex(Delaunay::cw(i))});
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-      return std::make_pair(a.from->info(), a.to->info()) <
-             std::make_pair(b.from->info(), b.to->info());
-    });
-    return edges;
-  }
+  std::vector<Edge> boundary(double alpha) const;
 
   /// True if another edge leaves the start of an edge.
-  static bool meets(const std::vector<Edge>& edges, std::size_t at) {
-    const auto leaves = [&](std::size_t other) { return edges[other].from == edges[at].from; };
-    return (at > 0 && leaves(at - 1)) || (at + 1 < edges.size() && leaves(at + 1));
-  }
+  static bool meets(const std::vector<Edge>& edges, std::size_t at);
 
   /// The first edge that leaves the end of an edge, counter-clockwise from there: across the
   /// outside.
-  static std::size_t following(const std::vector<Edge>& edges, std::size_t at) {
-    const Edge& edge = edges[at];
-    auto next = std::partition_point(edges.begin(), edges.end(), [&](const Edge& other) {
-      return other.from->info() < edge.to->info();
-    });
-    const Eigen::Vector2d p = position(edge.to), back = position(edge.from) - p;
-    double least = std::numeric_limits<double>::infinity();
-    auto best = next;
-    for (; next != edges.end() && next->from == edge.to; ++next) {
-      const Eigen::Vector2d out = position(next->to) - p;
-      const double angle = std::atan2(back.x() * out.y() - back.y() * out.x(), back.dot(out));
-      const double turn = angle > 0 ? angle : angle + 2 * M_PI;
-      if (turn < least) best = next;
-      least = std::min(least, turn);
-    }
-    return static_cast<std::size_t>(best - edges.begin());
-  }
+  static std::size_t following(const std::vector<Edge>& edges, std::size_t at);
 
   Delaunay delaunay_;
   std::vector<FaceHandle> faces_;  // finite ones by ascending circumradius
