@@ -74,20 +74,23 @@ CollisionShape make_shape(std::function<Geometry()> geometry, HullTree hulls, co
           Eigen::Isometry3d(Eigen::Translation3d(middle))};
 }
 
-CollisionShape make_convex(const geometry::Mesh& hull) {
+CollisionShape make_convex(const geometry::Mesh& hull, bool is_of_mesh) {
   const Eigen::Vector3d middle = box_middle(hull.vertices);
   const Eigen::Matrix3Xd centred = hull.vertices.colwise() - middle;
+  HullTree hulls = convex_tree(centred);
+  hulls.is_of_mesh = is_of_mesh;
   return make_shape([centred, faces = hull.triangles] { return make_hull(centred, faces); },
-                    convex_tree(centred), box_core(centred), middle);
+                    std::move(hulls), box_core(centred), middle);
 }
 
 /// Prepares a surface; `hull`: corners of its convex hull.
 CollisionShape make_surface(const geometry::Mesh& mesh, const Eigen::Matrix3Xd& hull) {
   const Eigen::Vector3d middle = box_middle(mesh.vertices);
   const Eigen::Matrix3Xd centred = mesh.vertices.colwise() - middle;
+  HullTree hulls = surface_tree(centred, mesh.triangles, hull.colwise() - middle);
+  hulls.is_of_mesh = true;
   return make_shape([centred, faces = mesh.triangles] { return make_surface(centred, faces); },
-                    surface_tree(centred, mesh.triangles, hull.colwise() - middle),
-                    box_core(centred), middle);
+                    std::move(hulls), box_core(centred), middle);
 }
 
 /// False if the vertices of a mesh lie in a plane.
@@ -119,13 +122,13 @@ CollisionShape make(const geometry::Capsule& capsule) {
 }
 
 CollisionShape make(const geometry::Convex& convex) {
-  return make_convex(geometry::convex_hull(convex.vertices));
+  return make_convex(geometry::convex_hull(convex.vertices), false);
 }
 
 CollisionShape make(const geometry::Mesh& mesh) {
   if (!spans_volume(mesh)) return make_surface(mesh, mesh.vertices);
   const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
-  if (geometry::is_convex(mesh, hull)) return make_convex(hull);
+  if (geometry::is_convex(mesh, hull)) return make_convex(hull, true);
   return make_surface(mesh, hull.vertices);
 }
 

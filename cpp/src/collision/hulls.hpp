@@ -24,6 +24,7 @@ struct HullTree {
   std::vector<Hull> hulls;
   std::vector<double> coordinates;  ///< of each hull, its vertices' x, then y, then z [m]
   double radius = 0;                ///< the shape lies within this distance of each hull [m]
+  bool is_of_mesh = false;          ///< boxes bound other shapes about as well, and faster
 
   bool has_parts() const { return hulls[0].child >= 0; }
   /// The point of a hull that lies farthest along a direction.

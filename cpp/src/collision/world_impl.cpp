@@ -117,8 +117,8 @@ double World::Impl::bound(const Pair& pair, double enough) const {
                        Witnesses& witnesses) {
     const double wanted = std::min(enough, least);
     double bound = shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W);
-    const bool is_exact = a.core.is_exact_segment && b.core.is_exact_segment;
-    if (bound < wanted && !is_exact && !(bound > 0 && kFar * bound < wanted)) {
+    const bool has_mesh = a.hulls->is_of_mesh || b.hulls->is_of_mesh;
+    if (bound < wanted && has_mesh && !(bound > 0 && kFar * bound < wanted)) {
       const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
       bound = std::max(bound, separation(*a.hulls, *b.hulls, X_AB, wanted, witnesses));
     }
