@@ -84,8 +84,7 @@ std::string reason(const Plan& plan) {
 /// Result of the test of a pinch, if the hand has two fingers and friction holds the object.
 std::optional<Pinch> pinched(Query& query, const Eigen::VectorXd& q) {
   if (!query.may_pinch()) return std::nullopt;
-  if (!query.pinch_tester) query.pinch_tester.emplace(query.problem);
-  const Pinch pinch = query.pinch_tester->test(q, query.options.friction);
+  const Pinch pinch = query.pinching().test(q, query.options.friction);
   return pinch.holds ? std::optional(pinch) : std::nullopt;
 }
 

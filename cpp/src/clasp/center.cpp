@@ -37,8 +37,7 @@ std::optional<Side> side_of(const std::vector<Touch>& touches) {
 
 /// Motion of the hand that makes both gaps equal [m]; nothing if they are.
 std::optional<Vector3d> offset_W(Query& query, const VectorXd& q) {
-  if (!query.pinch_tester) query.pinch_tester.emplace(query.problem);
-  const auto touches = query.pinch_tester->touches(q);
+  const auto touches = query.pinching().touches(q);
   const auto finger = side_of(touches[0]), thumb = side_of(touches[1]);
   if (!finger || !thumb || std::abs(finger->gap - thumb->gap) < kEven) return std::nullopt;
   const Vector3d across = finger->n_W.normalized() - thumb->n_W.normalized();

@@ -31,6 +31,11 @@ struct Query {
   std::optional<PinchTester> pinch_tester;  ///< the same, for hands of two fingers
   Statistics statistics;
 
+  /// Test of pinches, made at its first use.
+  PinchTester& pinching() {
+    if (!pinch_tester) pinch_tester.emplace(problem);
+    return *pinch_tester;
+  }
   /// True if the hand has two fingers, which may pinch.
   bool may_pinch() const { return problem.hand.fingers.size() == 1 && options.friction > 0; }
 

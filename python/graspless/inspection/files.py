@@ -11,7 +11,7 @@ from xml.sax.saxutils import quoteattr, unescape
 
 from .. import frames
 from .._xml import parse
-from ..tasks.robots import mesh_path
+from ..tasks.robots import mesh_path, package_of
 
 if TYPE_CHECKING:
     import xml.etree.ElementTree as ET
@@ -64,8 +64,8 @@ def with_absolute_meshes(robot: Robot, urdf: str) -> str:
     def replaced(found: re.Match[str]) -> str:
         entities = {"&quot;": '"', "&apos;": "'"}
         name = unescape(found[2][1:-1], entities)
-        package = name.removeprefix("package://").lstrip("/").partition("/")[0]
-        if name.startswith("package://") and package not in robot.packages:
+        package = package_of(name)
+        if package is not None and package not in robot.packages:
             return found[0]  # of a visual shape that is not there
         path = mesh_path(name, robot.packages, robot.directory).resolve()
         return found[1] + quoteattr(str(path))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import geometry
+from .. import frames, geometry
 from .shapes import add_hull
 
 if TYPE_CHECKING:
@@ -34,17 +34,15 @@ def slice_links(spec: Any, robot: Robot, whole: Collection[str]) -> None:
         meshes.setdefault(link, []).append(placed)
     for link, shapes in meshes.items():
         name = robot.frame_names[link]
-        concave = [isinstance(placed.shape, geometry.Mesh) for placed in shapes]
-        if name in whole or not all(concave):
+        if name in whole or not all(isinstance(s.shape, geometry.Mesh) for s in shapes):
             continue
         body = spec.body(name)
         for geom in list(body.geoms):
             geom.contype = geom.conaffinity = 0
             geom.group = 4
         for placed in shapes:
-            X_LG = np.array(placed.X_BG)
             for points in slices(np.array(placed.shape.vertices), placed.shape.triangles):
-                add_hull(spec, body, points @ X_LG[:3, :3].T + X_LG[:3, 3], {})
+                add_hull(spec, body, frames.transform(placed.X_BG, points), {})
 
 
 def slices(vertices: Matrix, triangles: Any) -> list[Matrix]:

@@ -235,6 +235,13 @@ def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> se
     return {mesh_path(name, packages, directory) for name in names}
 
 
+def package_of(name: str) -> str | None:
+    """Returns the package of a mesh's name; None unless that begins with package://."""
+    if not name.startswith("package://"):
+        return None
+    return name.removeprefix("package://").lstrip("/").partition("/")[0]
+
+
 def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
     """Returns the path of a URDF's mesh: package://, file://, or relative to `directory`."""
     if name.startswith("package://"):

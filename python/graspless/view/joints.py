@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import progress
+from .. import frames, progress
 from ..scene import Scene
 from .bodies import robot_bodies
 from .clasp.bodies import CURVE
 from .hand import axes_body
 from .raster import Camera
 from .scene import Layers, add_segments, legend_html, look, move
-from .server import add_boxes, check_port, open_server
+from .server import add_boxes, open_server
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -32,7 +32,6 @@ WINDOW = (4, 3)  # width and height of the view, for the first look
 
 def serve(proposal: Proposal, port: int) -> None:
     """Serves the viewer until Ctrl-C."""
-    check_port(port)  # before the work of drawing
     with open_server(port) as server:
         with progress.waiting("drawing"):
             Joints(server, proposal)
@@ -100,9 +99,9 @@ class Joints:
 
     def _add_frames(self, proposal: Proposal, poses: list[Matrix]) -> None:
         named = (proposal.hand.get("fingertip"), proposal.hand.get("grasp_frame"))
-        frames = [self.robot.frame(name) for name in named if name is not None]
-        bodies = [(axes_body(AXIS, self.robot.frame_names[i]), poses[i]) for i in frames]
-        self.marked, self.marks = frames, self.layers.add_bodies("frames", bodies)
+        links = [self.robot.frame(name) for name in named if name is not None]
+        bodies = [(axes_body(AXIS, self.robot.frame_names[i]), poses[i]) for i in links]
+        self.marked, self.marks = links, self.layers.add_bodies("frames", bodies)
 
     def _add_curves(self, proposal: Proposal, poses: list[Matrix]) -> None:
         self.curves: list[tuple[Any, list[tuple[int, Matrix]]]] = []
@@ -151,7 +150,7 @@ def _segments(nodes: list[tuple[int, Matrix]], poses: list[Matrix]) -> Matrix:
 
 
 def _camera(placed: list[tuple[Body, Matrix]]) -> Camera:
-    seen = np.vstack([p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in placed for p in b.parts])
+    seen = np.vstack([frames.transform(X, p.vertices) for b, X in placed for p in b.parts])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     size = float(np.linalg.norm(np.ptp(seen, axis=0)))
     eye = middle + 2 * size * np.array([0.7, -1.0, 0.5])

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import kinds, progress
 from .scene import legend_html
-from .server import add_boxes, check_port, free_port, open_server
+from .server import add_boxes, free_port, open_server
 
 if TYPE_CHECKING:
     from .._plan import Plan
@@ -63,7 +63,6 @@ def as_html(plan: Plan, recording: Recording | None = None) -> str:
 
 def serve(plan: Plan, port: int) -> None:
     """Serves the replay with a time slider, a legend and a check box per layer until Ctrl-C."""
-    check_port(port)  # before the work of drawing
     with open_server(port) as server:
         with progress.waiting("drawing"):
             stage = _stage(server, plan, None)

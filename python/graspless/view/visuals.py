@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _mesh_reader
 from ..tasks.meshes import FOREIGN, SUFFIXES, is_mesh
-from ..tasks.robots import mesh_path
+from ..tasks.robots import mesh_path, package_of
 
 if TYPE_CHECKING:
     from ..tasks.robots import Robot
@@ -23,12 +23,12 @@ def read_visual(name: str, robot: Robot) -> Any:
     """Returns the trimesh of a URDF's visual mesh; raises UnreadableError."""
     import trimesh
 
-    package = name.removeprefix("package://").lstrip("/").partition("/")[0]
+    package = package_of(name)
     path = mesh_path(name, robot.packages, robot.directory)
     if not is_mesh(path):
         raise UnreadableError(f"{name}: unknown kind of mesh (one of: {', '.join(SUFFIXES)})")
     if not path.is_file():
-        known = not name.startswith("package://") or package in robot.packages
+        known = package is None or package in robot.packages
         why = "no such file" if known else f"robot.packages has no {package}"
         raise UnreadableError(f"{name}: {why}")
     if path.suffix.lower() in FOREIGN:

@@ -197,15 +197,22 @@ Eigen::Isometry3d yawed(const Problem& problem, const Eigen::VectorXd& q, double
   return Eigen::Isometry3d(Eigen::AngleAxisd(angle, up_F));
 }
 
-TEST_F(Check, AFingerThatTurnsWhileItPresses) {
-  Segment& press = segment("press");
+void turn(const Problem& problem, Segment& press) {
   const std::size_t last = press.positions.size() - 1;
-  twitch(problem_, press, yawed(problem_, press.positions[last], 0.1), last);
+  twitch(problem, press, yawed(problem, press.positions[last], 0.1), last);
+}
+
+void shift(const Problem& problem, Segment& lift) {
+  twitch(problem, lift, Eigen::Isometry3d(Eigen::Translation3d(0.003, 0, 0)), 0);
+}
+
+TEST_F(Check, AFingerThatTurnsWhileItPresses) {
+  turn(problem_, segment("press"));
   expect_fault("the contact turns");
 }
 
 TEST_F(Check, AFingerThatShiftsWhileItLifts) {
-  twitch(problem_, segment("lift"), Eigen::Isometry3d(Eigen::Translation3d(0.003, 0, 0)), 0);
+  shift(problem_, segment("lift"));
   expect_fault("the contact moves");
 }
 
@@ -220,14 +227,12 @@ class CheckOfRigidFingers : public Check {
 
 TEST_F(CheckOfRigidFingers, ThatTurnWhileTheyPress) {
   EXPECT_TRUE(check(problem_, plan_).empty());
-  Segment& press = segment("press");
-  const std::size_t last = press.positions.size() - 1;
-  twitch(problem_, press, yawed(problem_, press.positions[last], 0.1), last);
+  turn(problem_, segment("press"));
   expect_fault("the contact turns");
 }
 
 TEST_F(CheckOfRigidFingers, ThatShiftWhileTheyLift) {
-  twitch(problem_, segment("lift"), Eigen::Isometry3d(Eigen::Translation3d(0.003, 0, 0)), 0);
+  shift(problem_, segment("lift"));
   expect_fault("the contact moves");
 }
 
