@@ -341,6 +341,77 @@ void bind_problem(py::module_& m) {
       });
 }
 
+/// The numbers of a finger in a row of an array: touches, p_OC, n_O, is in force control,
+/// commanded_force, nominal_force_O.
+using FingerNumbers = Eigen::Matrix<double, 12, 1>;
+
+FingerNumbers to_numbers(const FingerState& finger) {
+  FingerNumbers numbers;
+  numbers << finger.touches, finger.p_OC, finger.n_O, finger.mode == mechanics::FingerMode::force,
+      finger.commanded_force, finger.nominal_force_O;
+  return numbers;
+}
+
+FingerState from_numbers(const FingerNumbers& numbers) {
+  const bool is_force = numbers[7] != 0;
+  return {numbers[0] != 0,
+          numbers.segment<3>(1),
+          numbers.segment<3>(4),
+          is_force ? mechanics::FingerMode::force : mechanics::FingerMode::position,
+          numbers[8],
+          numbers.segment<3>(9)};
+}
+
+/// Rows as arrays: their poses [N, 4, 4], their margins [N, 3], their fingers [N, n, 12].
+std::tuple<Array, Array, Array> to_arrays(const Segment& segment) {
+  const auto N = static_cast<py::ssize_t>(segment.rows.size());
+  const auto n = N == 0 ? 0 : static_cast<py::ssize_t>(segment.rows[0].fingers.size());
+  Array margins({N, py::ssize_t{3}}), fingers({N, n, py::ssize_t{12}});
+  double* margin = margins.mutable_data();
+  double* number = fingers.mutable_data();
+  Poses poses;
+  for (const Row& row : segment.rows) {
+    if (static_cast<py::ssize_t>(row.fingers.size()) != n) {
+      throw std::invalid_argument("rows of segment '" + segment.name +
+                                  "' must have the same number of fingers");
+    }
+    poses.push_back(row.X_WO);
+    for (const double z : {row.stability, row.compliant_stability, row.nominal_margin}) {
+      *margin++ = z;
+    }
+    for (const FingerState& finger : row.fingers) {
+      number = std::copy_n(to_numbers(finger).data(), 12, number);
+    }
+  }
+  return {from_poses(poses), margins, fingers};
+}
+
+/// Rows of the arrays of to_arrays().
+std::vector<Row> from_arrays(const Array& object_poses, const Array& margins,
+                             const Array& fingers) {
+  const Poses poses = to_poses(object_poses, "object_poses");
+  const auto N = static_cast<py::ssize_t>(poses.size());
+  if (margins.ndim() != 2 || margins.shape(0) != N || margins.shape(1) != 3) {
+    throw std::invalid_argument("margins must have shape (N, 3)");
+  }
+  if (fingers.ndim() != 3 || fingers.shape(0) != N || fingers.shape(2) != 12) {
+    throw std::invalid_argument("fingers must have shape (N, n, 12)");
+  }
+  std::vector<Row> rows;
+  for (py::ssize_t i = 0; i < N; ++i) {
+    Row row{poses[static_cast<std::size_t>(i)],
+            {},
+            margins.at(i, 0),
+            margins.at(i, 1),
+            margins.at(i, 2)};
+    for (py::ssize_t k = 0; k < fingers.shape(1); ++k) {
+      row.fingers.push_back(from_numbers(Eigen::Map<const FingerNumbers>(fingers.data(i, k, 0))));
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 void bind_rows(py::module_& m) {
   py::class_<FingerState> finger(m, "FingerState", "State of a finger at one instant.");
   bind_fields(finger, "Any field by keyword; the others keep their defaults.",
@@ -366,6 +437,8 @@ void bind_rows(py::module_& m) {
               Field{"nominal_margin", &Row::nominal_margin,
                     "Margin of the nominal forces, as in mechanics.Equilibrium [N]."});
 
+  m.def("_rows", &from_arrays, py::arg("object_poses"), py::arg("margins"), py::arg("fingers"),
+        "Returns rows: poses (N, 4, 4), margins (N, 3), and 12 numbers per finger (N, n, 12).");
   py::class_<Segment>(m, "Segment",
                       "Part of the plan during which no finger changes its place, or one regrasp.")
       .def(py::init([](const std::string& name, const Array& X_WO, const std::vector<Row>& rows,
@@ -376,6 +449,8 @@ void bind_rows(py::module_& m) {
            "X_WO: (K, 4, 4) poses of the lattice, first to last. rows: instants. finger: index of "
            "the finger\n"
            "that regrasps.")
+      .def("_to_arrays", &to_arrays,
+           "Returns object_poses, margins and fingers as _rows() takes them.")
       .def_readonly("name", &Segment::name, "slide, turn, tumble or regrasp.")
       .def_property_readonly(
           "X_WO", [](const Segment& self) { return from_poses(self.X_WO); },

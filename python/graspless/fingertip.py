@@ -74,69 +74,66 @@ class Segment(_core.Segment):
     """
 
     @cached_property
-    def _all_rows(self) -> tuple[Row, ...]:
-        return tuple(self.rows)
+    def _arrays(self) -> tuple[Matrix, Matrix, Matrix]:
+        return self._to_arrays()
 
-    def _column(self, name: str) -> Matrix:
-        return np.array([getattr(row, name) for row in self._all_rows], dtype=float)
+    def _points(self, first: int) -> Matrix:
+        points: Matrix = self._arrays[2][..., first : first + 3].copy()
+        points[~self.touches] = np.nan
+        return points
 
-    def _table(self, name: str, touching: bool = False) -> Matrix:
-        """[N, n, ...] of each finger in each row; with `touching`, NaN while it is off."""
-        values = [[getattr(f, name) for f in row.fingers] for row in self._all_rows]
-        found = np.array(values, dtype=float)
-        if touching and found.size:
-            found[~self.touches] = np.nan
-        return found
-
-    @cached_property
+    @property
     def object_poses(self) -> Matrix:
         """[N, 4, 4] pose of O in the world at each row."""
-        return self._column("X_WO").reshape(-1, 4, 4)
+        return self._arrays[0]
 
     @cached_property
     def touches(self) -> NDArray[np.bool_]:
         """[N, n] True if a finger is on the object."""
-        return np.array([[f.touches for f in row.fingers] for row in self._all_rows], dtype=bool)
+        touches: NDArray[np.bool_] = self._arrays[2][..., 0] != 0
+        return touches
 
     @cached_property
     def fingers(self) -> Matrix:
         """[N, n, 3] contact points in O [m]; NaN while a finger is off the object."""
-        return self._table("p_OC", touching=True)
+        return self._points(1)
 
     @cached_property
     def normals(self) -> Matrix:
         """[N, n, 3] unit normals into the object, in O; NaN while a finger is off it."""
-        return self._table("n_O", touching=True)
+        return self._points(4)
 
     @cached_property
     def modes(self) -> list[list[str]]:
         """[N][n] control of each finger: position or force."""
-        return [[f.mode.name for f in row.fingers] for row in self._all_rows]
+        is_force = self._arrays[2][..., 7] != 0
+        modes: list[list[str]] = np.where(is_force, "force", "position").tolist()
+        return modes
 
-    @cached_property
+    @property
     def commanded_forces(self) -> Matrix:
         """[N, n] normal force in force control, else 0 [N]."""
-        return self._table("commanded_force")
+        return self._arrays[2][..., 8]
 
-    @cached_property
+    @property
     def nominal_forces(self) -> Matrix:
         """[N, n, 3] forces on the object to feed forward, in O [N]."""
-        return self._table("nominal_force_O")
+        return self._arrays[2][..., 9:]
 
-    @cached_property
+    @property
     def stability(self) -> Matrix:
         """[N] z [N]."""
-        return self._column("stability")
+        return self._arrays[1][:, 0]
 
-    @cached_property
+    @property
     def compliant_stability(self) -> Matrix:
         """[N] see mechanics.compliant_stability [N]."""
-        return self._column("compliant_stability")
+        return self._arrays[1][:, 1]
 
-    @cached_property
+    @property
     def nominal_margin(self) -> Matrix:
         """[N] margin of the nominal forces [N]."""
-        return self._column("nominal_margin")
+        return self._arrays[1][:, 2]
 
 
 class JointSegment(_core.JointSegment):

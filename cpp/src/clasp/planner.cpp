@@ -51,12 +51,14 @@ Status failure(const Query& query) {
                                                               : Status::not_found;
 }
 
-/// Adds to the reason of a failed search what the arm reaches. Runs after the clock has ended.
-void add_reach(const Problem& problem, Plan& plan) {
+/// Adds to the reason of a failed search what the arm reaches, if the clock leaves time for it.
+void add_reach(const Problem& problem, planning::Clock& clock, Plan& plan) {
   const bool failed = plan.status == Status::not_found || plan.status == Status::not_secure;
   if (!failed || plan.statistics.cycles == 0) return;
-  const std::string reach = describe_reach(problem);
-  if (!reach.empty()) plan.reason += "; " + reach;
+  clock.run([&] {
+    const std::string reach = describe_reach(problem);
+    if (!reach.empty()) plan.reason += "; " + reach;
+  });
 }
 
 Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
@@ -92,7 +94,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   Plan plan = planning::plan_within(clock, "fewer points or options.targets",
                                     [&] { return searched(problem, options, clock, budget.seed); });
   plan.joint_names = problem.robot.joint_names();
-  add_reach(problem, plan);
+  add_reach(problem, clock, plan);
   return plan;
 }
 

@@ -686,6 +686,10 @@ class Segment:
         """
     def __repr__(self) -> str:
         ...
+    def _to_arrays(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+        """
+        Returns object_poses, margins and fingers as _rows() takes them.
+        """
     @property
     def X_WO(self) -> numpy.typing.NDArray[numpy.float64]:
         """
@@ -1163,6 +1167,10 @@ class Realization:
     @segments.setter
     def segments(self, arg1: collections.abc.Sequence[JointSegment]) -> None:
         ...
+def _rows(object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], margins: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], fingers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[Row]:
+    """
+    Returns rows: poses (N, 4, 4), margins (N, 3), and 12 numbers per finger (N, n, 12).
+    """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
     Checks a plan: derives every row anew from its problem, without the code of the search.

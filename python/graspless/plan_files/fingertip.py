@@ -6,9 +6,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from .. import fingertip
+from .._core.fingertip import _rows as core_rows
 from ..tasks.fingertip.model import FingertipTask
 from ..tasks.shapes import Point3
 from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
@@ -22,26 +24,18 @@ else:
 
 def _segment(**columns: Any) -> fingertip.Segment:
     """Returns a segment from its columns: of each row, and in it of each finger."""
-    modes = fingertip.FingerMode.__members__
-    rows = []
-    for i, X_WO in enumerate(columns["object_poses"]):
-        fingers = [
-            fingertip.FingerState(
-                touches=p_OC is not None,
-                p_OC=[0.0, 0.0, 0.0] if p_OC is None else p_OC,
-                n_O=[0.0, 0.0, 1.0] if p_OC is None else columns["normals"][i][k],
-                mode=modes[columns["modes"][i][k]],
-                commanded_force=columns["commanded_forces"][i][k],
-                nominal_force_O=columns["nominal_forces"][i][k],
-            )
-            for k, p_OC in enumerate(columns["fingers"][i])
-        ]
-        numbers = {name: columns[name][i] for name in _OF_ROWS}
-        rows.append(fingertip.Row(X_WO=X_WO, fingers=fingers, **numbers))
+    given = columns["fingers"]
+    numbers = np.zeros((len(given), len(given[0]) if given else 0, 12))
+    if numbers.size:
+        numbers[..., 0] = [[p is not None for p in row] for row in given]
+        numbers[..., 1:4] = [[p or (0, 0, 0) for p in row] for row in given]
+        numbers[..., 4:7] = [[n or (0, 0, 1) for n in row] for row in columns["normals"]]
+        numbers[..., 7] = np.array(columns["modes"]) == "force"
+        numbers[..., 8] = columns["commanded_forces"]
+        numbers[..., 9:] = columns["nominal_forces"]
+    margins = [columns[name] for name in ("stability", "compliant_stability", "nominal_margin")]
+    rows = core_rows(columns["object_poses"], np.transpose(margins), numbers)
     return fingertip.Segment(columns["name"], columns["X_WO"], rows, columns["finger"])
-
-
-_OF_ROWS = ("stability", "compliant_stability", "nominal_margin")
 
 
 class Segment(Table):

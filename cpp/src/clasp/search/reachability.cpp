@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "graspless/robot/ik.hpp"
+#include "graspless/watch.hpp"
 
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/hand/reach.hpp"
@@ -63,6 +64,7 @@ std::vector<Isometry3d> palm_poses(const Problem& problem, const VectorXd& q) {
   const int count = std::max(1, kTargets / static_cast<int>(loops.size()));
   std::vector<Isometry3d> poses;
   for (std::size_t i = 0; i < loops.size() && poses.size() < 2 * kTargets * kAngles; ++i) {
+    poll();
     const auto& loop = problem.object.loops().loops[static_cast<std::size_t>(loops[i])];
     for (const geometry::ClaspTarget& target : geometry::clasp_targets(loop.points, count)) {
       const geometry::ClaspTarget target_W{problem.X_WO * target.point,
@@ -81,6 +83,7 @@ double farthest(const Problem& problem, VectorXd q, const Vector3d& base_W) {
   std::mt19937_64 rng(1);
   double most = 0;
   for (int i = 0; i < kSamples; ++i) {
+    poll();
     for (const int joint : robot.group(problem.hand.arm)) {
       q[joint] =
           std::uniform_real_distribution<double>(robot.lower()[joint], robot.upper()[joint])(rng);
@@ -112,6 +115,7 @@ std::string describe_reach(const Problem& problem) {
   std::size_t reached = 0, far = 0;
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Isometry3d& X_WH : poses) {
+    poll();
     const double excess = (X_WH.translation() - base_W).norm() - reach;
     if (!ik->solve_all(X_WH, q, rng).empty()) {
       ++reached;

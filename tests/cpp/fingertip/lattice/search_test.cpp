@@ -287,7 +287,7 @@ TEST(Lattice, WeighsARegraspAgainstADearRoute) {
   EXPECT_GT(regrasps, 0);
 }
 
-TEST(Lattice, EnginesAgreeToTheLastBit) {
+TEST(Lattice, EnginesAgree) {  // they sum costs in different orders
   std::mt19937 random(5);
   std::map<int, int> by_regrasps;
   for (int i = 0; i < 12; ++i) {
@@ -299,7 +299,7 @@ TEST(Lattice, EnginesAgreeToTheLastBit) {
       const Route oracle = route_of(problem, options);
       ASSERT_TRUE(oracle.is_complete && fast.is_complete) << i;
       ASSERT_EQ(oracle.found, fast.found) << i;
-      EXPECT_EQ(oracle.cost, fast.cost) << i;
+      EXPECT_DOUBLE_EQ(oracle.cost, fast.cost) << i;
       if (!oracle.found) continue;
       const Plan plan = fingertip::plan(problem, options);
       EXPECT_DOUBLE_EQ(plan.cost, fast.cost) << i;
