@@ -272,7 +272,7 @@ void read_shapes(const urdf::ModelInterface& urdf, const Robot::Options& options
 
 Robot::Model read_urdf(const std::string& xml, const Robot::Options& options) {
   UrdfTree tree = read_urdf_tree(xml);
-  const urdf::ModelInterfaceSharedPtr urdf = parse(xml);
+  const urdf::ModelInterfaceSharedPtr urdf = parse(tree.xml);
   Robot::Model model;
   model.warnings = std::move(tree.warnings);
   model.name = urdf->getName();

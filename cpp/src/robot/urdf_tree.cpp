@@ -51,7 +51,8 @@ void check_limit(const TiXmlElement& joint, const std::string& type) {
   // urdfdom would read a missing bound as 0; a joint without both could not move.
   if (!limit || (!limit->Attribute("lower") && !limit->Attribute("upper"))) {
     fail(joint, type + " joint '" + attribute(joint, "name") +
-                    "' has no limits; give <limit lower=... upper=...> or make it continuous");
+                    "' has no limits; give <limit lower=... upper=... effort=... velocity=...>" +
+                    (type == "revolute" ? " or make it continuous" : ""));
   }
 }
 
@@ -77,6 +78,22 @@ std::vector<std::string> check_types(const TiXmlElement& robot, const std::strin
     }
   }
   return warnings;
+}
+
+/// Writes `quantity="0"`, which stands for unknown, where a <limit> has none. The URDF
+/// specification requires it, but no planner needs it. Returns a warning that names the joints;
+/// empty if none lacks it.
+std::string complete_limits(TiXmlElement& robot, const char* quantity) {
+  std::string joints;
+  for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+    TiXmlElement* limit = e->FirstChildElement("limit");
+    if (!limit || limit->Attribute(quantity)) continue;
+    limit->SetAttribute(quantity, "0");
+    joints += (joints.empty() ? "'" : ", '") + attribute(*e, "name") + "'";
+  }
+  if (joints.empty()) return "";
+  return std::string("URDF: <limit> without ") + quantity + ", which is taken as unknown: joints " +
+         joints;
 }
 
 std::set<std::string> declared_links(const TiXmlElement& robot) {
@@ -163,7 +180,7 @@ void check_chains(const TiXmlElement& robot, const std::vector<Edge>& edges,
 UrdfTree read_urdf_tree(const std::string& xml) {
   TiXmlDocument document;
   parse_xml(xml, "URDF", document);
-  const TiXmlElement* robot = document.FirstChildElement("robot");
+  TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::invalid_argument("URDF: there is no <robot> element");
   const std::set<std::string> links = declared_links(*robot);
   const std::vector<Edge> edges = read_edges(*robot, links);
@@ -174,6 +191,15 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
   check_chains(*robot, edges, tree.joints);
   tree.warnings = check_types(*robot, tree.root);
+  tree.xml = xml;
+  for (const char* quantity : {"effort", "velocity"}) {
+    const std::string warning = complete_limits(*robot, quantity);
+    if (warning.empty()) continue;
+    tree.warnings.push_back(warning);
+    TiXmlPrinter printer;
+    document.Accept(&printer);
+    tree.xml = printer.Str();
+  }
   return tree;
 }
 

@@ -138,7 +138,7 @@ def _require_velocities(robot: Robot, given: PerJoint | None) -> None:
         name, limit = joint.get("name"), joint.find("limit")
         if name not in robot.joint_names or limit is None or name in (given or {}):
             continue
-        text = limit.get("velocity", "1")
+        text = limit.get("velocity", "0")
         if not float(text) > 0:
             what = "should be positive in the URDF, or be given as max_velocity of this joint"
             raise TaskError(f"robot: {name}: velocity limit {text}: {what}")

@@ -73,13 +73,14 @@ TEST(UrdfReader, RefusesJointsThatCannotBe) {
   const auto two = [](const std::string& more, const std::string& type = "revolute") {
     return refused(links({"a", "b"}) + joint("elbow", "a", "b", more, type));
   };
-  EXPECT_CONTAINS(two(""), "revolute joint 'elbow' has no limits");
+  EXPECT_CONTAINS(two(""),
+                  "URDF line 1: revolute joint 'elbow' has no limits; give <limit lower=... "
+                  "upper=... effort=... velocity=...> or make it continuous");
   EXPECT_CONTAINS(two("<limit velocity='1' effort='1'/>", "prismatic"),
                   "joint 'elbow' has no limits");
   EXPECT_CONTAINS(two("<limit lower='2' upper='1' velocity='1' effort='1'/>"), "'elbow': lower 2");
   EXPECT_CONTAINS(two("<limit lower='nan' upper='1' velocity='1' effort='1'/>"), "nan");
   EXPECT_CONTAINS(two("<limit lower='0' upper='1,5' velocity='1' effort='1'/>"), "1,5");
-  EXPECT_CONTAINS(two("<limit lower='0' upper='1' effort='1'/>"), "velocity");
   EXPECT_CONTAINS(two("", "spherical"), "type 'spherical'; choose from revolute");
   for (const std::string type : {"floating", "planar"}) {
     EXPECT_CONTAINS(refused(links({"a", "b", "c"}) + joint("one", "a", "b") +
@@ -103,6 +104,23 @@ TEST(UrdfReader, FixesABaseThatFloats) {
     EXPECT_EQ(robot.warnings(), std::vector<std::string>{"URDF line 1: joint 'float' is of type '" +
                                                          type + "'; treated as fixed"});
   }
+}
+
+// The specification requires both. Files of real robots lack them, and no planner needs them.
+TEST(UrdfReader, WarnsOfLimitsWithoutEffortOrVelocity) {
+  const std::string chain =
+      links({"a", "b", "c"}) + joint("one", "a", "b", "<limit lower='-1' upper='2.5'/>") +
+      joint("two", "b", "c", "<limit effort='3' lower='-1' upper='0.125'/>", "prismatic");
+  const Robot robot = read(chain);
+  const std::string taken = ", which is taken as unknown: joints ";
+  EXPECT_EQ(robot.warnings(),
+            (std::vector<std::string>{"URDF: <limit> without effort" + taken + "'one'",
+                                      "URDF: <limit> without velocity" + taken + "'one', 'two'"}));
+  EXPECT_EQ(robot.upper(), Eigen::Vector2d(2.5, 0.125));
+  EXPECT_TRUE(std::isinf(robot.max_effort()[0]));
+  EXPECT_EQ(robot.max_effort()[1], 3);
+  EXPECT_TRUE(std::isinf(robot.max_velocity().minCoeff()));
+  EXPECT_EQ(robot.urdf(), "<robot name='r'>" + chain + "</robot>");
 }
 
 TEST(UrdfReader, RefusesMimicsOfNothing) {
