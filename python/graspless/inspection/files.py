@@ -95,7 +95,8 @@ def make_srdf(
     given : str
         SRDF that is completed.
     """
-    groups_given, states_given = group_names(given), state_joints(given)
+    root = _root(given)
+    groups_given, states_given = _names(root), _joints(root)
     lines = []
     for group, joints in groups.items():
         if group not in groups_given:
@@ -108,10 +109,9 @@ def make_srdf(
             f"  <disable_collisions link1={quoteattr(a)} link2={quoteattr(b)} "
             f"reason={quoteattr(reason)}/>"
         )
-    is_empty = not given or not len(parse(given))  # <robot/> has no end to write before
-    text = f'<?xml version="1.0"?>\n<robot name={quoteattr(name)}>\n</robot>\n'
-    text = text if is_empty else given
-    return _at_end(text, "\n".join(lines) + "\n")
+    if not len(root):  # <robot/> has no end to write before
+        given = f'<?xml version="1.0"?>\n<robot name={quoteattr(name)}>\n</robot>\n'
+    return _at_end(given, "\n".join(lines) + "\n")
 
 
 def _at_end(text: str, added: str) -> str:
@@ -132,19 +132,27 @@ def _state(name: str, group: str, values: Mapping[str, float]) -> str:
 
 def state_joints(srdf: str) -> defaultdict[str, set[str]]:
     """Returns the joints that the states of each name give a value."""
-    found: defaultdict[str, set[str]] = defaultdict(set)
-    for state in _elements(srdf, "group_state"):
-        found[state.get("name", "")] |= {joint.get("name", "") for joint in state.findall("joint")}
-    return found
+    return _joints(_root(srdf))
 
 
 def group_names(srdf: str) -> set[str]:
     """Returns the names of the groups, faulty ones included."""
-    return {group.get("name", "") for group in _elements(srdf, "group")}
+    return _names(_root(srdf))
 
 
-def _elements(srdf: str, kind: str) -> list[ET.Element]:
-    return parse(srdf).findall(kind) if srdf else []
+def _root(srdf: str) -> ET.Element:
+    return parse(srdf or "<robot/>")
+
+
+def _names(root: ET.Element) -> set[str]:
+    return {group.get("name", "") for group in root.findall("group")}
+
+
+def _joints(root: ET.Element) -> defaultdict[str, set[str]]:
+    found: defaultdict[str, set[str]] = defaultdict(set)
+    for state in root.findall("group_state"):
+        found[state.get("name", "")] |= {joint.get("name", "") for joint in state.findall("joint")}
+    return found
 
 
 def _numbers(values: Iterable[float]) -> str:
