@@ -29,7 +29,9 @@ def plan(tmp_path, urdf, **changes):
 def test_gap_of_the_closed_fingers(tmp_path):
     """Fingers that stay 20 mm apart."""
     urdf = small.gripper(hand=small.prismatic().replace('lower="0"', 'lower="0.01"'))
-    what = "closed: closed: the fingers stay 0.02.* m apart, but the object 'object' is only 0.003.* m thick"
+    what = (
+        "closed: closed: the fingers stay 20 mm apart, but the object 'object' is only 3 mm thick"
+    )
     with pytest.raises(TaskError, match=what):
         plan(tmp_path, urdf)
     assert plan(tmp_path, urdf, thickness=0.025)

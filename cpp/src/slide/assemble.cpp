@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
-#include <tuple>
 
 #include "graspless/slide/torsion.hpp"
 #include "graspless/watch.hpp"
 
+#include "slide/refusals.hpp"
 #include "slide/rows.hpp"
 
 namespace graspless::slide {
@@ -51,21 +51,6 @@ void append_slide(Query& query, const Path& slide, Plan& plan) {
   plan.segments.push_back(std::move(segment));
 }
 
-/// Lists the three most frequent rejections; with `pairs_first`, those of start-goal pairs come
-/// first.
-std::string most_frequent(const std::map<std::string, std::int64_t>& refusals, bool pairs_first) {
-  std::vector<std::tuple<bool, std::int64_t, std::string>> sorted;
-  for (const auto& [why, times] : refusals) {
-    sorted.emplace_back(pairs_first && why.rfind("pair:", 0) == 0, times, why);
-  }
-  std::sort(sorted.rbegin(), sorted.rend());
-  std::ostringstream out;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, sorted.size()); ++i) {
-    out << (i ? ", " : "") << std::get<2>(sorted[i]) << " (" << std::get<1>(sorted[i]) << ")";
-  }
-  return out.str();
-}
-
 /// Warns if the pad's friction is too small to drag the object; returns true if it does.
 bool warn_of_drag(const Problem& problem, Plan& plan) {
   constexpr double kLargest = 10;  // beyond it the exact number says nothing more
@@ -100,21 +85,19 @@ void warn_of_torsion(const Problem& problem, Plan& plan) {
   plan.warnings.push_back(out.str());
 }
 
-}  // namespace
-
-bool is_home_free(Query& query, Plan& plan) {
-  const Eigen::VectorXd &home = query.problem.q_home, &open = query.arm.open();
-  plan.status = Status::start_in_collision;
-  for (const Eigen::VectorXd& q : {home, open}) {
-    const auto [a, b] = query.free.collision(q);
-    if (a.empty()) continue;
-    plan.reason = "at q_home, '" + a + "' touches '" + b + "'";
-    return false;
-  }
-  if (query.is_motion_free(home, open)) return true;
-  plan.reason = "at q_home, the hand touches something while it opens";
-  return false;
+/// Warns if the object ends behind the plan, because the wrist gives way to friction.
+void warn_of_trailing(const Problem& problem, Plan& plan) {
+  constexpr double kSmallTrail = 2e-3;  // not worth a warning [m]
+  const Trailing slide = trailing(problem, plan);
+  if (slide.left < kSmallTrail) return;
+  plan.warnings.push_back("the wrist gives way to the friction of the support: the object trails " +
+                          in_mm(slide.sliding) + " behind the plan while it slides, and ends " +
+                          in_mm(slide.left) +
+                          " short of it; a larger hand.wrist_stiffness or a smoother support "
+                          "(support.friction) helps");
 }
+
+}  // namespace
 
 void assemble(Query& query, const Motions& motions, const Path& slide, Plan& plan) {
   const Approach& approach = motions.approach();
@@ -133,39 +116,9 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   plan.X_WO_goal = X_WO_goal;
   plan.X_WH_grasp = handling.X_WH;
   plan.overhang = handling.placement.overhang;
-  if (!warn_of_drag(query.problem, plan)) warn_of_torsion(query.problem, plan);
-}
-
-std::string reason(const Plan& plan) {
-  const bool pairs = plan.status == Status::no_valid_pair;
-  // Without the time: the same seed and iterations give the same file.
-  const std::string refused =
-      " within " + std::to_string(plan.statistics.iterations) + " iterations" +
-      (plan.statistics.refusals.empty()
-           ? ""
-           : "; most frequent rejections: " + most_frequent(plan.statistics.refusals, pairs));
-  if (plan.status != Status::solved && plan.statistics.iterations == 0) {
-    return "the budget allowed no iteration";
-  }
-  switch (plan.status) {
-    case Status::solved:
-      return "solved";
-    case Status::start_in_collision:
-      return plan.reason;
-    case Status::no_start_root:
-      return "no configuration was found that presses on the object" + refused;
-    case Status::no_goal_root:
-      return "no configuration was found that presses near an edge of the support" + refused;
-    case Status::no_valid_pair:
-      return "starts and goals were connected, but no pair of them was valid" + refused;
-    case Status::not_connected:
-      return "no start could be connected with a goal" + refused;
-    case Status::interrupted:
-      return "interrupted before a plan was found," + refused;
-    case Status::out_of_memory:
-      break;
-  }
-  return "";
+  if (warn_of_drag(query.problem, plan)) return;
+  warn_of_torsion(query.problem, plan);
+  warn_of_trailing(query.problem, plan);
 }
 
 }  // namespace graspless::slide

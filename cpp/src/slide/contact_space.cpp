@@ -149,12 +149,6 @@ bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carr
   return !touching_;
 }
 
-std::string ContactSpace::fault() const {
-  if (!touching_) return "contact";
-  return "collision of " + scene_.world().name(touching_->first) + " with " +
-         scene_.world().name(touching_->second);
-}
-
 bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                    const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;

@@ -54,9 +54,10 @@ class GRASPLESS_API ContactSpace {
   bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                        const std::optional<Carried>& carried, double resolution);
   bool is_valid(const Eigen::VectorXd& arm, const std::optional<Carried>& carried);
-  /// Reason for which is_valid() has last returned false: names of the bodies that touch, or
-  /// "contact" if the constraint was not kept.
-  std::string fault() const;
+  /// Pair of bodies of scene() that touched when is_valid() last returned false; nothing if the
+  /// constraint was not kept.
+  const std::optional<std::pair<int, int>>& touching() const { return touching_; }
+  scene::Scene& scene() { return scene_; }
   /// Returns the straight motion, projected at steps of options.range; nothing if a projection or a
   /// check fails.
   std::optional<planning::Path> connect(const Eigen::VectorXd& from, const Eigen::VectorXd& to,

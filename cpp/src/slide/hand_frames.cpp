@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "slide/contact.hpp"
+#include "slide/refusals.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -124,9 +125,23 @@ void check_closing(const Problem& problem) {
   const double apart = std::max(other.first - own.second, own.first - other.second);
   if (!(apart > problem.object.thickness())) return;
   throw std::invalid_argument("hand.closed '" + hand.closed + "': the fingers stay " +
-                              std::to_string(apart) + " m apart, but the object '" +
-                              problem.object.name() + "' is only " +
-                              std::to_string(problem.object.thickness()) + " m thick");
+                              in_mm(apart) + " apart, but the object '" + problem.object.name() +
+                              "' is only " + in_mm(problem.object.thickness()) + " thick");
+}
+
+std::string jaw_lengths(const Problem& problem, const Eigen::VectorXd& q,
+                        const Eigen::Isometry3d& X_WO, const std::string& link) {
+  const Vector3d up = problem.support.normal_W();
+  const auto own = interval(problem, q, problem.hand.sliding_finger, up);
+  const auto other = interval(problem, q, other_links(problem.hand), up);
+  const auto jaw = interval(problem, q, {link}, up);
+  const double under = X_WO.translation().dot(up), thickness = problem.object.thickness();
+  const double apart = std::max(other.first - own.second, own.first - other.second);
+  const double below = under - std::min(own.first, other.first),
+               above = std::max(own.second, other.second) - under - thickness;
+  return (apart > 0 ? "the fingers open " + in_mm(apart) : "the open fingers overlap") + ", " +
+         link + " is " + in_mm(jaw.second - jaw.first) + " thick, the object " + in_mm(thickness) +
+         "; the hand needs " + in_mm(below) + " below the object and " + in_mm(above) + " above it";
 }
 
 double finger_sink(const Problem& problem, double depth, double pitch) {
@@ -148,17 +163,15 @@ void check_finger_fits(const Problem& problem, const Options& options) {
     const std::string frame = "hand.fingertip '" + problem.hand.fingertip + "': at pitch " +
                               std::to_string(pitch) + " rad and depth ";
     if (most > allowed) {
-      throw std::invalid_argument(frame + std::to_string(max_depth) + " m, the sliding finger is " +
-                                  std::to_string(most) + " m below the contact, more than " +
-                                  std::to_string(allowed) +
-                                  " m; the frame must lie on the finger's surface, at the lower "
+      throw std::invalid_argument(frame + in_mm(max_depth) + ", the sliding finger is " +
+                                  in_mm(most) + " below the contact, more than " + in_mm(allowed) +
+                                  "; the frame must lie on the finger's surface, at the lower "
                                   "edge of its tip");
     }
     if (least < -kReach) {
-      throw std::invalid_argument(frame + std::to_string(min_depth) +
-                                  " m, the sliding finger ends " + std::to_string(-least) +
-                                  " m above the contact; the frame must lie on the finger's "
-                                  "surface");
+      throw std::invalid_argument(frame + in_mm(min_depth) + ", the sliding finger ends " +
+                                  in_mm(-least) +
+                                  " above the contact; the frame must lie on the finger's surface");
     }
   }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "graspless/slide/options.hpp"
 #include "graspless/slide/problem.hpp"
 
@@ -25,6 +27,11 @@ double finger_sink(const Problem& problem, double depth, double pitch);
 /// Largest sink that check() allows [m]: 5 mm for a rigid finger, 8 mm for one that yields. The
 /// round end of a finger drawn as a capsule reaches that far below its outermost point.
 double allowed_sink(const Hand& hand);
+
+/// Lengths along the object's normal of the open hand at a grasp: distance between the fingers,
+/// thickness of one of their links, and how far they reach beyond the object's faces.
+std::string jaw_lengths(const Problem& problem, const Eigen::VectorXd& q,
+                        const Eigen::Isometry3d& X_WO, const std::string& link);
 
 /// Throws std::invalid_argument that names the frame F if the finger's shapes do not reach it
 /// within 3 mm, or sink deeper than allowed_sink(), anywhere in the bands of depth and pitch.

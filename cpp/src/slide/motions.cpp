@@ -204,28 +204,6 @@ bool Motions::find_reach(Handling& handling) {
   return false;
 }
 
-std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Placement& place,
-                                                                       std::size_t enough) {
-  constexpr int kDraws = 12;
-  std::vector<GraspConfiguration> found;
-  std::string why = "goal: grasp reach";
-  for (int i = 0; i < kDraws && found.size() < enough; ++i) {
-    const int roll = i % 2;
-    const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
-    for (const Eigen::VectorXd& q :
-         query_.draw_ik(query_.grasp_ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
-      const auto [a, b] = query_.free.collision(q);
-      if (a.empty()) {
-        found.push_back({query_.arm.part(q), roll});
-      } else {
-        why = "goal: grasp collision of " + a + " with " + b;
-      }
-    }
-  }
-  if (found.empty()) query_.refuse(why);
-  return found;
-}
-
 bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling) {
   const double back = query_.options.grasp_approach;
   std::vector<Eigen::Isometry3d> outwards;
@@ -293,15 +271,6 @@ std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::Vec
   }
   query_.refuse("pair: closing: the closed fingers do not reach the object");
   return std::nullopt;
-}
-
-bool Motions::is_finger_on_object(const std::string& a, const std::string& b) {
-  const std::vector<std::string>& fingers = query_.problem.hand.fingers;
-  const auto is_finger = [&](const std::string& name) {
-    return std::find(fingers.begin(), fingers.end(), name) != fingers.end();
-  };
-  const std::string object = query_.free.world().name(query_.object_body);
-  return (a == object && is_finger(b)) || (b == object && is_finger(a));
 }
 
 }  // namespace graspless::slide

@@ -58,6 +58,7 @@ class GRASPLESS_API Motions {
   std::optional<planning::Path> lift_from(const Eigen::VectorXd& pressed, const Planar& object_S);
   std::vector<GraspConfiguration> grasp_configurations(const Placement& placement,
                                                        std::size_t enough);
+  void refuse_grasp(const std::optional<std::pair<int, int>>& touching, const Eigen::VectorXd& q);
   bool find_handling(Handling& handling, const Eigen::VectorXd& goal);
   bool find_reach(Handling& handling);
   bool try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling);

@@ -9,6 +9,7 @@
 #include "slide/assemble.hpp"
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
+#include "slide/refusals.hpp"
 #include "slide/search.hpp"
 
 namespace graspless::slide {
@@ -76,7 +77,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
     plan.status = status_of(status, query, *search.planner);
   }
   fill_statistics(*search.planner, query, plan.statistics);
-  plan.reason = reason(plan);
+  plan.reason = reason(query, plan);
   return plan;
 }
 

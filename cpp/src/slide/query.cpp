@@ -29,6 +29,22 @@ Query::Query(const Problem& problem, const Options& options, planning::Clock& cl
       top(problem.object.thickness()),
       X_WS(problem.support.X_WS()) {}
 
+void Query::refuse_collision(const std::string& when, scene::Scene& scene,
+                             std::pair<int, int> bodies, const Eigen::VectorXd& q,
+                             const std::string& frame) {
+  const collision::World& world = scene.world();
+  const std::string why =
+      when + "collision of " + world.name(bodies.first) + " with " + world.name(bodies.second);
+  if (++statistics.refusals[why] > 1) return;
+  collisions.insert({why, {&scene, bodies, q, world.pose(world.body(kObjectBody)), frame}});
+}
+
+void Query::refuse_press(const std::string& when, const Eigen::VectorXd& arm_part) {
+  if (!contact.touching()) return refuse(when + "contact");
+  refuse_collision(when, contact.scene(), *contact.touching(), arm.full(arm_part),
+                   problem.hand.fingertip);
+}
+
 Eigen::Isometry3d Query::pressed_tip(const Planar& contact, double depth, double pitch) const {
   const Eigen::Vector2d heading = contact.linear().col(0);
   const double shift = contact_shift(problem.hand, depth, pitch, pitch);

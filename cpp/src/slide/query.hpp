@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "graspless/robot/ik.hpp"
 
@@ -12,6 +14,15 @@
 #include "slide/rows.hpp"
 
 namespace graspless::slide {
+
+/// A collision for which a configuration was rejected.
+struct Collision {
+  scene::Scene* scene;
+  std::pair<int, int> bodies;
+  Eigen::VectorXd q;
+  Eigen::Isometry3d X_WO;
+  std::string frame;
+};
 
 /// Working state of one plan(): the problem, its budget, and the solvers and scenes made from it.
 struct GRASPLESS_API Query {
@@ -22,6 +33,7 @@ struct GRASPLESS_API Query {
   planning::Clock& clock;
   std::mt19937_64 rng;
   Statistics statistics;
+  std::map<std::string, Collision> collisions;  ///< the first of each reason in the statistics
 
   Arm arm;
   robot::Ik tip_ik, grasp_ik;
@@ -36,6 +48,12 @@ struct GRASPLESS_API Query {
     return std::uniform_real_distribution<double>(lower, upper)(rng);
   }
   void refuse(const std::string& why) { ++statistics.refusals[why]; }
+  /// Counts a collision that `scene` has found at q (all joints), and keeps the first one of its
+  /// kind. `frame` of the robot tells where the hand is.
+  void refuse_collision(const std::string& when, scene::Scene& scene, std::pair<int, int> bodies,
+                        const Eigen::VectorXd& q, const std::string& frame);
+  /// Counts a configuration of the arm for which contact.is_valid() has just returned false.
+  void refuse_press(const std::string& when, const Eigen::VectorXd& arm_part);
 
   /// True if the straight motion of all joints is free of collision, at the steps at which check()
   /// replays it.

@@ -84,7 +84,7 @@ bool StartRegion::try_sample(ob::State* state) const {
     return false;
   }
   if (!query_.contact.is_valid(*arm, ContactSpace::Carried{contact, query_.object_start})) {
-    query_.refuse("start: " + query_.contact.fault());
+    query_.refuse_press("start: ", *arm);
     return false;
   }
   vector(state, query_.arm.dof()) = *arm;
@@ -110,7 +110,7 @@ bool GoalRegion::try_sample(ob::State* state) const {
     return false;
   }
   if (!query_.contact.is_valid(*arm, std::nullopt)) {
-    query_.refuse("goal: " + query_.contact.fault());
+    query_.refuse_press("goal: ", *arm);
     return false;
   }
   vector(state, query_.arm.dof()) = *arm;
@@ -131,7 +131,7 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
-      query_.refuse("goal: " + query_.contact.fault());
+      query_.refuse_press("goal: ", *arm);
     } else if (motions_.is_graspable(*object_S)) {
       vector(goal, query_.arm.dof()) = *arm;
       return true;

@@ -120,6 +120,21 @@ double drag_load(const Problem& problem, const Plan& plan) {
   return largest;
 }
 
+Trailing trailing(const Problem& problem, const Plan& plan) {
+  Trailing found;
+  if (problem.hand.finger_model != FingerModel::impedance) return found;
+  const double K = problem.hand.wrist_stiffness, mu_s = problem.support.friction(),
+               mu_p = problem.hand.pad_friction;
+  for (const PressedRow& row : pressed_rows(problem, plan)) {
+    const double press = press_force(problem.hand, row.depth, row.tip.pitch);
+    found.left = mu_s * (press + weight(problem)) / K;
+    found.sliding = std::max(found.sliding, found.left);
+  }
+  if (mu_p > mu_s)  // otherwise the pad slips as soon as it lifts
+    found.left = std::min(found.left, mu_s * mu_p * weight(problem) / ((mu_p - mu_s) * K));
+  return found;
+}
+
 Turning turning(const Problem& problem, const Plan& plan) {
   Turning found;
   found.allowed_turn_rate = std::numeric_limits<double>::infinity();

@@ -12,6 +12,7 @@
 
 #include "complaint.hpp"
 #include "paths.hpp"
+#include "slide/hand_frames.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -333,8 +334,8 @@ TEST(Plan, RefusesATipFrameThatIsNotOnTheFinger) {
     };
   };
   expect_refused(with("0 0 0.09"), "hand.fingertip 'left_fingertip'");
-  expect_refused(with("0 0 0.09"), "m below the contact");
-  expect_refused(with("0 0 0.13"), "m above the contact");
+  expect_refused(with("0 0 0.09"), " mm below the contact");
+  expect_refused(with("0 0 0.13"), " mm above the contact");
   EXPECT_NO_THROW(with("0 0 0.1097")());
 }
 
@@ -444,6 +445,68 @@ TEST(Plan, NamesTheLinksThatTouch) {
   EXPECT_EQ(none.status, Status::no_start_root);
   EXPECT_NE(none.reason.find("start: collision of "), std::string::npos) << none.reason;
   EXPECT_NE(none.reason.find("lid"), std::string::npos) << none.reason;
+  // The lid is 20 mm thick and touches nothing but links, so none needs to move far.
+  double deep = 0;
+  const auto at = none.reason.find("about ");
+  ASSERT_NE(at, std::string::npos) << none.reason;
+  ASSERT_EQ(
+      std::sscanf(none.reason.c_str() + at, "about %lf mm deep with left_fingertip at (", &deep), 1)
+      << none.reason;
+  EXPECT_GT(deep, 1) << none.reason;
+  EXPECT_LT(deep, 300) << none.reason;
+}
+
+TEST(Plan, SaysHowDeepTheLinksTouchAtHome) {
+  Problem problem = simple_problem();
+  const Eigen::Vector3d p =
+      problem.robot.pose(problem.robot.frame("grasp"), problem.q_home).translation();
+  problem.obstacles = {{"wall",
+                        {{geometry::Box{{1, 1, 1}}, Eigen::Isometry3d::Identity()}},
+                        Eigen::Isometry3d(Eigen::Translation3d(p - Eigen::Vector3d(0, 0, 0.51)))}};
+  const Plan none = plan(problem);
+  EXPECT_EQ(none.status, Status::start_in_collision);
+  EXPECT_NE(none.reason.find("touches 'wall', about "), std::string::npos) << none.reason;
+  EXPECT_NE(none.reason.find(" mm deep"), std::string::npos) << none.reason;
+}
+
+TEST(Plan, SaysWhichCollisionIsInTheWayBesidesReach) {
+  Problem problem = simple_problem();
+  problem.obstacles = {{"floor",
+                        {{geometry::Box{{3, 3, 0.01}}, Eigen::Isometry3d::Identity()}},
+                        Eigen::Isometry3d(Eigen::Translation3d(1, 0, -0.02))}};
+  planning::Budget budget = seeded(1);
+  budget.iterations = 300;
+  const Plan none = plan(problem, {}, budget);
+  EXPECT_FALSE(none);
+  EXPECT_NE(none.reason.find("collision of "), std::string::npos) << none.reason;
+  EXPECT_NE(none.reason.find(" deep with "), std::string::npos) << none.reason;
+}
+
+TEST(Plan, SaysWhatTheOpenHandNeedsBesidesTheObject) {
+  const Problem p = simple_problem();
+  const Eigen::VectorXd q = p.robot.state("open", p.q_home);
+  const std::string text = jaw_lengths(p, q, p.X_WO_start, "left_finger");
+  double low = 1e9, high = -1e9;
+  for (const auto& shape : p.robot.shapes()) {
+    const std::string& link = p.robot.frame_names()[static_cast<std::size_t>(shape.link)];
+    if (link != "left_finger" && link != "right_finger") continue;
+    const Eigen::Isometry3d X_WL = p.robot.pose(shape.link, q);
+    const Eigen::Vector3d up_L = X_WL.linear().transpose() * Eigen::Vector3d::UnitZ();
+    high = std::max(high, X_WL.translation().z() + geometry::extent(shape.placed, up_L));
+    low = std::min(low, X_WL.translation().z() - geometry::extent(shape.placed, -up_L));
+  }
+  const auto at = text.find("the hand needs ");
+  ASSERT_NE(at, std::string::npos) << text;
+  double below = 0, above = 0;
+  ASSERT_EQ(
+      std::sscanf(text.c_str() + at, "the hand needs %lf mm below the object and %lf mm above it",
+                  &below, &above),
+      2)
+      << text;
+  EXPECT_NEAR(below, -1000 * low, 1) << text;
+  EXPECT_NEAR(above, 1000 * (high - p.object.thickness()), 1) << text;
+  EXPECT_NE(text.find("left_finger is "), std::string::npos) << text;
+  EXPECT_NE(text.find(" thick, the object "), std::string::npos) << text;
 }
 
 TEST(Plan, RefusesFramesThatDoNotLieInTheHand) {

@@ -151,6 +151,7 @@ TEST(Torsion, TheLoadIsForceAndTorqueOfTheSupportAgainstThePads) {
 TEST(Torsion, APlanWithoutASlidePromisesNothing) {
   EXPECT_EQ(turning(with(0.6, 0.01), Plan{}).lag, 0);
   EXPECT_EQ(drag_load(with(0.6, 0.01), Plan{}), 0);
+  EXPECT_EQ(trailing(with(0.6, 0.01), Plan{}).sliding, 0);
 }
 
 // A rigid finger presses with the force that is wanted, or that the wrist's stiffness makes of the
@@ -170,6 +171,65 @@ TEST(Torsion, ARigidFingerIsHeldToTheSameLimits) {
   p.hand.finger_model = FingerModel::impedance;
   EXPECT_DOUBLE_EQ(press_force(p.hand, 0.012, 0.785), 6);
   EXPECT_DOUBLE_EQ(dragging_force(p.hand, 0.012, 0.785, -1, 0.3, weight), 6);
+}
+
+/// Distances of the object from the commanded tip at the end of a slide, and after the lift: a
+/// spring that pulls a pad on an object on a support, in small steps in which each surface sticks
+/// or slips.
+std::pair<double, double> trail(const Problem& p, double press) {
+  const double K = p.hand.wrist_stiffness, weight = p.object.mass() * 9.81;
+  double command = 0, pad = 0, object = 0;
+  const auto settle = [&](double N) {
+    const double drag = p.support.friction() * (N + weight), grip = p.hand.pad_friction * N;
+    const double excess = K * (command - pad) - std::min(drag, grip);
+    if (excess <= 0) return;  // both stick
+    pad += excess / K;
+    if (drag <= grip) object += excess / K;
+  };
+  for (; command < 0.2; command += 1e-5) settle(press);
+  const double sliding = command - object;
+  for (double N = press; N > 0; N -= press / 1e5) settle(N);
+  return {sliding, command - object};
+}
+
+TEST(Torsion, AWristThatGivesWayTrailsAsASpringBehindFriction) {
+  for (const double friction : {0.2, 0.6}) {
+    for (const double mass : {0.05, 0.5}) {
+      Problem p = with(friction, 0.032);
+      p.object = p.object.with_mass(mass);
+      p.hand.finger_model = FingerModel::impedance;
+      p.hand.wrist_stiffness = 600;
+      const auto [sliding, left] = trail(p, 600 * .015);
+      const Trailing found = trailing(p, slide(p, 0.1, 0));
+      EXPECT_NEAR(found.sliding, sliding, 5e-5);
+      EXPECT_NEAR(found.left, left, 5e-5);
+      EXPECT_LT(found.left, found.sliding);
+    }
+  }
+  for (const FingerModel model :
+       {FingerModel::none, FingerModel::flexure, FingerModel::rigid_guarded}) {
+    Problem p = with(0.3, 0.032);
+    p.hand.finger_model = model;
+    p.hand.wrist_stiffness = 600;
+    EXPECT_EQ(trailing(p, slide(p, 0.1, 0)).sliding, 0);
+  }
+}
+
+TEST(Torsion, AnObjectThatEndsShortOfThePlanIsWarnedOf) {
+  Problem problem = with(0.3, 0.032);
+  problem.hand.finger_model = FingerModel::impedance;
+  problem.hand.wrist_stiffness = 600;
+  problem.hand.press_force = 40;
+  for (const double mass : {0.05, 0.8}) {
+    problem.object = problem.object.with_mass(mass);
+    Options options;
+    options.max_depth = 40.0 / 600 / 2;
+    const Plan plan = slide::plan(problem, options);
+    ASSERT_TRUE(plan) << plan.reason;
+    const bool told = !plan.warnings.empty() &&
+                      plan.warnings.back().find("gives way to the friction") != std::string::npos;
+    EXPECT_EQ(told, mass > 0.5);
+  }
 }
 
 TEST(Torsion, APadThatCannotDragTheObjectIsWarnedOf) {

@@ -15,6 +15,13 @@
 // the centre of pressure, at a distance e beside the middle of the pad. It uses the share
 //   mu_s (N + m g) / (mu_p N) sqrt(1 + (e / w)^2)
 // of the pad's friction limit. The drag on the tip also changes the normal force N.
+//
+// An arm under impedance control of stiffness K gives way to the same friction: finger and object
+// trail behind the commanded tip by s = mu_s (N + m g) / K, against the direction of motion. While
+// the finger lifts, N falls and the spring pulls the object after it, as long as the pad grips:
+// K s = mu_s (N + m g) <= mu_p N. It slips at N = mu_s m g / (mu_p - mu_s), where
+//   s = mu_s mu_p m g / ((mu_p - mu_s) K)
+// is left for good.
 #pragma once
 
 #include "graspless/slide/slide.hpp"
@@ -40,6 +47,16 @@ GRASPLESS_API double max_turn_per_length(const Problem& problem, double radius, 
 /// Returns the largest share of the pad's friction limit that the plan's slide uses. Above 1, the
 /// pad slips or the object turns under it. 0 if there is no slide.
 GRASPLESS_API double drag_load(const Problem& problem, const Plan& plan);
+
+/// Distances by which the object trails behind the plan, because the wrist gives way.
+struct Trailing {
+  double sliding = 0;  ///< largest during the slide [m]
+  double left = 0;     ///< after the finger has been lifted [m]
+};
+
+/// Returns the distances of the plan's slide; 0 for finger models other than impedance, and if
+/// there is no slide.
+GRASPLESS_API Trailing trailing(const Problem& problem, const Plan& plan);
 
 /// Turn rates of a plan's slide, per distance that the object moves.
 struct Turning {

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Configurations of Motions that grasp the object.
+#include <algorithm>
+
+#include "slide/motions.hpp"
+
+namespace graspless::slide {
+
+std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Placement& place,
+                                                                       std::size_t enough) {
+  constexpr int kDraws = 12;
+  std::vector<GraspConfiguration> found;
+  std::optional<std::pair<int, int>> touching;
+  Eigen::VectorXd q_touching;
+  robot::Poses X_WL;
+  for (int i = 0; i < kDraws && found.size() < enough; ++i) {
+    const int roll = i % 2;
+    const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
+    for (const Eigen::VectorXd& q :
+         query_.draw_ik(query_.grasp_ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
+      query_.problem.robot.forward(q, X_WL);
+      if (const auto pair = query_.free.first_collision(X_WL)) {
+        touching = pair;
+        q_touching = q;
+      } else {
+        found.push_back({query_.arm.part(q), roll});
+      }
+    }
+  }
+  if (found.empty()) refuse_grasp(touching, q_touching);
+  return found;
+}
+
+void Motions::refuse_grasp(const std::optional<std::pair<int, int>>& touching,
+                           const Eigen::VectorXd& q) {
+  if (!touching) return query_.refuse("goal: grasp reach");
+  query_.refuse_collision("goal: grasp ", query_.free, *touching, q,
+                          query_.problem.hand.grasp_frame);
+}
+
+bool Motions::is_finger_on_object(const std::string& a, const std::string& b) {
+  const std::vector<std::string>& fingers = query_.problem.hand.fingers;
+  const auto is_finger = [&](const std::string& name) {
+    return std::find(fingers.begin(), fingers.end(), name) != fingers.end();
+  };
+  const std::string object = query_.free.world().name(query_.object_body);
+  return (a == object && is_finger(b)) || (b == object && is_finger(a));
+}
+
+}  // namespace graspless::slide

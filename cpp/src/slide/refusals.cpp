@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/refusals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "collision/overlap.hpp"
+#include "slide/hand_frames.hpp"
+
+namespace graspless::slide {
+namespace {
+
+constexpr std::size_t kReasons = 3;
+
+std::string depth(collision::World& world, std::pair<int, int> bodies) {
+  const double deep = collision::overlap(world, bodies.first, bodies.second);
+  if (!std::isfinite(deep)) return "one inside the other";
+  return (deep < 1e-3 ? "less than 1 mm" : "about " + in_mm(deep)) + " deep";
+}
+
+/// "frame at (x, y, z) m, heading yaw deg".
+std::string pose_of(const robot::Robot& robot, const std::string& frame, const Eigen::VectorXd& q) {
+  constexpr double kDegree = 0.017453292519943295;  // [rad]
+  const Eigen::Isometry3d X_WF = robot.pose(robot.frame(frame), q);
+  const Eigen::Vector3d p = X_WF.translation(), z = X_WF.linear().col(2);
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(3) << frame << " at (" << p.x() << ", " << p.y() << ", "
+      << p.z() << ") m, heading " << std::lround(std::atan2(z.y(), z.x()) / kDegree) << " deg";
+  return out.str();
+}
+
+/// Lengths of an open finger that touches something at the grasp; empty for other links.
+std::string finger_lengths(const Query& query, const Collision& collision) {
+  const Hand& hand = query.problem.hand;
+  const collision::World& world = collision.scene->world();
+  if (collision.frame != hand.grasp_frame) return "";
+  for (const int body : {collision.bodies.first, collision.bodies.second}) {
+    const std::string& name = world.name(body);
+    if (std::count(hand.fingers.begin(), hand.fingers.end(), name) > 0)
+      return "; " + jaw_lengths(query.problem, collision.q, collision.X_WO, name);
+  }
+  return "";
+}
+
+/// Depth and pose of the first collision of a kind; empty if the clock ends the measurement.
+std::string example(Query& query, const std::string& why) {
+  const auto found = query.collisions.find(why);
+  if (found == query.collisions.end()) return "";
+  const Collision& collision = found->second;
+  scene::Scene& scene = *collision.scene;
+  std::string text;
+  query.clock.run([&] {
+    scene.move_object(scene.world().body(kObjectBody), collision.X_WO);
+    scene.collision(collision.q);  // moves the links
+    text = ", " + depth(scene.world(), collision.bodies) + " with " +
+           pose_of(query.problem.robot, collision.frame, collision.q) +
+           finger_lengths(query, collision);
+  });
+  return text;
+}
+
+using Counted = std::pair<std::int64_t, std::string>;
+
+/// The most frequent rejections; with `pairs_first`, two of start-goal pairs come before others.
+/// One that is a collision is added if there is one, because it tells what to move.
+std::vector<Counted> frequent(const Query& query, bool pairs_first) {
+  constexpr std::ptrdiff_t kPairs = 2;
+  std::vector<Counted> all;
+  for (const auto& [why, times] : query.statistics.refusals) all.emplace_back(times, why);
+  std::sort(all.rbegin(), all.rend());
+  if (pairs_first) {
+    const auto others = std::stable_partition(all.begin(), all.end(), [](const Counted& counted) {
+      return counted.second.rfind("pair:", 0) == 0;
+    });
+    if (others - all.begin() > kPairs) all.erase(all.begin() + kPairs, others);
+  }
+  const auto collides = [&](const Counted& counted) {
+    return query.collisions.count(counted.second) > 0;
+  };
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(kReasons, all.size()));
+  const auto collision = std::find_if(all.begin(), all.end(), collides);
+  std::vector<Counted> found(all.begin(), end);
+  if (collision >= end && collision != all.end()) found.push_back(*collision);
+  return found;
+}
+
+std::string most_frequent(Query& query, bool pairs_first) {
+  std::string text;
+  for (const auto& [times, why] : frequent(query, pairs_first)) {
+    text +=
+        (text.empty() ? "" : ", ") + why + " (" + std::to_string(times) + example(query, why) + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string in_mm(double length) {
+  std::ostringstream out;
+  const double mm = 1000 * length;
+  out << std::setprecision(std::abs(mm) < 100 ? 2 : 4) << mm << " mm";
+  return out.str();
+}
+
+bool is_home_free(Query& query, Plan& plan) {
+  const Eigen::VectorXd &home = query.problem.q_home, &open = query.arm.open();
+  plan.status = Status::start_in_collision;
+  collision::World& world = query.free.world();
+  for (const Eigen::VectorXd& q : {home, open}) {
+    const auto [a, b] = query.free.collision(q);
+    if (a.empty()) continue;
+    plan.reason = "at q_home, '" + a + "' touches '" + b + "', " +
+                  depth(world, {world.body(a), world.body(b)});
+    return false;
+  }
+  if (query.is_motion_free(home, open)) return true;
+  plan.reason = "at q_home, the hand touches something while it opens";
+  return false;
+}
+
+std::string reason(Query& query, const Plan& plan) {
+  const bool pairs = plan.status == Status::no_valid_pair;
+  // Without the time: the same seed and iterations give the same file.
+  const std::string refused = " within " + std::to_string(plan.statistics.iterations) +
+                              " iterations" +
+                              (plan.statistics.refusals.empty()
+                                   ? ""
+                                   : "; most frequent rejections: " + most_frequent(query, pairs));
+  if (plan.status != Status::solved && plan.statistics.iterations == 0) {
+    return "the budget allowed no iteration";
+  }
+  switch (plan.status) {
+    case Status::solved:
+      return "solved";
+    case Status::start_in_collision:
+      return plan.reason;
+    case Status::no_start_root:
+      return "no configuration was found that presses on the object" + refused;
+    case Status::no_goal_root:
+      return "no configuration was found that presses near an edge of the support" + refused;
+    case Status::no_valid_pair:
+      return "starts and goals were connected, but no pair of them was valid" + refused;
+    case Status::not_connected:
+      return "no start could be connected with a goal" + refused;
+    case Status::interrupted:
+      return "interrupted before a plan was found," + refused;
+    case Status::out_of_memory:
+      break;
+  }
+  return "";
+}
+
+}  // namespace graspless::slide

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Words for a search that found nothing: the most frequent rejections, and for a collision the
+// depth and the pose of its first occurrence. The lengths are measured here, not in the search.
+#pragma once
+
+#include "slide/query.hpp"
+
+namespace graspless::slide {
+
+/// Returns a length in millimetres with two digits or more, such as "14 mm".
+std::string in_mm(double length);
+
+/// True if the robot at q_home can open its hand without collision. Otherwise sets the plan's
+/// status and reason.
+bool is_home_free(Query& query, Plan& plan);
+
+/// Describes the plan's status in one sentence, from its statistics.
+std::string reason(Query& query, const Plan& plan);
+
+}  // namespace graspless::slide
