@@ -7,9 +7,14 @@ import json
 
 import pytest
 
+import graspless
+import inspect_common as small
+from graspless import robot
 from graspless.cli import main
 from graspless_bench.robots import fleet, report
+from graspless_bench.robots.places import IN_FRONT
 from graspless_bench.robots.run import run
+from graspless_bench.robots.scene import Scene
 
 OWN = (
     fleet.Member("WAM", {"urdf": "wam_t42"}),
@@ -86,3 +91,16 @@ def test_robots_of_installed_packages(name):
     (row,) = run([member], slides=3, clasps=1, limits=(10.0, 0.2))
     assert row["slides"]["solved"] == 3
     assert row["slides"]["faults"] == 0
+
+
+def test_tables_are_placed_where_the_arm_presses_and_grasps(tmp_path):
+    found = robot.inspect(robot.Robot.from_urdf(small.gripper()), name="mine")
+    found.write(tmp_path)
+    scene = Scene(found, str(tmp_path / "mine.urdf"))
+    tried = list(scene.places())
+    assert tuple(tried[: len(IN_FRONT)]) == IN_FRONT
+    solved = 0
+    for place in tried[len(IN_FRONT) :][:3]:
+        scene.place = place
+        solved += bool(graspless.plan(scene.slide(2.0)))
+    assert solved >= 2

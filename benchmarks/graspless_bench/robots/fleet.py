@@ -29,6 +29,9 @@ FETCH_GRIPPER = ("mani-skill:fetch/fetch.urdf", "gripper_link")
 # Poses of palms with X towards the fingers, on a flange with Z out of it.
 TURNED: dict[str, Any] = {"rpy": [0.0, -1.5707963267948966, 0.0]}
 FETCH_POSE = TURNED | {"position": [0.0, 0.0, 0.13]}  # its palm reaches behind gripper_link
+IRB_POSE = {
+    "position": [0.0, 0.0, 0.26]
+}  # its tool0 is in the wrist, and the file is four times as large as an IRB 140
 ALLEGRO = ("example-robot-data:allegro_hand_description/urdf/allegro_right_hand.urdf", "")
 
 
@@ -180,7 +183,7 @@ FLEET = (
     ),
     Member(
         "IRB 140 and Panda Hand",
-        _joined("rtb-data:abb_irb140_description/urdf/irb140.urdf", PANDA_HAND, "tool0"),
+        _joined("rtb-data:abb_irb140_description/urdf/irb140.urdf", PANDA_HAND, "tool0", IRB_POSE),
     ),
     Member(
         "xArm7 and Fetch gripper",

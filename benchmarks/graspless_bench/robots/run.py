@@ -24,7 +24,7 @@ from graspless.tasks.robots import Robot, build_robot
 from graspless.tasks.source import Source
 
 from ..statistics import quantile
-from .scene import PLACES, Scene
+from .scene import Scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -130,6 +130,8 @@ def _plans(
 def _plan_slides(scene: Scene, name: str, runs: int, limit: float) -> Row:
     """Returns counts and times of slides; `refused` has the most frequent reason."""
     times, reasons, faults = [], Counter[str](), 0
+    if scene.gap > scene.thickness:
+        return _refused(runs, scene.too_thin())
     try:
         task = _place_table(scene, name, limit)
     except ValueError as error:
@@ -150,14 +152,15 @@ def _plan_slides(scene: Scene, name: str, runs: int, limit: float) -> Row:
 def _place_table(scene: Scene, name: str, limit: float) -> Any:
     """Returns the task with the table at the first place where a query is solved, or the first."""
     tasks = []
-    for scene.place in PLACES:
+    for place in scene.places():
+        scene.place = place
         task = task_from_dict(scene.slide(limit), "slide", resolve=True)
         (X_SO,) = scene.poses(f"{name}, trial", 1)
         if slide.plan(_moved(task.problem, X_SO), task.options, Budget(seconds=limit, seed=1)):
             return task
-        tasks.append(task)
-    scene.place = PLACES[0]
-    return tasks[0]
+        tasks.append((place, task))
+    scene.place, task = tasks[0]
+    return task
 
 
 def _moved(given: slide.Problem, X_SO: Matrix) -> slide.Problem:

@@ -13,18 +13,19 @@ import numpy as np
 from graspless import frames
 from graspless.inspection.tree import Tree
 
+from .places import IN_FRONT, TABLE, Place, in_reach
+
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from graspless.frames import Matrix
     from graspless.inspection import Proposal
 
-TABLE = (0.4, 0.5)  # away from the robot and across, if the hand is FAR from its base or more [m]
-FAR = 0.56  # [m]
-# Places of the table, of which the first is taken where a slide is solved: of its middle outwards
-# from the hand at home, and of its top below that [m].
-PLACES = ((0.08, 0.25), (0.16, 0.25), (0.0, 0.1), (0.16, 0.1), (0.08, 0.4), (0.24, 0.4))
+FAR = 0.56  # distance of the hand from its base from which on the table is not scaled [m]
 ABOVE = 0.1  # of the hand over the handle [m]
 CARD = (0.10, 0.06)  # size of the thin object [m]
-SMALLEST_CARD = 0.5  # scale of the object of a small robot
+# Scale of the object of a small robot. At 0.5 it would fall before it sticks out by min_overhang.
+SMALLEST_CARD = 0.75
 THICKNESS = 0.003  # of the object, if the hand closes that far [m]
 GRIPPED = 1.5  # thickness over the distance between the closed fingers
 HANDLE = 0.29  # height of the purse's handle [m]
@@ -37,8 +38,10 @@ class Scene:
     ----------
     scale : float
         Of lengths, at most 1.
-    thickness : float
-        Of the object [m].
+    place : Place
+        Where the table is.
+    gap : float
+        Distance between the closed fingers [m].
     """
 
     def __init__(self, found: Proposal, urdf: str) -> None:
@@ -52,20 +55,43 @@ class Scene:
         self.home = p_WH
         self.yaw = math.atan2(away[1], away[0])
         self.lowest = float(_cloud(robot, found.hand_links, q)[:, 2].min())
-        self.place = PLACES[0]
-        self.thickness = max(THICKNESS, math.ceil(1000 * GRIPPED * found.smallest_gap) / 1000)
-        self.thickness = min(self.thickness, min(self.card()) / 2)
+        self.place = IN_FRONT[0]
+        self.gap = found.smallest_gap
+        self._found = found
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of the object [m]."""
+        gripped = math.ceil(1000 * GRIPPED * self.gap) / 1000
+        return min(max(THICKNESS, gripped), min(self.card()) / 2)
+
+    def too_thin(self) -> str:
+        """Reason why no object of this size can be gripped."""
+        return (
+            f"the fingers' shapes touch while their tips are still {self.gap * 1000:.1f} mm apart, "
+            f"and an object that is {min(self.card()) * 1000:.0f} mm wide can be "
+            f"{self.thickness * 1000:.0f} mm thick at most"
+        )
 
     def card(self) -> list[float]:
         """Size of the thin object [m]."""
-        return [length * max(SMALLEST_CARD, self.scale) for length in CARD]
+        return [length * max(SMALLEST_CARD, self.scale * self.place.size) for length in CARD]
 
-    def support(self) -> Matrix:
-        """Pose X_WS of the table's top."""
+    def table(self) -> list[float]:
+        """Size of the table [m]."""
+        return [length * self.scale * self.place.size for length in TABLE]
+
+    def places(self) -> Iterator[Place]:
+        """Places to try the table at: in front of the robot, then where the arm reaches."""
+        yield from IN_FRONT
+        yield from in_reach(self._found, self.support, self.scale, self.thickness)
+
+    def support(self, place: Place | None = None) -> Matrix:
+        """Pose X_WS of the table's top, by default at the scene's place."""
+        place = place or self.place
         turned = frames.planar(float(self.home[0]), float(self.home[1]), self.yaw)
-        out, below = self.place
-        down = [out * self.scale, 0.0, self.home[2] - below * self.scale]
-        return np.asarray(turned @ frames.translation(down))
+        p = np.array([place.out, place.side, -place.below]) * self.scale
+        return np.asarray(turned @ frames.translation(p + [0.0, 0.0, self.home[2]]))
 
     def slide(self, seconds: float) -> dict[str, Any]:
         """Returns the task of a slide; poses() has the poses of its object in S."""
@@ -79,7 +105,7 @@ class Scene:
                 "pose": {"x": 0.0, "y": 0.0, "yaw": 0.0},
             },
             "support": {
-                "rectangle": {"size": [length * self.scale for length in TABLE]},
+                "rectangle": {"size": self.table()},
                 "pose": {"position": X_WS[:3, 3].tolist(), "rpy": [0.0, 0.0, self.yaw]},
             },
             "budget": {"seconds": seconds},
@@ -88,7 +114,7 @@ class Scene:
     def poses(self, name: str, runs: int) -> list[Matrix]:
         """Returns poses of the object in S, uniform over those with the whole object on it."""
         rng = random.Random(name)  # the same numbers on any Python
-        size = [length * self.scale for length in TABLE]
+        size = self.table()
         a, b = (length / 2 for length in self.card())
         found: list[Matrix] = []
         while len(found) < runs:
