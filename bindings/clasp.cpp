@@ -260,8 +260,14 @@ void bind_stability(py::module_& m) {
   py::class_<Stability> found(m, "Stability", "Result of the stability test.");
   bind_fields(
       found, "Any field by keyword; the others keep their defaults.",
-      Field{"secure", &Stability::secure, "True if the loop escaped in no sequence."},
+      Field{
+          "secure", &Stability::secure,
+          "True if the loop escaped in no sequence, and the load asks for no more than the effort "
+          "limits."},
       Field{"escapes", &Stability::escapes, "Number of sequences in which the loop escaped."},
+      Field{"effort", &Stability::effort,
+            "Largest effort that the load asks of a joint of a hand of two fingers, as a fraction "
+            "of its limit; 0 if that was not tested."},
       Field{"margin", &Stability::margin, "1: the object cannot move; 0 or less: it escaped."},
       Field{"checks", &Stability::checks, "Number of poses checked."});
 }
@@ -270,19 +276,26 @@ void bind_pinch(py::module_& m) {
   py::class_<Pinch> found(m, "Pinch", "Result of the test of a pinch.");
   bind_fields(found, "Any field by keyword; the others keep their defaults.",
               Field{"holds", &Pinch::holds,
-                    "True if both fingers touch, and their forces resist every wrench."},
+                    "True if both fingers touch, and their forces resist every wrench, and the "
+                    "whole load."},
               Field{"strength", &Pinch::strength,
                     "Largest force in any direction that is resisted for each newton of a finger."},
+              Field{"press", &Pinch::press,
+                    "Normal force of each finger at half the effort limits of the joints [N]."},
+              Field{"load", &Pinch::load,
+                    "Largest multiple of the load, acting suddenly, that friction resists at that "
+                    "force."},
               Field{"gap", &Pinch::gap,
                     "Gap between the object and the finger that is farther from it [m]."});
   m.def(
       "test_pinch",
-      [](const Problem& problem, const Array& q, double friction) {
+      [](const Problem& problem, const Array& q, double friction, const StabilityOptions& options) {
         const Eigen::VectorXd given = to_configuration(problem.robot, q, "q");
         const py::gil_scoped_release release;
-        return test_pinch(problem, given, friction);
+        return test_pinch(problem, given, friction, options);
       },
       py::arg("problem"), py::arg("q"), py::arg("friction") = Options{}.friction,
+      py::arg("options") = StabilityOptions{},
       R"(Tests if friction holds the object between the two fingers of a hand.
 
 Each finger presses with 1 N on two points of its contact with the object's surface.
@@ -295,6 +308,8 @@ q : (dof,) array
     Configuration of all joints [rad or m].
 friction : float, optional
     Coefficient of friction, in [0, 10].
+options : StabilityOptions, optional
+    Force and torque of the load.
 
 Returns
 -------
@@ -303,7 +318,8 @@ Pinch
 Raises
 ------
 ValueError
-    If the problem, the hand, the configuration or the friction is invalid.
+    If the problem, the hand, the configuration, the friction or the load is invalid, or a
+    joint of the hand has no effort limit.
 )");
 }
 

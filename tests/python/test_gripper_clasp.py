@@ -19,6 +19,7 @@ FINGERS = {
     },
     "thumb": [{"link": "right", "point": [0, -0.005, z]} for z in (0.01, 0.075)],
 }
+LIGHT = {"force": 0.2, "torque": 0.004}  # what fingers of 12.5 N withstand
 HAND = {"frame": "palm", "forward": [0, 0, 1], "sideways": [1, 0, 0], **FINGERS}
 
 
@@ -45,6 +46,7 @@ def task(tmp_path, monkeypatch):
                 "points": ring(thickness).tolist(),
                 "pose": {"position": [0.4, 0.05, 0.2], "rpy": [0, 0, 0.5]},
             },
+            "options": {"stability": LIGHT},
             "budget": {"seconds": 120, "iterations": 60, "seed": 1},
         } | changes
         (tmp_path / "task.yaml").write_text(yaml.safe_dump(fields))
@@ -67,6 +69,9 @@ def test_a_hand_without_corners_in_the_palm_holds_a_bar(plan):
     for finger in (*hand.fingers, hand.thumb):
         assert [node.link for node in finger.nodes][0] == "palm"
     assert plan.stability.secure == (plan.pinch is None)
+    if plan.pinch is not None:
+        assert plan.pinch.press == pytest.approx(12.5, rel=0.01)  # half of 50 N, on two fingers
+        assert plan.pinch.load >= 1
     q = plan.segments[-1].positions[-1]
     assert clasp.test_pinch(plan.task.problem, q).gap < 0.003
 
@@ -80,12 +85,50 @@ def test_plan_files_keep_the_pinch(plan, tmp_path):
 
 
 def test_command_says_how_the_bar_is_held(task, capsys):
-    path = task(options={"stability": {"moves": 2000, "penetration": 0.001}})
+    path = task(options={"stability": {"moves": 2000, "penetration": 0.001} | LIGHT})
     assert main(["plan", path, "-o", "plan.json"]) == 0
     shown = capsys.readouterr().out
     plan = graspless.load_plan("plan.json")
     assert ("pinched: friction 0.5 holds it" in shown) == (plan.pinch is not None)
     assert main(["check", "plan.json"]) == 0
+
+
+def test_a_pinch_that_is_too_weak_for_the_load_is_refused_with_both(task, capsys):
+    budget = {"seconds": 60, "iterations": 5, "seed": 1}
+    load = {"force": 20, "torque": 0.1}
+    assert main(["plan", task(options={"stability": load}, budget=budget), "-o", "plan.json"]) == 1
+    shown = capsys.readouterr().out
+    assert "not_secure" in shown
+    assert "pinched with 12.5" in shown
+    assert "friction resists 0.0" in shown
+
+
+def test_check_refuses_a_plan_whose_load_has_grown(plan, tmp_path):
+    plan.save("plan.json")
+    fields = json.loads((tmp_path / "plan.json").read_text())
+    fields["task"]["options"]["stability"] |= {"force": 20, "torque": 0.1}
+    (tmp_path / "heavy.json").write_text(json.dumps(fields))
+    assert main(["check", "heavy.json"]) == 1
+
+
+def test_the_load_is_the_weight_of_the_object(task):
+    ball = {"points": ring(0.02).tolist(), "mass": 3.0}
+    with pytest.warns(UserWarning, match="no SRDF"):
+        loaded = graspless.load_task(task(object=ball, options={}))
+    with pytest.warns(UserWarning, match="no SRDF"):
+        given = graspless.load_task(task(object=ball))
+    assert loaded.options.stability.force == pytest.approx(29.43)
+    assert loaded.options.stability.torque == clasp.StabilityOptions().torque
+    assert given.options.stability.force == LIGHT["force"]
+
+
+def test_a_hand_without_effort_limits_is_refused(task, tmp_path, capsys):
+    path = task()
+    urdf = tmp_path / "mine.urdf"
+    urdf.write_text(urdf.read_text().replace('effort="50"', 'effort="0"'))
+    assert main(["plan", path, "-o", "plan.json"]) == 2
+    shown = capsys.readouterr().err.strip().splitlines()[-1]
+    assert "'slide_left' of the hand has no effort limit" in shown
 
 
 def test_a_handle_that_is_too_thick_is_refused_with_both_lengths(task, capsys):

@@ -18,6 +18,7 @@ using planning::Path;
 
 namespace {
 
+constexpr const char* kForcedOpen = "clasp: forced open by the load";
 constexpr int kPruningRounds = 60;  // costs little beside the search
 
 /// Randomised path pruning of Section IV-D. Keeps both ends.
@@ -60,7 +61,38 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
   return out.str();
 }
 
-std::string reason(const Plan& plan) {
+/// Counts the clasps that were refused, and names the efforts that the best of them lacks.
+std::string insecure(const Query& query) {
+  const robot::Robot& robot = query.problem.robot;
+  const StabilityOptions& load = query.options.stability;
+  std::ostringstream out;
+  out << "clasps were found, but the object came free of ";
+  if (!std::isfinite(query.least_effort) && query.best_pinch.press == 0) {
+    out << "all " << query.statistics.stability_tests << " in the stability test";
+    return out.str();
+  }
+  const auto forced = query.statistics.refusals.find(kForcedOpen);
+  const std::int64_t opened = forced == query.statistics.refusals.end() ? 0 : forced->second;
+  out << query.statistics.stability_tests - opened << " of " << query.statistics.stability_tests
+      << " in the stability test";
+  if (opened > 0) {
+    out << ", and a sudden " << load.force << " N and " << load.torque
+        << " Nm force open the others: they ask for " << query.least_effort
+        << " times the effort limits or more (";
+    for (const int joint : robot.group(query.problem.hand.hand)) {
+      out << robot.joint_names()[static_cast<std::size_t>(joint)] << ": "
+          << robot.max_effort()[joint] << (robot.step_weights()[joint] > 1 ? " N; " : " Nm; ");
+    }
+    out << "options.stability.force and torque set the load)";
+  }
+  if (query.best_pinch.press > 0) {
+    out << "; pinched with " << query.best_pinch.press << " N a finger, friction resists "
+        << query.best_pinch.load << " of this load at most";
+  }
+  return out.str();
+}
+
+std::string reason(const Query& query, const Plan& plan) {
   std::ostringstream out;
   switch (plan.status) {
     case Status::solved:
@@ -71,8 +103,7 @@ std::string reason(const Plan& plan) {
       out << "interrupted after " << plan.statistics.cycles << " cycles";
       break;
     case Status::not_secure:
-      out << "clasps were found, but the object came free of all "
-          << plan.statistics.stability_tests << " in the stability test";
+      out << insecure(query);
       break;
     default:
       out << "no motion to a clasp found in " << plan.statistics.cycles << " cycles"
@@ -84,7 +115,8 @@ std::string reason(const Plan& plan) {
 /// Result of the test of a pinch, if the hand has two fingers and friction holds the object.
 std::optional<Pinch> pinched(Query& query, const Eigen::VectorXd& q) {
   if (!query.may_pinch()) return std::nullopt;
-  const Pinch pinch = query.pinching().test(q, query.options.friction);
+  const Pinch pinch = query.pinching().test(q, query.options.friction, query.options.stability);
+  if (pinch.load >= query.best_pinch.load && pinch.press > 0) query.best_pinch = pinch;
   return pinch.holds ? std::optional(pinch) : std::nullopt;
 }
 
@@ -97,7 +129,10 @@ void test(Query& query, int loop, Clasp& clasp) {
   const Eigen::Matrix3Xd& loop_O =
       query.problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
   StabilityOptions first = query.options.stability;
-  if (query.options.must_be_secure) first.sequences = 1;
+  if (query.options.must_be_secure) {
+    first.sequences = 1;
+    first.force = first.torque = 0;
+  }
   clasp.stability = query.tester->test(q, loop_O, first);
   if (!clasp.stability.secure) clasp.pinch = pinched(query, q);
   if (query.options.must_be_secure && (clasp.stability.secure || clasp.pinch)) {
@@ -141,7 +176,9 @@ std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
   clasp.target_W = *held;
   test(query, search.task().loop, clasp);
   if (query.options.must_be_secure && !clasp.stability.secure && !clasp.pinch) {
-    return refused("clasp: not secure");
+    if (clasp.stability.effort == 0) return refused("clasp: not secure");
+    query.least_effort = std::min(query.least_effort, clasp.stability.effort);
+    return refused(kForcedOpen);
   }
   return clasp;
 }
@@ -180,7 +217,7 @@ void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>
     s.control_steps += search->planner().num_steps();
   }
   if (!plan) warn_of_thick_handles(query.problem, searches, plan);
-  if (plan.reason.empty()) plan.reason = reason(plan);
+  if (plan.reason.empty()) plan.reason = reason(query, plan);
 }
 
 }  // namespace graspless::clasp

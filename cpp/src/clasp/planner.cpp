@@ -8,6 +8,7 @@
 #include "clasp/search/loop_search.hpp"
 #include "clasp/search/reachability.hpp"
 #include "clasp/search/targets.hpp"
+#include "clasp/stability/load.hpp"
 #include "planning/plan_within.hpp"
 
 namespace graspless::clasp {
@@ -47,8 +48,10 @@ Eigen::VectorXd opened(Query& query, Plan& plan) {
 
 Status failure(const Query& query) {
   if (query.clock.was_interrupted()) return Status::interrupted;
-  return query.statistics.refusals.count("clasp: not secure") ? Status::not_secure
-                                                              : Status::not_found;
+  const auto refused = [&](const char* why) { return query.statistics.refusals.count(why) > 0; };
+  return refused("clasp: not secure") || refused("clasp: forced open by the load")
+             ? Status::not_secure
+             : Status::not_found;
 }
 
 /// Adds to the reason of a failed search what the arm reaches, if the clock leaves time for it.
@@ -65,6 +68,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
               std::uint64_t seed) {
   validate(problem);
   validate(options);
+  require_efforts(problem, options.stability);
   if (problem.object.loops().loops.empty()) return without_hole(problem, clock);
   Query query(problem, options, clock, seed);
   Plan plan;

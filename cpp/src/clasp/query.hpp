@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <random>
 #include <string>
@@ -30,6 +31,9 @@ struct Query {
   std::optional<StabilityTester> tester;    ///< created with the first clasp to test
   std::optional<PinchTester> pinch_tester;  ///< the same, for hands of two fingers
   Statistics statistics;
+  // Of clasps that were refused:
+  double least_effort = std::numeric_limits<double>::infinity();  ///< that a load asked
+  Pinch best_pinch;                                               ///< the one that resists most
 
   /// Test of pinches, made at its first use.
   PinchTester& pinching() {

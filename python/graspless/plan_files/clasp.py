@@ -52,6 +52,11 @@ class Stability(Table):
     secure: bool
     escapes: Index = Field(description="number of sequences of moves in which the loop escaped")
     margin: float = Field(description="1: the loop cannot move; 0 or less: it escaped")
+    effort: NotNegative = Field(
+        default=0.0,
+        description="largest effort that the load asks of a joint of a hand of two fingers, as a "
+        "fraction of its limit; 0 if that was not tested",
+    )
     checks: Index = Field(description="number of poses checked")
 
 
@@ -63,6 +68,13 @@ class Pinch(Table):
     holds: bool
     strength: NotNegative = Field(
         description="largest force that is resisted in any direction, per newton of a finger"
+    )
+    press: NotNegative = Field(
+        default=0.0,
+        description="normal force of each finger at half the effort limits of the joints [N]",
+    )
+    load: NotNegative = Field(
+        default=0.0, description="largest multiple of the load that friction resists at that force"
     )
     gap: float = Field(description="of the finger that is farther from the object [m]")
 

@@ -50,10 +50,14 @@ def lines(plan: Plan) -> list[str]:
     escapes = f"{stability.escapes} of {count(sequences, 'sequences')} of random moves"
     margin = f"margin {stability.margin:.2f} (1: cannot move, 0: escapes)"
     found.append(f"{held}: the loop escapes in {escapes}, {margin}")
+    load = plan.task.options.stability
+    asked = f"{load.force:g} N and {load.torque:g} Nm"
+    if stability.effort > 0:
+        found.append(f"{asked} ask for {stability.effort:.2f} of the hand's effort limits")
     if plan.pinch is not None:
         friction = f"friction {plan.task.options.friction:g} holds it all the same"
-        strength = f"each newton of the fingers resists {plan.pinch.strength:.2f} N"
-        found.append(f"pinched: {friction}; {strength} in any direction")
+        press = f"fingers that press with {plan.pinch.press:.0f} N"
+        found.append(f"pinched: {friction}; {press} resist {plan.pinch.load:.2f} times {asked}")
     return found
 
 
@@ -73,14 +77,15 @@ def _target(plan: Plan) -> dict[str, list[float]] | None:
 
 
 def _stability(plan: Plan) -> dict[str, Any] | None:
-    names = ("secure", "escapes", "margin", "checks")
+    names = ("secure", "escapes", "margin", "effort", "checks")
     found = plan.stability
     return None if found is None else {name: getattr(found, name) for name in names}
 
 
 def _pinch(plan: Plan) -> dict[str, Any] | None:
+    names = ("holds", "strength", "press", "load", "gap")
     found = plan.pinch
-    return None if found is None else {n: getattr(found, n) for n in ("holds", "strength", "gap")}
+    return None if found is None else {name: getattr(found, name) for name in names}
 
 
 def _ends(plan: Plan) -> dict[str, float]:

@@ -48,8 +48,10 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
             body.gravcomp = 1.0
     for i, j in untested_pairs(robot):
         spec.add_exclude(bodyname1=names[i], bodyname2=names[j])
-    for name, effort in zip(robot.joint_names, robot.max_effort, strict=True):
-        _add_servo(spec, name, float(effort), servo)
+    for name, effort, weight in zip(
+        robot.joint_names, robot.max_effort, robot.step_weights, strict=True
+    ):
+        _add_servo(spec, name, float(effort), float(weight), servo)
     for equality in spec.equalities:  # mimic joints: a light follower would yield to a touch
         spec.joint(equality.name1).armature = spec.joint(equality.name2).armature
         equality.solimp[:2] = servo.mimic_solimp
@@ -106,14 +108,25 @@ def set_positions(model: Any, data: Any, robot: Robot, q: Any) -> None:
     mujoco.mj_forward(model, data)
 
 
-def _add_servo(spec: Any, name: str, effort: float, servo: Servo) -> None:
-    """Adds a position servo that deflects by `servo.sag` at its maximum effort."""
+def lags(robot: Robot) -> Matrix:
+    """Returns how long each joint [dof] lags behind its command at constant velocity [s]."""
+    delays: Matrix = Servo().lag / np.sqrt(robot.step_weights)
+    return delays
+
+
+def _add_servo(spec: Any, name: str, effort: float, weight: float, servo: Servo) -> None:
+    """Adds a position servo that deflects by `servo.sag` at its maximum effort.
+
+    `weight` is that of steps of the joint, 10 rad/m for a prismatic one: it deflects by a tenth of
+    the sag in metres. Its mass is that of a servo with the whole sag, so its bandwidth is larger.
+    """
     effort = effort if np.isfinite(effort) and effort > 0 else servo.effort
-    stiffness = effort / servo.sag
+    stiffness = effort * weight / servo.sag
+    bandwidth = servo.bandwidth * np.sqrt(weight)
     joint = spec.joint(name)
-    joint.armature = stiffness / servo.bandwidth**2
+    joint.armature = stiffness / bandwidth**2
     actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-    actuator.set_to_position(kp=stiffness, kv=2 * servo.damping_ratio * stiffness / servo.bandwidth)
+    actuator.set_to_position(kp=stiffness, kv=2 * servo.damping_ratio * stiffness / bandwidth)
     actuator.forcelimited, actuator.forcerange = True, [-effort, effort]
 
 

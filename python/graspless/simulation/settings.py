@@ -30,7 +30,7 @@ class Servo:
     """Position control of the joints of arms and hands."""
 
     sag: float = (
-        0.01  # deflection at the joint's largest effort, as of an industrial arm [rad or m]
+        0.01  # deflection at the joint's largest effort, as of an industrial arm [rad; m/10]
     )
     bandwidth: float = 100.0  # sqrt(stiffness / inertia), which sets the rotor's inertia [rad/s]
     damping_ratio: float = 1.0
@@ -130,7 +130,7 @@ class Clasp:
     lead: float = 0.3  # time for the object to come to rest before the arm moves [s]
     hit: float = 0.005  # motion of the object before the hand closes that counts as a knock [m]
     grip_effort: float = 0.5  # fraction of a joint's largest effort at which it stops closing
-    grip_rate: float = 0.5  # [rad/s]: a sixth of the SDH's largest
+    grip_rate: float = 0.5  # [rad/s; m/s / 10]: a sixth of the SDH's largest
     grip_seconds: float = 3.0  # longest time of closing [s]
     grip_still: int = 10  # observations without motion after which the hand is closed; a choice
     locked_torque: float = 1e3  # of locked motors, relative to their own; a choice, as the next

@@ -13,10 +13,11 @@ namespace graspless::clasp {
 
 inline std::string slider(const std::string& name, const std::string& parent,
                           const std::string& child, const std::string& xyz, const std::string& axis,
-                          const std::string& range, const std::string& mimic = "") {
+                          const std::string& range, const std::string& mimic = "",
+                          const std::string& effort = "50") {
   return "<joint name='" + name + "' type='prismatic'><origin xyz='" + xyz + "'/><parent link='" +
          parent + "'/><child link='" + child + "'/><axis xyz='" + axis + "'/><limit " + range +
-         " velocity='1' effort='50'/>" + mimic + "</joint>";
+         " velocity='1' effort='" + effort + "'/>" + mimic + "</joint>";
 }
 
 inline std::string box_link(const std::string& name, const std::string& xyz,
@@ -27,7 +28,7 @@ inline std::string box_link(const std::string& name, const std::string& xyz,
 
 /// Fingers of 80 x 20 x 10 mm that are 60 mm apart when open and touch when closed. The palm hangs
 /// at (0, 0, 1) and looks along +z.
-inline robot::Robot parallel_gripper() {
+inline robot::Robot parallel_gripper(const std::string& effort = "50") {
   const std::string far = "lower='-1' upper='1'", near = "lower='0' upper='0.03'";
   const std::string urdf =
       "<robot name='gripper'><link name='world'/><link name='x'/><link name='y'/>" +
@@ -37,7 +38,7 @@ inline robot::Robot parallel_gripper() {
       slider("arm_x", "world", "x", "0 0 1", "1 0 0", far) +
       slider("arm_y", "x", "y", "0 0 0", "0 1 0", far) +
       slider("arm_z", "y", "palm", "0 0 0", "0 0 1", far) +
-      slider("slide_left", "palm", "left", "0 0 0.04", "0 1 0", near) +
+      slider("slide_left", "palm", "left", "0 0 0.04", "0 1 0", near, "", effort) +
       slider("slide_right", "palm", "right", "0 0 0.04", "0 -1 0", near,
              "<mimic joint='slide_left'/>") +
       "</robot>";

@@ -23,6 +23,7 @@ struct StabilityOptions {
   double turn = 0.01;
   double penetration = 0.003;
   double escape_distance = 0;
+  double force = 2.5, torque = 0.15;
   std::uint64_t seed = 1;  ///< of the random moves
 };
 
@@ -48,6 +49,14 @@ constexpr auto fields(const StabilityOptions&) {
             "The object has escaped when every point of the loop is farther than this from the "
             "hand's centre. 0: half the length of the longest finger curve, the reach of any hand.",
             Range::closed(0, 10)},
+      Field{"force", &Options::force, "N",
+            "Force on the object, in any direction, that a hand of two fingers must withstand when "
+            "it acts suddenly. At least the object's weight; the default is that of 250 g.",
+            Range::closed(0, 1e6)},
+      Field{"torque", &Options::torque, "Nm",
+            "Moment about the mean of the object's points that it must withstand together with the "
+            "force. Where both are 0, forces are not tested.",
+            Range::closed(0, 1e6)},
       Field{"seed", &Options::seed, "", "Seed of the random moves.", Range::not_negative()});
 }
 
@@ -56,8 +65,12 @@ GRASPLESS_API void validate(const StabilityOptions& options);
 
 /// Result of the stability test.
 struct Stability {
-  bool secure = false;  ///< true if the loop escaped in no sequence
-  int escapes = 0;      ///< number of sequences in which the loop escaped
+  /// True if the loop escaped in no sequence, and the load asks for no more than the effort limits.
+  bool secure = false;
+  int escapes = 0;  ///< number of sequences in which the loop escaped
+  /// Largest effort that `force` and `torque`, acting suddenly, ask of a joint of a hand of two
+  /// fingers, as a fraction of its limit in the URDF; 0 if that was not tested.
+  double effort = 0;
   /// 1 - r / escape_distance, where r is the largest distance of the loop from the hand's centre in
   /// any sequence. 1: the object cannot move; 0 or less: it escaped.
   double margin = 0;
@@ -66,28 +79,39 @@ struct Stability {
 
 /// Result of the test of a pinch: the forces that a hand of two fingers can exert on the object.
 struct Pinch {
-  bool holds = false;  ///< true if both fingers touch, and their forces resist every wrench
+  /// True if both fingers touch, and their forces resist every wrench, and the whole load.
+  bool holds = false;
   /// Largest force in any direction that friction resists for each newton with which a finger
   /// presses, with as large a moment divided by the object's radius of gyration, both about the
   /// mean of its points.
   double strength = 0;
-  double gap = 0;  ///< of the finger that is farther from the object [m]; it must touch, to 3 mm
+  double press = 0;  ///< normal force of each finger at half the effort limits of the joints [N]
+  double load = 0;   ///< largest multiple of the load, acting suddenly, that friction resists then
+  double gap = 0;    ///< of the finger that is farther from the object [m]; it must touch, to 3 mm
 };
 
 /// Tests if friction holds the object between finger and thumb at configuration q. Each presses
 /// with 1 N on two points, the ends of its contact with the object along the bar, and
 /// mechanics::max_stability() tells which wrenches they resist; a strength below 0.01 is none. The
-/// normals are those of the finger, because the cloud is rough. Throws std::invalid_argument on an
-/// invalid problem or configuration, more than one finger besides the thumb, or friction outside
-/// [0, 10].
-GRASPLESS_API Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q, double friction);
+/// normals are those of the finger, because the cloud is rough. `options` give the load, force and
+/// torque. Throws std::invalid_argument on an invalid problem, configuration or load, more than one
+/// finger besides the thumb, a joint of the hand without an effort limit, or friction outside [0,
+/// 10].
+GRASPLESS_API Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q, double friction,
+                               const StabilityOptions& options = {});
 
 /// Tests if the object's loop stays in the hand at configuration q (Stork 2013, Section V-A). All
 /// links of the robot are obstacles, filled with balls; a mesh that is not convex is filled to its
 /// hull. The clasp is not secure if the robot is deeper than `penetration` in the object. The
 /// hand's centre is that of the bounding box of the finger curves. A move without a hit ends after
-/// twice the escape distance or a full turn. Throws std::invalid_argument on an invalid problem,
-/// loop or configuration.
+/// twice the escape distance or a full turn.
+///
+/// The fingers of a hand of two must also withstand a load: force and torque along the axes of the
+/// palm, all 36 pairs. The object moves under the load, without friction, until the hand blocks it,
+/// and twice the contact forces there must not exceed the effort limits of the joints: a load that
+/// acts suddenly asks for twice its force. Throws
+/// std::invalid_argument on an invalid problem, loop or configuration, and if a joint of such a
+/// hand has no effort limit.
 GRASPLESS_API Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,
                                        const StabilityOptions& options = {});
 

@@ -140,9 +140,10 @@ void PlanChecker::check_closed_until_contact() {
 void PlanChecker::check_stability() {
   const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
   if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||
-      !(std::abs(found.margin - plan_.stability.margin) <= kTolerance)) {
+      !(std::abs(found.margin - plan_.stability.margin) <= kTolerance) ||
+      !(std::abs(found.effort - plan_.stability.effort) <= kTolerance)) {
     fault("plan", "stability is not what its test says: ", found.escapes, " escapes, margin ",
-          found.margin);
+          found.margin, ", effort ", found.effort);
   }
   if (!found.secure) check_pinch();
   if (found.secure && comes_free(problem_, plan_.loop, q_end()))
@@ -152,11 +153,13 @@ void PlanChecker::check_stability() {
 /// Friction must hold what is not secure without it.
 void PlanChecker::check_pinch() {
   const bool may = problem_.hand.fingers.size() == 1 && options_.friction > 0;
-  const Pinch found = may ? test_pinch(problem_, q_end(), options_.friction) : Pinch{};
+  const Pinch found =
+      may ? test_pinch(problem_, q_end(), options_.friction, options_.stability) : Pinch{};
   if (found.holds != plan_.pinch.has_value() ||
-      (found.holds && !(std::abs(found.strength - plan_.pinch->strength) <= kTolerance))) {
-    fault("plan", "pinch is not what its test says: strength ", found.strength, ", gap ",
-          found.gap);
+      (found.holds && !(std::abs(found.strength - plan_.pinch->strength) <= kTolerance &&
+                        std::abs(found.load - plan_.pinch->load) <= kTolerance))) {
+    fault("plan", "pinch is not what its test says: strength ", found.strength, ", load ",
+          found.load, ", gap ", found.gap);
   }
   if (options_.must_be_secure && !found.holds) fault("plan", "the clasp is not secure");
 }

@@ -16,41 +16,24 @@
 
 #include "clasp/free_space/link_spheres.hpp"
 #include "clasp/hand/palm.hpp"
+#include "clasp/stability/load.hpp"
 
 namespace graspless::clasp {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBand = 0.001;      // contacts this much farther than the nearest count [m]
-constexpr double kTouch = 0.003;     // gaps that pad and hand take up [m]
-constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
-constexpr double kStep = 1e-5;       // of finite differences [m]
-constexpr double kLeast = 0.01;      // strengths below this are none: 100 N that resist 1 N
-constexpr double kEnd = 0.2;         // part of a contact's length that is its end
-constexpr int kEdges = 8;            // of friction cones
-constexpr double kRay = 0.00025;     // step along the line from tip to tip [m]
-
-/// Distance of a point outside a shape, in the frame of its link [m].
-std::function<double(const Vector3d&)> distance_to(const geometry::PlacedShape& placed) {
-  if (const auto* mesh = std::get_if<geometry::Mesh>(&placed.shape)) {
-    auto surface = std::make_shared<collision::Clearance>(*mesh);
-    return [surface, X_GB = placed.X_BG.inverse()](const Vector3d& p) {
-      return surface->distance(X_GB * p);
-    };
-  }
-  return [shape = covered(placed, MeshInside::hull)](const Vector3d& p) { return -shape.depth(p); };
-}
-
-Vector3d gradient(const std::function<double(const Vector3d&)>& distance, const Vector3d& p) {
-  Vector3d g;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3d step = kStep * Vector3d::Unit(k);
-    g[k] = distance(p + step) - distance(p - step);
-  }
-  const double length = g.norm();
-  return length > 0 ? Vector3d(g / length) : Vector3d::Zero();
-}
+constexpr double kBand = 0.001;       // contacts this much farther than the nearest count [m]
+constexpr double kTouch = 0.003;      // gaps that pad and hand take up [m]
+constexpr double kTriangle = 0.0015;  // spacing of points on a triangle [m]
+constexpr double kLeast = 0.01;       // strengths below this are none: 100 N that resist 1 N
+constexpr double kEnd = 0.2;          // part of a contact's length that is its end
+constexpr double kGrip = 0.5;         // part of its effort limit with which a joint grips
+constexpr double kOpening = 1e-5;     // of finite differences [m or rad]
+constexpr double kIdle = 1e-3;        // a joint that moves a finger less does not press [m/rad]
+constexpr double kNoLoad = 1e-6;      // [N or Nm]
+constexpr int kEdges = 8;             // of friction cones
+constexpr double kRay = 0.00025;      // step along the line from tip to tip [m]
 
 /// Links that move with a finger, or the link of its tip if no joint of the hand moves it.
 std::set<int> links_of(const Problem& problem, const Finger& finger, const Finger& other) {
@@ -69,17 +52,6 @@ std::set<int> links_of(const Problem& problem, const Finger& finger, const Finge
     }
   }
   return found;
-}
-
-/// Points on a triangle, at most kSpacing apart.
-template <typename Visit>
-void visit_points(const Eigen::Matrix3d& corners, Visit visit) {
-  const Vector3d a = corners.col(0), u = corners.col(1) - a, v = corners.col(2) - a;
-  const double longest = std::max({u.norm(), v.norm(), (u - v).norm()});
-  const int n = std::clamp(static_cast<int>(std::ceil(longest / kSpacing)), 1, 60);
-  for (int i = 0; i <= n; ++i) {
-    for (int k = 0; i + k <= n; ++k) visit(Vector3d(a + (i * u + k * v) / n));
-  }
 }
 
 /// Mean of the touches whose coordinate along a direction is at least `least`.
@@ -195,7 +167,7 @@ std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses&
     if ((center - middle_W).norm() > reach_ + size) continue;
     poll();
     if (distance(center) - size > nearest + kBand) continue;
-    visit_points(corners, [&](const Vector3d& p) {
+    visit_points(corners, kTriangle, [&](const Vector3d& p) {
       const double gap = distance(p);
       nearest = std::min(nearest, gap);
       if (gap <= nearest + kBand) found.push_back({p, Vector3d::Zero(), gap});
@@ -209,20 +181,45 @@ std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses&
   return found;
 }
 
-double pinch_strength(const std::array<std::vector<Touch>, 2>& touches, const Vector3d& mean_W,
-                      const mechanics::Matrix6d& scale, const Vector3d& along_W, double friction) {
+mechanics::ContactSet pinch_contacts(const std::array<std::vector<Touch>, 2>& touches,
+                                     const Vector3d& mean_W, const Vector3d& along_W,
+                                     double friction) {
   mechanics::ContactSet set;
   for (const std::vector<Touch>& side : touches) {
     for (const Touch& touch : ends(side, along_W))
       set.fingers.push_back({touch.p_W, touch.n_W, friction, 0.5, Vector3d::Zero()});
   }
   set.com_O = mean_W;
-  set.wrench_scale = scale;
   set.cone_edges = kEdges;
-  return mechanics::max_stability(set, std::vector(4, mechanics::FingerMode::position)).z;
+  return set;
 }
 
-Pinch PinchTester::test(const Eigen::VectorXd& q, double friction) {
+/// Force of each finger at kGrip of the effort limits, by virtual work: both move against the
+/// object. 0 if no joint moves them.
+double PinchTester::press(const std::array<std::vector<Touch>, 2>& touches,
+                          const Eigen::VectorXd& q) const {
+  robot::Poses X_WL, moved;
+  problem_.robot.forward(q, X_WL);
+  double least = std::numeric_limits<double>::infinity();
+  for (const int joint : problem_.robot.group(problem_.hand.hand)) {
+    Eigen::VectorXd next = q;
+    next[joint] += kOpening;
+    problem_.robot.forward(next, moved);
+    double closing = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto link = static_cast<std::size_t>(sides_[k].back().first);
+      const Touch touch = mean_beyond(touches[k], Vector3d::Zero(), 0);
+      const Vector3d after = moved[link] * (X_WL[link].inverse() * touch.p_W);
+      closing += touch.n_W.dot(after - touch.p_W) / kOpening;
+    }
+    const double limit = kGrip * problem_.robot.max_effort()[joint];
+    if (std::abs(closing) > kIdle) least = std::min(least, limit / std::abs(closing));
+  }
+  return std::isfinite(least) ? least : 0;
+}
+
+Pinch PinchTester::test(const Eigen::VectorXd& q, double friction,
+                        const StabilityOptions& options) {
   const auto found = touches(q);
   Pinch pinch;
   for (const std::vector<Touch>& side : found) {
@@ -232,15 +229,29 @@ Pinch PinchTester::test(const Eigen::VectorXd& q, double friction) {
   }
   if (pinch.gap > kTouch) return pinch;
   const Hand& hand = problem_.hand;
-  const Vector3d along_W =
-      problem_.robot.pose(problem_.robot.frame(hand.frame), q).linear() * hand.sideways_H;
-  pinch.strength = pinch_strength(found, problem_.X_WO * mean_O_, scale_, along_W, friction);
+  const Eigen::Matrix3d R_WH = problem_.robot.pose(problem_.robot.frame(hand.frame), q).linear();
+  mechanics::ContactSet set =
+      pinch_contacts(found, problem_.X_WO * mean_O_, R_WH * hand.sideways_H, friction);
+  set.wrench_scale = scale_;
+  const std::vector modes(4, mechanics::FingerMode::position);
+  pinch.strength = mechanics::max_stability(set, modes).z;
+  pinch.press = press(found, q);
   pinch.holds = pinch.strength > kLeast;
+  if (options.force == 0 && options.torque == 0) return pinch;
+  // Loads must span all wrenches.
+  const auto loads =
+      loads_W(R_WH, std::max(options.force, kNoLoad), std::max(options.torque, kNoLoad));
+  set.wrench_scale.setIdentity();
+  pinch.load = pinch.press / kSudden * mechanics::max_stability(set, modes, loads).z;
+  pinch.holds = pinch.holds && pinch.load >= 1;
   return pinch;
 }
 
-Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q, double friction) {
+Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q, double friction,
+                 const StabilityOptions& stability) {
   validate(problem);
+  validate(stability);
+  require_efforts(problem, stability);
   robot::require_configuration(problem.robot, q, "q");
   if (problem.hand.fingers.size() != 1) {
     throw std::invalid_argument("hand.fingers has " + std::to_string(problem.hand.fingers.size()) +
@@ -249,7 +260,7 @@ Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q, double fricti
   Options options;
   options.friction = friction;
   planning::require_in_range("", options);
-  return PinchTester(problem).test(q, friction);
+  return PinchTester(problem).test(q, friction, stability);
 }
 
 }  // namespace graspless::clasp

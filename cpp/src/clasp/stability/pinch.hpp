@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,6 +10,8 @@
 #include "graspless/clasp/problem.hpp"
 #include "graspless/clasp/stability.hpp"
 #include "graspless/mechanics/contact.hpp"
+
+#include "clasp/stability/distance.hpp"
 
 namespace graspless::clasp {
 
@@ -30,17 +31,17 @@ class PinchTester {
  public:
   explicit PinchTester(const Problem& problem);
 
-  Pinch test(const Eigen::VectorXd& q, double friction);
+  Pinch test(const Eigen::VectorXd& q, double friction, const StabilityOptions& options);
   /// Nearest points of finger and thumb to the object, and all within 1 mm of the nearest; empty if
   /// the object is far away.
   std::array<std::vector<Touch>, 2> touches(const Eigen::VectorXd& q) const;
 
  private:
-  using Distance = std::function<double(const Eigen::Vector3d& p_L)>;
   /// Shapes of the links of a finger.
   using Side = std::vector<std::pair<int, Distance>>;
 
   Side side(const Finger& finger, const Finger& other) const;
+  double press(const std::array<std::vector<Touch>, 2>& touches, const Eigen::VectorXd& q) const;
   std::vector<Touch> touches_of(const Side& side, const robot::Poses& X_WL,
                                 const Eigen::Vector3d& middle_W) const;
 
@@ -51,9 +52,9 @@ class PinchTester {
   mechanics::Matrix6d scale_;  // of wrenches about the mean
 };
 
-/// Largest disturbance that the ends of the contacts along a bar resist, for 1 N on each side.
-double pinch_strength(const std::array<std::vector<Touch>, 2>& touches,
-                      const Eigen::Vector3d& mean_W, const mechanics::Matrix6d& scale,
-                      const Eigen::Vector3d& along_W, double friction);
+/// The ends of the contacts along a bar as fingers that press with 1 N on each side, in W.
+mechanics::ContactSet pinch_contacts(const std::array<std::vector<Touch>, 2>& touches,
+                                     const Eigen::Vector3d& mean_W, const Eigen::Vector3d& along_W,
+                                     double friction);
 
 }  // namespace graspless::clasp

@@ -16,6 +16,7 @@ Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int l
                          const StabilityOptions& options) {
   validate(problem);
   validate(options);
+  require_efforts(problem, options);
   robot::require_configuration(problem.robot, q, "q");
   const auto& loops = problem.object.loops().loops;
   if (loop < 0 || loop >= static_cast<int>(loops.size())) {

@@ -51,7 +51,9 @@ StabilityTester::StabilityTester(const Problem& problem)
     : X_OW_(problem.X_WO.inverse()),
       kinematics_(problem.robot, problem.hand),
       balls_(problem.robot),
-      clearance_(problem.object.outer_clearance()) {}
+      clearance_(problem.object.outer_clearance()) {
+  if (problem.hand.fingers.size() == 1) load_.emplace(problem);
+}
 
 Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
                                 const StabilityOptions& options) {
@@ -88,7 +90,11 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
     }
     result.escapes += distance > escape;
   }
-  result.secure = result.escapes == 0;
+  if (result.escapes == 0 && load_) {
+    const double reach = (nodes.colwise() - p_WC).colwise().norm().maxCoeff();
+    result.effort = load_->effort(q, p_WC, reach, options.force, options.torque);
+  }
+  result.secure = result.escapes == 0 && result.effort <= 1;
   result.margin = 1 - farthest / escape;
   result.checks = walk.steps();
   return result;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Geometry>
 
 #include "graspless/clasp/problem.hpp"
@@ -10,6 +12,7 @@
 
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/stability/balls.hpp"
+#include "clasp/stability/load.hpp"
 
 namespace graspless::clasp {
 
@@ -27,6 +30,7 @@ class StabilityTester {
   HandKinematics kinematics_;
   LinkBalls balls_;
   collision::Clearance clearance_;
+  std::optional<LoadTester> load_;  // of a hand of two fingers
 };
 
 }  // namespace graspless::clasp

@@ -27,7 +27,7 @@ from .model import make_world
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ... import geometry
+    from ... import clasp, geometry
     from ...clasp import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
@@ -71,11 +71,12 @@ def run(
 ) -> Trial:
     """Executes a solved plan.
 
-    `settings` instead of the defaults; `solids`, in O, instead of the cloud's skin.
+    `settings` instead of those for the load of the task; `solids`, in O, instead of the cloud's
+    skin.
     """
     started = perf_counter()
-    settings = settings or Clasp()
     task, loop = plan.task, plan.loop
+    settings = settings or _settings(task.problem.hand, task.options.stability)
     assert loop is not None
     problem = task.problem
     world = make_world(task, variation, settings, solids)
@@ -96,6 +97,13 @@ def run(
     recording = None if recorder is None else recorder.recording()
     seconds = perf_counter() - started
     return Trial(variation, tuple(failures), measures, seconds, recording)
+
+
+def _settings(hand: clasp.Hand, load: clasp.StabilityOptions) -> Clasp:
+    """Returns the settings, with the load that a plan for two fingers withstands."""
+    if len(hand.fingers) > 1 or (load.force == 0 and load.torque == 0):
+        return Clasp()
+    return Clasp(force=load.force, torque=load.torque, pull_needed=load.force)
 
 
 def _pulled(

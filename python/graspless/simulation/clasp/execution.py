@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 from ..results import Recording
-from ..settings import Servo
+from ..robots import lags
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -57,6 +57,8 @@ class Execution:
         self.touched = False
         self._steps = max(1, round(LOOK / world.model.opt.timestep))
         self._fingers = np.array(robot.group(hand.hand))
+        self._lags = lags(robot)
+        self._weights = np.asarray(robot.step_weights)[self._fingers]
         self._closed = robot.clamp(robot.state(hand.closed))
         self._open = robot.clamp(robot.state(hand.open))
 
@@ -85,7 +87,7 @@ class Execution:
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
-        commands = moments.positions + Servo().lag * moments.velocities
+        commands = moments.positions + self._lags * moments.velocities
         names = moments.names
         moved: dict[str, float] = {}
         resting = self.surface()
@@ -109,7 +111,7 @@ class Execution:
         the final torque of each joint, as a fraction of its limit.
         """
         data, settings = self.world.data, self.world.settings
-        step = settings.grip_rate * self.world.model.opt.timestep
+        step = settings.grip_rate * self.world.model.opt.timestep / self._weights
         command = data.ctrl.copy()
         # A joint that is open and closed at one value does not close, and none ever opens.
         way = np.sign(self._closed - self._open)[self._fingers]
@@ -144,10 +146,15 @@ class Execution:
             self.run("open")
 
     def shake(self, random: np.random.Generator) -> bool:
-        """Runs one sequence of random wrenches; returns True if the loop is still in the hand."""
+        """Runs one sequence of random wrenches; returns True if the loop is still in the hand.
+
+        A curve may leave its links, so a loop that is pressed against a finger may be unlinked for
+        a moment. Then the sequence goes on until the loop is linked, but not for twice as long.
+        """
         settings, body = self.world.settings, self.world.body
         most, reach = _looks(settings.seconds), self.judge.reach()
-        for look in range(most):
+        held = False
+        for look in range(2 * most):
             if look % _looks(settings.hold) == 0:
                 force = settings.force * _any_direction(random)
                 torque = settings.torque * _any_direction(random)
@@ -155,8 +162,11 @@ class Execution:
             self.run("shake")
             if not self.judge.distance() <= reach:
                 break
+            held = look + 1 >= most and self.judge.linked() > 0
+            if held:
+                break
         self.world.data.xfrc_applied[body] = 0.0
-        return look + 1 == most and self.judge.linked() > 0
+        return held
 
     @contextmanager
     def dragged(self) -> Iterator[None]:

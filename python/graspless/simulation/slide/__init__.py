@@ -12,8 +12,8 @@ import numpy as np
 
 from ... import timing
 from ..results import Recording, Trial
-from ..robots import joint_addresses, set_positions
-from ..settings import Servo, Slide
+from ..robots import joint_addresses, lags, set_positions
+from ..settings import Slide
 from .fingers import PAD, SLIDING, wrist_stiffness
 from .judge import FAILURES, Judge
 from .program import HOLD, RAISE, SQUEEZE, Program, make_program
@@ -90,6 +90,7 @@ class Execution:
         # A wrist that yields trails behind, and catches up while the finger lifts.
         yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
         self._slid_after = "lift" if yields else "slide"
+        self._lags = lags(plan.task.problem.robot)
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         set_positions(model, self.data, plan.task.problem.robot, self.program.positions[0])
@@ -107,7 +108,7 @@ class Execution:
         model, data, program = self.scene.model, self.data, self.program
         ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
-        commands = program.positions + Servo().lag * program.velocities
+        commands = program.positions + self._lags * program.velocities
         for step, command in enumerate(commands):
             data.ctrl[:] = command
             name = program.names[program.phase[step]]

@@ -69,9 +69,17 @@ def build_object(thing: model.Object, source: Source) -> clasp.Object:
         raise source.error(("object", field), str(error).removeprefix("points: ")) from None
 
 
+_GRAVITY = 9.81  # [m/s^2]
+
+
 def build_options(task: model.ClaspTask, source: Source) -> clasp.Options:
-    """Returns the options of a task. Missing fields have the defaults of the library."""
+    """Returns the options of a task. Missing fields have the defaults of the library, but a hand of
+    two fingers must withstand the object's weight, if its mass is given.
+    """
     fields = task.options.model_dump(exclude_none=True)
+    mass = task.object.mass
+    if mass is not None and isinstance(task.hand, Hand) and len(task.hand.fingers) == 1:
+        fields["stability"].setdefault("force", _GRAVITY * mass)
     with at(source, "options", "stability"):
         fields["stability"] = clasp.StabilityOptions(**fields["stability"])
     with at(source, "options"):

@@ -42,13 +42,27 @@ VectorXd closed(const Problem& problem) {
   return q;
 }
 
+/// A load that fingers of 12.5 N withstand.
+StabilityOptions light() {
+  StabilityOptions options;
+  options.force = 0.2;
+  options.torque = 0.004;
+  return options;
+}
+
+StabilityOptions no_load() {
+  StabilityOptions options;
+  options.force = options.torque = 0;
+  return options;
+}
+
 TEST(TestPinch, FrictionHoldsABarBetweenPadsAndNothingElseDoes) {
   const Problem problem = ring_in_gripper(0.02);
   const VectorXd q = closed(problem);
-  EXPECT_FALSE(test_pinch(problem, q, 0).holds);
+  EXPECT_FALSE(test_pinch(problem, q, 0, no_load()).holds);
   double last = 0;
   for (const double friction : {0.3, 0.5, 0.8, 1.2}) {
-    const Pinch pinch = test_pinch(problem, q, friction);
+    const Pinch pinch = test_pinch(problem, q, friction, no_load());
     EXPECT_TRUE(pinch.holds) << friction;
     EXPECT_NEAR(pinch.gap, 0.0005, 0.0003);
     EXPECT_GT(pinch.strength, last);
@@ -57,6 +71,19 @@ TEST(TestPinch, FrictionHoldsABarBetweenPadsAndNothingElseDoes) {
   const Pinch open = test_pinch(problem, problem.q_start, 0.5);
   EXPECT_FALSE(open.holds);
   EXPECT_NEAR(open.gap, 0.02, 0.001);
+}
+
+TEST(TestPinch, HalfTheEffortLimitPressesOnBothSides) {
+  const Problem problem = ring_in_gripper(0.02);
+  const VectorXd q = closed(problem);
+  StabilityOptions load = light();
+  const Pinch pinch = test_pinch(problem, q, 0.5, load);
+  EXPECT_NEAR(pinch.press, 12.5, 0.1);  // half of 50 N on one joint that moves two fingers
+  EXPECT_EQ(pinch.holds, pinch.load >= 1);
+  load.force *= 2;
+  load.torque *= 2;
+  EXPECT_NEAR(test_pinch(problem, q, 0.5, load).load, pinch.load / 2, 1e-6);
+  EXPECT_FALSE(test_pinch(problem, q, 0.5).holds);  // 2.5 N and 0.15 Nm
 }
 
 TEST(TestPinch, OneFingerDoesNotHold) {
@@ -109,6 +136,9 @@ TEST(TestPinch, RefusesOtherHandsAndFrictions) {
   const Problem problem = ring_in_gripper(0.02);
   expect_refused([&] { test_pinch(problem, closed(problem), -1); },
                  "friction must lie in [0, 10], not -1");
+  StabilityOptions negative;
+  negative.force = -1;
+  expect_refused([&] { test_pinch(problem, closed(problem), 1, negative); }, "force");
   const Problem fist = ring_problem();
   expect_refused([&] { test_pinch(fist, fist.q_start, 0.5); }, "one besides the thumb");
 }
@@ -128,9 +158,11 @@ planning::Budget cycles(std::int64_t count) {
 TEST(PlanWithAGripper, TouchesBothSidesOfABarBesideTheMiddle) {
   for (const double side : {0.0, 0.012}) {
     const Problem problem = ring_in_gripper(0.02, side, 0.1);
-    const Plan found = plan(problem, {}, cycles(20));
+    Options options;
+    options.stability = light();
+    const Plan found = plan(problem, options, cycles(20));
     ASSERT_TRUE(found) << found.reason;
-    EXPECT_TRUE(check(problem, found).empty()) << check(problem, found).front();
+    EXPECT_TRUE(check(problem, found, options).empty());
     const VectorXd& q = found.segments.back().positions.back();
     EXPECT_LT(test_pinch(problem, q, 0.5).gap, 0.003);
     EXPECT_TRUE(found.stability.secure || found.pinch);
@@ -140,6 +172,7 @@ TEST(PlanWithAGripper, TouchesBothSidesOfABarBesideTheMiddle) {
 TEST(PlanWithAGripper, WithoutFrictionAPinchIsNoClasp) {
   const Problem problem = ring_in_gripper(0.02, 0, 0.1);
   Options options;
+  options.stability = light();
   Plan pinched = plan(problem, options, cycles(20));
   ASSERT_TRUE(pinched.pinch);
   options.friction = 0;
@@ -151,6 +184,14 @@ TEST(PlanWithAGripper, WithoutFrictionAPinchIsNoClasp) {
   EXPECT_FALSE(check(problem, pinched, options).empty());
   pinched.pinch.reset();
   EXPECT_FALSE(check(problem, pinched, options).empty());
+}
+
+TEST(PlanWithAGripper, APinchHoldsTheWholeLoadOrIsNone) {
+  const Problem problem = ring_in_gripper(0.02, 0, 0.1);
+  const Plan found = plan(problem, {}, cycles(20));
+  EXPECT_EQ(found.status, Status::not_secure);
+  EXPECT_NE(found.reason.find("N a finger, friction resists 0."), std::string::npos)
+      << found.reason;
 }
 
 TEST(PlanWithAGripper, RefusesABarThatIsThickerThanItOpens) {
