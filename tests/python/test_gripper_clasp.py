@@ -94,7 +94,7 @@ def test_command_says_how_the_bar_is_held(task, capsys):
 
 
 def test_a_pinch_that_is_too_weak_for_the_load_is_refused_with_both(task, capsys):
-    budget = {"seconds": 60, "iterations": 5, "seed": 1}
+    budget = {"seconds": 60, "iterations": 10, "seed": 1}
     load = {"force": 20, "torque": 0.1}
     assert main(["plan", task(options={"stability": load}, budget=budget), "-o", "plan.json"]) == 1
     shown = capsys.readouterr().out

@@ -295,7 +295,7 @@ class StabilityOptions:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, sequences: typing.SupportsInt | typing.SupportsIndex = 10, moves: typing.SupportsInt | typing.SupportsIndex = 500, step: typing.SupportsFloat | typing.SupportsIndex = 0.002, turn: typing.SupportsFloat | typing.SupportsIndex = 0.01, penetration: typing.SupportsFloat | typing.SupportsIndex = 0.003, escape_distance: typing.SupportsFloat | typing.SupportsIndex = 0.0, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
+    def __init__(self, *, sequences: typing.SupportsInt | typing.SupportsIndex = 10, moves: typing.SupportsInt | typing.SupportsIndex = 500, step: typing.SupportsFloat | typing.SupportsIndex = 0.002, turn: typing.SupportsFloat | typing.SupportsIndex = 0.01, penetration: typing.SupportsFloat | typing.SupportsIndex = 0.003, escape_distance: typing.SupportsFloat | typing.SupportsIndex = 0.0, force: typing.SupportsFloat | typing.SupportsIndex = 2.5, torque: typing.SupportsFloat | typing.SupportsIndex = 0.15, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -310,6 +310,16 @@ class StabilityOptions:
         """
     @escape_distance.setter
     def escape_distance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def force(self) -> float:
+        """
+        Force on the object, in any direction, that a hand of two fingers must withstand when it acts suddenly. At least the object's weight; the default is that of 250 g.
+        
+        Unit: N. Range: [0, 1e+06]. Default: 2.5.
+        """
+    @force.setter
+    def force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def moves(self) -> int:
@@ -362,6 +372,16 @@ class StabilityOptions:
     def step(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def torque(self) -> float:
+        """
+        Moment about the mean of the object's points that it must withstand together with the force. Where both are 0, forces are not tested.
+        
+        Unit: Nm. Range: [0, 1e+06]. Default: 0.15.
+        """
+    @torque.setter
+    def torque(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def turn(self) -> float:
         """
         Angle of a rotation about the hand's centre between two collision tests.
@@ -375,7 +395,7 @@ class Stability:
     """
     Result of the stability test.
     """
-    def __init__(self, *, secure: bool = False, escapes: typing.SupportsInt | typing.SupportsIndex = 0, margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, checks: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
+    def __init__(self, *, secure: bool = False, escapes: typing.SupportsInt | typing.SupportsIndex = 0, effort: typing.SupportsFloat | typing.SupportsIndex = 0.0, margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, checks: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -388,6 +408,14 @@ class Stability:
         """
     @checks.setter
     def checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def effort(self) -> float:
+        """
+        Largest effort that the load asks of a joint of a hand of two fingers, as a fraction of its limit; 0 if that was not tested.
+        """
+    @effort.setter
+    def effort(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def escapes(self) -> int:
@@ -408,7 +436,7 @@ class Stability:
     @property
     def secure(self) -> bool:
         """
-        True if the loop escaped in no sequence.
+        True if the loop escaped in no sequence, and the load asks for no more than the effort limits.
         """
     @secure.setter
     def secure(self, arg0: bool) -> None:
@@ -417,7 +445,7 @@ class Pinch:
     """
     Result of the test of a pinch.
     """
-    def __init__(self, *, holds: bool = False, strength: typing.SupportsFloat | typing.SupportsIndex = 0.0, gap: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+    def __init__(self, *, holds: bool = False, strength: typing.SupportsFloat | typing.SupportsIndex = 0.0, press: typing.SupportsFloat | typing.SupportsIndex = 0.0, load: typing.SupportsFloat | typing.SupportsIndex = 0.0, gap: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -434,10 +462,26 @@ class Pinch:
     @property
     def holds(self) -> bool:
         """
-        True if both fingers touch, and their forces resist every wrench.
+        True if both fingers touch, and their forces resist every wrench, and the whole load.
         """
     @holds.setter
     def holds(self, arg0: bool) -> None:
+        ...
+    @property
+    def load(self) -> float:
+        """
+        Largest multiple of the load, acting suddenly, that friction resists at that force.
+        """
+    @load.setter
+    def load(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def press(self) -> float:
+        """
+        Normal force of each finger at half the effort limits of the joints [N].
+        """
+    @press.setter
+    def press(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def strength(self) -> float:
@@ -893,7 +937,7 @@ def sample_object_names() -> list[str]:
     """
     Names of the sample objects with holes: purse, bag, travel_bag, lawn_mower, chair.
     """
-def test_pinch(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.SupportsFloat | typing.SupportsIndex = 0.5) -> Pinch:
+def test_pinch(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, options: StabilityOptions = ...) -> Pinch:
     """
     Tests if friction holds the object between the two fingers of a hand.
     
@@ -907,6 +951,8 @@ def test_pinch(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, num
         Configuration of all joints [rad or m].
     friction : float, optional
         Coefficient of friction, in [0, 10].
+    options : StabilityOptions, optional
+        Force and torque of the load.
     
     Returns
     -------
@@ -915,7 +961,8 @@ def test_pinch(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, num
     Raises
     ------
     ValueError
-        If the problem, the hand, the configuration or the friction is invalid.
+        If the problem, the hand, the configuration, the friction or the load is invalid, or a
+        joint of the hand has no effort limit.
     """
 def test_stability(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loop: typing.SupportsInt | typing.SupportsIndex, options: StabilityOptions = ...) -> Stability:
     """

@@ -146,15 +146,10 @@ class Execution:
             self.run("open")
 
     def shake(self, random: np.random.Generator) -> bool:
-        """Runs one sequence of random wrenches; returns True if the loop is still in the hand.
-
-        A curve may leave its links, so a loop that is pressed against a finger may be unlinked for
-        a moment. Then the sequence goes on until the loop is linked, but not for twice as long.
-        """
+        """Runs one sequence of random wrenches; returns True if the loop is still in the hand."""
         settings, body = self.world.settings, self.world.body
         most, reach = _looks(settings.seconds), self.judge.reach()
-        held = False
-        for look in range(2 * most):
+        for look in range(most):
             if look % _looks(settings.hold) == 0:
                 force = settings.force * _any_direction(random)
                 torque = settings.torque * _any_direction(random)
@@ -162,11 +157,8 @@ class Execution:
             self.run("shake")
             if not self.judge.distance() <= reach:
                 break
-            held = look + 1 >= most and self.judge.linked() > 0
-            if held:
-                break
         self.world.data.xfrc_applied[body] = 0.0
-        return held
+        return look + 1 == most and self.judge.linked() > 0
 
     @contextmanager
     def dragged(self) -> Iterator[None]:

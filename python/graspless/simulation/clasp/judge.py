@@ -7,6 +7,7 @@ Links are counted by the planner's own `geometry`; where hand and object are is 
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,6 +28,7 @@ class Judge:
     def __init__(self, hand: clasp.Hand, world: World, loop_O: Matrix) -> None:
         self._fingers = [_bodies(finger, world.model) for finger in hand.fingers]
         self._thumb = _bodies(hand.thumb, world.model)
+        self._inner = [_inside(finger, world.model) for finger in (*self._fingers, self._thumb)]
         self._palm = world.model.body(hand.frame).id
         self._forward_H = np.asarray(hand.forward_H)
         self._world = world
@@ -44,9 +46,15 @@ class Judge:
         return points
 
     def linked(self) -> int:
-        """Number of finger curves, closed from tip to tip, that are linked with the loop."""
+        """Number of finger curves, closed from tip to tip, that are linked with the loop.
+
+        A side of a curve may leave its link. These curves run inside, so that a loop which is
+        pressed against the link does not cross them.
+        """
         loop = geometry.PreparedLoop(self.loop())
-        return sum(number != 0 for number in loop.linking_numbers(self.curves()))
+        *fingers, thumb = (self._points(nodes) for nodes in self._inner)
+        curves = [np.concatenate([finger[::-1], thumb]) for finger in fingers]
+        return sum(number != 0 for number in loop.linking_numbers(curves))
 
     def linking(self) -> float:
         """Least |VLk| of the loop and the finger curves."""
@@ -75,6 +83,19 @@ class Judge:
 
 def _bodies(finger: clasp.Finger, model: Any) -> list[tuple[int, Matrix]]:
     return [(model.body(node.link).id, np.asarray(node.p_L)) for node in finger.nodes]
+
+
+def _inside(nodes: list[tuple[int, Matrix]], model: Any) -> list[tuple[int, Matrix]]:
+    """Returns the nodes with the centres of a link's shapes beside the sides that lie in it."""
+    found = nodes[:1]
+    for (before, a), (body, b) in pairwise(nodes):
+        if before == body:
+            centers = model.geom_pos[model.geom_bodyid == body]
+            along = (centers - a) @ (b - a) / max((b - a) @ (b - a), 1e-18)
+            between = [i for i in np.argsort(along) if 0 < along[i] < 1]
+            found += [(body, centers[i]) for i in between]
+        found.append((body, b))
+    return found
 
 
 def _lengths(curve: Matrix) -> Matrix:
