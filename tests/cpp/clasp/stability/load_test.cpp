@@ -36,7 +36,7 @@ Problem bar_between_fingers() {
 }
 
 /// Effort of the hand closed to a gap on each side of the bar [m].
-double effort(const Problem& problem, double torque, double gap = 0.0005) {
+double effort(const Problem& problem, double torque, double gap = 0.0015) {
   VectorXd q = problem.q_start;
   q[problem.robot.joint("slide_left")] = 0.01 + gap;
   return LoadTester(problem).effort(q, {0, 0, 1.09}, 0.06, 0, torque);
