@@ -227,7 +227,7 @@ double LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double re
   const int palm = problem_.robot.frame(problem_.hand.frame);
   const auto loads = loads_W(X_WL[static_cast<std::size_t>(palm)].linear(), force, torque);
   double most = 0;
-  for (Eigen::Index i = 0; i < loads.cols(); ++i)
+  for (Eigen::Index i = 0; i < loads.cols() && kSudden * most <= 1; ++i)
     most = std::max(most, effort_of(loads.col(i), center_W, near, X_WL, twists));
   return kSudden * most;
 }
