@@ -10,16 +10,18 @@ namespace graspless::slide {
 
 std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Placement& place,
                                                                        std::size_t enough) {
-  constexpr int kDraws = 12;
+  // Without a free joint, all draws of a roll have the same solutions.
+  const robot::Ik& ik = query_.grasp_ik;
+  const int draws = ik.is_closed_form() && !ik.free_joint() ? 2 : 12;
   std::vector<GraspConfiguration> found;
   std::optional<std::pair<int, int>> touching;
   Eigen::VectorXd q_touching;
   robot::Poses X_WL;
-  for (int i = 0; i < kDraws && found.size() < enough; ++i) {
+  for (int i = 0; i < draws && found.size() < enough; ++i) {
     const int roll = i % 2;
     const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
     for (const Eigen::VectorXd& q :
-         query_.draw_ik(query_.grasp_ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
+         query_.draw_ik(ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
       query_.problem.robot.forward(q, X_WL);
       if (const auto pair = query_.free.first_collision(X_WL)) {
         touching = pair;
