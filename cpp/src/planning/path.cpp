@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "graspless/watch.hpp"
 
@@ -16,12 +18,13 @@ double length(const Path& path) {
 }
 
 Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng) {
+  std::set<std::pair<std::size_t, std::size_t>> refused;  // of this path
   for (int round = 0; round < rounds && path.size() > 2; ++round) {
     poll();
     std::uniform_int_distribution<std::size_t> draw(0, path.size() - 1);
     std::size_t i = draw(rng), j = draw(rng);
     if (i > j) std::swap(i, j);
-    if (j - i < 2) continue;
+    if (j - i < 2 || !refused.insert({i, j}).second) continue;
     const auto first = path.begin() + static_cast<std::ptrdiff_t>(i);
     const auto last = path.begin() + static_cast<std::ptrdiff_t>(j);
     const auto detour = connect(path[i], path[j]);
@@ -30,6 +33,7 @@ Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rn
     shorter.insert(shorter.end(), detour->begin(), detour->end());
     shorter.insert(shorter.end(), last + 1, path.end());
     path = std::move(shorter);
+    refused.clear();
   }
   return path;
 }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Let C be the last common ancestor of two links. Relative to C, a joint between the root and C
-// moves neither of them. A joint between C and link a moves the points of a relative to C by at
-// most Robot::reach(a): that bound adds up the lever arms of the joints on the path, and a lever
-// arm is the same in C as in the world. For a point at a distance `lever` from the origin of its
-// link, each revolute joint adds at most `lever`.
+// Let C be the last common ancestor of two links. A joint between the root and C moves neither of
+// them relative to the other. A joint between C and a link may be taken to turn either all that
+// lies beyond it, or all that lies before it the other way round: the distance of the two bodies
+// depends on their relative pose alone. So it changes by at most the smaller one of their lever
+// arms. A lever arm is bounded by a ball that contains the body for all values of the joints passed
+// so far. Passing a joint moves the ball's centre onto its axis.
 #include "scene/motion.hpp"
 
 #include <algorithm>
@@ -19,19 +20,45 @@
 namespace graspless::scene {
 namespace {
 
-/// Adds the bounds of the joints on the carrier's path, from its n-th link on.
-void add_reach(const robot::Robot& robot, const Carrier& carrier, std::size_t n,
-               Eigen::VectorXd& bound) {
-  if (carrier.link < 0) return;
-  const auto& model = robot.model();
-  const auto& path = model.paths[carrier.link];
-  std::vector<bool> counted(static_cast<std::size_t>(robot.dof()), false);
-  for (; n < path.size(); ++n) {
-    const auto& link = model.links[path[n]];
-    if (link.joint < 0) continue;
-    if (!counted[link.joint]) bound[link.joint] += robot.reach(carrier.link)[link.joint];
-    counted[link.joint] = true;
-    if (!link.prismatic) bound[link.joint] += std::abs(link.multiplier) * carrier.lever;
+/// Adds the bound of a link's own joint and lets the ball, given in the link's frame, contain its
+/// body for all values of the joint.
+void pass_joint(const robot::Robot::Model& model, const robot::Link& link, Ball& ball,
+                Eigen::VectorXd& bound) {
+  if (link.joint < 0) return;
+  if (link.prismatic) {
+    const double at_lower = link.multiplier * model.lower[link.joint] + link.offset;
+    const double at_upper = link.multiplier * model.upper[link.joint] + link.offset;
+    ball.radius += std::max(std::abs(at_lower), std::abs(at_upper));
+    bound[link.joint] += std::abs(link.multiplier);
+    return;
+  }
+  const Eigen::Vector3d on_axis = link.axis_L.dot(ball.center) * link.axis_L;
+  ball.radius += (ball.center - on_axis).norm();
+  ball.center = on_axis;
+  bound[link.joint] += std::abs(link.multiplier) * ball.radius;
+}
+
+using Links = std::vector<int>;
+
+/// Passes the joints of a path from its n-th link on, from its end to its beginning. Returns the
+/// ball in the frame of the link before.
+Ball pass_inwards(const robot::Robot::Model& model, const Links& path, std::size_t n, Ball ball,
+                  Eigen::VectorXd& bound) {
+  for (std::size_t i = path.size(); i-- > n;) {
+    const robot::Link& link = model.links[path[i]];
+    pass_joint(model, link, ball, bound);
+    ball.center = link.X_PJ * ball.center;
+  }
+  return ball;
+}
+
+/// Passes the joints of a path from its n-th link on, from its beginning to its end.
+void pass_outwards(const robot::Robot::Model& model, const Links& path, std::size_t n, Ball ball,
+                   Eigen::VectorXd& bound) {
+  for (std::size_t i = n; i < path.size(); ++i) {
+    const robot::Link& link = model.links[path[i]];
+    ball.center = link.X_PJ.inverse() * ball.center;
+    pass_joint(model, link, ball, bound);
   }
 }
 
@@ -46,14 +73,20 @@ std::size_t common_length(const std::vector<int>& a, const std::vector<int>& b) 
 
 Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, const Carrier& b,
                                bool in_world) {
-  const auto& paths = robot.model().paths;
-  const bool both_move = a.link >= 0 && b.link >= 0;
-  const std::size_t common =
-      both_move && !in_world ? common_length(paths[a.link], paths[b.link]) : 0;
-  Eigen::VectorXd bound = Eigen::VectorXd::Zero(robot.dof());
-  add_reach(robot, a, common, bound);
-  add_reach(robot, b, common, bound);
-  return bound;
+  const auto& model = robot.model();
+  const Links none;
+  const Links& path_a = a.link < 0 ? none : model.paths[a.link];
+  const Links& path_b = b.link < 0 ? none : model.paths[b.link];
+  const std::size_t n = in_world ? 0 : common_length(path_a, path_b);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(robot.dof());
+  Eigen::VectorXd moved_a = zero, moved_b = zero;
+  const Ball ball_a = pass_inwards(model, path_a, n, a.ball, moved_a);
+  const Ball ball_b = pass_inwards(model, path_b, n, b.ball, moved_b);
+  if (in_world) return moved_a + moved_b;
+  Eigen::VectorXd moved_back_a = zero, moved_back_b = zero;
+  pass_outwards(model, path_a, n, ball_b, moved_back_a);
+  pass_outwards(model, path_b, n, ball_a, moved_back_b);
+  return moved_a.cwiseMin(moved_back_a) + moved_b.cwiseMin(moved_back_b);
 }
 
 int num_steps(const robot::Robot& robot, const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,

@@ -8,14 +8,20 @@
 
 namespace graspless::scene {
 
-/// The link that moves a body.
-struct Carrier {
-  int link = -1;     ///< frame index of the link that the body is rigid with; -1: a fixed body
-  double lever = 0;  ///< largest distance of an attached body from the link's origin [m]; 0: a link
+/// A ball that contains a body.
+struct Ball {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 1e9;  ///< [m]; the body may be anywhere by default
 };
 
-/// Returns a bound on how far the bodies on carriers a and b move relative to each other, per unit
-/// of each joint [m/rad or 1], over all configurations. Joints up to the last common ancestor move
+/// The link that moves a body.
+struct Carrier {
+  int link = -1;  ///< frame index of the link that the body is rigid with; -1: the world
+  Ball ball;      ///< in the link's frame
+};
+
+/// Returns a bound on how much the distance of the bodies on carriers a and b changes, per unit of
+/// each joint [m/rad or 1], over all configurations. Joints up to the last common ancestor move
 /// both alike and do not count, unless `in_world`.
 Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, const Carrier& b,
                                bool in_world);

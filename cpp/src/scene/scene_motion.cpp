@@ -30,10 +30,13 @@ bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double
 void Scene::update_motion_bounds() {
   if (motion_revision_ == world_.revision()) return;
   std::vector<Carrier> carriers(static_cast<std::size_t>(world_.num_bodies()));
-  for (const int link : moving_links_) carriers[link_body_[link]].link = link;
+  for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
+    const int body = link_body_[link];
+    if (body >= 0) carriers[body] = {link, {Eigen::Vector3d::Zero(), world_.radius(body)}};
+  }
   for (const Attachment& attachment : attachments_) {
-    const double lever = attachment.X_LO.translation().norm() + world_.radius(attachment.body);
-    carriers[attachment.body] = {attachment.link, lever};
+    carriers[attachment.body] = {attachment.link,
+                                 {attachment.X_LO.translation(), world_.radius(attachment.body)}};
   }
   motion_bounds_.resize(robot_.dof(), world_.num_pairs());
   for (int i = 0; i < world_.num_pairs(); ++i) {
