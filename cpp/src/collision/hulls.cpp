@@ -3,10 +3,13 @@
 #include "collision/hulls.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "graspless/watch.hpp"
+
+#include "geometry/simd.hpp"
 
 namespace graspless::collision {
 namespace {
@@ -15,6 +18,26 @@ using Eigen::Vector3d;
 
 constexpr int kLeaf = 24;         // triangles of a part that is not cut further
 constexpr int kMaxVertices = 96;  // of a hull; a larger part is bounded by its box
+constexpr int kLanes = 4;
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
+
+/// Returns the index of the point farthest along a direction, the first of several.
+GRASPLESS_SIMD int index_of_farthest(const double* x, int count, const double* direction) {
+  const int blocks = count / kLanes;
+  const auto* X = reinterpret_cast<const Lanes*>(x);
+  const Lanes *Y = X + blocks, *Z = Y + blocks;
+  Lanes most = Lanes{} - std::numeric_limits<double>::max(), block = {};
+  for (int i = 0; i < blocks; ++i) {
+    const Lanes along = direction[0] * X[i] + direction[1] * Y[i] + direction[2] * Z[i];
+    block = along > most ? Lanes{} + static_cast<double>(i) : block;
+    most = along > most ? along : most;
+  }
+  int best = 0;
+  for (int k = 1; k < kLanes; ++k) {
+    if (most[k] > most[best] || (most[k] == most[best] && block[k] < block[best])) best = k;
+  }
+  return kLanes * static_cast<int>(block[best]) + best;
+}
 
 /// Cuts the triangles of a surface into parts.
 class SurfaceCutter {
@@ -76,9 +99,11 @@ class SurfaceCutter {
     hull.half = (high - low) / 2;
     if (part.cols() > kMaxVertices) return;
     hull.first = static_cast<int>(tree_.coordinates.size());
-    hull.count = static_cast<int>(part.cols());
+    const Eigen::Index padding = (kLanes - part.cols() % kLanes) % kLanes;
+    hull.count = static_cast<int>(part.cols() + padding);
     for (const auto& row : part.rowwise()) {
       tree_.coordinates.insert(tree_.coordinates.end(), row.begin(), row.end());
+      tree_.coordinates.insert(tree_.coordinates.end(), padding, row.tail<1>().value());
     }
   }
 
@@ -96,15 +121,9 @@ Eigen::Vector3d HullTree::farthest(const Hull& hull, const Eigen::Vector3d& dire
     return hull.middle + hull.half.cwiseProduct(
                              (direction.array() < 0).select(-Vector3d::Ones(), Vector3d::Ones()));
   }
-  using Values = Eigen::Map<const Eigen::ArrayXd>;
   const double* p = coordinates.data() + hull.first;
-  const Values x(p, hull.count), y(p + hull.count, hull.count), z(p + 2 * hull.count, hull.count);
-  Eigen::Array<double, Eigen::Dynamic, 1, 0, kMaxVertices, 1> along =
-      direction.x() * x + direction.y() * y + direction.z() * z;
-  const double most = along.maxCoeff();
-  Eigen::Index best = 0;
-  while (along[best] != most) ++best;
-  return {x[best], y[best], z[best]};
+  const int best = index_of_farthest(p, hull.count, direction.data());
+  return {p[best], p[hull.count + best], p[2 * hull.count + best]};
 }
 
 HullTree box_tree(const Core& core) {

@@ -22,7 +22,8 @@ struct Hull {
 /// Tree of convex hulls around a shape, in its core's frame. Its root is hulls[0].
 struct HullTree {
   std::vector<Hull> hulls;
-  std::vector<double> coordinates;  ///< of each hull, its vertices' x, then y, then z [m]
+  std::vector<double> coordinates;  ///< of each hull, its vertices' x, then y, then z [m]; the last
+                                    ///< vertex repeats up to a multiple of four
   double radius = 0;                ///< the shape lies within this distance of each hull [m]
   bool is_of_mesh = false;          ///< boxes bound other shapes about as well, and faster
 
