@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/free_path.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
 
@@ -17,6 +20,21 @@ namespace {
 constexpr double kRange =
     0.6;  // longest extension [rad]; the motion check covers the points between its ends
 constexpr int kShortcuts = 40;
+constexpr double kHalfTurn = 3.14159265358979323846;
+
+/// Joint ranges to sample: those of joints that can turn further than once are cut to half a turn
+/// beyond both ends.
+std::pair<Eigen::VectorXd, Eigen::VectorXd> sampled_box(const FreeSpace& space,
+                                                        const Eigen::VectorXd& from,
+                                                        const Eigen::VectorXd& to) {
+  Eigen::VectorXd lower = space.lower, upper = space.upper;
+  for (Eigen::Index i = 0; i < from.size(); ++i) {
+    if (upper[i] - lower[i] <= 2 * kHalfTurn) continue;
+    lower[i] = std::max(lower[i], std::min(from[i], to[i]) - kHalfTurn);
+    upper[i] = std::min(upper[i], std::max(from[i], to[i]) + kHalfTurn);
+  }
+  return {lower, upper};
+}
 
 std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
                          const Eigen::VectorXd& to, int iterations, std::mt19937_64& rng) {
@@ -35,8 +53,10 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
   planner.setProblemDefinition(problem);
   planner.set_range(kRange);
   planner.set_seed(rng());
-  planner.set_random_config(
-      [&](std::mt19937_64& g, ob::State* s) { draw_uniform(g, space.lower, space.upper, s); });
+  const auto sampled = sampled_box(space, from, to);
+  planner.set_random_config([&](std::mt19937_64& g, ob::State* s) {
+    draw_uniform(g, sampled.first, sampled.second, s);
+  });
   planner.set_motion_check([&](const ob::State*, const ob::State* a, const ob::State* b) {
     return space.is_motion_free(vector(a, n), vector(b, n));
   });
