@@ -10,9 +10,11 @@ namespace graspless::slide {
 
 std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Placement& place,
                                                                        std::size_t enough) {
-  // Without a free joint, all draws of a roll have the same solutions.
+  // Without a free joint, all draws of a roll have the same solutions, and find_reach() draws the
+  // others again.
   const robot::Ik& ik = query_.grasp_ik;
-  const int draws = ik.is_closed_form() && !ik.free_joint() ? 2 : 12;
+  const bool varies = !ik.is_closed_form() || ik.free_joint();
+  const int draws = varies ? 12 : 2;
   std::vector<GraspConfiguration> found;
   std::optional<std::pair<int, int>> touching;
   Eigen::VectorXd q_touching;
@@ -22,6 +24,7 @@ std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Pla
     const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
     for (const Eigen::VectorXd& q :
          query_.draw_ik(ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
+      if (!varies && enough == 1 && !found.empty()) break;
       query_.problem.robot.forward(q, X_WL);
       if (const auto pair = query_.free.first_collision(X_WL)) {
         touching = pair;

@@ -39,13 +39,20 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
     query_.refuse("pair: center of mass");
     return false;
   }
+  const auto lift = lift_from(goal, handling.object_goal);
+  if (!lift) {
+    query_.refuse("pair: lift");
+    ++num_refused_;
+    return false;
+  }
+  handling.lift = *lift;
   const std::optional<Approach>& approach = approach_to(start);
   if (!approach) {
     query_.refuse("pair: start cannot be reached from home");
     ++num_refused_;
     return false;
   }
-  if (!find_handling(handling, goal)) {  // condition 3
+  if (!find_reach(handling)) {  // condition 3
     ++num_refused_;
     return false;
   }
@@ -167,19 +174,9 @@ std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen:
   return planning::find_free_path(space, from, to, iterations, query_.rng);
 }
 
-// Condition 3: a motion leads from the goal to H_g.
-bool Motions::find_handling(Handling& handling, const Eigen::VectorXd& goal) {
-  const auto lift = lift_from(goal, handling.object_goal);
-  if (!lift) {
-    query_.refuse("pair: lift");
-    return false;
-  }
-  handling.lift = *lift;
-  place_object(handling.object_goal);
-  return find_reach(handling);
-}
-
+// Condition 3: a motion leads from the lifted finger to H_g.
 bool Motions::find_reach(Handling& handling) {
+  place_object(handling.object_goal);
   auto candidates = grasp_configurations(handling.placement, kGraspCandidates);
   if (drawn_.object_S.isApprox(handling.object_goal, 1e-9)) {
     candidates.insert(candidates.end(), drawn_.grasps.begin(), drawn_.grasps.end());
@@ -192,19 +189,31 @@ bool Motions::find_reach(Handling& handling) {
   std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
     return (a.arm - from).squaredNorm() < (b.arm - from).squaredNorm();
   });
+  const auto is_same = [](const auto& a, const auto& b) { return a.arm == b.arm; };
+  candidates.erase(std::unique(candidates.begin(), candidates.end(), is_same), candidates.end());
+  std::vector<Handling> unreached;  // no straight motion leads there
   for (const auto& candidate : candidates) {
     if (query_.clock.is_out()) return false;
-    if (try_grasp(candidate, 0, handling)) return true;
+    Handling grasped = handling;
+    if (!add_grasp(candidate, grasped)) continue;
+    if (add_reach(grasped, 0)) {
+      handling = std::move(grasped);
+      return true;
+    }
+    unreached.push_back(std::move(grasped));
   }
-  for (std::size_t i = 0; i < std::min(kSearchedCandidates, candidates.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kSearchedCandidates, unreached.size()); ++i) {
     if (query_.clock.is_out()) return false;
-    if (try_grasp(candidates[i], search_iterations(), handling)) return true;
+    if (add_reach(unreached[i], search_iterations())) {
+      handling = std::move(unreached[i]);
+      return true;
+    }
   }
   query_.refuse("pair: grasp motion");
   return false;
 }
 
-bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling) {
+bool Motions::add_grasp(const GraspConfiguration& grasp, Handling& handling) {
   const double back = query_.options.grasp_approach;
   std::vector<Eigen::Isometry3d> outwards;
   const int steps = pieces(back, kGraspStep);
@@ -219,13 +228,16 @@ bool Motions::try_grasp(const GraspConfiguration& grasp, int iterations, Handlin
   }
   const auto close = close_hand(grasp.arm);
   if (!close) return false;
-  const auto reach = free_path(handling.lift.back(), out->back(), iterations);
-  if (!reach) return false;
-  handling.reach = *reach;
   handling.grasp = Path(out->rbegin(), out->rend());
   handling.close = *close;
   handling.X_WH = grasp_pose(query_.problem, handling.placement, grasp.roll);
   return true;
+}
+
+bool Motions::add_reach(Handling& handling, int iterations) {
+  const auto reach = free_path(handling.lift.back(), handling.grasp.front(), iterations);
+  if (reach) handling.reach = *reach;
+  return reach.has_value();
 }
 
 // True if the hand stays on its line without turning, also halfway between waypoints.

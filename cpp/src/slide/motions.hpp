@@ -59,9 +59,9 @@ class GRASPLESS_API Motions {
   std::vector<GraspConfiguration> grasp_configurations(const Placement& placement,
                                                        std::size_t enough);
   void refuse_grasp(const std::optional<std::pair<int, int>>& touching, const Eigen::VectorXd& q);
-  bool find_handling(Handling& handling, const Eigen::VectorXd& goal);
   bool find_reach(Handling& handling);
-  bool try_grasp(const GraspConfiguration& grasp, int iterations, Handling& handling);
+  bool add_grasp(const GraspConfiguration& grasp, Handling& handling);
+  bool add_reach(Handling& handling, int iterations);
   std::optional<planning::Path> track(const robot::Ik& ik, const Eigen::VectorXd& from,
                                       const std::vector<Eigen::Isometry3d>& poses,
                                       scene::Scene& scene);
