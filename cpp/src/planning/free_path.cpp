@@ -54,9 +54,8 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
   planner.set_range(kRange);
   planner.set_seed(rng());
   const auto sampled = sampled_box(space, from, to);
-  planner.set_random_config([&](std::mt19937_64& g, ob::State* s) {
-    draw_uniform(g, sampled.first, sampled.second, s);
-  });
+  planner.set_random_config(
+      [&](std::mt19937_64& g, ob::State* s) { draw_uniform(g, sampled.first, sampled.second, s); });
   planner.set_motion_check([&](const ob::State*, const ob::State* a, const ob::State* b) {
     return space.is_motion_free(vector(a, n), vector(b, n));
   });
