@@ -95,7 +95,7 @@ def write(result: Row, directory: Path) -> None:
 def _short(text: str) -> str:
     """Returns a reason as a cell of a table."""
     text = text.replace("|", "/")
-    return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
+    return text if len(text) <= LONGEST else text[: LONGEST - 3].rsplit(" ", 1)[0] + " ..."
 
 
 def _of(kind: str, show: Callable[[Row], str]) -> Callable[[Row], str]:
