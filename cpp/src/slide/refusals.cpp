@@ -124,6 +124,7 @@ bool is_home_free(Query& query, Plan& plan) {
 }
 
 std::string reason(Query& query, const Plan& plan) {
+  if (plan.status == Status::solved) return "solved";  // depths of collisions are not wanted
   const bool pairs = plan.status == Status::no_valid_pair;
   // Without the time: the same seed and iterations give the same file.
   const std::string refused = " within " + std::to_string(plan.statistics.iterations) +
@@ -131,12 +132,8 @@ std::string reason(Query& query, const Plan& plan) {
                               (plan.statistics.refusals.empty()
                                    ? ""
                                    : "; most frequent rejections: " + most_frequent(query, pairs));
-  if (plan.status != Status::solved && plan.statistics.iterations == 0) {
-    return "the budget allowed no iteration";
-  }
+  if (plan.statistics.iterations == 0) return "the budget allowed no iteration";
   switch (plan.status) {
-    case Status::solved:
-      return "solved";
     case Status::start_in_collision:
       return plan.reason;
     case Status::no_start_root:
@@ -149,6 +146,7 @@ std::string reason(Query& query, const Plan& plan) {
       return "no start could be connected with a goal" + refused;
     case Status::interrupted:
       return "interrupted before a plan was found," + refused;
+    case Status::solved:
     case Status::out_of_memory:
       break;
   }

@@ -55,7 +55,7 @@ struct Exchange {
   const double* entry_value;
   const double *row_lower, *row_upper, *lower, *upper, *objective;
   glp_smcp options;
-  bool has_start;
+  bool has_start, scaled;
   int code, status, primal_status;
   int *row_status, *column_status;
 };
@@ -82,6 +82,7 @@ void load(const Exchange& exchange, glp_prob* problem) {
   }
   glp_load_matrix(problem, exchange.entries, exchange.entry_row, exchange.entry_column,
                   exchange.entry_value);
+  if (exchange.scaled) glp_scale_prob(problem, GLP_SF_AUTO);
   if (!exchange.has_start) return;
   for (int i = 0; i < exchange.rows; ++i) {
     glp_set_row_stat(problem, i + 1, exchange.row_status[i]);
@@ -209,6 +210,7 @@ bool find_basis(const LinearProgram& lp, const GlpkMethod& method, LpBasis* basi
                     lp.objective.data(),
                     options(lp, method),
                     has_start,
+                    method.scaled,
                     0,
                     0,
                     0,

@@ -10,6 +10,7 @@ namespace graspless::mechanics {
 struct GlpkMethod {
   bool dual = true;         ///< dual or primal simplex; never with presolve
   double tolerance = 1e-9;  ///< tolerance of bounds and of reduced costs
+  bool scaled = false;      ///< rows and columns are brought to one size first
 };
 
 /// Runs GLPK's simplex method, from `basis` unless that is empty, and sets `basis` to the final

@@ -112,8 +112,9 @@ LpSolution solve_lp(const LinearProgram& lp) {
   validate(lp);
   // The dual method was right on every contact set tried. The others are for programs on which it
   // stalls.
-  const std::array<GlpkMethod, 4> methods = {GlpkMethod{true, 1e-9}, GlpkMethod{false, 1e-9},
-                                             GlpkMethod{true, 1e-7}, GlpkMethod{false, 1e-7}};
+  const std::array<GlpkMethod, 5> methods = {GlpkMethod{true, 1e-9}, GlpkMethod{false, 1e-9},
+                                             GlpkMethod{true, 1e-7}, GlpkMethod{true, 1e-9, true},
+                                             GlpkMethod{false, 1e-9, true}};
   LpSolution best;
   best.primal_error = kInfinity;
   for (const GlpkMethod& method : methods) {
