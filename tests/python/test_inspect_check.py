@@ -76,7 +76,7 @@ def test_what_the_planner_refuses_is_told():
     flat = {field: value for field, value in found.hand.items() if field != "pitch"}
     (fault,) = found_in(found.robot, flat)
     assert fault.startswith("fingertip 'left_fingertip': at pitch ")
-    assert "the sliding finger is 0.0" in fault
+    assert "the sliding finger is 18 mm below the contact" in fault
 
 
 def test_a_finger_without_shapes_is_named():
