@@ -47,21 +47,17 @@ std::string finger_lengths(const Query& query, const Collision& collision) {
   return "";
 }
 
-/// Depth and pose of the first collision of a kind; empty if the clock ends the measurement.
+/// Depth and pose of the first collision of a kind; empty for other rejections.
 std::string example(Query& query, const std::string& why) {
   const auto found = query.collisions.find(why);
   if (found == query.collisions.end()) return "";
   const Collision& collision = found->second;
   scene::Scene& scene = *collision.scene;
-  std::string text;
-  query.clock.run([&] {
-    scene.move_object(scene.world().body(kObjectBody), collision.X_WO);
-    scene.collision(collision.q);  // moves the links
-    text = ", " + depth(scene.world(), collision.bodies) + " with " +
-           pose_of(query.problem.robot, collision.frame, collision.q) +
-           finger_lengths(query, collision);
-  });
-  return text;
+  scene.move_object(scene.world().body(kObjectBody), collision.X_WO);
+  scene.collision(collision.q);  // moves the links
+  return ", " + depth(scene.world(), collision.bodies) + " with " +
+         pose_of(query.problem.robot, collision.frame, collision.q) +
+         finger_lengths(query, collision);
 }
 
 using Counted = std::pair<std::int64_t, std::string>;
@@ -89,11 +85,16 @@ std::vector<Counted> frequent(const Query& query, bool pairs_first) {
   return found;
 }
 
+/// Lists them with what example() tells, as far as the clock leaves time to measure it.
 std::string most_frequent(Query& query, bool pairs_first) {
+  const std::vector<Counted> rejections = frequent(query, pairs_first);
+  std::map<std::string, std::string> examples;
+  query.clock.run([&] {
+    for (const auto& [times, why] : rejections) examples[why] = example(query, why);
+  });
   std::string text;
-  for (const auto& [times, why] : frequent(query, pairs_first)) {
-    text +=
-        (text.empty() ? "" : ", ") + why + " (" + std::to_string(times) + example(query, why) + ")";
+  for (const auto& [times, why] : rejections) {
+    text += (text.empty() ? "" : ", ") + why + " (" + std::to_string(times) + examples[why] + ")";
   }
   return text;
 }

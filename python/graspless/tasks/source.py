@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import TaskError, explain
-from ..limits import uncounted
+from ..limits import uncounted, without_collector
 from .bounds import MOST_DIGITS, check_yaml, faults
 
 if TYPE_CHECKING:
@@ -170,7 +170,8 @@ def parse_yaml(text: str, file: str) -> Source:
 
     lines: dict[Location, int] = {}
     try:
-        data = _load(text, file, lines)
+        with without_collector():
+            data = _load(text, file, lines)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = mark.line + 1 if mark else 1
