@@ -18,7 +18,6 @@ using planning::Path;
 
 namespace {
 
-constexpr const char* kForcedOpen = "clasp: forced open by the load";
 constexpr int kPruningRounds = 60;  // costs little beside the search
 
 /// Randomised path pruning of Section IV-D. Keeps both ends.
@@ -176,7 +175,7 @@ std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
   clasp.target_W = *held;
   test(query, search.task().loop, clasp);
   if (query.options.must_be_secure && !clasp.stability.secure && !clasp.pinch) {
-    if (clasp.stability.effort == 0) return refused("clasp: not secure");
+    if (clasp.stability.effort == 0) return refused(kNotSecure);
     query.least_effort = std::min(query.least_effort, clasp.stability.effort);
     return refused(kForcedOpen);
   }

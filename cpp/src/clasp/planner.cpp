@@ -49,9 +49,7 @@ Eigen::VectorXd opened(Query& query, Plan& plan) {
 Status failure(const Query& query) {
   if (query.clock.was_interrupted()) return Status::interrupted;
   const auto refused = [&](const char* why) { return query.statistics.refusals.count(why) > 0; };
-  return refused("clasp: not secure") || refused("clasp: forced open by the load")
-             ? Status::not_secure
-             : Status::not_found;
+  return refused(kNotSecure) || refused(kForcedOpen) ? Status::not_secure : Status::not_found;
 }
 
 /// Adds to the reason of a failed search what the arm reaches, if the clock leaves time for it.

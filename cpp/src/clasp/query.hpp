@@ -18,6 +18,10 @@ namespace graspless::clasp {
 
 constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
+// Refusals that make the status of a failed search "not_secure".
+constexpr const char* kNotSecure = "clasp: not secure";
+constexpr const char* kForcedOpen = "clasp: forced open by the load";
+
 /// State of one call of plan().
 struct Query {
   Query(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed)
