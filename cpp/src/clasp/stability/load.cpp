@@ -28,7 +28,6 @@ using mechanics::Vector6d;
 constexpr double kMetre = 1000;      // [mm]
 constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
 constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
-constexpr double kOpen = 1e-5;       // of finite differences [m or rad]
 constexpr double kReach = 0.025;     // a point farther from a shape never meets it [m]
 constexpr double kRound = 0.0005;    // radius by which edges of links are rounded [m]
 constexpr double kMove = 2;          // largest step in a coordinate [mm]
@@ -150,19 +149,15 @@ std::vector<LoadTester::Pair> LoadTester::pairs(const robot::Poses& X_WL, const 
   return found;
 }
 
-LoadTester::Twists LoadTester::opening_twists(const VectorXd& q) const {
-  robot::Poses X_WL, moved;
-  problem_.robot.forward(q, X_WL);
+LoadTester::Twists LoadTester::opening_twists(const robot::Poses& X_WL) const {
   Twists twists(X_WL.size(), mechanics::Matrix6Xd::Zero(6, directions_.size()));
-  for (Eigen::Index j = 0; j < directions_.size(); ++j) {
-    VectorXd next = q;
-    next[joints_[static_cast<std::size_t>(j)]] += kOpen * directions_[j];
-    problem_.robot.forward(next, moved);
-    for (std::size_t link = 0; link < X_WL.size(); ++link) {
-      const Eigen::AngleAxisd turn(moved[link].linear() * X_WL[link].linear().transpose());
-      const Vector3d spin = turn.angle() / kOpen * turn.axis(), p = X_WL[link].translation();
-      const Vector3d slide = (moved[link].translation() - p) / kOpen - spin.cross(p);
-      twists[link].col(j) << slide, spin;
+  mechanics::Matrix6Xd J;
+  for (std::size_t link = 0; link < X_WL.size(); ++link) {
+    problem_.robot.jacobian(static_cast<int>(link), X_WL, J);
+    for (Eigen::Index j = 0; j < directions_.size(); ++j) {
+      const Vector6d velocity = directions_[j] * J.col(joints_[static_cast<std::size_t>(j)]);
+      const Vector3d spin = velocity.tail<3>();
+      twists[link].col(j) << velocity.head<3>() - spin.cross(X_WL[link].translation()), spin;
     }
   }
   return twists;
@@ -222,7 +217,7 @@ double LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double re
   if (force == 0 && torque == 0) return 0;
   robot::Poses X_WL;
   problem_.robot.forward(q, X_WL);
-  const Twists twists = opening_twists(q);
+  const Twists twists = opening_twists(X_WL);
   const std::vector<Pair> near = pairs(X_WL, center_W, reach + kReach);
   const int palm = problem_.robot.frame(problem_.hand.frame);
   const auto loads = loads_W(X_WL[static_cast<std::size_t>(palm)].linear(), force, torque);

@@ -58,7 +58,7 @@ class LoadTester {
 
   std::vector<Pair> pairs(const robot::Poses& X_WL, const Eigen::Vector3d& center_W,
                           double reach) const;
-  Twists opening_twists(const Eigen::VectorXd& q) const;
+  Twists opening_twists(const robot::Poses& X_WL) const;
   std::vector<Contact> contacts(std::vector<Pair>& pairs, const Eigen::Isometry3d& moved,
                                 const Eigen::Vector3d& center_W, const robot::Poses& X_WL,
                                 const Twists& twists) const;
