@@ -21,6 +21,9 @@ constexpr double kKeptMargin = 0.9, kKeptStability = 0.99;
 // forces found. That reaches 97 % of the best possible margin (median of 54 rows); more rounds
 // hardly help.
 constexpr int kRounds = 2;
+// Fraction of the largest force below which a force is zero but for rounding: its direction says
+// nothing.
+constexpr double kNoForce = 1e-6;
 
 void validate_all(const ContactSet& set, const std::vector<FingerMode>& modes,
                   const Eigen::VectorXd& commanded_forces) {
@@ -42,14 +45,18 @@ std::vector<Reserve> equal_reserves(const ContactSet& set) {
 }
 
 /// Reserves for the changes of force under the worst disturbance, along the given forces. Nothing
-/// if one of these has no margin within its cone.
+/// if one of these has no margin within its cone, as that of a finger commanded to press with 0.
 std::optional<std::vector<Reserve>> spring_reserves(const std::vector<Spring>& springs,
                                                     const Equilibrium& forces) {
+  double largest = 0;
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    largest = std::max(largest, force_at(forces, i).norm());
+  }
   std::vector<Reserve> reserves;
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const Eigen::Vector3d force_O = force_at(forces, i);
     const double room = springs[i].within_cone(force_O);
-    if (!(room > 0)) return std::nullopt;
+    if (force_O.norm() <= kNoForce * largest || !(room > 0)) return std::nullopt;
     const Eigen::RowVectorXd normals = springs[i].n.transpose() * springs[i].changes;
     reserves.push_back({force_O / room, std::max(0.0, normals.maxCoeff())});
   }
