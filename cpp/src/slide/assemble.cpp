@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/assemble.hpp"
 
-#include <algorithm>
-#include <iomanip>
-#include <sstream>
-
-#include "graspless/slide/torsion.hpp"
 #include "graspless/watch.hpp"
 
-#include "slide/refusals.hpp"
 #include "slide/rows.hpp"
+#include "slide/warnings.hpp"
 
 namespace graspless::slide {
 
@@ -51,52 +46,6 @@ void append_slide(Query& query, const Path& slide, Plan& plan) {
   plan.segments.push_back(std::move(segment));
 }
 
-/// Warns if the pad's friction is too small to drag the object; returns true if it does.
-bool warn_of_drag(const Problem& problem, Plan& plan) {
-  constexpr double kLargest = 10;  // beyond it the exact number says nothing more
-  const double load = drag_load(problem, plan);
-  if (load <= 1) return false;
-  std::ostringstream out;
-  out << std::setprecision(3) << "the fingertip's pad cannot drag the object: the slide needs "
-      << (load < kLargest ? "" : "more than ") << std::min(load, kLargest)
-      << " times the friction that the pad has (" << std::setprecision(6) << "object.mass "
-      << problem.object.mass() << " kg, support.friction " << problem.support.friction()
-      << ", hand.pad_friction " << problem.hand.pad_friction << "); "
-      << (problem.support.friction() < problem.hand.pad_friction
-              ? "another seed may press nearer to the centre of mass"
-              : "no seed helps while support.friction is not below hand.pad_friction");
-  plan.warnings.push_back(out.str());
-  return true;
-}
-
-/// Eq. (2) lets the object turn with the finger; the pad's friction limits how fast. Warns if the
-/// object may lag behind.
-void warn_of_torsion(const Problem& problem, Plan& plan) {
-  constexpr double kDegree = 0.017453292519943295;  // [rad]
-  constexpr double kSmallLag = 2;                   // not worth a warning [deg]
-  const Turning slide = turning(problem, plan);
-  const double lag = slide.lag / kDegree;
-  if (lag < kSmallLag) return;
-  std::ostringstream out;
-  out << std::setprecision(2) << "the slide turns by up to " << slide.max_turn_rate / kDegree / 100
-      << " deg/cm, but the pad's friction turns the object by at most "
-      << slide.allowed_turn_rate / kDegree / 100 << " deg/cm: the object may lag behind by " << lag
-      << " deg; a wider pad (hand.pad_width) or a smoother support (support.friction) helps";
-  plan.warnings.push_back(out.str());
-}
-
-/// Warns if the object ends behind the plan, because the wrist gives way to friction.
-void warn_of_trailing(const Problem& problem, Plan& plan) {
-  constexpr double kSmallTrail = 2e-3;  // not worth a warning [m]
-  const Trailing slide = trailing(problem, plan);
-  if (slide.left < kSmallTrail) return;
-  plan.warnings.push_back("the wrist gives way to the friction of the support: the object trails " +
-                          in_mm(slide.sliding) + " behind the plan while it slides, and ends " +
-                          in_mm(slide.left) +
-                          " short of it; a larger hand.wrist_stiffness or a smoother support "
-                          "(support.friction) helps");
-}
-
 }  // namespace
 
 void assemble(Query& query, const Motions& motions, const Path& slide, Plan& plan) {
@@ -116,9 +65,9 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   plan.X_WO_goal = X_WO_goal;
   plan.X_WH_grasp = handling.X_WH;
   plan.overhang = handling.placement.overhang;
-  if (warn_of_drag(query.problem, plan)) return;
-  warn_of_torsion(query.problem, plan);
-  warn_of_trailing(query.problem, plan);
+  for (const Warning& warning : warnings(query.problem, plan)) {
+    plan.warnings.push_back(warning.text());
+  }
 }
 
 }  // namespace graspless::slide

@@ -9,6 +9,7 @@
 
 #include "slide/examination.hpp"
 #include "slide/replay.hpp"
+#include "slide/warnings.hpp"
 
 namespace graspless::slide {
 
@@ -54,6 +55,7 @@ Faults Examination::run() {
   check_pair();
   check_grasp();
   check_closing();
+  check_warnings();
   return faults_;
 }
 
@@ -168,6 +170,17 @@ void Examination::check_collisions(const Segment& segment) {
                        faulty_row = row;
                        fault(segment, row, "collision " + touching.front());
                      });
+}
+
+/// The plan must tell every risk that it has in this problem: friction or mass may have changed.
+void Examination::check_warnings() {
+  for (const Warning& warning : warnings(problem_, plan_)) {
+    const bool is_told =
+        std::any_of(plan_.warnings.begin(), plan_.warnings.end(), [&](const std::string& told) {
+          return told.compare(0, warning.risk.size(), warning.risk) == 0;
+        });
+    if (!is_told) fault("warnings", "the plan does not say that " + warning.text());
+  }
 }
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {

@@ -14,7 +14,7 @@
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
 /// again from the paper and docs/internals/slide.md, so that a mistake in the search does not
-/// repeat itself here.
+/// repeat itself here. Only the risks of friction come from the functions that warn of them.
 namespace graspless::slide {
 
 constexpr double kSame = 1e-6;  // [m, rad]
@@ -86,6 +86,7 @@ class Examination {
   void check_pair();
   void check_grasp();
   void check_closing();
+  void check_warnings();
   void check_straight(const Segment& grasp);
   Finger finger(const Eigen::VectorXd& q) const;
   Eigen::Isometry3d followed(const Finger& start, const Finger& now) const;

@@ -43,6 +43,18 @@ TEST_F(Check, AMissingSegment) {
   expect_fault("segments are not");
 }
 
+TEST_F(Check, APadThatSlips) {
+  problem_.hand.pad_friction = 0.15;
+  expect_fault("warnings: the plan does not say that the fingertip's pad cannot drag the object");
+  plan_.warnings = {"the fingertip's pad cannot drag the object: as before"};
+  EXPECT_TRUE(check(problem_, plan_).empty());
+}
+
+TEST_F(Check, AHeavierObject) {
+  problem_.object = problem_.object.with_mass(20 * problem_.object.mass());
+  expect_fault("cannot drag the object");
+}
+
 TEST_F(Check, OtherJoints) {
   std::swap(plan_.joint_names[0], plan_.joint_names[1]);
   expect_fault("joint names");

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/warnings.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
+#include "graspless/slide/torsion.hpp"
+
+#include "slide/refusals.hpp"
+
+namespace graspless::slide {
+namespace {
+
+/// The pad's friction is too small to drag the object.
+std::optional<Warning> of_drag(const Problem& problem, const Plan& plan) {
+  constexpr double kLargest = 10;  // beyond it the exact number says nothing more
+  const double load = drag_load(problem, plan);
+  if (load <= 1) return std::nullopt;
+  std::ostringstream out;
+  out << std::setprecision(3) << ": the slide needs " << (load < kLargest ? "" : "more than ")
+      << std::min(load, kLargest) << " times the friction that the pad has ("
+      << std::setprecision(6) << "object.mass " << problem.object.mass() << " kg, support.friction "
+      << problem.support.friction() << ", hand.pad_friction " << problem.hand.pad_friction << "); "
+      << (problem.support.friction() < problem.hand.pad_friction
+              ? "another seed may press nearer to the centre of mass"
+              : "no seed helps while support.friction is not below hand.pad_friction");
+  return Warning{"the fingertip's pad cannot drag the object", out.str()};
+}
+
+/// Eq. (2) lets the object turn with the finger; the pad's friction limits how fast. The object may
+/// lag behind.
+std::optional<Warning> of_torsion(const Problem& problem, const Plan& plan) {
+  constexpr double kDegree = 0.017453292519943295;  // [rad]
+  constexpr double kSmallLag = 2;                   // not worth a warning [deg]
+  const Turning slide = turning(problem, plan);
+  const double lag = slide.lag / kDegree;
+  if (lag < kSmallLag) return std::nullopt;
+  std::ostringstream out;
+  out << std::setprecision(2) << slide.max_turn_rate / kDegree / 100
+      << " deg/cm, but the pad's friction turns the object by at most "
+      << slide.allowed_turn_rate / kDegree / 100 << " deg/cm: the object may lag behind by " << lag
+      << " deg; a wider pad (hand.pad_width) or a smoother support (support.friction) helps";
+  return Warning{"the slide turns by up to ", out.str()};
+}
+
+/// The object ends behind the plan, because the wrist gives way to friction.
+std::optional<Warning> of_trailing(const Problem& problem, const Plan& plan) {
+  constexpr double kSmallTrail = 2e-3;  // not worth a warning [m]
+  const Trailing slide = trailing(problem, plan);
+  if (slide.left < kSmallTrail) return std::nullopt;
+  return Warning{"the wrist gives way to the friction of the support",
+                 ": the object trails " + in_mm(slide.sliding) +
+                     " behind the plan while it slides, and ends " + in_mm(slide.left) +
+                     " short of it; a larger hand.wrist_stiffness or a smoother support "
+                     "(support.friction) helps"};
+}
+
+}  // namespace
+
+std::vector<Warning> warnings(const Problem& problem, const Plan& plan) {
+  if (const auto drag = of_drag(problem, plan)) return {*drag};  // then the others mean nothing
+  std::vector<Warning> found;
+  for (const auto& warning : {of_torsion(problem, plan), of_trailing(problem, plan)}) {
+    if (warning) found.push_back(*warning);
+  }
+  return found;
+}
+
+}  // namespace graspless::slide

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graspless/slide/slide.hpp"
+
+namespace graspless::slide {
+
+/// Risk of a plan: what may happen, and its measure with a remedy.
+struct Warning {
+  std::string risk, rest;
+  std::string text() const { return risk + rest; }
+};
+
+/// Returns the risks of a plan's slide that follow from friction. See torsion.hpp.
+std::vector<Warning> warnings(const Problem& problem, const Plan& plan);
+
+}  // namespace graspless::slide
