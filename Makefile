@@ -9,7 +9,7 @@ demo:  ## plan the example, check it, write demo/: plan.json, slide.png, slide.h
 test:  ## C++ and Python tests
 	@tools/install test,all GRASPLESS_TESTS=ON
 	@tools/install-bench
-	@.venv/bin/pip install --quiet --no-deps "example-robot-data>=6" "rtb-data>=2"  # robots for tests: data alone
+	@.venv/bin/pip install --quiet --no-deps "airo-models>=0.0.12" "example-robot-data>=6" "rtb-data>=2"  # robots for tests: data alone
 	ctest --test-dir build/make --output-on-failure --no-tests=error
 	.venv/bin/pytest
 

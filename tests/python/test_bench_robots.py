@@ -81,7 +81,9 @@ def test_unknown_robots_are_refused(capsys):
     assert "--robot: Pandora: no such robot (one of: Panda, " in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["Panda", "UR5 and Panda Hand", "ViperX 300 S"])
+@pytest.mark.parametrize(
+    "name", ["Panda", "UR5 and Panda Hand", "UR5e and Robotiq 2F-85", "ViperX 300 S"]
+)
 def test_robots_of_installed_packages(name):
     (member,) = (member for member in fleet.FLEET if member.name == name)
     try:

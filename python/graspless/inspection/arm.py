@@ -30,6 +30,8 @@ MARGIN = 0.1  # distance kept from the limits, as a fraction of the joint's rang
 # a torso reach tables that are below their base.
 DISTANCES = (0.45, 0.55, 0.35, 0.65)
 HEIGHTS = ((0.4, 0.3, 0.5, 0.2), (0.1, 0.0, -0.2, -0.4))
+LOW = 0.01  # height that the arm may sag below the line to its wrist, as a fraction of the reach
+HIGHER = 16  # places tried for a home with the elbow up, after one with the elbow down was found
 
 
 @dataclass(frozen=True)
@@ -135,6 +137,23 @@ class _Search:
         drawn = [self.draw() for _ in range(200)]
         tips = np.array([self._pose(q)[:3, 3] for q in drawn])
         self.reach = float(np.linalg.norm(tips - self.base, axis=1).max())
+        self.elbows = self._find_elbows(drawn[0], drawn[1]) if self.columns else []
+
+    def _find_elbows(self, a: Matrix, b: Matrix) -> list[int]:
+        """Links from the arm's second joint to its last one, from the base outwards."""
+        turned, bent = a.copy(), b.copy()
+        turned[self.columns[-1]] = b[self.columns[-1]]
+        bent[self.columns[0]] = a[self.columns[0]]
+
+        def stays(link: int, q: Matrix) -> bool:
+            return np.allclose(self.robot.pose(link, a), self.robot.pose(link, q), atol=1e-9)
+
+        links: list[int] = []
+        link = self.link
+        while link >= 0:
+            links.insert(0, link)
+            link = self.robot.parent(link)
+        return [link for link in links if stays(link, turned) and not stays(link, bent)]
 
     def draw(self) -> Matrix:
         q: Matrix = self.q_open.copy()
@@ -159,22 +178,42 @@ class _Search:
         """True if the hand is over the plane that the arm stands on."""
         return bool(self._pose(q)[2, 3] > self.base[2] + 0.05 * self.reach)
 
+    def _is_elbow_up(self, q: Matrix) -> bool:
+        """True if the arm bends upwards from the straight line from its first to its last link."""
+        at = np.array([self.robot.pose(link, q)[:3, 3] for link in self.elbows])
+        if len(at) < 3:
+            return True
+        line = at[-1] - at[0]
+        along = (at - at[0]) @ line / max(line @ line, 1e-12)
+        heights = (at - at[0] - np.outer(along, line))[:, 2]
+        return bool(heights[np.abs(heights).argmax()] > -LOW * self.reach)
+
     def pointing_down(self) -> Matrix | None:
-        """Returns the roomiest configuration at the first place where the hand can point down."""
+        """Returns the roomiest configuration at the first place where the hand can point down.
+
+        One with the elbow down, where a table would be, is the last resort.
+        """
         ik = robots.Ik(self.robot, self.link, self.columns, restarts=4)
+        fallback, left = None, HIGHER
+        for place in self._places():
+            found = self._free_at(ik, place)
+            if found is not None and self._is_elbow_up(found):
+                return found
+            fallback = found if fallback is None else fallback
+            left -= fallback is not None
+            if left == 0:
+                break
+        return fallback
+
+    def _free_at(self, ik: robots.Ik, place: list[Matrix]) -> Matrix | None:
+        """Returns the roomiest free configuration at a place, with the elbow up if possible."""
         X_HL = np.linalg.inv(self.X_LH)
         middle = self.q_open.copy()
         middle[self.columns] = (self.lower + self.upper) / 2
-        for place in self._places():
-            best, most = None, MARGIN / 2
-            for X_WH in place:
-                for q in np.asarray(ik.solve_all(X_WH @ X_HL, middle)):
-                    room = self.room(q)
-                    if room > most and self.is_free(q):
-                        best, most = np.asarray(q), room
-            if best is not None:
-                return best
-        return None
+        found = [q for X_WH in place for q in np.asarray(ik.solve_all(X_WH @ X_HL, middle))]
+        roomy = [q for q in found if self.room(q) > MARGIN / 2]
+        roomy.sort(key=lambda q: (self._is_elbow_up(q), self.room(q)), reverse=True)
+        return next((q for q in roomy if self.is_free(q)), None)
 
     def _places(self) -> Iterator[list[Matrix]]:
         """Yields places around the arm, those in front first: the hand straight down, two yaws."""

@@ -115,9 +115,11 @@ def _add_flexure(
     body = spec.body(link)
     X_LX = _behind(X_LT, hand.flexure_length)
     flex = body.add_body(name=name, pos=X_LX[:3, 3], quat=frames.to_quaternion(X_LX), gravcomp=1.0)
+    mass, own = float(body.mass), float(np.max(body.fullinertia[:3]))
+    if not mass > 0 and hand.finger_model != "flexure" and not body.joints:
+        return flex  # a pad without mass, fixed to a finger that has some
     # The mass of the finger turns about the flexure; the link keeps hardly any.
     p_XC = np.linalg.inv(X_LX)[:3] @ [*body.ipos, 1.0]
-    mass, own = float(body.mass), float(np.max(body.fullinertia[:3]))
     if not mass > 0:
         raise TaskError(f"link '{link}' has no mass; the simulation needs its <inertial>")
     flex.mass, flex.ipos, flex.inertia = mass, p_XC, [own, own, own]
