@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Search for the palm: what is no hand, and what may be one."""
 
+import re
+
 import numpy as np
 import pytest
 
 import inspect_common as small
 from graspless import robot
+from graspless.inspection.linkage import without_linkage
 from graspless.inspection.palm import find_palm
 from graspless.inspection.tree import Tree
 
@@ -48,6 +51,25 @@ def test_a_hand_by_its_name_has_fingers_of_many_joints():
         "left_wrist",
         "right_wrist",
     ]
+
+
+def test_a_thumb_behind_the_origin_of_the_palm_is_no_bar():
+    """As in a LEAP hand, whose palm has its origin between the fingers and the thumb."""
+    hand = small.palm()
+    places = ["-0.03 0 0.05", "0 0 0.05", "0.03 0 0.05", "0 -0.05 -0.14"]
+    for i, at in enumerate(places):
+        hand += small.box(f"finger_{i}", "0 0 0.045", "0.02 0.01 0.09")
+        hand += small.joint(f"bend_{i}", "revolute", "palm", f"finger_{i}", at, "1 0 0")
+    tree = Tree(read(small.gripper(hand=hand)))
+    assert len(without_linkage(tree, find_palm(tree)).fingers) == 4
+
+
+def test_mounts_without_fingers_are_named():
+    hand = small.prismatic()
+    for side in ("left", "right"):
+        hand = re.sub(rf'<link name="{side}">.*?</link>', f'<link name="{side}"/>', hand)
+    with pytest.raises(ValueError, match="left and right move, but have no shape; add the fingers"):
+        robot.inspect(read(small.gripper(hand=hand)))
 
 
 @pytest.mark.parametrize(

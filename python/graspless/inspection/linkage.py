@@ -41,7 +41,8 @@ def without_linkage(tree: Tree, palm: Palm) -> Palm:
 
     def is_bar(i: int) -> bool:
         return any(
-            moved_by[i] == moved_by[j]
+            i != j
+            and moved_by[i] == moved_by[j]
             and heights[i] < SHORTER * heights[j]
             and aside[i] @ aside[j] > BESIDE
             for j in range(len(clouds))

@@ -162,6 +162,13 @@ def _jaw(tree: Tree) -> Palm:
     if drawn:
         shown = " and ".join(drawn)
         raise ValueError(f"no hand was found: {shown} can be seen, but have no collision shape")
+    bare = [tree.links[b] for b in tree.members if b and not tree.children[b]]
+    bare = [name for name in bare if not tree.has_shape(tree.links.index(name))]
+    if len(bare) > 1:
+        raise ValueError(
+            f"no hand was found: {' and '.join(bare)} move, but have no shape; add the fingers "
+            "that are mounted on them"
+        )
     raise ValueError(
         "no hand was found: no link carries two or more moving links, and the last joint "
         "does not move one jaw against another; name its palm, or join a gripper to the arm"
