@@ -15,14 +15,12 @@
 #include "graspless/watch.hpp"
 
 #include "clasp/free_space/link_spheres.hpp"
-#include "mechanics/lp/program.hpp"
 
 namespace graspless::clasp {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using mechanics::kInfinity;
 using mechanics::Vector6d;
 
 constexpr double kMetre = 1000;      // [mm]
@@ -30,44 +28,9 @@ constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
 constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
 constexpr double kReach = 0.025;     // a point farther from a shape never meets it [m]
 constexpr double kRound = 0.0005;    // radius by which edges of links are rounded [m]
-constexpr double kMove = 2;          // largest step in a coordinate [mm]
 constexpr double kArm = 20;          // length that makes lengths of angles [mm]
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
 constexpr int kMoves = 10;
-constexpr double kGive = 2;  // work by which the hand may yield, which makes efforts unique [N mm]
-
-/// A small motion of the object, and what it asks of the hand.
-struct Step {
-  Vector6d move = Vector6d::Zero();  // [mm]
-  double effort = 0;
-};
-
-/// Dual program of a step: contact forces, forces of the bounds on a step, and the effort.
-mechanics::LinearProgram program(const Vector6d& load,
-                                 const std::vector<LoadTester::Contact>& contacts,
-                                 const VectorXd& limits) {
-  mechanics::LinearProgram lp;
-  for (int k = 0; k < 6; ++k) lp.add_row(load[k], load[k]);
-  for (Eigen::Index j = 0; j < limits.size(); ++j) lp.add_row(-kInfinity, 0);
-  const int effort = lp.add_variable(0, kInfinity, -kGive);
-  for (int j = 0; j < limits.size(); ++j) lp.set(6 + j, effort, -limits[j]);
-  for (int k = 0; k < 6; ++k) {
-    for (const double sign : {1.0, -1.0}) lp.set(k, lp.add_variable(0, kInfinity, -kMove), sign);
-  }
-  for (const LoadTester::Contact& contact : contacts) {
-    const int column = lp.add_variable(0, kInfinity, -contact.gap);
-    lp.set_block(0, column, contact.row);
-    lp.set_block(6, column, contact.opens);
-  }
-  return lp;
-}
-
-Step step(const Vector6d& load, const std::vector<LoadTester::Contact>& contacts,
-          const VectorXd& limits) {
-  const mechanics::LpSolution found = mechanics::solve_lp(program(load, contacts, limits));
-  if (found.status != mechanics::LpStatus::optimal) return {};
-  return {-found.duals.head<6>(), found.x[0]};
-}
 
 /// Motion of a body whose step is given in mm, about a point.
 Eigen::Isometry3d motion(const Vector6d& move, const Vector3d& center_W) {
@@ -121,14 +84,32 @@ LoadTester::LoadTester(const Problem& problem)
   for (const robot::LinkShape& shape : robot.shapes()) bodies_.push_back(body_of(shape));
 }
 
-std::vector<LoadTester::Pair> LoadTester::pairs(const robot::Poses& X_WL, const Vector3d& center_W,
-                                                double reach) const {
+LoadTester::Posture LoadTester::posture(const VectorXd& q, const Vector3d& center_W) const {
+  Posture hand;
+  hand.center_W = center_W;
+  problem_.robot.forward(q, hand.X_WL);
+  for (const Eigen::Isometry3d& X : hand.X_WL) hand.X_LW.push_back(X.inverse());
+  hand.twists.assign(hand.X_WL.size(), mechanics::Matrix6Xd(6, directions_.size()));
+  mechanics::Matrix6Xd J;
+  for (std::size_t link = 0; link < hand.X_WL.size(); ++link) {
+    problem_.robot.jacobian(static_cast<int>(link), hand.X_WL, J);
+    for (Eigen::Index j = 0; j < directions_.size(); ++j) {
+      const Vector6d velocity = directions_[j] * J.col(joints_[static_cast<std::size_t>(j)]);
+      const Vector3d spin = velocity.tail<3>();
+      hand.twists[link].col(j) << velocity.head<3>() - spin.cross(hand.X_WL[link].translation()),
+          spin;
+    }
+  }
+  return hand;
+}
+
+std::vector<LoadTester::Pair> LoadTester::pairs(const Posture& hand, double reach) const {
   const geometry::Mesh& surface = problem_.object.surface();
   const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
   std::map<std::array<int, 4>, Pair> nearest;  // of each cell of space, for each body
   const auto add = [&](const Vector3d& p, std::size_t i) {
     const Body& body = bodies_[i];
-    const Vector3d p_L = X_WL[static_cast<std::size_t>(body.link)].inverse() * p;
+    const Vector3d p_L = hand.X_LW[static_cast<std::size_t>(body.link)] * p;
     if ((p_L - body.center_L).norm() > body.radius + kReach) return;
     const double distance = body.distance(p_L);
     if (distance > kReach) return;
@@ -140,7 +121,7 @@ std::vector<LoadTester::Pair> LoadTester::pairs(const robot::Poses& X_WL, const 
   for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
     poll();
     visit_points(p_W(Eigen::all, surface.triangles.col(i)), kSpacing, [&](const Vector3d& p) {
-      if ((p - center_W).norm() > reach) return;
+      if ((p - hand.center_W).norm() > reach) return;
       for (std::size_t body = 0; body < bodies_.size(); ++body) add(p, body);
     });
   }
@@ -149,64 +130,58 @@ std::vector<LoadTester::Pair> LoadTester::pairs(const robot::Poses& X_WL, const 
   return found;
 }
 
-LoadTester::Twists LoadTester::opening_twists(const robot::Poses& X_WL) const {
-  Twists twists(X_WL.size(), mechanics::Matrix6Xd::Zero(6, directions_.size()));
-  mechanics::Matrix6Xd J;
-  for (std::size_t link = 0; link < X_WL.size(); ++link) {
-    problem_.robot.jacobian(static_cast<int>(link), X_WL, J);
-    for (Eigen::Index j = 0; j < directions_.size(); ++j) {
-      const Vector6d velocity = directions_[j] * J.col(joints_[static_cast<std::size_t>(j)]);
-      const Vector3d spin = velocity.tail<3>();
-      twists[link].col(j) << velocity.head<3>() - spin.cross(X_WL[link].translation()), spin;
-    }
-  }
-  return twists;
-}
-
 /// Contacts that a step of the object may close.
-std::vector<LoadTester::Contact> LoadTester::contacts(std::vector<Pair>& pairs,
-                                                      const Eigen::Isometry3d& moved,
-                                                      const Vector3d& center_W,
-                                                      const robot::Poses& X_WL,
-                                                      const Twists& twists) const {
-  std::vector<Contact> found;
-  for (Pair& pair : pairs) {
-    const Vector3d p = moved * pair.p_W, arm = p - center_W;
-    const double window = kRound + kMove / kMetre * std::sqrt(3) * (1 + arm.norm() * kMetre / kArm);
+std::vector<LoadContact> LoadTester::contacts(std::vector<Pair>& pairs,
+                                              const Eigen::Isometry3d& moved,
+                                              const Posture& hand) const {
+  std::vector<LoadContact> found;
+  found.reserve(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Pair& pair = pairs[i];
+    const Vector3d p = moved * pair.p_W;
+    const double turned = (p - hand.center_W).norm() * kMetre / kArm;
+    const double window = kRound + kMove / kMetre * std::sqrt(3) * (1 + turned);
     if (pair.distance - (p - pair.measured_W).norm() > window) continue;
     const Body& body = bodies_[pair.body];
-    const auto link = static_cast<std::size_t>(body.link);
-    const Vector3d p_L = X_WL[link].inverse() * p;
-    pair.distance = body.distance(p_L);
+    pair.distance = body.distance(hand.X_LW[static_cast<std::size_t>(body.link)] * p);
     pair.measured_W = p;
     if (pair.distance > window) continue;
-    const Vector3d n = X_WL[link].linear() * gradient(body.distance, p_L);
-    Contact contact;
-    contact.row << -n, -arm.cross(n) * kMetre / kArm;
-    contact.opens = -(n.transpose() * twists[link].topRows<3>() +
-                      p.cross(n).transpose() * twists[link].bottomRows<3>())
-                         .transpose()
-                         .cwiseProduct(units_);
-    contact.gap = kMetre * std::max(0.0, pair.distance - kRound);
-    found.push_back(contact);
+    found.push_back(contact(p, body, hand));
+    found.back().point = i;
+    found.back().gap = kMetre * std::max(0.0, pair.distance - kRound);
   }
   return found;
 }
 
-double LoadTester::effort_of(const Vector6d& load, const Vector3d& center_W,
-                             std::vector<Pair> pairs, const robot::Poses& X_WL,
-                             const Twists& twists) const {
+/// The contact of a point with a body, but for its gap.
+LoadContact LoadTester::contact(const Vector3d& p_W, const Body& body, const Posture& hand) const {
+  const auto link = static_cast<std::size_t>(body.link);
+  const Vector3d n_W = hand.X_WL[link].linear() * gradient(body.distance, hand.X_LW[link] * p_W);
+  Vector6d wrench_W;  // of a unit force along the normal, about W's origin
+  wrench_W << n_W, p_W.cross(n_W);
+  LoadContact contact;
+  contact.row << -n_W, -(p_W - hand.center_W).cross(n_W) * kMetre / kArm;
+  contact.opens.resize(units_.size());
+  for (Eigen::Index j = 0; j < units_.size(); ++j)
+    contact.opens[j] = -units_[j] * wrench_W.dot(hand.twists[link].col(j));
+  return contact;
+}
+
+double LoadTester::effort_of(const Vector6d& load, std::vector<Pair> pairs,
+                             std::vector<LoadContact> contacts_now, const Posture& hand) const {
+  LoadStepper stepper(limits_);
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   double effort = 0;
   for (int i = 0; i < kMoves; ++i) {
     poll();
+    if (i > 0) contacts_now = contacts(pairs, moved, hand);
     const Vector3d mean_W = moved * (problem_.X_WO * mean_O_);
     Vector6d wrench = load;  // about the hand's centre
-    wrench.tail<3>() += (mean_W - center_W).cross(load.head<3>());
+    wrench.tail<3>() += (mean_W - hand.center_W).cross(load.head<3>());
     wrench.tail<3>() *= kMetre / kArm;
-    const Step next = step(wrench, contacts(pairs, moved, center_W, X_WL, twists), limits_);
+    const LoadStep next = stepper.step(wrench, contacts_now);
     effort = next.effort;
-    moved = motion(next.move, center_W) * moved;
+    moved = motion(next.move, hand.center_W) * moved;
     if (next.move.lpNorm<Eigen::Infinity>() < kAtRest) break;
   }
   return effort;
@@ -215,15 +190,14 @@ double LoadTester::effort_of(const Vector6d& load, const Vector3d& center_W,
 double LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double reach, double force,
                           double torque) const {
   if (force == 0 && torque == 0) return 0;
-  robot::Poses X_WL;
-  problem_.robot.forward(q, X_WL);
-  const Twists twists = opening_twists(X_WL);
-  const std::vector<Pair> near = pairs(X_WL, center_W, reach + kReach);
-  const int palm = problem_.robot.frame(problem_.hand.frame);
-  const auto loads = loads_W(X_WL[static_cast<std::size_t>(palm)].linear(), force, torque);
+  const Posture hand = posture(q, center_W);
+  std::vector<Pair> near = pairs(hand, reach + kReach);
+  const auto first = contacts(near, Eigen::Isometry3d::Identity(), hand);  // of all loads
+  const auto palm = static_cast<std::size_t>(problem_.robot.frame(problem_.hand.frame));
+  const auto loads = loads_W(hand.X_WL[palm].linear(), force, torque);
   double most = 0;
   for (Eigen::Index i = 0; i < loads.cols() && kSudden * most <= 1; ++i)
-    most = std::max(most, effort_of(loads.col(i), center_W, near, X_WL, twists));
+    most = std::max(most, effort_of(loads.col(i), near, first, hand));
   return kSudden * most;
 }
 

@@ -11,6 +11,7 @@
 #include "graspless/mechanics/contact.hpp"
 
 #include "clasp/stability/distance.hpp"
+#include "clasp/stability/load_step.hpp"
 
 namespace graspless::clasp {
 
@@ -39,12 +40,6 @@ class LoadTester {
     Eigen::Vector3d center_L;
     double radius;  // [m]
   };
-  /// Constraint row . move <= gap [mm]. `opens`: how far the contact retreats for each joint.
-  struct Contact {
-    mechanics::Vector6d row;
-    Eigen::VectorXd opens;
-    double gap;
-  };
 
  private:
   /// A point of the object, and a body that it may touch.
@@ -54,16 +49,20 @@ class LoadTester {
     double distance;             // when it was last measured [m]
     Eigen::Vector3d measured_W;  // where the point was then
   };
-  using Twists = std::vector<mechanics::Matrix6Xd>;  // of each link by each joint, at W's origin
+  /// The hand at one configuration.
+  struct Posture {
+    robot::Poses X_WL, X_LW;                   // of each link
+    std::vector<mechanics::Matrix6Xd> twists;  // of each link by each joint, at W's origin
+    Eigen::Vector3d center_W;                  // of the finger curves
+  };
 
-  std::vector<Pair> pairs(const robot::Poses& X_WL, const Eigen::Vector3d& center_W,
-                          double reach) const;
-  Twists opening_twists(const robot::Poses& X_WL) const;
-  std::vector<Contact> contacts(std::vector<Pair>& pairs, const Eigen::Isometry3d& moved,
-                                const Eigen::Vector3d& center_W, const robot::Poses& X_WL,
-                                const Twists& twists) const;
-  double effort_of(const mechanics::Vector6d& load, const Eigen::Vector3d& center_W,
-                   std::vector<Pair> pairs, const robot::Poses& X_WL, const Twists& twists) const;
+  Posture posture(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W) const;
+  std::vector<Pair> pairs(const Posture& hand, double reach) const;
+  std::vector<LoadContact> contacts(std::vector<Pair>& pairs, const Eigen::Isometry3d& moved,
+                                    const Posture& hand) const;
+  LoadContact contact(const Eigen::Vector3d& p_W, const Body& body, const Posture& hand) const;
+  double effort_of(const mechanics::Vector6d& load, std::vector<Pair> pairs,
+                   std::vector<LoadContact> contacts_now, const Posture& hand) const;
 
   Problem problem_;
   std::vector<Body> bodies_;

@@ -29,7 +29,6 @@ constexpr double kTriangle = 0.0015;  // spacing of points on a triangle [m]
 constexpr double kLeast = 0.01;       // strengths below this are none: 100 N that resist 1 N
 constexpr double kEnd = 0.2;          // part of a contact's length that is its end
 constexpr double kGrip = 0.5;         // part of its effort limit with which a joint grips
-constexpr double kOpening = 1e-5;     // of finite differences [m or rad]
 constexpr double kIdle = 1e-3;        // a joint that moves a finger less does not press [m/rad]
 constexpr double kNoLoad = 1e-6;      // [N or Nm]
 constexpr int kEdges = 8;             // of friction cones
@@ -198,22 +197,22 @@ mechanics::ContactSet pinch_contacts(const std::array<std::vector<Touch>, 2>& to
 /// object. 0 if no joint moves them.
 double PinchTester::press(const std::array<std::vector<Touch>, 2>& touches,
                           const Eigen::VectorXd& q) const {
-  robot::Poses X_WL, moved;
+  robot::Poses X_WL;
   problem_.robot.forward(q, X_WL);
+  Eigen::RowVectorXd closing = Eigen::RowVectorXd::Zero(problem_.robot.dof());  // [m/rad or 1]
+  for (std::size_t k = 0; k < 2; ++k) {
+    const int link = sides_[k].back().first;
+    const Touch touch = mean_beyond(touches[k], Vector3d::Zero(), 0);
+    const Vector3d arm = touch.p_W - X_WL[static_cast<std::size_t>(link)].translation();
+    mechanics::Matrix6Xd J;
+    problem_.robot.jacobian(link, X_WL, J);
+    closing += touch.n_W.transpose() * J.topRows<3>();
+    closing += arm.cross(touch.n_W).transpose() * J.bottomRows<3>();  // n . (w x arm)
+  }
   double least = std::numeric_limits<double>::infinity();
   for (const int joint : problem_.robot.group(problem_.hand.hand)) {
-    Eigen::VectorXd next = q;
-    next[joint] += kOpening;
-    problem_.robot.forward(next, moved);
-    double closing = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto link = static_cast<std::size_t>(sides_[k].back().first);
-      const Touch touch = mean_beyond(touches[k], Vector3d::Zero(), 0);
-      const Vector3d after = moved[link] * (X_WL[link].inverse() * touch.p_W);
-      closing += touch.n_W.dot(after - touch.p_W) / kOpening;
-    }
     const double limit = kGrip * problem_.robot.max_effort()[joint];
-    if (std::abs(closing) > kIdle) least = std::min(least, limit / std::abs(closing));
+    if (std::abs(closing[joint]) > kIdle) least = std::min(least, limit / std::abs(closing[joint]));
   }
   return std::isfinite(least) ? least : 0;
 }

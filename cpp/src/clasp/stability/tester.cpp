@@ -48,12 +48,11 @@ Eigen::Vector3d random_direction(std::mt19937_64& rng) {
 }  // namespace
 
 StabilityTester::StabilityTester(const Problem& problem)
-    : X_OW_(problem.X_WO.inverse()),
+    : problem_(problem),
+      X_OW_(problem.X_WO.inverse()),
       kinematics_(problem.robot, problem.hand),
       balls_(problem.robot),
-      clearance_(problem.object.outer_clearance()) {
-  if (problem.hand.fingers.size() == 1) load_.emplace(problem);
-}
+      clearance_(problem.object.outer_clearance()) {}
 
 Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
                                 const StabilityOptions& options) {
@@ -90,7 +89,9 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
     }
     result.escapes += distance > escape;
   }
-  if (result.escapes == 0 && load_) {
+  const bool has_load = options.force > 0 || options.torque > 0;
+  if (result.escapes == 0 && has_load && problem_.hand.fingers.size() == 1) {
+    if (!load_) load_.emplace(problem_);
     const double reach = (nodes.colwise() - p_WC).colwise().norm().maxCoeff();
     result.effort = load_->effort(q, p_WC, reach, options.force, options.torque);
   }

@@ -26,11 +26,12 @@ class StabilityTester {
                  const StabilityOptions& options);
 
  private:
+  Problem problem_;
   Eigen::Isometry3d X_OW_;
   HandKinematics kinematics_;
   LinkBalls balls_;
   collision::Clearance clearance_;
-  std::optional<LoadTester> load_;  // of a hand of two fingers
+  std::optional<LoadTester> load_;  // made with the first load on a hand of two fingers
 };
 
 }  // namespace graspless::clasp

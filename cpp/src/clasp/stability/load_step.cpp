@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Primal: maximise load . move over the move and the yield of the joints y >= 0, such that
+// |move_k| <= kMove, row_i . move <= gap_i + opens_i . y for each contact, and limits . y <= kGive.
+// The dual is solved: contact forces f_i >= 0 balance the load, and no joint needs more than the
+// effort e >= 0: sum_i opens_i f_i <= e limits. A contact that the primal solution does not pass
+// has no force in the dual, so contacts are added until none is passed.
+#include "clasp/stability/load_step.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "mechanics/lp/program.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Eigen::VectorXd;
+using mechanics::kInfinity;
+using mechanics::Vector6d;
+
+constexpr double kGive = 2;  // work by which the hand may yield, which makes efforts unique [N mm]
+constexpr double kPassed = 1e-6;       // a contact passed by less is kept [mm]
+constexpr std::ptrdiff_t kAdded = 12;  // contacts that are added at once
+
+using Contacts = std::vector<const LoadContact*>;
+
+/// Dual program: effort, forces of the bounds on the move, and contact forces.
+mechanics::LinearProgram program(const Vector6d& load, const Contacts& contacts,
+                                 const VectorXd& limits) {
+  mechanics::LinearProgram lp;
+  for (int k = 0; k < 6; ++k) lp.add_row(load[k], load[k]);
+  for (Eigen::Index j = 0; j < limits.size(); ++j) lp.add_row(-kInfinity, 0);
+  const int effort = lp.add_variable(0, kInfinity, -kGive);
+  for (int j = 0; j < limits.size(); ++j) lp.set(6 + j, effort, -limits[j]);
+  for (int k = 0; k < 6; ++k) {
+    for (const double sign : {1.0, -1.0}) lp.set(k, lp.add_variable(0, kInfinity, -kMove), sign);
+  }
+  for (const LoadContact* contact : contacts) {
+    const int column = lp.add_variable(0, kInfinity, -contact->gap);
+    lp.set_block(0, column, contact->row);
+    lp.set_block(6, column, contact->opens);
+  }
+  return lp;
+}
+
+/// The contacts not in `known` that a move passes most, at most kAdded of them.
+Contacts passed(const std::vector<LoadContact>& contacts, const Vector6d& move,
+                const VectorXd& yield, const std::set<std::size_t>& known) {
+  std::vector<std::pair<double, const LoadContact*>> found;
+  for (const LoadContact& contact : contacts) {
+    const double beyond = contact.row.dot(move) - contact.gap - contact.opens.dot(yield);
+    if (beyond > kPassed && known.count(contact.point) == 0) found.emplace_back(-beyond, &contact);
+  }
+  const auto count = std::min(kAdded, static_cast<std::ptrdiff_t>(found.size()));
+  std::partial_sort(found.begin(), found.begin() + count, found.end());
+  Contacts most;
+  for (auto it = found.begin(); it != found.begin() + count; ++it) most.push_back(it->second);
+  return most;
+}
+
+}  // namespace
+
+LoadStep LoadStepper::step(const Vector6d& load, const std::vector<LoadContact>& contacts) {
+  Contacts used;
+  for (const LoadContact& contact : contacts) {
+    if (points_.count(contact.point) > 0) used.push_back(&contact);
+  }
+  while (true) {
+    const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_));
+    if (found.status != mechanics::LpStatus::optimal) return {};
+    const LoadStep step{-found.duals.head<6>(), found.x[0]};
+    const Contacts added = passed(contacts, step.move, found.duals.tail(limits_.size()), points_);
+    if (added.empty()) return step;
+    for (const LoadContact* contact : added) {
+      used.push_back(contact);
+      points_.insert(contact->point);
+    }
+  }
+}
+
+}  // namespace graspless::clasp

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A small motion of the object under a load, between contacts that it may close and joints of the
+// hand that may yield.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "graspless/mechanics/contact.hpp"
+
+namespace graspless::clasp {
+
+constexpr double kMove = 2;  ///< largest step in a coordinate [mm]
+
+/// Constraint row . move <= gap + opens . yield. Lengths are in mm.
+struct LoadContact {
+  std::size_t point;  ///< identifies the contact in all steps under one load
+  mechanics::Vector6d row;
+  Eigen::VectorXd opens;  ///< how far the contact retreats for each joint
+  double gap;
+};
+
+/// A motion of the object that is stopped by contacts, and what it asks of the hand.
+struct LoadStep {
+  mechanics::Vector6d move = mechanics::Vector6d::Zero();  ///< [mm]
+  double effort = 0;  ///< largest effort of a joint, as a fraction of its limit
+};
+
+/// Finds the steps under one load by linear programs. A program holds few contacts: those that
+/// stopped earlier steps, and those that its solution would pass. The solution is that for all
+/// contacts.
+class LoadStepper {
+ public:
+  /// `limits`: of the efforts of the joints, in the units of LoadContact::opens.
+  explicit LoadStepper(Eigen::VectorXd limits) : limits_(std::move(limits)) {}
+
+  LoadStep step(const mechanics::Vector6d& load, const std::vector<LoadContact>& contacts);
+
+ private:
+  Eigen::VectorXd limits_;
+  std::set<std::size_t> points_;  // of contacts that were in a program
+};
+
+}  // namespace graspless::clasp
