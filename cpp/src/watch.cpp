@@ -14,7 +14,7 @@
 namespace graspless {
 namespace {
 
-constexpr std::int64_t kInterval = 5'000'000;  // between checks [ns]
+constexpr std::int64_t kInterval = 3'000'000;  // between checks [ns]
 
 thread_local Watch* innermost = nullptr;
 thread_local std::int64_t next_check = 0;

@@ -15,7 +15,7 @@ namespace graspless {
 /// for one.
 struct GRASPLESS_API Stop {};
 
-/// Calls `check` from poll() on the thread that made it, at most every 5 ms, while it lives. The
+/// Calls `check` from poll() on the thread that made it, at most every 3 ms, while it lives. The
 /// check ends the work by throwing Stop. Watches nest: poll() calls the
 /// checks of all.
 class GRASPLESS_API Watch {

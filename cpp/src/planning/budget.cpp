@@ -7,8 +7,8 @@
 namespace graspless::planning {
 namespace {
 
-constexpr std::chrono::milliseconds kPollInterval{10};
-constexpr std::chrono::milliseconds kGrace{30};  // for loops that ask is_out() and end in order
+constexpr std::chrono::milliseconds kPollInterval{4};
+constexpr std::chrono::milliseconds kGrace{15};  // for loops that ask is_out() and end in order
 
 // Growth that is not held against a query: free lists of the allocator, other threads' small work.
 constexpr double kUnnoticed = 20e6;  // [bytes]

@@ -23,7 +23,7 @@ struct Budget {
   double seconds = 10;
   std::int64_t iterations = std::numeric_limits<std::int64_t>::max();
   std::uint64_t seed = 1;
-  /// Ends the query when it returns true. Called at once and then at most every 10 ms, from the
+  /// Ends the query when it returns true. Called at once and then at most every 4 ms, from the
   /// thread that plans.
   std::function<bool()> interrupted;
 };
@@ -73,7 +73,7 @@ class GRASPLESS_API Clock {
  private:
   using Steady = std::chrono::steady_clock;
   void require();  // throws Stop
-  void look();     // at signals and memory, every 10 ms
+  void look();     // at signals and memory, every 4 ms
 
   Budget budget_;
   double max_memory_;
