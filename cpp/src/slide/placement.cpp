@@ -126,11 +126,12 @@ std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options&
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(rng);
   };
+  poll();
   const geometry::Polygon::Edge edge = draw_edge(problem.support.polygon(), rng);
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(uniform(0, kTwoPi)).toRotationMatrix();
   const Eigen::RowVector2d inward_O = edge.inward.transpose() * R;
   const double farthest =
-      -(inward_O * problem.object.points()).minCoeff();             // outwards of O's origin
+      -(inward_O * problem.object.outermost()).minCoeff();          // outwards of O's origin
   const double com_in = inward_O * problem.object.com().head<2>();  // inwards of O's origin
   const double max_overhang = farthest + com_in - options.com_margin;
   if (max_overhang < options.min_overhang) return std::nullopt;

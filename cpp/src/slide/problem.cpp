@@ -14,6 +14,7 @@
 namespace graspless::slide {
 namespace {
 
+constexpr Eigen::Index kPolledRows = 256;  // points between two polls
 constexpr double kMinFriction = 1e-6;
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
@@ -90,6 +91,25 @@ Eigen::VectorXd depths_within(const geometry::Polygon& outline, const Eigen::Mat
   return depths;
 }
 
+/// Of each run of points with the same x, the least and the greatest along y.
+Eigen::Matrix2Xd outermost_of(const Eigen::Matrix2Xd& points) {
+  std::vector<Eigen::Vector2d> found;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (i % kPolledRows == 0) poll();
+    const Eigen::Vector2d p = points.col(i);
+    const std::size_t n = found.size();
+    if (n < 2 || found[n - 1].x() != p.x()) {
+      found.insert(found.end(), 2, p);
+    } else if (p.y() < found[n - 2].y()) {
+      found[n - 2] = p;
+    } else if (p.y() > found[n - 1].y()) {
+      found[n - 1] = p;
+    }
+  }
+  return Eigen::Map<const Eigen::Matrix2Xd>(found.front().data(), 2,
+                                            static_cast<Eigen::Index>(found.size()));
+}
+
 /// Convex prisms that fill the slab between two heights over a polygon.
 std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom,
                                           double top) {
@@ -110,10 +130,10 @@ std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, doub
 Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline,
                double thickness, const Eigen::Vector2d& com)
     : name_(std::move(name)),
-      points_(std::move(points)),
       outline_(std::move(outline)),
-      depths_(depths_within(outline_, points_)),
-      spacing_(std::sqrt(outline_.area() / static_cast<double>(points_.cols()))),
+      top_(std::make_shared<Top>(
+          Top{depths_within(outline_, points), outermost_of(points), std::move(points)})),
+      spacing_(std::sqrt(outline_.area() / static_cast<double>(top_->points.cols()))),
       thickness_(thickness),
       com_(com.x(), com.y(), thickness / 2),
       shapes_(prisms(outline_, 0, thickness)),
@@ -161,7 +181,7 @@ Object Object::with_mass(double mass) const {
 
 Object Object::scaled(double scale) const {
   check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
-  Object other(name_, scale * points_, geometry::Polygon(scale * outline_.vertices()), thickness_,
+  Object other(name_, scale * points(), geometry::Polygon(scale * outline_.vertices()), thickness_,
                scale * com_.head<2>());
   check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
   other.com_.z() = com_.z();

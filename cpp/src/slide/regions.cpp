@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graspless/planning/vector_states.hpp"
+#include "graspless/watch.hpp"
 
 namespace graspless::slide {
 
@@ -18,6 +19,7 @@ using planning::vector;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr Eigen::Index kPolledPoints = 256;  // between two polls
 
 Planar contact_at(const Eigen::Vector2d& point, double yaw) {
   Planar contact = Planar::Identity();
@@ -44,15 +46,18 @@ std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, dou
   return best;
 }
 
-/// P_o without the points within options.rim_margin of the outline.
-Eigen::Matrix2Xd inside_points(const Object& object, double rim_margin) {
-  if (rim_margin == 0) return object.points();
-  const double margin = std::min(rim_margin, object.depths().maxCoeff() / 2);
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < object.points().cols(); ++i) {
-    if (object.depths()[i] >= margin) kept.push_back(i);
+/// Those of P_o that are not within options.rim_margin of the outline.
+std::vector<std::int32_t> inside_points(const Object& object, double rim_margin) {
+  const Eigen::VectorXd& depths = object.depths();
+  double margin = -std::numeric_limits<double>::infinity();
+  if (rim_margin > 0) margin = std::min(rim_margin, depths.maxCoeff() / 2);
+  std::vector<std::int32_t> kept;
+  kept.reserve(static_cast<std::size_t>((depths.array() >= margin).count()));
+  for (Eigen::Index i = 0; i < depths.size(); ++i) {
+    if (i % kPolledPoints == 0) poll();
+    if (depths[i] >= margin) kept.push_back(static_cast<std::int32_t>(i));
   }
-  return object.points()(Eigen::all, kept);
+  return kept;
 }
 
 double draw_depth(Query& query) {
@@ -65,14 +70,14 @@ double draw_depth(Query& query) {
 StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
     : planning::SampleableRegion(si),
       query_(query),
-      p_OP_(inside_points(query.problem.object, query.options.rim_margin)) {}
+      inside_(inside_points(query.problem.object, query.options.rim_margin)) {}
 
 // Eq. (3): a contact anywhere on the object's top face, any yaw, pitch beta_0, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
   const auto i =
-      static_cast<Eigen::Index>(query_.uniform(0, 1) * static_cast<double>(p_OP_.cols()));
-  const Planar contact =
-      contact_at(query_.object_start * Eigen::Vector2d(p_OP_.col(i)), query_.uniform(0, 2 * kPi));
+      static_cast<std::size_t>(query_.uniform(0, 1) * static_cast<double>(inside_.size()));
+  const Eigen::Vector2d p_OP = query_.problem.object.points().col(inside_[i]);
+  const Planar contact = contact_at(query_.object_start * p_OP, query_.uniform(0, 2 * kPi));
   if (!query_.problem.support.polygon().contains(contact.translation())) {
     query_.refuse("start: off the support");
     return false;
@@ -123,7 +128,7 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
   const Eigen::VectorXd near = query_.arm.full(q_start);
   const ContactSpace::Carried carried = query_.carried_from(q_start);
   const double depth = query_.top - query_.contact.tip_at(q_start).height;
-  for (int i = 0; i < kDraws; ++i) {
+  for (int i = 0; i < kDraws && !query_.clock.is_out(); ++i) {
     const auto object_S = draw_object_pose(carried);
     if (!object_S) continue;
     const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;

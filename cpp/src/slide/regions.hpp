@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "graspless/planning/sampleable_region.hpp"
 
@@ -20,7 +22,7 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
 
  private:
   Query& query_;
-  Eigen::Matrix2Xd p_OP_;  ///< contact points far enough inside the outline
+  std::vector<std::int32_t> inside_;  ///< contact points far enough inside the outline
 };
 
 class GRASPLESS_API GoalRegion : public planning::SampleableRegion {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/placement.hpp"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "slide/problems.hpp"
@@ -23,6 +25,28 @@ TEST(Placement, OfASquareOverTheRightEdge) {
   EXPECT_TRUE(place.com_inside);
   EXPECT_FALSE(placement(problem, options, at(0.65, 0.345)).com_inside);
   EXPECT_FALSE(placement(problem, options, at(0.65, 0.2)).sticks_out);
+}
+
+TEST(Object, HasFewPointsAmongWhichTheFarthestInAnyDirectionIs) {
+  std::mt19937_64 rng(1);
+  std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+  Eigen::Matrix3Xd cloud(3, 500);
+  for (auto p : cloud.colwise()) p << uniform(rng), uniform(rng), 0.002;
+  const Object grid = Object::from_polygon("grid", geometry::square(.1), .005, 1e-3);
+  for (const Object& object : {grid, Object::from_cloud("cloud", cloud)}) {
+    for (int i = 0; i < 1000; ++i) {
+      const Eigen::RowVector2d along(uniform(rng), uniform(rng));
+      EXPECT_EQ((along * object.points()).minCoeff(), (along * object.outermost()).minCoeff());
+    }
+  }
+  EXPECT_EQ(grid.points().cols(), 100 * 100);
+  EXPECT_EQ(grid.outermost().cols(), 2 * 100);
+}
+
+TEST(Object, SharesItsPointsWithItsCopies) {
+  const Object object = Object::from_polygon("square", geometry::square(.1), .005);
+  EXPECT_EQ(object.with_mass(0.2).points().data(), object.points().data());
+  EXPECT_EQ(object.with_com({0.01, 0, 0}).depths().data(), object.depths().data());
 }
 
 TEST(Placement, OfTwoProngsTakesTheLonger) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -37,10 +38,13 @@ class GRASPLESS_API Object {
                            double thickness = 0);
 
   const std::string& name() const { return name_; }
-  const Eigen::Matrix2Xd& points() const { return points_; }  ///< contact points, x-y in O [m]
+  const Eigen::Matrix2Xd& points() const { return top_->points; }  ///< contact points, x-y in O [m]
   const geometry::Polygon& outline() const { return outline_; }
   /// Distance of each of points() to the outline [m].
-  const Eigen::VectorXd& depths() const { return depths_; }
+  const Eigen::VectorXd& depths() const { return top_->depths; }
+  /// Those of points() among which the farthest in any direction is: the first and the last along y
+  /// of neighbours with the same x.
+  const Eigen::Matrix2Xd& outermost() const { return top_->outermost; }
   /// Distance between neighbouring points(): the square root of the outline's area per point [m].
   double spacing() const { return spacing_; }
   double thickness() const { return thickness_; }
@@ -61,10 +65,14 @@ class GRASPLESS_API Object {
  private:
   Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline, double thickness,
          const Eigen::Vector2d& com);
+  /// Shared by copies: a fine grid takes hundreds of megabytes.
+  struct Top {
+    Eigen::VectorXd depths;
+    Eigen::Matrix2Xd outermost, points;
+  };
   std::string name_;
-  Eigen::Matrix2Xd points_;
   geometry::Polygon outline_;
-  Eigen::VectorXd depths_;
+  std::shared_ptr<const Top> top_;
   double spacing_;
   double thickness_;
   Eigen::Vector3d com_;

@@ -104,16 +104,20 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
                                 number((upper - lower).y()) + " m; at most " +
                                 number(kMaxGridPoints) + " are allowed");
   }
-  std::vector<Eigen::Vector2d> inside;
+  // Room for all points of the grid: memory that is not used is not resident.
+  Eigen::Matrix2Xd inside(2, static_cast<Eigen::Index>(points) + 1);
+  Eigen::Index count = 0;
   for (double x = lower.x() + spacing / 2; x < upper.x(); x += spacing) {
     for (double y = lower.y() + spacing / 2; y < upper.y(); y += spacing) {
       poll();
-      if (polygon.contains({x, y})) inside.emplace_back(x, y);
+      if (!polygon.contains({x, y})) continue;
+      if (count == inside.cols()) inside.conservativeResize(2, 2 * count);
+      inside.col(count++) << x, y;
     }
   }
-  if (inside.empty()) inside.push_back(polygon.vertices().col(0));
-  return Eigen::Map<Eigen::Matrix2Xd>(inside.data()->data(), 2,
-                                      static_cast<Eigen::Index>(inside.size()));
+  if (count == 0) inside.col(count++) = polygon.vertices().col(0);
+  inside.conservativeResize(2, count);
+  return inside;
 }
 
 Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
