@@ -9,6 +9,11 @@
 #include "graspless/watch.hpp"
 
 namespace graspless::fingertip {
+namespace {
+
+constexpr int kPolledArcs = 64;  // between two polls
+
+}  // namespace
 
 std::size_t PlacementHash::operator()(const Placement& placement) const {
   std::uint64_t hash = 0;
@@ -23,6 +28,7 @@ Candidates::Candidates(const PoseGraph& graph, const StabilityBounds& bounds)
     : graph_(graph), bounds_(bounds) {
   std::unordered_map<int, int> slot_of;
   for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+    poll();
     for (int j = 0; j < graph.options.samples_per_arc; ++j) {
       const int instant = graph.instant(arc, j);
       const auto [entry, is_new] = slot_of.emplace(instant, static_cast<int>(instants_.size()));
@@ -30,8 +36,11 @@ Candidates::Candidates(const PoseGraph& graph, const StabilityBounds& bounds)
       slots_.push_back(entry->second);
     }
   }
+  displacements_.reserve(static_cast<std::size_t>(graph.locations.size()) *
+                         static_cast<std::size_t>(graph.num_arcs()));
   for (int location = 0; location < graph.locations.size(); ++location) {
     for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+      if (arc % kPolledArcs == 0) poll();
       const bool is_clear = graph.is_clear(arc, location) && graph.is_clear(arc + 1, location);
       displacements_.push_back(is_clear ? graph.displacement(arc, location) : kInfinity);
     }

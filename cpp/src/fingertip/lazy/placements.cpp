@@ -7,6 +7,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "fingertip/lazy/growing.hpp"
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
@@ -14,6 +15,8 @@ namespace graspless::fingertip {
 namespace {
 
 using Step = StabilityBounds::Step;
+
+constexpr std::size_t kPolledLocations = 256;  // between two polls
 
 /// Depth-first over fingers. Sums of the table's rows over the fingers so far bound what any
 /// completion can reach: those with the best location for each missing finger.
@@ -76,6 +79,7 @@ class Enumeration {
     poll();
     const int missing = count_ - depth - 1;
     for (std::size_t i = first; i + static_cast<std::size_t>(missing) < locations_.size(); ++i) {
+      if (i % kPolledLocations == 0) poll();
       if (!extend(depth, locations_[i], missing) || !is_apart(depth, locations_[i])) continue;
       placement_[static_cast<std::size_t>(depth)] = locations_[i];
       if (!place(depth + 1, i + 1)) return false;
@@ -170,7 +174,7 @@ void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
 
 void open_all(LazyState& lazy, const std::vector<int>& locations,
               const std::vector<int>& instants) {
-  std::vector<Placement> found;
+  Growing<Placement> found;
   for_each_placement(lazy.graph, lazy.bounds, lazy.count, locations, instants,
                      [&](const Placement& placement) {
                        found.push_back(placement);

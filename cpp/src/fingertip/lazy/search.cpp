@@ -17,6 +17,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "fingertip/lazy/growing.hpp"
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
@@ -104,16 +105,14 @@ class Frontier {
     if (all.size() < instants.size()) instants = all;
     seed_bounds(lazy_, locations, instants);
     sum_displacements();
-    std::vector<Entry> entries;
     for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations, instants,
                        [&](const Placement& placement) {
-                         entries.push_back({least_cost_of(placement), Entry::Kind::placement,
-                                            static_cast<int>(placements_.size())});
+                         queue_.push({least_cost_of(placement), Entry::Kind::placement,
+                                      static_cast<int>(placements_.size())});
                          placements_.push_back(placement);
                          if (++lazy_.unopened % LazyState::kWatch == 0) lazy_.watch_memory();
                          return true;
                        });
-    queue_ = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
     const Options& options = lazy_.graph.options;
     if (options.max_regrasps >= 1) {
       push({lazy_.least_displacement + options.regrasp_cost, Entry::Kind::one_regrasp});
@@ -218,8 +217,8 @@ class Frontier {
   }
 
   LazyState& lazy_;
-  std::priority_queue<Entry> queue_;
-  std::vector<Placement> placements_;
+  std::priority_queue<Entry, Growing<Entry>> queue_;
+  Growing<Placement> placements_;
   std::vector<double> displacements_;          // of each location, all the way [m]
   std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
 };

@@ -141,7 +141,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
   kinds_of_.assign(next_.size(), kUnknown);
   rest_.assign(X_WO_.size(), kUnknown);
   free_.assign(X_WO_.size(), -1);
-  clear_.assign(X_WO_.size() * num_locations_, -1);
+  forget_clearance();
 }
 
 double PoseGraph::memory_needed(const Lattice& lattice, double num_locations) {

@@ -84,7 +84,17 @@ PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& 
     next_.push_back(is_last ? -1 : static_cast<int>(i) + 1);
   }
   free_.assign(X_WO_.size(), 1);  // or validate() would have refused the path
-  clear_.assign(X_WO_.size() * num_locations_, -1);
+  forget_clearance();
+}
+
+void PoseGraph::forget_clearance() {
+  constexpr std::size_t kPart = 1 << 20;  // bytes between two polls
+  const std::size_t count = X_WO_.size() * num_locations_;
+  clear_.reserve(count);
+  while (clear_.size() < count) {
+    poll();
+    clear_.resize(std::min(count, clear_.size() + kPart), -1);
+  }
 }
 
 void PoseGraph::add_motion(const mechanics::Vector6d& twist_O) {
