@@ -149,6 +149,7 @@ std::array<std::vector<Touch>, 2> PinchTester::touches(const Eigen::VectorXd& q)
 
 std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses& X_WL,
                                            const Vector3d& middle_W) const {
+  if (side.empty()) return {};  // or all points would be at the same distance, and be kept
   const Distance distance = [&](const Vector3d& p_W) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [link, to] : side)
@@ -174,7 +175,10 @@ std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses&
   }
   const auto is_far = [&](const Touch& touch) { return touch.gap > nearest + kBand; };
   found.erase(std::remove_if(found.begin(), found.end(), is_far), found.end());
-  for (Touch& touch : found) touch.n_W = gradient(distance, touch.p_W);
+  for (Touch& touch : found) {
+    poll();
+    touch.n_W = gradient(distance, touch.p_W);
+  }
   const auto has_none = [](const Touch& touch) { return touch.n_W.isZero(); };
   found.erase(std::remove_if(found.begin(), found.end(), has_none), found.end());
   return found;

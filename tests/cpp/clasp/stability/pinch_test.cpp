@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/stability/pinch.hpp"
 
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -150,7 +151,7 @@ TEST(Opening, IsTheGapBetweenThePads) {
 
 planning::Budget cycles(std::int64_t count) {
   planning::Budget budget;
-  budget.seconds = 60;
+  budget.seconds = std::numeric_limits<double>::infinity();
   budget.iterations = count;
   return budget;
 }
@@ -192,6 +193,15 @@ TEST(PlanWithAGripper, APinchHoldsTheWholeLoadOrIsNone) {
   EXPECT_EQ(found.status, Status::not_secure);
   EXPECT_NE(found.reason.find("N a finger, friction resists 0."), std::string::npos)
       << found.reason;
+}
+
+TEST(TestPinch, AFingerWithoutShapesTouchesNothing) {
+  Problem problem = ring_in_gripper(0.02);
+  const VectorXd q = closed(problem);
+  EXPECT_FALSE(PinchTester(problem).touches(q)[0].empty());
+  for (CurveNode& node : problem.hand.fingers.front().nodes) node.link = "x";
+  EXPECT_TRUE(PinchTester(problem).touches(q)[0].empty());
+  EXPECT_FALSE(PinchTester(problem).touches(q)[1].empty());
 }
 
 TEST(PlanWithAGripper, RefusesABarThatIsThickerThanItOpens) {
