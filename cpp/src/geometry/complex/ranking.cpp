@@ -13,6 +13,8 @@
 namespace graspless::geometry {
 namespace {
 
+constexpr unsigned kPolledComparisons = 256;  // between two polls
+
 /// Disjoint sets of 0 ... n - 1 (union-find).
 class DisjointSets {
  public:
@@ -33,7 +35,9 @@ class DisjointSets {
 std::vector<int> by_length(const Simplices& simplices) {
   std::vector<int> order(simplices.edges.size());
   std::iota(order.begin(), order.end(), 0);
+  unsigned comparisons = 0;
   std::sort(order.begin(), order.end(), [&](int a, int b) {
+    if (++comparisons % kPolledComparisons == 0) poll();
     const double length_a = simplices.lengths[static_cast<std::size_t>(a)];
     const double length_b = simplices.lengths[static_cast<std::size_t>(b)];
     return length_a != length_b ? length_a < length_b : a < b;
