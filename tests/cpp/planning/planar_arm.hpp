@@ -8,10 +8,12 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
 
 #include "graspless/planning/task_space_rrt.hpp"
@@ -125,8 +127,17 @@ class ArmQuery {
     vector(state.get(), n_) = q;
     setup_.setStartState(state);
   }
-  ob::PlannerStatus solve(double seconds = 5) { return setup_.solve(seconds); }
-  Path path() { return to_path(setup_.getProblemDefinition()->getSolutionPath(), n_); }
+  /// Searches until the planner has asked a million times if it should end: no clock is faster with
+  /// sanitizers or under load.
+  ob::PlannerStatus solve() {
+    ob::IterationTerminationCondition is_over(1'000'000);
+    return setup_.solve(is_over);
+  }
+  Path path() {
+    const ob::PathPtr found = setup_.getProblemDefinition()->getSolutionPath();
+    if (!found) throw std::logic_error("there is no path");
+    return to_path(found, n_);
+  }
   Eigen::Vector2d tip() { return arm_.tip(path().back()); }
   const ob::SpaceInformationPtr& si() const { return si_; }
   og::SimpleSetup& setup() { return setup_; }

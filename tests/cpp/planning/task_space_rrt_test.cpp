@@ -204,7 +204,7 @@ TEST(TaskSpaceRRT, AConnectionEndsWithoutProgress) {
 
 TEST(TaskSpaceRRT, SaysWhenThereIsNoStart) {
   ArmQuery query(3, {{{0.5, 0}, 0.9}});  // the start lies in the disc
-  EXPECT_EQ(query.solve(0.1), ob::PlannerStatus::INVALID_START);
+  EXPECT_EQ(query.solve(), ob::PlannerStatus::INVALID_START);
 }
 
 TEST(TaskSpaceRRT, RefusesABadSetupByName) {
@@ -214,7 +214,7 @@ TEST(TaskSpaceRRT, RefusesABadSetupByName) {
     expect_refused(
         [&] {
           spoil(*query.planner);
-          query.solve(0.1);
+          query.solve();
         },
         words);
   };
