@@ -20,13 +20,12 @@ def main() -> int:
     signals = _Signals()
     for name, value in DEFAULTS.items():
         os.environ.setdefault(name, value)
-    import gc
     import threading
 
     from . import cli
     from ._commands import BAD_INPUT, INTERRUPTED
 
-    gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
+    prepare()
     try:
         signals.is_running = True
         code = cli.main()
@@ -41,6 +40,16 @@ def main() -> int:
     if threading.active_count() == 1:
         _leave(code)
     return code
+
+
+def prepare() -> None:
+    """Sets up a process that runs one command and ends."""
+    import gc
+
+    from . import limits
+
+    gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
+    limits.ends_with_command = True
 
 
 class _Signals:

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 _LONGEST = 1e8  # of a timer [s]
 
+ends_with_command = False  # True in a process that runs one command and ends
+_left: list[BaseException] = []  # of commands that are about to end
+
 
 class Reading:
     """Clock of a thread that reads a task in order to plan it."""
@@ -29,6 +32,7 @@ class Reading:
         self.seconds: float | None = None  # the limit, once it is known
         self.is_paused = False
         self.has_alarm = has_alarm
+        self.is_over = False
 
     def arm(self) -> None:
         """Starts the timers for the seconds that are left, or stops them."""
@@ -42,7 +46,15 @@ class Reading:
     def end(self, *_: Any) -> None:
         """Answers the alarm."""
         if not self.is_paused:
+            self.is_over = True
             raise planning.OutOfTime
+
+    def out_of_time(self) -> OutOfTimeError:
+        """Returns the error that says so."""
+        return OutOfTimeError(
+            f"budget.seconds: {self.seconds:g} s were over before the task was read; "
+            "should be larger"
+        )
 
 
 class _Current(threading.local):
@@ -75,10 +87,11 @@ def reading(seconds: float | None = None, alarm: bool = False) -> Iterator[Readi
             limit_reading(seconds)
         yield clock
     except planning.OutOfTime:
-        raise OutOfTimeError(
-            f"budget.seconds: {clock.seconds:g} s were over before the task was read; "
-            "should be larger"
-        ) from None
+        raise clock.out_of_time() from None
+    except Exception:
+        if clock.is_over:  # a library has turned the alarm into an error of its own
+            raise clock.out_of_time() from None
+        raise
     finally:
         clock.is_paused = True
         clock.arm()
@@ -117,12 +130,20 @@ def uncounted() -> Iterator[None]:
 def without_collector() -> Iterator[None]:
     """Stops Python's collector of cycles while a large tree without cycles grows.
 
-    Each of its runs visits the whole tree, for up to half a second, which no signal ends.
+    Each of its runs visits the whole tree, for up to half a second, which no signal ends. A command
+    that a signal or its time limit ends within the block neither visits the tree again nor frees
+    it: the end of the process does.
     """
     was_enabled = gc.isenabled()
     gc.disable()
     try:
         yield
+    except BaseException as error:
+        clock = _current.reading
+        if ends_with_command and clock is not None and clock.has_alarm:
+            _left.append(error)  # its frames hold the tree
+            was_enabled = False
+        raise
     finally:
         if was_enabled:
             gc.enable()

@@ -85,7 +85,9 @@ def _quiet(folder: Path) -> None:
 def _measure(path: Path, seconds: float) -> dict[str, Any]:
     """In a child: plans once; returns fields of a Run."""
     from graspless import _api, cli
+    from graspless.__main__ import prepare
 
+    prepare()
     found: dict[str, Any] = {}
     Path("/proc/self/clear_refs").write_text("5")
     before, cpu = _memory("VmRSS"), time.process_time()

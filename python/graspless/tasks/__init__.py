@@ -145,8 +145,9 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
     def to_dict(self) -> dict[str, Any]:
         """Returns the complete task in plain types, as in a plan file."""
-        document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
-        return document
+        from .documents import document_of
+
+        return document_of(self.fields)
 
     def with_changes(
         self,
@@ -166,10 +167,11 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
             changed = with_budget(self.budget, budget)
             return type(self)(self.problem, self.options, changed, arm=self.arm)
+        if search is None:
+            return _with_budget(self, budget)
         document = self.to_dict()
         document["budget"] = document.get("budget", {}) | budget
-        if search is not None:
-            document["options"] = document.get("options", {}) | {"search": search}
+        document["options"] = document.get("options", {}) | {"search": search}
         source = Source(self.source.file, document)
         fields = source.validate(type(self.fields))
         return _with_search(fields, (self.problem, self.arm), self.source)
@@ -343,6 +345,15 @@ def _is_plan(text: str) -> bool:
     except (ValueError, RecursionError):
         return False
     return isinstance(document, dict) and "format" in document and "segments" in document
+
+
+def _with_budget(task: Task, changes: dict[str, Any]) -> Task:
+    from .budget import Budgeted
+
+    given = task.fields.budget.model_dump(mode="json", exclude_none=True) | changes
+    budget = Source(task.source.file, {"budget": given}).validate(Budgeted).budget
+    fields = task.fields.model_copy(update={"budget": budget})
+    return _with_search(fields, (task.problem, task.arm), task.source)
 
 
 def _with_search(fields: Any, built: tuple[Any, Any], source: Source) -> Task:

@@ -17,6 +17,12 @@ class Budget(Fields):
     """Time and randomness: graspless.planning.Budget."""
 
 
+class Budgeted(Fields):
+    """The part of any task that holds its budget."""
+
+    budget: Budget
+
+
 def build_budget(budget: Budget, source: Source) -> planning.Budget:
     with at(source, "budget"):
         return planning.Budget(**budget.model_dump(exclude_none=True))

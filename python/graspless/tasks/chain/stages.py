@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...kinds import KINDS, part
+from ..documents import document_of
 from ..source import Source, read_yaml
 from .joints import require_held
 from .model import SHARED, ChainTask
@@ -79,8 +80,7 @@ class Stage:
 
     def document(self) -> dict[str, Any]:
         """Returns the stage as in a plan file."""
-        document: dict[str, Any] = self.fields.model_dump(mode="json", exclude_none=True)
-        return {"name": self.name, **document}
+        return {"name": self.name, **document_of(self.fields)}
 
 
 def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ... import clasp, geometry
 from ..clouds import read_cloud
+from ..documents import rows_of
 from ..source import Source, at
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def resolve_object(thing: model.Object, source: Source, directory: Path) -> mode
     """Returns the object with its points inline."""
     points = object_points(thing, source, directory)
     update = {
-        "points": points.tolist(),
+        "points": rows_of(points),
         "cloud": None,
         "mesh": None,
         "sample": None,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ... import slide
+from ..documents import rows_of
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
 from ..robots import require_text
@@ -92,7 +93,7 @@ def _outline(thing: slide.Object) -> dict[str, Any]:
         if made.points.shape == thing.points.shape and np.allclose(made.points, thing.points):
             return given
     heights = np.full(len(thing.points), thing.thickness)
-    return {"points": np.column_stack([thing.points, heights]).tolist()}
+    return {"points": rows_of(np.column_stack([thing.points, heights]))}
 
 
 __all__ = [

@@ -13,6 +13,7 @@ import numpy as np
 from ... import frames
 from .. import shapes
 from ..clouds import read_cloud
+from ..documents import rows_of
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
@@ -117,7 +118,7 @@ def _resolve_object(
     return thing.model_copy(
         update={
             "cloud": None,
-            "points": points.tolist(),
+            "points": rows_of(points),
             "frame": "object",
             "unit": "m",
             "pose": pose,
