@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kLeaf = 24;         // triangles of a part that is not cut further
-constexpr int kMaxVertices = 96;  // of a hull; a larger part is bounded by its box
+constexpr int kLeaf = 24;          // triangles of a part that is not cut further
+constexpr int kMaxVertices = 512;  // of a hull; a larger part is bounded by its box
 constexpr int kLanes = 4;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
 
