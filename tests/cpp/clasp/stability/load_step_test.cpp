@@ -38,8 +38,8 @@ std::vector<LoadContact> random_contacts(std::size_t count, int joints, std::mt1
   std::vector<LoadContact> contacts;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector6d row = Vector6d::NullaryExpr([&] { return side(rng); });
-    const VectorXd opens = VectorXd::NullaryExpr(joints, [&] { return side(rng); });
-    contacts.push_back({i, row.normalized(), opens.cwiseMax(0), std::max(0.0, side(rng))});
+    const VectorXd opens = VectorXd::NullaryExpr(joints, [&] { return side(rng) + 0.6; });
+    contacts.push_back({i, row.normalized(), opens, std::max(0.0, side(rng))});
   }
   return contacts;
 }
