@@ -4,6 +4,7 @@
 
 import importlib.metadata
 import json
+import re
 
 import pytest
 
@@ -93,6 +94,41 @@ def test_robots_of_installed_packages(name):
     (row,) = run([member], slides=3, clasps=1, limits=(10.0, 0.2))
     assert row["slides"]["solved"] == 3
     assert row["slides"]["faults"] == 0
+
+
+ELBOW_DOWN = {"shoulder_lift": -0.479, "elbow": -0.960, "wrist_1": -0.132}
+
+
+def test_two_files_are_joined_inspected_and_plan_from_any_home(tmp_path):
+    (member,) = (member for member in fleet.FLEET if member.name == "UR5e and Robotiq 2F-85")
+    try:
+        files = member.resolved()
+    except importlib.metadata.PackageNotFoundError as error:
+        pytest.skip(f"{error.name} is not installed")
+    joined, mine = str(tmp_path / "mine.urdf"), tmp_path / "mine"
+    gripper = files["gripper"]["file"]
+    assert main(["robot", "join", files["arm"], gripper, "--mount", "tool0", "-o", joined]) == 0
+    assert main(["robot", "inspect", joined, "-o", str(mine)]) == 0
+    task = {
+        "kind": "slide",
+        "robot": {"urdf": str(mine / "mine.urdf")},
+        "object": {
+            "rectangle": {"size": [0.086, 0.054]},
+            "thickness": 0.002,
+            "pose": {"x": 0.5, "y": 0.1, "yaw": 0.4},
+        },
+        "support": {"rectangle": {"center": [0.5, 0.0], "size": [0.5, 0.7]}, "height": 0.1},
+        "budget": {"seconds": 60},
+    }
+    assert graspless.check(graspless.plan(task)) == []
+    text = (mine / "mine.srdf").read_text()
+    for name, value in ELBOW_DOWN.items():
+        text, count = re.subn(rf'(name="{name}_joint" value=)"[^"]*"', rf'\1"{value}"', text)
+        assert count == 1
+    (mine / "mine.srdf").write_text(text)
+    plan = graspless.plan(task)  # the presses nearest to this home are in the table
+    assert graspless.check(plan) == []
+    assert plan.statistics.refusals["start: collision of upper_arm_link with support"] > 10
 
 
 def test_tables_are_placed_where_the_arm_presses_and_grasps(tmp_path):

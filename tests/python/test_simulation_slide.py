@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import re
 
 import mujoco
 import numpy as np
@@ -13,6 +14,7 @@ import yaml
 
 import graspless
 from graspless import _data, frames, geometry
+from graspless.errors import TaskError
 from graspless.simulation.settings import Slide
 from graspless.simulation.slide import FAILURES, MEASURES, Execution, overhang
 from graspless.simulation.slide.fingers import PAD
@@ -99,6 +101,18 @@ def test_a_pad_without_mass_belongs_to_the_finger_that_carries_it(tmp_path):
     trial = graspless.simulate(plan).trials[0]
     assert trial.measures["position_error"] < 0.003
     assert trial.measures["lift_height"] > 0.09
+
+
+def test_a_link_without_inertia_is_named(tmp_path):
+    for part in (".urdf", ".srdf", ".hand.yaml"):
+        text = (_data.directory("urdf") / f"wam_t42{part}").read_text()
+        (tmp_path / f"mine{part}").write_text(re.sub(r"<inertia [^>]*/>", "", text, count=1))
+    document = yaml.safe_load(CARD.read_text())
+    document["robot"] = {"urdf": str(tmp_path / "mine.urdf")}
+    with pytest.warns(UserWarning, match="<inertial> without mass or inertia, which is ignored"):
+        plan = graspless.plan(document)
+    with pytest.raises(TaskError, match="its <inertial> has no inertia; the simulation needs it"):
+        graspless.simulate(plan)
 
 
 def test_the_recording_has_a_row_of_everything_a_moment(plan, nominal):

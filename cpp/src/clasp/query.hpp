@@ -59,6 +59,15 @@ struct Query {
     }
     return true;
   }
+
+  /// Counts a motion that is not free, under the pair that touches in its first row that is not.
+  void refuse_motion(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    for (const auto& q : planning::subdivided({from, to}, kRowStep, problem.robot.step_weights())) {
+      const auto [a, b] = free.collision(q);
+      if (!a.empty()) return refuse("motion: collision of " + a + " with " + b);
+    }
+    refuse("motion: collision");
+  }
 };
 
 }  // namespace graspless::clasp

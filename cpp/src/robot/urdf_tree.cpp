@@ -96,6 +96,21 @@ std::string complete_limits(TiXmlElement& robot, const char* quantity) {
          joints;
 }
 
+/// Removes each <inertial> that lacks the mass or the inertia, so that its link has neither.
+/// Returns a warning that names the links; empty if none does.
+std::string drop_partial_inertials(TiXmlElement& robot) {
+  std::string links;
+  for (auto* e = robot.FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
+    TiXmlElement* inertial = e->FirstChildElement("inertial");
+    if (!inertial) continue;
+    if (inertial->FirstChildElement("mass") && inertial->FirstChildElement("inertia")) continue;
+    e->RemoveChild(inertial);
+    links += (links.empty() ? "'" : ", '") + attribute(*e, "name") + "'";
+  }
+  if (links.empty()) return "";
+  return "URDF: <inertial> without mass or inertia, which is ignored: links " + links;
+}
+
 std::set<std::string> declared_links(const TiXmlElement& robot) {
   std::set<std::string> links;
   for (auto* e = robot.FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
@@ -192,8 +207,9 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   check_chains(*robot, edges, tree.joints);
   tree.warnings = check_types(*robot, tree.root);
   tree.xml = xml;
-  for (const char* quantity : {"effort", "velocity"}) {
-    const std::string warning = complete_limits(*robot, quantity);
+  for (const std::string& warning :
+       {complete_limits(*robot, "effort"), complete_limits(*robot, "velocity"),
+        drop_partial_inertials(*robot)}) {
     if (warning.empty()) continue;
     tree.warnings.push_back(warning);
     TiXmlPrinter printer;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,6 +20,9 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr Eigen::Index kPolledPoints = 256;  // between two polls
 
+// Draws in a row whose nearest configurations are refused, after which the others are tried too.
+constexpr int kPatience = 100;
+
 Planar contact_at(const Eigen::Vector2d& point, double yaw) {
   Planar contact = Planar::Identity();
   contact.linear() = Eigen::Rotation2Dd(yaw).toRotationMatrix();
@@ -28,22 +30,27 @@ Planar contact_at(const Eigen::Vector2d& point, double yaw) {
   return contact;
 }
 
-/// Returns a configuration that presses at `contact`: of one draw's solutions, the nearest to
-/// `near`.
-std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, double depth,
+/// Returns the configurations of one draw that press at `contact`, the nearest to `near` first.
+std::vector<Eigen::VectorXd> presses_at(Query& query, const Planar& contact, double depth,
                                         const Eigen::VectorXd& near, double free_joint) {
   const Eigen::Isometry3d X_WF = query.pressed_tip(contact, depth, query.options.pitch);
-  std::optional<Eigen::VectorXd> best;
-  double least = std::numeric_limits<double>::infinity();
   const Eigen::VectorXd near_arm = query.arm.part(near);
+  std::vector<Eigen::VectorXd> arms;
   for (const Eigen::VectorXd& q : query.draw_ik(query.tip_ik, X_WF, near, free_joint)) {
-    const Eigen::VectorXd arm = query.arm.part(q);
-    const double distance = (arm - near_arm).norm();
-    if (distance >= least) continue;
-    least = distance;
-    best = arm;
+    arms.push_back(query.arm.part(q));
   }
-  return best;
+  const auto nearest = std::min_element(
+      arms.begin(), arms.end(),
+      [&](const auto& a, const auto& b) { return (a - near_arm).norm() < (b - near_arm).norm(); });
+  if (nearest != arms.end()) std::iter_swap(arms.begin(), nearest);
+  return arms;
+}
+
+std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, double depth,
+                                        const Eigen::VectorXd& near, double free_joint) {
+  std::vector<Eigen::VectorXd> arms = presses_at(query, contact, depth, near, free_joint);
+  if (arms.empty()) return {};
+  return arms.front();
 }
 
 /// Those of P_o that are not within options.rim_margin of the outline.
@@ -82,17 +89,26 @@ bool StartRegion::try_sample(ob::State* state) const {
     query_.refuse("start: off the support");
     return false;
   }
-  const auto arm =
-      press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
-  if (!arm) {
+  const auto arms =
+      presses_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  if (arms.empty()) {
     query_.refuse("start: reach");
     return false;
   }
-  if (!query_.contact.is_valid(*arm, ContactSpace::Carried{contact, query_.object_start})) {
-    query_.refuse_press("start: ", *arm);
-    return false;
+  const auto is_valid = [&](const Eigen::VectorXd& arm) {
+    return query_.contact.is_valid(arm, ContactSpace::Carried{contact, query_.object_start});
+  };
+  auto valid = is_valid(arms.front()) ? arms.begin() : arms.end();
+  if (valid == arms.end()) {
+    query_.refuse_press("start: ", arms.front());
+    if (refused_ < kPatience) ++refused_;
+    // The nearest one has the elbow down, for example, if it is down at home.
+    if (refused_ == kPatience) valid = std::find_if(arms.begin() + 1, arms.end(), is_valid);
+  } else if (refused_ < kPatience) {
+    refused_ = 0;
   }
-  vector(state, query_.arm.dof()) = *arm;
+  if (valid == arms.end()) return false;
+  vector(state, query_.arm.dof()) = *valid;
   return true;
 }
 

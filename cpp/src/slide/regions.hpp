@@ -23,6 +23,7 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
  private:
   Query& query_;
   std::vector<std::int32_t> inside_;  ///< contact points far enough inside the outline
+  mutable int refused_ = 0;           ///< draws in a row whose nearest configuration is not valid
 };
 
 class GRASPLESS_API GoalRegion : public planning::SampleableRegion {

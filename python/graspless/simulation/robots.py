@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import frames, geometry
 from .._xml import parse
+from ..errors import TaskError
 from ..tasks.meshes import FOREIGN
 from ..tasks.robots import mesh_path
 from .settings import Servo, Solver
@@ -130,6 +131,16 @@ def _add_servo(spec: Any, name: str, effort: float, weight: float, servo: Servo)
     actuator.forcelimited, actuator.forcerange = True, [-effort, effort]
 
 
+def _require_whole_inertial(link: ET.Element) -> None:
+    inertial = link.find("inertial")
+    if inertial is None:
+        return
+    for part in ("mass", "inertia"):
+        if inertial.find(part) is None:
+            name = link.get("name")
+            raise TaskError(f"link '{name}': its <inertial> has no {part}; the simulation needs it")
+
+
 def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
     """Returns the URDF for MuJoCo, and the meshes that it cannot read by itself.
 
@@ -140,6 +151,7 @@ def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
     for link in root.iter("link"):
         for visual in link.findall("visual"):
             link.remove(visual)
+        _require_whole_inertial(link)
     for collision in root.iter("collision"):  # names need not differ, nor differ from ours
         collision.attrib.pop("name", None)
     assets: dict[str, bytes] = {}

@@ -174,6 +174,18 @@ TEST(ClaspPlan, EndsWithItsBudget) {
   EXPECT_EQ(clasp::plan(ring_problem(), {}, budget).status, Status::interrupted);
 }
 
+TEST(ClaspPlan, RefusedMotionsNameTheLinksThatTouch) {
+  const Plan plan = clasp::plan(ring_problem(), quick(), cycles(200));
+  int named = 0;
+  for (const auto& [why, count] : plan.statistics.refusals) {
+    if (why.rfind("motion: collision of ", 0) == 0) {
+      EXPECT_NE(why.find(" with "), std::string::npos) << why;
+      named += count;
+    }
+  }
+  EXPECT_GT(named, 0);
+}
+
 TEST(ClaspPlan, AClaspThatIsNotSecureIsRefused) {
   Options options = quick();
   options.stability.escape_distance = 0.001;  // everything has escaped

@@ -123,6 +123,18 @@ TEST(UrdfReader, WarnsOfLimitsWithoutEffortOrVelocity) {
   EXPECT_EQ(robot.urdf(), "<robot name='r'>" + chain + "</robot>");
 }
 
+TEST(UrdfReader, WarnsOfInertialsWithoutMassOrInertia) {
+  const std::string inertia = "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>";
+  const Robot robot =
+      read("<link name='a'><inertial><mass value='1'/></inertial></link><link name='b'><inertial>" +
+           inertia + "</inertial></link><link name='c'><inertial><mass value='1'/>" + inertia +
+           "</inertial></link>" + joint("one", "a", "b") + joint("two", "b", "c"));
+  EXPECT_EQ(robot.warnings(),
+            std::vector<std::string>{
+                "URDF: <inertial> without mass or inertia, which is ignored: links 'a', 'b'"});
+  EXPECT_EQ(robot.dof(), 2);
+}
+
 TEST(UrdfReader, RefusesMimicsOfNothing) {
   const auto chain = [](const std::string& first, const std::string& second) {
     return links({"a", "b", "c"}) + joint("one", "a", "b", kLimit + first) +

@@ -39,7 +39,7 @@ class FreeMotion : public ob::MotionValidator {
       : MotionValidator(si), query_(query), dof_(query.problem.robot.dof()) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
     if (query_.is_motion_free(vector(a, dof_), vector(b, dof_))) return true;
-    query_.refuse("motion: collision");
+    query_.refuse_motion(vector(a, dof_), vector(b, dof_));
     return false;
   }
   bool checkMotion(const ob::State* a, const ob::State* b,
