@@ -15,9 +15,11 @@ namespace graspless {
 namespace {
 
 constexpr std::int64_t kInterval = 3'000'000;  // between checks [ns]
+constexpr double kSmall = 1e6;                 // memory that is not worth a check [bytes]
 
 thread_local Watch* innermost = nullptr;
 thread_local std::int64_t next_check = 0;
+thread_local double announced = 0;  // [bytes]
 
 std::function<void()>& default_check() {
   static std::function<void()> check;
@@ -50,6 +52,18 @@ void poll() {
   for (const Watch* watch = innermost; watch != nullptr; watch = watch->outer_) watch->check_();
   if (innermost == nullptr && default_check()) default_check()();
 }
+
+void announce_memory(double bytes) {
+  if (bytes < kSmall) return;
+  struct Announcement {
+    explicit Announcement(double bytes) { announced = bytes; }
+    ~Announcement() { announced = 0; }
+  } const announcement(bytes);
+  next_check = 0;
+  poll();
+}
+
+double announced_memory() { return announced; }
 
 void set_default_check(std::function<void()> check) { default_check() = std::move(check); }
 

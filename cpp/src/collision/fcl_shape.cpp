@@ -61,6 +61,7 @@ Geometry make_surface(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& 
   // FCL's trees of OBB alone are quicker to build, but miss contacts of surfaces.
   auto surface = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   surface->bv_fitter = std::make_shared<PollingFitter>();
+  announce_memory(2.0 * static_cast<double>(faces.size()) * sizeof(fcl::BVNode<fcl::OBBRSSd>));
   surface->beginModel(static_cast<int>(faces.size()), static_cast<int>(corners.size()));
   surface->addSubModel(corners, faces);
   surface->endModel();

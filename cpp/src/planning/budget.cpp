@@ -33,7 +33,7 @@ bool Clock::spend() {
 bool Clock::is_out() {
   if (out_since_) return true;
   const auto now = Steady::now();
-  if (now >= next_poll_) {
+  if (now >= next_poll_ || announced_memory() > 0) {
     next_poll_ = now + kPollInterval;
     look();
   }
@@ -44,8 +44,9 @@ bool Clock::is_out() {
 
 void Clock::look() {
   interrupted_ = budget_.interrupted && budget_.interrupted();
-  out_of_memory_ =
-      std::isfinite(max_memory_) && resident_memory() - memory_at_start_ > max_memory_ + kUnnoticed;
+  if (!std::isfinite(max_memory_)) return;
+  const double taken = resident_memory() + announced_memory() - memory_at_start_;
+  out_of_memory_ = taken > max_memory_ + kUnnoticed;
 }
 
 void Clock::require() {

@@ -96,6 +96,22 @@ TEST(Budget, EndsWorkThatGrows) {
   EXPECT_EQ(clock.reason(), "the search needs more memory than options.max_memory = 1 MB");
 }
 
+TEST(Budget, EndsWorkBeforeItGrowsInOneStep) {
+  Clock clock(Budget{}, 1e6);
+  bool has_room = false, has_grown = false;
+  EXPECT_FALSE(clock.run([&] {
+    poll();  // the next look at the memory is not due for milliseconds
+    announce_memory(1e5);
+    has_room = true;
+    announce_memory(1e9);
+    has_grown = true;
+  }));
+  EXPECT_TRUE(has_room);
+  EXPECT_FALSE(has_grown);
+  EXPECT_TRUE(clock.is_out_of_memory());
+  EXPECT_EQ(announced_memory(), 0);
+}
+
 TEST(Budget, TakesAFailedAllocationForTheLimit) {
   Clock clock(Budget{});
   EXPECT_FALSE(clock.run([] { throw std::bad_alloc(); }));
