@@ -46,10 +46,10 @@ def prepare() -> None:
     """Sets up a process that runs one command and ends."""
     import gc
 
-    from . import limits
+    from . import _commands
 
     gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
-    limits.ends_with_command = True
+    _commands.ends_with_command = True
 
 
 class _Signals:

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from ._plan import Plan
 
+ends_with_command = False  # True in a process that runs one command and ends
+
 FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
 EXIT_CODES = """exit codes:

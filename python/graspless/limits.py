@@ -12,6 +12,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
+from . import _commands
 from ._core import planning
 from .errors import OutOfTimeError
 
@@ -20,8 +21,7 @@ if TYPE_CHECKING:
 
 _LONGEST = 1e8  # of a timer [s]
 
-ends_with_command = False  # True in a process that runs one command and ends
-_left: list[BaseException] = []  # of commands that are about to end
+_left: list[BaseException] = []  # exceptions that keep trees alive until the process ends
 
 
 class Reading:
@@ -50,7 +50,7 @@ class Reading:
             raise planning.OutOfTime
 
     def out_of_time(self) -> OutOfTimeError:
-        """Returns the error that says so."""
+        """Returns the error that reports the time limit."""
         return OutOfTimeError(
             f"budget.seconds: {self.seconds:g} s were over before the task was read; "
             "should be larger"
@@ -130,9 +130,9 @@ def uncounted() -> Iterator[None]:
 def without_collector() -> Iterator[None]:
     """Stops Python's collector of cycles while a large tree without cycles grows.
 
-    Each of its runs visits the whole tree, for up to half a second, which no signal ends. A command
-    that a signal or its time limit ends within the block neither visits the tree again nor frees
-    it: the end of the process does.
+    Each of its runs traverses the whole tree, for up to half a second, which no signal ends. If an
+    exception (a signal or the time limit) ends a command within the block, the tree is neither
+    traversed again nor freed; the process ends instead.
     """
     was_enabled = gc.isenabled()
     gc.disable()
@@ -140,7 +140,7 @@ def without_collector() -> Iterator[None]:
         yield
     except BaseException as error:
         clock = _current.reading
-        if ends_with_command and clock is not None and clock.has_alarm:
+        if _commands.ends_with_command and clock is not None and clock.has_alarm:
             _left.append(error)  # its frames hold the tree
             was_enabled = False
         raise

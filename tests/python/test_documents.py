@@ -8,7 +8,7 @@ import json
 import numpy as np
 import pytest
 
-from graspless import _data, limits, load_task
+from graspless import _commands, _data, limits, load_task
 from graspless.errors import OutOfTimeError
 from graspless.tasks import documents
 
@@ -54,7 +54,7 @@ def test_an_alarm_that_a_library_turns_into_an_error_is_an_alarm():
 
 @pytest.mark.parametrize("ends", [False, True])
 def test_a_command_that_ends_does_not_visit_its_tree_again(monkeypatch, ends):
-    monkeypatch.setattr(limits, "ends_with_command", ends)
+    monkeypatch.setattr(_commands, "ends_with_command", ends)
     monkeypatch.setattr(limits, "_left", [])
     try:
         interrupted = pytest.raises(KeyboardInterrupt)

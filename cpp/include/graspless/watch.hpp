@@ -34,10 +34,11 @@ class GRASPLESS_API Watch {
 /// Calls the checks of this thread's watches when they are due. Costs a few nanoseconds otherwise.
 GRASPLESS_API void poll();
 
-/// Calls the checks at once, before work that takes `bytes` of memory in one step. They read it in
-/// announced_memory().
+/// Calls the checks at once, before work that takes `bytes` of memory in one step. They read the
+/// amount from announced_memory(). Ignores less than 1 MB.
 GRASPLESS_API void announce_memory(double bytes);
-GRASPLESS_API double announced_memory();  ///< 0 but for calls by announce_memory() [bytes]
+/// Memory that is about to be taken [bytes]; 0 outside the checks that announce_memory() calls.
+GRASPLESS_API double announced_memory();
 
 /// Makes poll() call `check` on threads without a Watch. Must be called before other threads poll.
 GRASPLESS_API void set_default_check(std::function<void()> check);

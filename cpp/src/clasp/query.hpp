@@ -52,21 +52,35 @@ struct Query {
   /// True if a straight motion is collision-free at the configurations that check() will test: rows
   /// of kRowStep, subdivided at options.resolution.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    return !first_collision(from, to);
+  }
+
+  /// Same, but counts a rejected motion by the links that touch first.
+  bool accept_motion(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    const auto stretch = first_collision(from, to);
+    if (!stretch) return true;
+    std::string why = "motion: collision";
+    for (const auto& q :
+         planning::subdivided(*stretch, options.resolution, problem.robot.step_weights())) {
+      const auto [a, b] = free.collision(q);
+      if (a.empty()) continue;
+      why += " of " + a + " with " + b;
+      break;
+    }
+    refuse(why);
+    return false;
+  }
+
+ private:
+  /// Returns the first two rows of a straight motion between which it is not free.
+  std::optional<planning::Path> first_collision(const Eigen::VectorXd& from,
+                                                const Eigen::VectorXd& to) {
     const planning::Path rows =
         planning::subdivided({from, to}, kRowStep, problem.robot.step_weights());
     for (std::size_t i = 1; i < rows.size(); ++i) {
-      if (!free.is_free(rows[i - 1], rows[i], options.resolution)) return false;
+      if (!free.is_free(rows[i - 1], rows[i], options.resolution)) return {{rows[i - 1], rows[i]}};
     }
-    return true;
-  }
-
-  /// Counts a motion that is not free, under the pair that touches in its first row that is not.
-  void refuse_motion(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-    for (const auto& q : planning::subdivided({from, to}, kRowStep, problem.robot.step_weights())) {
-      const auto [a, b] = free.collision(q);
-      if (!a.empty()) return refuse("motion: collision of " + a + " with " + b);
-    }
-    refuse("motion: collision");
+    return std::nullopt;
   }
 };
 

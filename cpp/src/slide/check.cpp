@@ -172,14 +172,16 @@ void Examination::check_collisions(const Segment& segment) {
                      });
 }
 
-/// The plan must tell every risk that it has in this problem: friction or mass may have changed.
+/// The plan must carry every kind of warning that this problem calls for; friction or mass may have
+/// been edited.
 void Examination::check_warnings() {
-  for (const Warning& warning : warnings(problem_, plan_)) {
-    const bool is_told =
-        std::any_of(plan_.warnings.begin(), plan_.warnings.end(), [&](const std::string& told) {
-          return told.compare(0, warning.risk.size(), warning.risk) == 0;
-        });
-    if (!is_told) fault("warnings", "the plan does not say that " + warning.text());
+  constexpr double kClearly = 1.01;
+  const auto has = [&](const Warning& warning) {
+    return std::any_of(plan_.warnings.begin(), plan_.warnings.end(),
+                       [&](const std::string& text) { return text.rfind(warning.risk, 0) == 0; });
+  };
+  for (const Warning& warning : warnings(problem_, plan_, kClearly)) {
+    if (!has(warning)) fault("warnings", "the plan lacks this one: " + warning.text());
   }
 }
 

@@ -91,19 +91,22 @@ Eigen::VectorXd depths_within(const geometry::Polygon& outline, const Eigen::Mat
   return depths;
 }
 
-/// Of each run of points with the same x, the least and the greatest along y.
+/// Returns the lowest and the highest point along y of each run with the same x.
 Eigen::Matrix2Xd outermost_of(const Eigen::Matrix2Xd& points) {
   std::vector<Eigen::Vector2d> found;
+  std::size_t run = 0;  // index of its lowest point
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     if (i % kPolledRows == 0) poll();
     const Eigen::Vector2d p = points.col(i);
-    const std::size_t n = found.size();
-    if (n < 2 || found[n - 1].x() != p.x()) {
-      found.insert(found.end(), 2, p);
-    } else if (p.y() < found[n - 2].y()) {
-      found[n - 2] = p;
-    } else if (p.y() > found[n - 1].y()) {
-      found[n - 1] = p;
+    if (found.empty() || found.back().x() != p.x()) {
+      run = found.size();
+      found.push_back(p);
+    } else if (found.size() == run + 1) {
+      found.insert(p.y() < found[run].y() ? found.end() - 1 : found.end(), p);
+    } else if (p.y() < found[run].y()) {
+      found[run] = p;
+    } else if (p.y() > found[run + 1].y()) {
+      found[run + 1] = p;
     }
   }
   return Eigen::Map<const Eigen::Matrix2Xd>(found.front().data(), 2,

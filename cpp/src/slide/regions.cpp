@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -99,15 +100,16 @@ bool StartRegion::try_sample(ob::State* state) const {
     return query_.contact.is_valid(arm, ContactSpace::Carried{contact, query_.object_start});
   };
   auto valid = is_valid(arms.front()) ? arms.begin() : arms.end();
+  if (valid == arms.begin() && refused_ < kPatience) refused_ = 0;
+  if (valid == arms.end()) {
+    if (refused_ < kPatience) ++refused_;
+    // For example, the nearest one has the elbow down if home has.
+    if (refused_ == kPatience) valid = std::find_if(arms.begin() + 1, arms.end(), is_valid);
+  }
   if (valid == arms.end()) {
     query_.refuse_press("start: ", arms.front());
-    if (refused_ < kPatience) ++refused_;
-    // The nearest one has the elbow down, for example, if it is down at home.
-    if (refused_ == kPatience) valid = std::find_if(arms.begin() + 1, arms.end(), is_valid);
-  } else if (refused_ < kPatience) {
-    refused_ = 0;
+    return false;
   }
-  if (valid == arms.end()) return false;
   vector(state, query_.arm.dof()) = *valid;
   return true;
 }

@@ -15,10 +15,10 @@ namespace graspless::slide {
 namespace {
 
 /// The pad's friction is too small to drag the object.
-std::optional<Warning> of_drag(const Problem& problem, const Plan& plan) {
+std::optional<Warning> of_drag(const Problem& problem, const Plan& plan, double beyond) {
   constexpr double kLargest = 10;  // beyond it the exact number says nothing more
   const double load = drag_load(problem, plan);
-  if (load <= 1) return std::nullopt;
+  if (load <= beyond) return std::nullopt;
   std::ostringstream out;
   out << std::setprecision(3) << ": the slide needs " << (load < kLargest ? "" : "more than ")
       << std::min(load, kLargest) << " times the friction that the pad has ("
@@ -32,12 +32,12 @@ std::optional<Warning> of_drag(const Problem& problem, const Plan& plan) {
 
 /// Eq. (2) lets the object turn with the finger; the pad's friction limits how fast. The object may
 /// lag behind.
-std::optional<Warning> of_torsion(const Problem& problem, const Plan& plan) {
+std::optional<Warning> of_torsion(const Problem& problem, const Plan& plan, double beyond) {
   constexpr double kDegree = 0.017453292519943295;  // [rad]
   constexpr double kSmallLag = 2;                   // not worth a warning [deg]
   const Turning slide = turning(problem, plan);
   const double lag = slide.lag / kDegree;
-  if (lag < kSmallLag) return std::nullopt;
+  if (lag < kSmallLag * beyond) return std::nullopt;
   std::ostringstream out;
   out << std::setprecision(2) << slide.max_turn_rate / kDegree / 100
       << " deg/cm, but the pad's friction turns the object by at most "
@@ -47,10 +47,10 @@ std::optional<Warning> of_torsion(const Problem& problem, const Plan& plan) {
 }
 
 /// The object ends behind the plan, because the wrist gives way to friction.
-std::optional<Warning> of_trailing(const Problem& problem, const Plan& plan) {
+std::optional<Warning> of_trailing(const Problem& problem, const Plan& plan, double beyond) {
   constexpr double kSmallTrail = 2e-3;  // not worth a warning [m]
   const Trailing slide = trailing(problem, plan);
-  if (slide.left < kSmallTrail) return std::nullopt;
+  if (slide.left < kSmallTrail * beyond) return std::nullopt;
   return Warning{"the wrist gives way to the friction of the support",
                  ": the object trails " + in_mm(slide.sliding) +
                      " behind the plan while it slides, and ends " + in_mm(slide.left) +
@@ -60,10 +60,12 @@ std::optional<Warning> of_trailing(const Problem& problem, const Plan& plan) {
 
 }  // namespace
 
-std::vector<Warning> warnings(const Problem& problem, const Plan& plan) {
-  if (const auto drag = of_drag(problem, plan)) return {*drag};  // then the others mean nothing
+std::vector<Warning> warnings(const Problem& problem, const Plan& plan, double beyond) {
+  if (const auto drag = of_drag(problem, plan, beyond))
+    return {*drag};  // then the others mean nothing
   std::vector<Warning> found;
-  for (const auto& warning : {of_torsion(problem, plan), of_trailing(problem, plan)}) {
+  for (const auto& warning :
+       {of_torsion(problem, plan, beyond), of_trailing(problem, plan, beyond)}) {
     if (warning) found.push_back(*warning);
   }
   return found;

@@ -15,7 +15,8 @@ struct Warning {
   std::string text() const { return risk + rest; }
 };
 
-/// Returns the risks of a plan's slide that follow from friction. See torsion.hpp.
-std::vector<Warning> warnings(const Problem& problem, const Plan& plan);
+/// Returns the risks of a plan's slide that follow from friction, where they exceed the smallest
+/// ones that are worth a warning by the factor `beyond`. See torsion.hpp.
+std::vector<Warning> warnings(const Problem& problem, const Plan& plan, double beyond = 1);
 
 }  // namespace graspless::slide

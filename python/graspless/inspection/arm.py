@@ -30,8 +30,10 @@ MARGIN = 0.1  # distance kept from the limits, as a fraction of the joint's rang
 # a torso reach tables that are below their base.
 DISTANCES = (0.45, 0.55, 0.35, 0.65)
 HEIGHTS = ((0.4, 0.3, 0.5, 0.2), (0.1, 0.0, -0.2, -0.4))
-LOW = 0.01  # height that the arm may sag below the line to its wrist, as a fraction of the reach
-HIGHER = 16  # places tried for a home with the elbow up, after one with the elbow down was found
+# Depth of the elbow below the line from shoulder to wrist that still counts as up, as a fraction of
+# the reach.
+LOW = 0.01
+HIGHER = 16  # further places tried once a home with the elbow down was found
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,9 @@ def find_home(
         return None
     down = search.pointing_down()
     if down is not None:
-        return Home(down, "free of collision, away from the limits, the hand points down", True)
+        reason = "free of collision, away from the limits, the hand points down"
+        is_up = search.is_elbow_up(down)
+        return Home(down, reason if is_up else f"{reason}, but the elbow is down too", is_up)
     level = search.drawn()
     if level is None:
         return None
@@ -178,7 +182,7 @@ class _Search:
         """True if the hand is over the plane that the arm stands on."""
         return bool(self._pose(q)[2, 3] > self.base[2] + 0.05 * self.reach)
 
-    def _is_elbow_up(self, q: Matrix) -> bool:
+    def is_elbow_up(self, q: Matrix) -> bool:
         """True if the arm bends upwards from the straight line from its first to its last link."""
         at = np.array([self.robot.pose(link, q)[:3, 3] for link in self.elbows])
         if len(at) < 3:
@@ -197,10 +201,12 @@ class _Search:
         fallback, left = None, HIGHER
         for place in self._places():
             found = self._free_at(ik, place)
-            if found is not None and self._is_elbow_up(found):
+            if found is not None and self.is_elbow_up(found):
                 return found
-            fallback = found if fallback is None else fallback
-            left -= fallback is not None
+            if fallback is None:
+                fallback = found
+            else:
+                left -= 1
             if left == 0:
                 break
         return fallback
@@ -212,7 +218,7 @@ class _Search:
         middle[self.columns] = (self.lower + self.upper) / 2
         found = [q for X_WH in place for q in np.asarray(ik.solve_all(X_WH @ X_HL, middle))]
         roomy = [q for q in found if self.room(q) > MARGIN / 2]
-        roomy.sort(key=lambda q: (self._is_elbow_up(q), self.room(q)), reverse=True)
+        roomy.sort(key=lambda q: (self.is_elbow_up(q), self.room(q)), reverse=True)
         return next((q for q in roomy if self.is_free(q)), None)
 
     def _places(self) -> Iterator[list[Matrix]]:

@@ -162,11 +162,11 @@ def _jaw(tree: Tree) -> Palm:
     if drawn:
         shown = " and ".join(drawn)
         raise ValueError(f"no hand was found: {shown} can be seen, but have no collision shape")
-    bare = [tree.links[b] for b in tree.members if b and not tree.children[b]]
-    bare = [name for name in bare if not tree.has_shape(tree.links.index(name))]
+    bare = [b for b in tree.members if b and not tree.children[b] and not tree.has_shape(b)]
     if len(bare) > 1:
+        names = " and ".join(tree.links[b] for b in bare)
         raise ValueError(
-            f"no hand was found: {' and '.join(bare)} move, but have no shape; add the fingers "
+            f"no hand was found: {names} move, but have no shape; add the fingers "
             "that are mounted on them"
         )
     raise ValueError(

@@ -18,7 +18,7 @@ class Budget(Fields):
 
 
 class Budgeted(Fields):
-    """The part of any task that holds its budget."""
+    """The budget of any task by itself, for validation."""
 
     budget: Budget
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fields and arrays in plain types, long ones part by part: signals wait for one part at most."""
+"""Fields and arrays as plain types. Long arrays are converted in parts, with signals in between."""
 
 from __future__ import annotations
 

@@ -127,8 +127,8 @@ class ArmQuery {
     vector(state.get(), n_) = q;
     setup_.setStartState(state);
   }
-  /// Searches until the planner has asked a million times if it should end: no clock is faster with
-  /// sanitizers or under load.
+  /// Searches until the planner has tested its termination condition a million times. Unlike a time
+  /// limit, this does not depend on sanitizers or load.
   ob::PlannerStatus solve() {
     ob::IterationTerminationCondition is_over(1'000'000);
     return setup_.solve(is_over);

@@ -45,7 +45,7 @@ TEST_F(Check, AMissingSegment) {
 
 TEST_F(Check, APadThatSlips) {
   problem_.hand.pad_friction = 0.15;
-  expect_fault("warnings: the plan does not say that the fingertip's pad cannot drag the object");
+  expect_fault("warnings: the plan lacks this one: the fingertip's pad cannot drag the object");
   plan_.warnings = {"the fingertip's pad cannot drag the object: as before"};
   EXPECT_TRUE(check(problem_, plan_).empty());
 }

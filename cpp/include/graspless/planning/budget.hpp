@@ -23,8 +23,8 @@ struct Budget {
   double seconds = 10;
   std::int64_t iterations = std::numeric_limits<std::int64_t>::max();
   std::uint64_t seed = 1;
-  /// Ends the query when it returns true. Called at once and then at most every 4 ms, from the
-  /// thread that plans.
+  /// Ends the query when it returns true. Called at once, then at most every 4 ms and before large
+  /// allocations, from the thread that plans.
   std::function<bool()> interrupted;
 };
 

@@ -42,8 +42,8 @@ class GRASPLESS_API Object {
   const geometry::Polygon& outline() const { return outline_; }
   /// Distance of each of points() to the outline [m].
   const Eigen::VectorXd& depths() const { return top_->depths; }
-  /// Those of points() among which the farthest in any direction is: the first and the last along y
-  /// of neighbours with the same x.
+  /// Subset of points() that contains the farthest point in every direction: of neighbours with the
+  /// same x, the first and the last along y.
   const Eigen::Matrix2Xd& outermost() const { return top_->outermost; }
   /// Distance between neighbouring points(): the square root of the outline's area per point [m].
   double spacing() const { return spacing_; }

@@ -38,9 +38,7 @@ class FreeMotion : public ob::MotionValidator {
   FreeMotion(const ob::SpaceInformationPtr& si, Query& query)
       : MotionValidator(si), query_(query), dof_(query.problem.robot.dof()) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    if (query_.is_motion_free(vector(a, dof_), vector(b, dof_))) return true;
-    query_.refuse_motion(vector(a, dof_), vector(b, dof_));
-    return false;
+    return query_.accept_motion(vector(a, dof_), vector(b, dof_));
   }
   bool checkMotion(const ob::State* a, const ob::State* b,
                    std::pair<ob::State*, double>&) const override {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,14 +26,14 @@ struct LoadContact {
   double gap;
 };
 
-/// A motion of the object that is stopped by contacts, and what it asks of the hand.
+/// A motion of the object that is stopped by contacts, and the effort that it demands of the hand.
 struct LoadStep {
   mechanics::Vector6d move = mechanics::Vector6d::Zero();  ///< [mm]
   double effort = 0;  ///< largest effort of a joint, as a fraction of its limit
 };
 
 /// Finds the steps under one load by linear programs. A program holds few contacts: those that
-/// stopped earlier steps, and those that its solution would pass. The solution is that for all
+/// stopped earlier steps, and those that its solution would pass. The solution is optimal for all
 /// contacts.
 class LoadStepper {
  public:

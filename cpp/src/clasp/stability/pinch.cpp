@@ -149,7 +149,7 @@ std::array<std::vector<Touch>, 2> PinchTester::touches(const Eigen::VectorXd& q)
 
 std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses& X_WL,
                                            const Vector3d& middle_W) const {
-  if (side.empty()) return {};  // or all points would be at the same distance, and be kept
+  if (side.empty()) return {};  // or all points would be collected, at an infinite distance
   const Distance distance = [&](const Vector3d& p_W) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [link, to] : side)

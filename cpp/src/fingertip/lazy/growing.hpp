@@ -10,12 +10,12 @@
 
 namespace graspless::fingertip {
 
-/// A vector of plain values that grows by realloc(). Where the system can move pages, growth copies
-/// nothing and takes no time, whereas std::vector copies 200 MB in a tenth of a second, in which
-/// nobody asks the clock. Meets what std::priority_queue requires of its container.
+/// A vector of plain values that grows by realloc(). Large blocks grow by moving pages, without a
+/// copy, where the system supports it. std::vector copies 200 MB in a tenth of a second, during
+/// which the clock is not checked. Meets what std::priority_queue requires of its container.
 template <class T>
 class Growing {
-  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
 
  public:
   using value_type = T;

@@ -141,7 +141,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
   kinds_of_.assign(next_.size(), kUnknown);
   rest_.assign(X_WO_.size(), kUnknown);
   free_.assign(X_WO_.size(), -1);
-  forget_clearance();
+  make_clearance_table();
 }
 
 double PoseGraph::memory_needed(const Lattice& lattice, double num_locations) {

@@ -84,10 +84,10 @@ PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& 
     next_.push_back(is_last ? -1 : static_cast<int>(i) + 1);
   }
   free_.assign(X_WO_.size(), 1);  // or validate() would have refused the path
-  forget_clearance();
+  make_clearance_table();
 }
 
-void PoseGraph::forget_clearance() {
+void PoseGraph::make_clearance_table() {
   constexpr std::size_t kPart = 1 << 20;  // bytes between two polls
   const std::size_t count = X_WO_.size() * num_locations_;
   clear_.reserve(count);

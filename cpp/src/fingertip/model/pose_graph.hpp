@@ -94,9 +94,10 @@ class PoseGraph {
   static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
   std::size_t arc(int pose, int move) const { return ix(pose) * ix(num_moves_) + ix(move); }
   void add_motion(const mechanics::Vector6d& twist_O);
-  void forget_clearance();
+  void make_clearance_table();
   int find_kind(int pose, int move) const;
   int add_kind(const std::vector<mechanics::BodyState>& states) const;
+
   const Problem& problem_;
   Instants& instants_;
   std::size_t num_locations_;

@@ -21,8 +21,8 @@ constexpr double kKeptMargin = 0.9, kKeptStability = 0.99;
 // forces found. That reaches 97 % of the best possible margin (median of 54 rows); more rounds
 // hardly help.
 constexpr int kRounds = 2;
-// Fraction of the largest force below which a force is zero but for rounding: its direction says
-// nothing.
+// A force below this fraction of the largest one is zero up to rounding; its direction is
+// meaningless.
 constexpr double kNoForce = 1e-6;
 
 void validate_all(const ContactSet& set, const std::vector<FingerMode>& modes,
@@ -45,7 +45,7 @@ std::vector<Reserve> equal_reserves(const ContactSet& set) {
 }
 
 /// Reserves for the changes of force under the worst disturbance, along the given forces. Nothing
-/// if one of these has no margin within its cone, as that of a finger commanded to press with 0.
+/// if one of these has no margin within its cone, such as a finger commanded to press with 0 N.
 std::optional<std::vector<Reserve>> spring_reserves(const std::vector<Spring>& springs,
                                                     const Equilibrium& forces) {
   double largest = 0;

@@ -195,15 +195,6 @@ TEST(PlanWithAGripper, APinchHoldsTheWholeLoadOrIsNone) {
       << found.reason;
 }
 
-TEST(TestPinch, AFingerWithoutShapesTouchesNothing) {
-  Problem problem = ring_in_gripper(0.02);
-  const VectorXd q = closed(problem);
-  EXPECT_FALSE(PinchTester(problem).touches(q)[0].empty());
-  for (CurveNode& node : problem.hand.fingers.front().nodes) node.link = "x";
-  EXPECT_TRUE(PinchTester(problem).touches(q)[0].empty());
-  EXPECT_FALSE(PinchTester(problem).touches(q)[1].empty());
-}
-
 TEST(PlanWithAGripper, RefusesABarThatIsThickerThanItOpens) {
   const Problem problem = ring_in_gripper(0.08, 0, 0.2);
   const Plan found = plan(problem, {}, cycles(1));
