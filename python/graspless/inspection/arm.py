@@ -99,8 +99,8 @@ def find_home(
     down = search.pointing_down()
     if down is not None:
         reason = "free of collision, away from the limits, the hand points down"
-        is_up = search.is_elbow_up(down)
-        return Home(down, reason if is_up else f"{reason}, but the elbow is down too", is_up)
+        elbow = "" if search.is_elbow_up(down) else ", with the elbow down"
+        return Home(down, reason + elbow, True)
     level = search.drawn()
     if level is None:
         return None
