@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -93,7 +94,7 @@ def find_home(
     Home or None
         None if no free configuration was found.
     """
-    search = _Search(tree.robot, arm, placed, pairs, q_open)
+    search = _Search(tree, arm, placed, pairs, q_open)
     if not any(search.is_free(search.draw()) for _ in range(OFTEN_SAMPLES)):
         return None
     down = search.pointing_down()
@@ -109,7 +110,7 @@ def find_home(
 
 def often_touching(tree: Tree, arm: Arm, pairs: Iterable[Pair], q_open: Matrix) -> list[Pair]:
     """Returns the pairs that touch in most configurations of the arm."""
-    search = _Search(tree.robot, arm, (tree.links[0], np.eye(4)), pairs, q_open)
+    search = _Search(tree, arm, (tree.links[0], np.eye(4)), pairs, q_open)
     count: Counter[Pair] = Counter()
     for _ in range(OFTEN_SAMPLES):
         search.scene.is_free(search.draw())
@@ -121,13 +122,15 @@ def often_touching(tree: Tree, arm: Arm, pairs: Iterable[Pair], q_open: Matrix) 
 class _Search:
     def __init__(
         self,
-        robot: robots.Robot,
+        tree: Tree,
         arm: Arm,
         placed: tuple[str, Matrix],
         pairs: Iterable[Pair],
         q_open: Matrix,
     ) -> None:
-        self.robot, self.link, self.q_open = robot, robot.frame(placed[0]), q_open
+        robot = tree.robot
+        self.tree, self.robot, self.q_open = tree, robot, q_open
+        self.link = robot.frame(placed[0])
         self.X_LH = placed[1]
         self.columns = [robot.joint(name) for name in arm.joints]
         self.lower, self.upper = (
@@ -141,10 +144,14 @@ class _Search:
         drawn = [self.draw() for _ in range(200)]
         tips = np.array([self._pose(q)[:3, 3] for q in drawn])
         self.reach = float(np.linalg.norm(tips - self.base, axis=1).max())
-        self.elbows = self._find_elbows(drawn[0], drawn[1]) if self.columns else []
+        self.two = drawn[:2]  # configurations
 
-    def _find_elbows(self, a: Matrix, b: Matrix) -> list[int]:
+    @cached_property
+    def elbows(self) -> list[int]:
         """Links from the arm's second joint to its last one, from the base outwards."""
+        if not self.columns:
+            return []
+        a, b = self.two
         turned, bent = a.copy(), b.copy()
         turned[self.columns[-1]] = b[self.columns[-1]]
         bent[self.columns[0]] = a[self.columns[0]]
@@ -152,12 +159,11 @@ class _Search:
         def stays(link: int, q: Matrix) -> bool:
             return np.allclose(self.robot.pose(link, a), self.robot.pose(link, q), atol=1e-9)
 
-        links: list[int] = []
-        link = self.link
-        while link >= 0:
-            links.insert(0, link)
-            link = self.robot.parent(link)
-        return [link for link in links if stays(link, turned) and not stays(link, bent)]
+        return [
+            link
+            for link in reversed(self.tree.line(self.link))
+            if stays(link, turned) and not stays(link, bent)
+        ]
 
     def draw(self) -> Matrix:
         q: Matrix = self.q_open.copy()
