@@ -17,7 +17,7 @@ from graspless import TaskError, _data
 from graspless.robot import Robot
 from graspless.simulation import settings
 from graspless.simulation.robots import apply, joint_addresses, robot_spec, untested_pairs
-from graspless.simulation.settings import Solver, Spread
+from graspless.simulation.settings import SLIDE_SPREAD, Solver, Spread
 from graspless.simulation.variation import Variation, variations
 
 WITH_ROBOT = ["01_slide_card", "02_kr5", "12_t42_tumble", "13_clasp_purse", "17_wam_clasp"]
@@ -42,6 +42,26 @@ def test_variations_stay_within_the_spread_and_use_it():
     assert all(abs(v.yaw) <= spread.angle and abs(v.mass - 1) <= spread.mass for v in drawn)
     assert Variation().is_nominal
     assert not any(v.is_nominal for v in drawn)
+
+
+def test_slides_also_vary_shape_place_and_flexures():
+    spread, drawn = SLIDE_SPREAD, variations(400, 1, SLIDE_SPREAD)[1:]
+    for name, most in (
+        ("thickness", spread.thickness),
+        ("flexure_length", spread.flexure),
+        ("flexure_stiffness", spread.flexure),
+    ):
+        factors = np.array([getattr(v, name) for v in drawn])
+        assert 0.9 * most < np.abs(factors - 1).max() <= most
+    tables = np.array([v.table for v in drawn])
+    assert 0.9 * spread.table < np.abs(tables).max() <= spread.table
+    coms = [np.hypot(v.com_x, v.com_y) for v in drawn]
+    assert 0.9 * spread.com < max(coms) <= spread.com
+    lengths = [(v.flexure_length, v.flexure_stiffness) for v in drawn]
+    assert abs(np.corrcoef(np.array(lengths).T)[0, 1]) < 0.15
+    # What all kinds vary is drawn as without these.
+    assert all((v.thickness, v.table) == (1, 0) for v in variations(20, 1))
+    assert [v.friction for v in variations(20, 1)[1:]] == [v.friction for v in drawn[:19]]
 
 
 def test_robot_and_support_have_frictions_of_their_own():

@@ -13,12 +13,14 @@ import pytest
 import yaml
 
 import graspless
-from graspless import _data, frames, geometry
+from graspless import _data, frames, geometry, slide
 from graspless.errors import TaskError
 from graspless.simulation.settings import Slide
 from graspless.simulation.slide import FAILURES, MEASURES, Execution, overhang
+from graspless.simulation.slide.conditions import CONDITIONS, draw
 from graspless.simulation.slide.fingers import PAD
-from graspless.simulation.slide.program import straight_lift
+from graspless.simulation.slide.kick import Kick
+from graspless.simulation.slide.program import make_program, straight_lift
 from graspless.simulation.slide.scene import build_scene
 from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
 from graspless.simulation.variation import Variation
@@ -188,6 +190,121 @@ def test_variations_reach_the_model(plan):
     X_OO = np.linalg.inv(plan.task.problem.X_WO_start) @ scene.X_WO
     assert np.linalg.norm(X_OO[:3, 3]) == pytest.approx(0.003)
     assert np.arctan2(X_OO[1, 0], X_OO[0, 0]) == pytest.approx(0.02)
+
+
+def test_shape_place_and_flexures_vary_too(plan):
+    plain = build_scene(plan, Variation())
+    varied = Variation(
+        thickness=1.2, table=0.003, com_x=0.004, com_y=-0.002, flexure_length=0.9,
+        flexure_stiffness=1.2,
+    )  # fmt: skip
+    scene = build_scene(plan, varied)
+    model, first = scene.model, plain.model
+    lifted = scene.X_WO[:3, 3] - plain.X_WO[:3, 3]
+    assert lifted == pytest.approx([0, 0, 0.003], abs=1e-12)
+    assert model.body("table").pos - first.body("table").pos == pytest.approx([0, 0, 0.003])
+    assert model.geom("object0").size[2] == pytest.approx(1.2 * first.geom("object0").size[2])
+    com = model.body("object").ipos - first.body("object").ipos
+    assert com == pytest.approx([0.004, -0.002, 0.1 * plan.task.problem.object.thickness])
+    for finger in ("sliding finger", "other finger"):
+        stiffness = [m.jnt_stiffness[m.joint(finger).id] for m in (model, first)]
+        assert stiffness[0] == pytest.approx(1.2 * stiffness[1])
+    # The flexure is nearer to the tip, which is where it was.
+    L = plan.task.problem.hand.flexure_length
+    moved = model.body("sliding finger").pos - first.body("sliding finger").pos
+    assert np.linalg.norm(moved) == pytest.approx(0.1 * L)
+    pads = [m.geom("pad2").pos[2] for m in (model, first)]
+    assert pads[0] - pads[1] == pytest.approx(-0.1 * L)
+
+
+class Listed:
+    """Commands of a program, with everything that was asked."""
+
+    def __init__(self, program):
+        self.program, self.asked = program, []
+        self.raised, self.start, self.X_WO_goal = program.raised, program.start, program.X_WO_goal
+
+    def command(self, step, senses):
+        self.asked.append((step, senses.positions(), senses.object_pose()))
+        return self.program.command(step)
+
+
+def test_any_controller_is_asked_step_by_step(plan, nominal):
+    """With the commands of the fixed program, the trial is that of the fixed program."""
+    made = []
+
+    def control(timestep):
+        program = make_program(plan, graspless.time(plan), timestep, Slide())
+        made.append(Listed(program))
+        return made[0]
+
+    execution = Execution(plan, Variation(), Slide(), control=control)
+    execution.run("slide")
+    assert execution.measures["position_error"] == nominal.measures["position_error"]
+    steps, joints, poses = zip(*made[0].asked, strict=True)
+    assert steps == tuple(range(len(steps)))
+    assert joints[0] == pytest.approx(plan.segments[0].positions[0])
+    assert poses[0] == pytest.approx(np.array(plan.task.problem.X_WO_start))
+    assert made[0].program.command(len(made[0].program.phase)) is None
+
+
+def test_a_kick_moves_the_object_once_half_way(plan):
+    kicked = Variation(kick_x=0.006, kick_y=-0.008, kick_yaw=0.15)
+    execution = Execution(plan, kicked, Slide())
+    execution.run("slide")
+    assert execution.measures["position_error"] == pytest.approx(0.010, abs=0.004)
+    assert execution.measures["angle_error"] == pytest.approx(0.15, abs=0.05)
+    scene, data, kick = execution.scene, execution.data, Kick(kicked)
+    qpos = data.joint("object").qpos
+    start, goal = scene.X_WO[:3, 3], plan.X_WO_goal[:3, 3]
+    for share, jumps in ((0.0, False), (0.49, False), (0.51, True), (0.6, False)):
+        qpos[:3] = before = start + share * (goal - start)
+        kick.watch(scene, data, plan.X_WO_goal)
+        assert np.linalg.norm(qpos[:3] - before) == pytest.approx(0.01 * jumps)
+
+
+def test_the_pose_is_judged_on_the_support_where_it_is(plan):
+    execution = Execution(plan, Variation(table=0.003), Slide())
+    execution.run("press")
+    execution.data.joint("object").qpos[:3] = plan.X_WO_goal[:3, 3] + [0, 0, 0.003]
+    execution.data.joint("object").qpos[3:] = frames.to_quaternion(plan.X_WO_goal)
+    mujoco.mj_kinematics(execution.scene.model, execution.data)
+    execution._measure_slide()
+    assert execution.measures["position_error"] < 1e-9
+
+
+@pytest.mark.parametrize("condition", CONDITIONS)
+def test_a_condition_is_one_difference_of_full_size(plan, condition):
+    drawn = [draw(condition, plan, np.random.default_rng([4, k])) for k in range(200)]
+    of = {
+        "none": (),
+        "friction": ("friction", "support_friction"),
+        "start": ("x", "y", "yaw"),
+        "kick": ("kick_x", "kick_y", "kick_yaw"),
+    }.get(condition, (condition,))
+    nominal = Variation().as_dict()
+    for variation in drawn:
+        differs = {name for name, value in variation.as_dict().items() if value != nominal[name]}
+        assert differs == set(of)
+    values = {name: np.array([getattr(v, name) for v in drawn]) for name in of}
+    if condition == "friction":
+        assert all(0.4 <= v.min() < 0.45 and 1.55 < v.max() <= 1.6 for v in values.values())
+    elif len(of) == 3:
+        assert np.hypot(values[of[0]], values[of[1]]) == pytest.approx(np.full(200, 0.01))
+        assert set(np.degrees(values[of[2]]).round(9)) == {-10, 10}
+    elif of:
+        thickness = plan.task.problem.object.thickness
+        full = {"mass": {0.5, 2}, "table": {-0.003, 0.003}}
+        full["thickness"] = {round(1 + s * 0.001 / thickness, 9) for s in (-1, 1)}
+        assert set(values[condition].round(9)) == full[condition]
+
+
+def test_conditions_that_are_none(plan):
+    with pytest.raises(TaskError, match="condition: wind: should be one of none, friction"):
+        graspless.simulate(plan, condition="wind")
+    thin = slide.Object.from_polygon("card", plan.task.problem.object.outline, 0.001)
+    with pytest.raises(TaskError, match="the object has 1 mm: should be more than 1 mm"):
+        draw("thickness", changed(plan, object=thin), np.random.default_rng(1))
 
 
 def test_a_slippery_pad_leaves_the_object_behind(plan):

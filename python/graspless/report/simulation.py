@@ -45,8 +45,9 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
 
 
 def _table(trials: list[Trial], measures: dict[str, str]) -> list[str]:
-    """Returns a table of measures: the nominal trial, and the spread over the varied trials."""
-    rows = [("", "nominal", *(("median", "min", "max") if len(trials) > 1 else ()), "")]
+    """Returns a table of measures: the first trial, and the spread over the others."""
+    first = "nominal" if trials[0].variation.is_nominal else "first"
+    rows = [("", first, *(("median", "min", "max") if len(trials) > 1 else ()), "")]
     for name, meaning in measures.items():
         varied = [trial.measures[name] for trial in trials[1:] if name in trial.measures]
         if name not in trials[0].measures and not varied:

@@ -9,7 +9,9 @@ shared with the planners. `settings` has the parameters.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
 
 from .._arguments import require_integer
 from ..errors import TaskError, install_command, missing
@@ -23,7 +25,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from .._plan import Plan
-    from .settings import Spread
 
 OLDEST = 4  # tested major version of MuJoCo; early 3.3 lacks parts of MjSpec
 
@@ -37,7 +38,8 @@ class SimulationKind(Protocol):
     MEASURES: dict[str, str]
     """Measured quantities: meaning and unit by name."""
 
-    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread().
+    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread();
+    # CONDITIONS, meaning by name, and draw(), which draws a variation of one.
 
     def run(self, plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         """Executes a solved plan."""
@@ -48,6 +50,7 @@ def simulate(
     trials: int = 1,
     seed: int = 0,
     *,
+    condition: str | None = None,
     record: bool = False,
     progress: Callable[[int], None] | None = None,
 ) -> Simulation:
@@ -60,9 +63,14 @@ def simulate(
     trials : int
         Number of trials. The first is nominal. The others vary friction, mass, the position of
         the object and the time step. For fingertip plans they vary friction by 10 %, the positions
-        of the fingers (with an arm: of the object) by 0.1 mm, and the time step.
+        of the fingers (with an arm: of the object) by 0.1 mm, and the time step. For slides they
+        also vary thickness and centre of mass of the object, the height of the support, and the
+        flexures of the fingers.
     seed : int
         Seed of the variations.
+    condition : str, optional
+        A single difference from the plan for all trials of a slide: none, friction, start, kick,
+        mass, thickness or table. Default: variations of everything, after a nominal trial.
     record : bool
         Keep a recording of the first trial.
     progress : callable, optional
@@ -77,21 +85,35 @@ def simulate(
     ------
     TaskError
         The plan is not solved, trials is not a whole number of at least 1, seed is not one of at
-        least 0, or MuJoCo is not installed.
+        least 0, the plan is no slide but a condition is given, there is no such condition, or
+        MuJoCo is not installed.
     """
     plan = as_plan(plan)
     if not plan:
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to simulate")
     trials = require_integer("trials", trials, least=1)
     seed = require_integer("seed", seed, least=0)
-    kind = simulation_kind(plan.kind)
+    kind: Any = simulation_kind(plan.kind)
+    drawn = _drawn(kind, plan, trials, seed, condition)
     done: list[Trial] = []
-    spread: Spread | None = getattr(kind, "SPREAD", None)
-    for variation in variations(trials, seed, spread):
+    for variation in drawn:
         done.append(kind.run(plan, variation, record=record and not done))
         if progress is not None:
             progress(len(done))
     return Simulation(plan, seed, done)
+
+
+def _drawn(kind: Any, plan: Plan, trials: int, seed: int, condition: str | None) -> list[Variation]:
+    """Returns one variation per trial."""
+    if condition is None:
+        return variations(trials, seed, getattr(kind, "SPREAD", None))
+    known = getattr(kind, "CONDITIONS", None)
+    if known is None:
+        raise TaskError(f"condition: {plan.kind} plans have none (slide plans have)")
+    if condition not in known:
+        raise TaskError(f"condition: {condition}: should be one of {', '.join(known)}")
+    randoms = (np.random.default_rng([seed, trial]) for trial in range(1, trials + 1))
+    return [kind.draw(condition, plan, random) for random in randoms]
 
 
 def simulation_kind(name: str) -> SimulationKind:

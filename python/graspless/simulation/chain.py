@@ -18,10 +18,10 @@ from .. import timing
 from ..errors import TaskError
 from .results import Trial
 from .settings import Slide
-from .slide import FAILURES, Execution
+from .slide import FAILURES, SPREAD, Execution
 from .slide import MEASURES as SLIDE_MEASURES
 from .slide import run as run_slide
-from .slide.program import HOLD, RAISE, SQUEEZE, Program, stretch
+from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -87,10 +87,14 @@ class _Carried(Execution):
 
     def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
         slide: Any = plan.stages[0]
-        super().__init__(slide, variation, settings, obstacles_of(plan.stages))
-        self.measures = {"kept": 0.0}
         carries = plan.stages[1:]
-        self.program = with_carries(self.program, carries, self.timestep)
+
+        def control(timestep: float) -> Program:
+            program = make_program(slide, timing.time(slide), timestep, settings)
+            return with_carries(program, carries, timestep)
+
+        super().__init__(slide, variation, settings, obstacles_of(plan.stages), control)
+        self.measures = {"kept": 0.0}
         first, last = (
             stage.segments[0].object_poses[row]
             for stage, row in ((carries[0], 0), (carries[-1], -1))
@@ -102,8 +106,8 @@ class _Carried(Execution):
             for segment in stage.segments
         )
 
-    def _end_of(self, phase: str) -> None:
-        super()._end_of(phase)
+    def _end_of(self, phase: str, following: str) -> None:
+        super()._end_of(phase, following)
         if phase == SQUEEZE:
             self._from = self.judge.pose(self.data)[:3, 3]
             self.judge.lowest = min(self.judge.lowest, self._lowest - self.settings.fell)
@@ -165,4 +169,4 @@ def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) 
     )
 
 
-__all__ = ["FAILURES", "MEASURES", "obstacles_of", "run"]
+__all__ = ["FAILURES", "MEASURES", "SPREAD", "obstacles_of", "run"]

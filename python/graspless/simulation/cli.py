@@ -17,7 +17,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `simulate`."""
     parser.description = (
         "Execute a plan in MuJoCo and judge it by the motion of the object. The first trial is "
-        "nominal. The others vary friction, mass, the position of the object and the time step. "
+        "nominal. The others vary friction, mass, the position of the object and the time step; "
+        "for slides also thickness, centre of mass, the height of the support and the flexures. "
         "For fingertip plans they vary friction by 10 %, the positions of the fingers (with an "
         "arm: of the object) by 0.1 mm, and the time step. The exit code is 1 if a trial failed."
     )
@@ -31,6 +32,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=0,
         metavar="S",
         help="seed of the variations (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--condition",
+        metavar="C",
+        help="for slides: a single difference from the plan for all trials: none, friction, "
+        "start, kick, mass, thickness or table",
     )
     parser.add_argument("--html", metavar="FILE", help="write a replay of the first trial to FILE")
     parser.add_argument(
@@ -59,7 +66,13 @@ def _run(options: argparse.Namespace) -> int:
             f"--disturb: {plan.kind} plans have no stability margin (fingertip plans do)"
         )
     with progress.waiting(f"simulating, {count(options.trials, 'trials')}"):
-        found = simulate(plan, options.trials, options.seed, record=options.html is not None)
+        found = simulate(
+            plan,
+            options.trials,
+            options.seed,
+            condition=options.condition,
+            record=options.html is not None,
+        )
     disturbed = _disturb(plan) if options.disturb else None
     if options.html is not None:
         with progress.waiting(f"drawing {options.html}"):

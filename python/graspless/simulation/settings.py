@@ -53,8 +53,14 @@ class Spread:
     position: float = 0.003  # of the object [m]
     angle: float = 0.0349  # of the object, 2 degrees [rad]
     timestep: float = 0.25  # fraction
+    thickness: float = 0.0  # of the object, fraction
+    table: float = 0.0  # height of the support [m]
+    com: float = 0.0  # position of the centre of mass [m]
+    flexure: float = 0.0  # fraction; drawn separately for length and stiffness
 
 
+# For slides: shape and place of object and support as they are known, and a hand as it is made.
+SLIDE_SPREAD = Spread(thickness=0.2, table=0.003, com=0.005, flexure=0.2)
 # For fingertip plans: 10 % of friction, and 0.1 mm of the positions of the fingers.
 FINGERTIP_SPREAD = Spread(friction=0.1, mass=0.0, position=1e-4, angle=0.0)
 

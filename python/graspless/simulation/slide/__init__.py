@@ -4,27 +4,31 @@
 
 from __future__ import annotations
 
+import itertools
 import time
 from typing import TYPE_CHECKING, Any
 
 import mujoco
 import numpy as np
 
-from ... import timing
+from ... import frames, timing
 from ..results import Recording, Trial
 from ..robots import joint_addresses, lags, set_positions
-from ..settings import Slide
+from ..settings import SLIDE_SPREAD, Slide
+from .conditions import CONDITIONS, draw
 from .fingers import PAD, SLIDING, wrist_stiffness
 from .judge import FAILURES, Judge
-from .program import HOLD, RAISE, SQUEEZE, Program, make_program
+from .kick import Kick
+from .program import HOLD, RAISE, SQUEEZE, make_program
 from .scene import FINGER_GRASPS, Scene, build_scene
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from ...frames import Matrix
     from ...slide import Plan
     from ..variation import Variation
+    from .program import Command, Controller
 
 MEASURES = {
     "position_error": "position error of the object after the slide [m]",
@@ -38,6 +42,8 @@ MEASURES = {
     "creep": "distance that the object moved in the hand during lift and hold [m]",
 }
 
+SPREAD = SLIDE_SPREAD
+
 _LOOK = 0.01  # between observations of the judge [s]
 _RECORD = 50.0  # moments a second
 _NEVER = -1.0  # a contact margin that disables contact [m]
@@ -48,22 +54,27 @@ def run(
 ) -> Trial:
     """Executes a solved plan; `settings` are for tests."""
     start = time.perf_counter()
-    execution = Execution(plan, variation, settings or Slide())
+    return _trial(Execution(plan, variation, settings or Slide()), record, start)
+
+
+def _trial(execution: Execution, record: bool, start: float) -> Trial:
     if record:
         execution.record()
     execution.run()
-    seconds = time.perf_counter() - start
     return Trial(
-        variation,
+        execution.variation,
         tuple(execution.judge.failures),
         execution.measures,
-        seconds,
+        time.perf_counter() - start,
         execution.recording() if record else None,
     )
 
 
 class Execution:
-    """A running model and its observations."""
+    """A running model and its observations.
+
+    `control` makes the controller of a time step; by default the fixed program of the plan.
+    """
 
     def __init__(
         self,
@@ -71,13 +82,18 @@ class Execution:
         variation: Variation,
         settings: Slide,
         obstacles: Sequence[Any] | None = None,
+        control: Callable[[float], Controller] | None = None,
     ) -> None:
         self.plan, self.variation, self.settings = plan, variation, settings
         self.scene: Scene = build_scene(plan, variation, settings, obstacles)
         model = self.scene.model
         self.data = mujoco.MjData(model)
         self.timestep = float(model.opt.timestep)
-        self.program: Program = make_program(plan, timing.time(plan), self.timestep, settings)
+        self.controller: Controller
+        if control is None:
+            self.controller = make_program(plan, timing.time(plan), self.timestep, settings)
+        else:
+            self.controller = control(self.timestep)
         self.every = max(1, round(_LOOK / self.timestep))
         self.judge = Judge(
             self.scene,
@@ -86,14 +102,15 @@ class Execution:
             settings.fell,
             settings.lost_seconds,
         )
-        self.measures = {"lift_reach": self.program.raised}
+        self.measures: dict[str, float] = {}
         # A wrist that yields trails behind, and catches up while the finger lifts.
         yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
-        self._slid_after = "lift" if yields else "slide"
+        self._slid_after = ("lift", "reach") if yields else ("slide", "lift")
+        self._kick = Kick(variation)
         self._lags = lags(plan.task.problem.robot)
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
-        set_positions(model, self.data, plan.task.problem.robot, self.program.positions[0])
+        set_positions(model, self.data, plan.task.problem.robot, self.controller.start)
 
     def record(self) -> None:
         """Starts the recording."""
@@ -103,28 +120,43 @@ class Execution:
         """Returns the recording."""
         return Recording.of_arm(self._rows or [])
 
+    def positions(self) -> Matrix:
+        """Returns the actual joint positions [dof]."""
+        q: Matrix = self.data.qpos[self._addresses].copy()
+        return q
+
+    def object_pose(self) -> Matrix:
+        """Returns the actual pose X_WO [4, 4]."""
+        return self.judge.pose(self.data)
+
     def run(self, until: str = HOLD) -> None:
         """Runs to the end of a phase, or until the object has fallen."""
-        model, data, program = self.scene.model, self.data, self.program
-        ends = {program.last(name): name for name in program.names}
         skip = max(1, round(1 / (_RECORD * self.timestep)))
-        commands = program.positions + self._lags * program.velocities
-        for step, command in enumerate(commands):
-            data.ctrl[:] = command
-            name = program.names[program.phase[step]]
-            self._press(name)
-            mujoco.mj_step(model, data)
-            if step % self.every == 0:
-                self.judge.look(data, name)
-                if self.judge.is_over:
-                    break
-            if self._rows is not None and step % skip == 0:
-                q = data.qpos[self._addresses].copy()
-                self._rows.append((data.time, q, self.judge.pose(data), name))
-            if step in ends:
-                self._end_of(ends[step])
-                if ends[step] == until:
+        phase = ""
+        for step in itertools.count():
+            command = self.controller.command(step, self)
+            following = "" if command is None else command.phase
+            if phase not in ("", following):
+                self._end_of(phase, following)
+                if phase == until:
                     return
+            if command is None:
+                return
+            phase = following
+            self._step(command)
+            if step % self.every == 0:
+                self.judge.look(self.data, phase)
+                if self.judge.is_over:
+                    return
+                if phase == "slide":
+                    self._kick.watch(self.scene, self.data, self.controller.X_WO_goal)
+            if self._rows is not None and step % skip == 0:
+                self._rows.append((self.data.time, self.positions(), self.object_pose(), phase))
+
+    def _step(self, command: Command) -> None:
+        self.data.ctrl[:] = command.position + self._lags * command.velocity
+        self._press(command.phase)
+        mujoco.mj_step(self.scene.model, self.data)
 
     def _press(self, phase: str) -> None:
         """Presses a finger that holds a force onto the object."""
@@ -134,8 +166,8 @@ class Execution:
             body = self.scene.model.body(SLIDING).id
             self.data.xfrc_applied[body][:3] = -force * np.array(problem.support.normal_W)
 
-    def _end_of(self, phase: str) -> None:
-        if phase == self._slid_after:
+    def _end_of(self, phase: str, following: str) -> None:
+        if (phase, following) == self._slid_after:
             self._measure_slide()
         if phase == "lift":
             self._let_finger_grasp()
@@ -152,7 +184,7 @@ class Execution:
 
     def _measure_slide(self) -> None:
         X_WO = self._slid = self.judge.pose(self.data)
-        X_OO = np.linalg.inv(self.plan.X_WO_goal) @ X_WO
+        X_OO = np.linalg.inv(self._goal()) @ X_WO
         position = float(np.linalg.norm(X_OO[:3, 3]))
         angle = float(np.arccos(np.clip((np.trace(X_OO[:3, :3]) - 1) / 2, -1, 1)))
         forces = self.judge.forces or [0.0]
@@ -167,6 +199,12 @@ class Execution:
         allowed = nominal if self.variation.is_nominal else varied
         if not (position <= allowed[0] and angle <= allowed[1]):  # nor where it is not a number
             self.judge.note("off_target")
+
+    def _goal(self) -> Matrix:
+        """Returns the pose that the object should have, on the support where it is."""
+        up: Matrix = self.plan.task.problem.support.normal_W
+        X_WO: Matrix = frames.translation(self.variation.table * up) @ self.controller.X_WO_goal
+        return X_WO
 
     def _let_finger_grasp(self) -> None:
         """Lets the sliding finger touch with its own shapes from now on, as in the plan."""
@@ -188,13 +226,14 @@ class Execution:
     def _measure_lift(self, phase: str) -> None:
         lifted = float(self.data.xpos[self.scene.model.body("object").id][2]) - self._low
         creep = float(np.linalg.norm(self._in_hand() - self._held))
-        self.measures |= {"lift_height": lifted, "creep": creep}
+        reach = self.controller.raised
+        self.measures |= {"lift_height": lifted, "lift_reach": reach, "creep": creep}
         if "not_grasped" in self.judge.failures:
             return
         if not (self.judge.holds(self.data) and creep <= self.settings.kept):
             self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
         elif not lifted >= self.settings.kept_height:
-            can = self.program.raised >= self.settings.kept_height
+            can = self.controller.raised >= self.settings.kept_height
             self.judge.note("dropped" if can else "out_of_reach")
 
 
@@ -206,4 +245,11 @@ def overhang(plan: Plan, X_WO: Matrix) -> float:
     return max(0.0, max(-float(support.polygon.depth(corner)) for corner in corners))
 
 
-__all__ = ["FAILURES", "MEASURES", "run"]
+__all__ = [
+    "CONDITIONS",
+    "FAILURES",
+    "MEASURES",
+    "SPREAD",
+    "draw",
+    "run",
+]

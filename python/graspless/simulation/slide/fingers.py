@@ -25,6 +25,7 @@ from ..robots import untested_pairs
 if TYPE_CHECKING:
     from ... import slide
     from ...frames import Matrix
+    from ...robot import Robot
     from ..settings import Slide
 
 SLIDING, OTHER = "sliding finger", "other finger"
@@ -41,19 +42,20 @@ class Bits:
     conaffinity: int
 
 
-def add_fingers(spec: Any, problem: slide.Problem, settings: Slide, bits: dict[str, Bits]) -> None:
+def add_fingers(
+    spec: Any, robot: Robot, hand: slide.Hand, settings: Slide, bits: dict[str, Bits]
+) -> None:
     """Makes the fingers of a robot in `spec` yield, and gives the sliding one its pad.
 
     The shapes of a finger's link move to a body of the finger's mass, which turns about the
     flexure, if there is one. The pad is a row of spheres, so that a line evenly pressed resists
     turning.
     """
-    _soften_wrist(spec, problem, settings)
-    robot, hand = problem.robot, problem.hand
+    _soften_wrist(spec, robot, hand, settings)
     q = np.array(robot.state(hand.open))
     X_WF, X_WH = robot.pose(hand.fingertip, q), robot.pose(hand.grasp_frame, q)
     X_HF = np.linalg.inv(X_WH) @ X_WF
-    flexing = _flexing_links(problem)
+    flexing = _flexing_links(robot, hand)
     for name, link in flexing.items():
         # A mirrored frame is left-handed: its X axis is turned round to make a frame of it.
         X_HT = X_HF if name == SLIDING else _MIRROR @ X_HF @ np.diag([-1.0, 1.0, 1.0, 1.0])
@@ -76,9 +78,8 @@ def wrist_stiffness(hand: slide.Hand, settings: Slide) -> float | None:
     return settings.guarded_stiffness if hand.finger_model == "rigid_guarded" else None
 
 
-def _soften_wrist(spec: Any, problem: slide.Problem, settings: Slide) -> None:
+def _soften_wrist(spec: Any, robot: Robot, hand: slide.Hand, settings: Slide) -> None:
     """Lets the last link of the arm give way along three axes, each with a spring."""
-    robot, hand = problem.robot, problem.hand
     stiffness = wrist_stiffness(hand, settings)
     if stiffness is None:
         return
@@ -91,9 +92,8 @@ def _soften_wrist(spec: Any, problem: slide.Problem, settings: Slide) -> None:
         joint.damping = [damping, 0, 0]
 
 
-def _flexing_links(problem: slide.Problem) -> dict[str, str]:
+def _flexing_links(robot: Robot, hand: slide.Hand) -> dict[str, str]:
     """Returns the link that carries the fingertip, and the last one of the other finger."""
-    robot, hand = problem.robot, problem.hand
     index = robot.frame(hand.fingertip)
     while robot.frame_names[index] not in hand.sliding_finger and robot.parent(index) >= 0:
         index = robot.parent(index)

@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Commands of the servos, step by step: the timed plan with the additions of the executor.
+"""Commands of the servos, step by step: a controller that does not look, and what all add.
 
-It adds pauses, the squeeze, a straight lift by the arm's own inverse kinematics, and a hold.
+A fixed program is the timed plan with pauses. The executor's additions are the squeeze, a straight
+lift by the arm's own inverse kinematics, and a hold.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -29,8 +30,54 @@ _TURNS = (0.0, 0.05, -0.05, 0.1, -0.1)  # of the hand between them, tried in tur
 
 
 @dataclass(frozen=True)
+class Command:
+    """Command of the servos at one step.
+
+    Attributes
+    ----------
+    position, velocity : array [dof]
+        [rad or m, rad/s or m/s].
+    phase : str
+        Name of the part of the motion.
+    """
+
+    position: Matrix
+    velocity: Matrix
+    phase: str
+
+
+class Senses(Protocol):
+    """What a controller may ask of the world."""
+
+    def positions(self) -> Matrix:
+        """Returns the actual joint positions [dof]."""
+
+    def object_pose(self) -> Matrix:
+        """Returns X_WO [4, 4], which a camera sees."""
+
+
+class Controller(Protocol):
+    """What the executor asks for commands."""
+
+    @property
+    def raised(self) -> float:
+        """How high the arm can lift straight up [m]."""
+
+    @property
+    def start(self) -> Matrix:
+        """Configuration [dof] in which the robot waits."""
+
+    @property
+    def X_WO_goal(self) -> Matrix:
+        """Pose that the object is to have after the slide."""
+
+    def command(self, step: int, senses: Senses) -> Command | None:
+        """Returns the command of a step; None after the last."""
+
+
+@dataclass(frozen=True)
 class Program:
-    """Commands at each step of the physics engine.
+    """Commands at each step of the physics engine, whatever happens: open loop.
 
     Attributes
     ----------
@@ -44,6 +91,8 @@ class Program:
         The plan's segments, then squeeze, raise and hold.
     raised : float
         How high the arm can lift straight up [m].
+    X_WO_goal : array [4, 4]
+        Pose that the object is to have after the slide.
     """
 
     positions: Matrix
@@ -51,6 +100,20 @@ class Program:
     phase: NDArray[np.int64]
     names: list[str]
     raised: float
+    X_WO_goal: Matrix
+
+    @property
+    def start(self) -> Matrix:
+        """Configuration [dof] in which the robot waits."""
+        first: Matrix = self.positions[0]
+        return first
+
+    def command(self, step: int, senses: Senses | None = None) -> Command | None:
+        """Returns the command of a step; None after the last."""
+        if step >= len(self.phase):
+            return None
+        name = self.names[self.phase[step]]
+        return Command(self.positions[step], self.velocities[step], name)
 
     def last(self, name: str) -> int:
         """Returns the last step of a phase."""
@@ -59,34 +122,50 @@ class Program:
 
 def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: Slide) -> Program:
     """Returns the whole execution of a plan at even steps [s]."""
-    names = [segment.name for segment in trajectory.segments]
-    rows, phases = [], []
-
-    def append(values: Matrix, name: str) -> None:
-        if name not in names:
-            names.append(name)
-        rows.append(values)
-        phases.append(np.full(len(values), names.index(name)))
-
+    parts: list[tuple[str, Matrix]] = []
     still = max(1, round(settings.pause / timestep))
-    for i, name in enumerate(list(names)):
+    for i, segment in enumerate(trajectory.segments):
         values = stretch(trajectory, i, timestep)
-        append(values, name)
-        if name in ("press", "slide"):
-            append(np.repeat(values[-1:], still, axis=0), name)
-    q = trajectory.positions[-1]
+        if segment.name in ("press", "slide"):
+            values = np.concatenate([values, np.repeat(values[-1:], still, axis=0)])
+        parts.append((segment.name, values))
+    added, raised = additions(plan, trajectory.positions[-1], timestep, settings)
+    return _program([*parts, *added], raised, plan.X_WO_goal, timestep)
+
+
+def make_end(plan: Plan, q: Matrix, timestep: float, settings: Slide) -> Program:
+    """Returns the executor's additions alone, after a motion that ended at q [dof]."""
+    added, raised = additions(plan, q, timestep, settings)
+    return _program(added, raised, plan.X_WO_goal, timestep)
+
+
+def additions(
+    plan: Plan, q: Matrix, timestep: float, settings: Slide
+) -> tuple[list[tuple[str, Matrix]], float]:
+    """Returns squeeze, raise and hold from q [dof] as rows by name, and the height reached [m]."""
     count = max(1, round(settings.squeeze_seconds / timestep))
     squeeze = _squeeze(plan, settings.squeeze)
     squeezed = q + np.minimum(1.5 * np.linspace(0, 1, count), 1)[:, None] * squeeze
-    append(squeezed, SQUEEZE)
     path, raised = straight_lift(plan, q, settings.lift_height)
     path = path + squeeze
     t = np.linspace(0, 1, max(2, round(settings.lift_seconds / timestep)))
-    append(_along(path, (1 - np.cos(np.pi * t)) / 2), RAISE)
-    append(np.repeat(path[-1:], max(1, round(settings.hold_seconds / timestep)), axis=0), HOLD)
-    positions = np.concatenate(rows)
-    velocities = np.gradient(positions, timestep, axis=0)
-    return Program(positions, velocities, np.concatenate(phases), names, raised)
+    lifted = _along(path, (1 - np.cos(np.pi * t)) / 2)
+    held = np.repeat(path[-1:], max(1, round(settings.hold_seconds / timestep)), axis=0)
+    return [(SQUEEZE, squeezed), (RAISE, lifted), (HOLD, held)], raised
+
+
+def _program(
+    parts: list[tuple[str, Matrix]], raised: float, X_WO_goal: Matrix, timestep: float
+) -> Program:
+    positions = np.concatenate([values for _, values in parts])
+    return Program(
+        positions,
+        np.gradient(positions, timestep, axis=0),
+        np.repeat(np.arange(len(parts)), [len(values) for _, values in parts]),
+        [name for name, _ in parts],
+        raised,
+        X_WO_goal,
+    )
 
 
 def stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:

@@ -68,12 +68,13 @@ def build_scene(
     solver = dataclasses.replace(Solver(), impratio=settings.impratio)
     apply(spec, solver)
     spec.option.timestep = solver.timestep * variation.timestep
-    add_fingers(spec, problem, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
+    hand = varied_hand(problem, variation)
+    add_fingers(spec, problem.robot, hand, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
     X_WO = varied_start(problem, variation)
-    _add_table(spec, plan, settings)
+    _add_table(spec, plan, variation.table, settings)
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
         _add_obstacle(spec, obstacle, f"{OBSTACLE}{i} {obstacle.name}")
-    _add_object(spec, problem.object, X_WO, variation.mass, settings)
+    _add_object(spec, problem.object, X_WO, variation, settings)
     _add_pairs(spec, problem, settings, variation)
     for geom in spec.geoms:
         if geom.priority == 1:
@@ -83,17 +84,25 @@ def build_scene(
 
 
 def varied_start(problem: Any, variation: Variation) -> Matrix:
-    """Returns X_WO, shifted in the plane of the support and turned about the origin of O."""
+    """Returns X_WO, shifted with and on the support, and turned about the origin of O."""
     X_WS = np.array(problem.support.X_WS)
     X_SO = np.linalg.inv(X_WS) @ problem.X_WO_start
-    moved = frames.translation([variation.x, variation.y, 0.0])
+    moved = frames.translation([variation.x, variation.y, variation.table])
     X_WO: Matrix = X_WS @ moved @ X_SO @ frames.planar(0.0, 0.0, variation.yaw)
     return X_WO
 
 
-def _add_table(spec: Any, plan: Plan, settings: Slide) -> None:
+def varied_hand(problem: Any, variation: Variation) -> slide.Hand:
+    """Returns the hand with other flexures."""
+    hand: slide.Hand = problem.hand  # a copy
+    hand.flexure_length *= variation.flexure_length
+    hand.flexure_stiffness *= variation.flexure_stiffness
+    return hand
+
+
+def _add_table(spec: Any, plan: Plan, height: float, settings: Slide) -> None:
     support = plan.task.problem.support
-    X_WS = np.array(support.X_WS)
+    X_WS = support.X_WS @ frames.translation([0.0, 0.0, height])
     body = spec.worldbody.add_body(name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS))
     for i, part in enumerate(support.polygon.convex_parts()):
         _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
@@ -121,13 +130,15 @@ def _add_obstacle(spec: Any, obstacle: Any, name: str) -> None:
         _mark(add_placed(spec, body, placed, name=f"{name} {i}"), OBSTACLE)
 
 
-def _add_object(spec: Any, thing: Any, X_WO: Matrix, mass_factor: float, settings: Slide) -> None:
-    mass = float(thing.mass) * mass_factor
+def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, settings: Slide) -> None:
+    mass = float(thing.mass) * variation.mass
+    thickness = float(thing.thickness) * variation.thickness
+    com = thing.com * [1, 1, variation.thickness] + [variation.com_x, variation.com_y, 0]
     body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
-    give_inertia(body, mass, thing.com, plate_inertia(thing.outline, thing.thickness, mass))
+    give_inertia(body, mass, com, plate_inertia(thing.outline, thickness, mass))
     body.add_freejoint(name=OBJECT)
     for i, part in enumerate(thing.outline.convex_parts()):
-        _mark(add_prism(spec, body, part, (0.0, thing.thickness), name=f"{OBJECT}{i}"), OBJECT)
+        _mark(add_prism(spec, body, part, (0.0, thickness), name=f"{OBJECT}{i}"), OBJECT)
     r = settings.foot_radius
     for i, p in enumerate(even_points(thing.outline, settings.feet)):
         _add_foot(body, f"{FOOT}{i}", [*p, r], settings)
