@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/slide/slide.hpp"
 
+#include "graspless/slide/resume.hpp"
 #include "graspless/slide/torsion.hpp"
 
 #include "conversions.hpp"
@@ -208,6 +209,52 @@ void bind_turning(py::module_& m) {
         "object.\n\nModel: ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996).");
 }
 
+void bind_interruption(py::module_& m) {
+  py::class_<Interruption>(
+      m, "Interruption",
+      "State in which a slide was interrupted, with the finger pressed on the object.")
+      .def(py::init([](const Array& q, const Array& X_WO, const std::optional<Array>& X_WO_goal) {
+             Interruption at{to_vector(q, "q"), to_pose(X_WO, "X_WO"), std::nullopt};
+             if (X_WO_goal) at.X_WO_goal = to_pose(*X_WO_goal, "X_WO_goal");
+             return at;
+           }),
+           py::arg("q"), py::arg("X_WO"), py::arg("X_WO_goal") = py::none(),
+           "q: (dof,) commanded joints [rad or m]. X_WO: (4, 4) measured pose of the object in the "
+           "world. X_WO_goal: (4, 4) pose at the goal of the plan that was interrupted.")
+      .def_property_readonly(
+          "q", [](const Interruption& self) -> Eigen::VectorXd { return self.q; },
+          "(dof,) commanded joints [rad or m].")
+      .def_property_readonly(
+          "X_WO", [](const Interruption& self) { return from_pose(self.X_WO); },
+          "(4, 4) measured pose of the object in the world.")
+      .def_property_readonly(
+          "X_WO_goal",
+          [](const Interruption& self) {
+            return self.X_WO_goal ? std::optional(from_pose(*self.X_WO_goal)) : std::nullopt;
+          },
+          "(4, 4) pose of the object at the goal of the plan that was interrupted, or None.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"q", "X_WO", "X_WO_goal"});
+      });
+}
+
+void bind_resume(py::module_& m) {
+  m.def(
+      "resume",
+      [](const Problem& problem, const Interruption& at, const Options& options,
+         const StoppableBudget& budget) {
+        return run_interruptibly(budget, [&problem, at, options](const planning::Budget& b) {
+          return resume(problem, at, options, b);
+        });
+      },
+      py::arg("problem"), py::arg("at"), py::arg_v("options", Options{}, "Options()"),
+      py::arg_v("budget", StoppableBudget{}, "Budget()"),
+      "Plans the rest of an interrupted slide, without lifting the finger: slide, lift, reach, "
+      "grasp and close.\n\nA state from which no slide can go on is a status: off_support, "
+      "contact_lost or start_in_collision.\n\nRaises ValueError on a bad problem, options or "
+      "interruption.");
+}
+
 void bind_plan(py::module_& m) {
   py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
   plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
@@ -218,6 +265,9 @@ void bind_plan(py::module_& m) {
   field(Field{"status", &Plan::status, "Outcome of the query."});
   field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
+  field(Field{"resumed", &Plan::resumed,
+              "Interruption from which the plan goes on; None if it begins at the problem's "
+              "q_home."});
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(
       Field{"overhang", &Plan::overhang, "Length of the object beyond the edge at the goal [m]."});
@@ -248,6 +298,7 @@ void bind_slide(py::module_ m) {
   bind_motion_segment<Segment>(m, "approach, press, slide, lift, reach, grasp or close.");
   bind_statistics_struct<Statistics>(m);
   bind_choices<Status>(m, "Status", "Outcome of a query.");
+  bind_interruption(m);
   bind_plan(m);
   bind_turning(m);
   bind_front_door<Problem, Options, Plan>(
@@ -255,6 +306,7 @@ void bind_slide(py::module_ m) {
       "Plans the motion: approach, press, slide, lift, reach, grasp and close (Hang et al. 2019, "
       "Section IV-C).\n\nFinding no plan is a status, not an error.",
       "Checks a plan against its problem by an independent replay.");
+  bind_resume(m);
 }
 
 }  // namespace graspless::bindings

@@ -10,6 +10,7 @@ from ._core import slide as _core
 from ._core.slide import (
     FingerModel,
     Hand,
+    Interruption,
     Object,
     Options,
     Problem,
@@ -29,7 +30,10 @@ from ._plan import AnyPlan
 from .collision import Obstacle
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike as Array
+
     from . import tasks
+    from .frames import Matrix
     from .planning import Budget
 
     Task = tasks.Task[Problem, Options, "Plan"]
@@ -45,6 +49,20 @@ class Plan(AnyPlan, _core.Plan):
 
         @property
         def task(self) -> Task: ...
+
+    @property
+    def q_start(self) -> Matrix:
+        """(dof,) configuration at which the plan begins, or where it was resumed [rad or m]."""
+        at = self.resumed
+        q: Matrix = self.task.problem.q_home if at is None else at.q
+        return q
+
+    @property
+    def X_WO_start(self) -> Matrix:
+        """(4, 4) pose of the object where the plan begins; measured, where it was resumed."""
+        at = self.resumed
+        X_WO: Matrix = self.task.problem.X_WO_start if at is None else at.X_WO
+        return X_WO
 
 
 def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
@@ -72,9 +90,77 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     return Plan._planned(problem, options, budget)
 
 
+def resume(
+    problem: Problem | Plan,
+    q: Array,
+    X_WO: Array,
+    *,
+    X_WO_goal: Array | None = None,
+    options: Options | None = None,
+    budget: Budget | None = None,
+) -> Plan:
+    """Plans the rest of an interrupted slide, without lifting the finger off the object.
+
+    The plan has the segments slide, lift, reach, grasp and close. Its `resumed` is the state given
+    here, and `check` replays it from there.
+
+    The object is taken to lie flat on the support, with the yaw and the centre of mass of `X_WO`.
+    The plan begins at the configuration nearest to `q` that presses: at `q` itself if that is a
+    command of a plan, and at most 0.05 rad away from measured joints.
+
+    A state from which no slide can go on is a status with a reason, never an exception:
+
+    - off_support: the object is more than 20 mm or 10 degrees off the plane of the support.
+    - contact_lost: the fingertip is above the object, beside it, or nearer to its outline than
+      options.rim_margin; or q is too far from all configurations that press.
+    - start_in_collision: something touches that should not.
+
+    Parameters
+    ----------
+    problem : Problem or Plan
+        The problem; or the plan that was interrupted, whose problem, options and budget are taken.
+    q : (dof,) array
+        Commanded joints [rad or m].
+    X_WO : (4, 4) array
+        Measured pose of the object in the world.
+    X_WO_goal : (4, 4) array, optional
+        Pose of the object in the world that is tried first as the goal, before other poses over
+        the same edge and those over other edges. By default, the goal of the interrupted plan.
+    options : Options, optional
+        Settings of the search.
+    budget : planning.Budget, optional
+        Time and randomness. In a loop, a few tens of milliseconds.
+
+    Returns
+    -------
+    Plan
+        False unless solved.
+
+    Raises
+    ------
+    ValueError
+        A bad problem or options; `q` of the wrong size or with a value that is not finite; a pose
+        that is not rigid.
+    """
+    from .tasks import Task
+
+    if isinstance(problem, Plan):
+        task = problem.task
+        if X_WO_goal is None and problem:
+            X_WO_goal = problem.X_WO_goal
+        if (options, budget) != (None, None):
+            options = task.options if options is None else options
+            task = Task.of(task.problem, options, task.budget if budget is None else budget)
+    else:
+        task = Task.of(problem, options, budget)
+    at = Interruption(q, X_WO, X_WO_goal)
+    return Plan._of(_core.resume(task.problem, at, task.options, task.budget), task)
+
+
 __all__ = [
     "FingerModel",
     "Hand",
+    "Interruption",
     "Object",
     "Obstacle",
     "Options",
@@ -90,6 +176,7 @@ __all__ = [
     "check",
     "depth_band",
     "plan",
+    "resume",
     "turning",
     "validate",
 ]

@@ -109,8 +109,11 @@ bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) co
 bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
   constexpr int kRounds = 200;
   Meeting meeting;
+  const std::vector<int>& starts = start_forest_->roots();
+  if (!start_region_ && starts.empty()) return false;
   for (int i = 0; i < kRounds && !ptc; ++i) {
-    const int root = add_from_region(*start_forest_);
+    const int root = start_region_ ? add_from_region(*start_forest_)
+                                   : starts[static_cast<std::size_t>(i) % starts.size()];
     if (root >= 0 && connects_partner(*start_forest_, root, meeting) && solves(meeting))
       return true;
   }

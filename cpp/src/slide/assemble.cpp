@@ -53,9 +53,11 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   const Handling& handling = motions.handling();
   const Eigen::Isometry3d X_WO_start = query.X_WS * spatial(query.object_start);
   const Eigen::Isometry3d X_WO_goal = query.X_WS * spatial(handling.object_goal);
-  append(query, plan, "approach", with_home(query, with_hand_open(query, approach.free)),
-         X_WO_start);
-  append(query, plan, "press", with_hand_open(query, approach.press), X_WO_start);
+  if (!plan.resumed) {
+    append(query, plan, "approach", with_home(query, with_hand_open(query, approach.free)),
+           X_WO_start);
+    append(query, plan, "press", with_hand_open(query, approach.press), X_WO_start);
+  }
   append_slide(query, slide, plan);
   append(query, plan, "lift", with_hand_open(query, handling.lift), X_WO_goal);
   append(query, plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "graspless/slide/resume.hpp"
 #include "graspless/watch.hpp"
 
 #include "slide/examination.hpp"
@@ -48,7 +49,7 @@ Faults Examination::run() {
   check_object_poses();
   check_hand_open();
   for (const Segment& segment : plan_.segments) check_collisions(segment);
-  check_pressing(segment("press"));
+  if (!plan_.resumed) check_pressing(segment("press"));
   check_pressing(segment("lift"));
   check_clearance();
   check_slide();
@@ -59,9 +60,15 @@ Faults Examination::run() {
   return faults_;
 }
 
+/// Names of the segments that the plan must have, in order.
+std::vector<std::string> Examination::names() const {
+  constexpr std::ptrdiff_t kSlide = 2;
+  return {kNames.begin() + (plan_.resumed ? kSlide : 0), kNames.end()};
+}
+
 const Segment& Examination::segment(const std::string& name) const {
-  const auto index = std::find(kNames.begin(), kNames.end(), name) - kNames.begin();
-  return plan_.segments[static_cast<std::size_t>(index)];
+  return *std::find_if(plan_.segments.begin(), plan_.segments.end(),
+                       [&](const Segment& segment) { return segment.name == name; });
 }
 
 std::string Examination::figure(double value) {
@@ -77,10 +84,12 @@ bool Examination::has_shape() {
   }
   if (plan_.joint_names != problem_.robot.joint_names())
     fault("plan", "joint names are not the robot's");
-  std::vector<std::string> names;
-  for (const Segment& s : plan_.segments) names.push_back(s.name);
-  if (names != kNames)
-    fault("plan", "segments are not approach, press, slide, lift, reach, grasp, close");
+  std::vector<std::string> found;
+  for (const Segment& s : plan_.segments) found.push_back(s.name);
+  if (found != names()) {
+    fault("plan", std::string("segments are not ") + (plan_.resumed ? "" : "approach, press, ") +
+                      "slide, lift, reach, grasp, close");
+  }
   for (const Segment& s : plan_.segments) {
     if (s.positions.empty() || s.positions.size() != s.object_poses.size()) {
       fault(s.name, "must have rows, and one object pose for each row");
@@ -94,12 +103,22 @@ bool Examination::has_shape() {
   if (!plan_.X_WO_goal.matrix().allFinite() || !plan_.X_WH_grasp.matrix().allFinite()) {
     fault("plan", "X_WO_goal or X_WH_grasp is not finite");
   }
+  if (plan_.resumed &&
+      !(plan_.resumed->q.size() == problem_.robot.dof() && plan_.resumed->q.allFinite() &&
+        plan_.resumed->X_WO.matrix().allFinite())) {
+    fault("resumed", "q or X_WO has the wrong size or a value that is not finite");
+  }
   return faults_.empty();
 }
 
 void Examination::check_rows() {
-  Eigen::VectorXd before = problem_.q_home;
-  if ((plan_.segments[0].positions[0] - before).lpNorm<Eigen::Infinity>() > kSame) {
+  Eigen::VectorXd before = plan_.segments[0].positions[0];
+  if (plan_.resumed) {
+    const double step = problem_.robot.step(plan_.resumed->q, before);
+    if (!(step <= scene::kLongestStep)) {
+      fault("slide row 0", "is " + figure(step) + " rad from where the slide was interrupted");
+    }
+  } else if ((before - problem_.q_home).lpNorm<Eigen::Infinity>() > kSame) {
     fault("approach row 0", "is not the home configuration q_home");
   }
   for (const Segment& s : plan_.segments) {
@@ -109,8 +128,13 @@ void Examination::check_rows() {
   }
 }
 
-/// The object's pose at the start: X_WO_start, laid flat on the support.
+/// The object's pose at the start: X_WO_start, laid flat on the support. In a plan that was
+/// resumed: where the object has followed the finger from its measured pose to the first row.
 Eigen::Isometry3d Examination::object_start() const {
+  if (plan_.resumed) {
+    return followed(flat_where_interrupted(), finger(plan_.resumed->q),
+                    finger(plan_.segments[0].positions[0]));
+  }
   const Eigen::Isometry3d X_SO = X_SW_ * problem_.X_WO_start;
   const double yaw = std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0));
   const Eigen::Vector3d p_SO(X_SO.translation().x(), X_SO.translation().y(), 0);
@@ -118,11 +142,34 @@ Eigen::Isometry3d Examination::object_start() const {
          Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
 }
 
+/// The measured pose, laid flat on the support: centre of mass and yaw stay.
+Eigen::Isometry3d Examination::flat_where_interrupted() const {
+  const Eigen::Isometry3d X_SO = X_SW_ * plan_.resumed->X_WO;
+  const Eigen::Vector3d com_O = problem_.object.com();
+  const Eigen::Vector3d com_S = X_SO * com_O;
+  const Eigen::Vector3d ahead = X_SO.linear().col(0);
+  return problem_.support.X_WS() * Eigen::Translation3d(com_S.x(), com_S.y(), 0) *
+         Eigen::AngleAxisd(std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ()) *
+         Eigen::Translation3d(-com_O.x(), -com_O.y(), 0);
+}
+
+void Examination::check_lies_flat() {
+  const Eigen::Vector3d n = problem_.support.normal_W();
+  const Eigen::Isometry3d& X_WO = plan_.resumed->X_WO;
+  const Eigen::Vector3d off =
+      X_WO * problem_.object.com() - flat_where_interrupted() * problem_.object.com();
+  const double upright = X_WO.linear().col(2).dot(n);
+  if (!(off.norm() <= kFlatHeight + kSame) || !(upright >= std::cos(kFlatTilt) - kSame)) {
+    fault("resumed", "the object does not lie flat on the support");
+  }
+}
+
 void Examination::check_object_poses() {
   const Eigen::Isometry3d& X_WO_slid = segment("slide").object_poses.back();
   if (!is_same(plan_.segments[0].object_poses[0], object_start(), kSame)) {
-    fault("approach row 0", "the object is not at its start");
+    fault(plan_.segments[0], 0, "the object is not at its start");
   }
+  if (plan_.resumed) check_lies_flat();
   if (!is_same(plan_.X_WO_goal, X_WO_slid, kSame))
     fault("plan", "X_WO_goal is not where the slide ends");
   for (const Segment& s : plan_.segments) {
@@ -161,15 +208,15 @@ void Examination::check_collisions(const Segment& segment) {
   const bool slides = segment.name == "slide";
   const Finger start = finger(segment.positions[0]);
   std::size_t faulty_row = segment.positions.size();  // one fault per row is enough
-  scene::replay_rows(problem_.robot, segment.positions,
-                     [&](std::size_t row, const Eigen::VectorXd& q) {
-                       const Eigen::Isometry3d X_WO =
-                           slides ? followed(start, finger(q)) : segment.object_poses[row];
-                       const auto touching = world.touching(q, X_WO);
-                       if (touching.empty() || row == faulty_row) return;
-                       faulty_row = row;
-                       fault(segment, row, "collision " + touching.front());
-                     });
+  scene::replay_rows(
+      problem_.robot, segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
+        const Eigen::Isometry3d X_WO = slides ? followed(segment.object_poses[0], start, finger(q))
+                                              : segment.object_poses[row];
+        const auto touching = world.touching(q, X_WO);
+        if (touching.empty() || row == faulty_row) return;
+        faulty_row = row;
+        fault(segment, row, "collision " + touching.front());
+      });
 }
 
 /// The plan must carry every kind of warning that this problem calls for; friction or mass may have

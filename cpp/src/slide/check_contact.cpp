@@ -59,12 +59,14 @@ Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
   return f;
 }
 
-/// The object's pose if it follows the effective contact rigidly from the start, Eq. (2).
-Eigen::Isometry3d Examination::followed(const Finger& start, const Finger& now) const {
+/// The object's pose if it follows the effective contact rigidly from its pose at the start, Eq.
+/// (2).
+Eigen::Isometry3d Examination::followed(const Eigen::Isometry3d& X_WO_start, const Finger& start,
+                                        const Finger& now) const {
   const double turn =
       std::atan2(start.heading.x() * now.heading.y() - start.heading.y() * now.heading.x(),
                  start.heading.dot(now.heading));
-  const Eigen::Isometry3d X_SO = X_SW_ * plan_.segments[0].object_poses[0];
+  const Eigen::Isometry3d X_SO = X_SW_ * X_WO_start;
   const Eigen::Vector3d from(start.effective.x(), start.effective.y(), 0),
       to(now.effective.x(), now.effective.y(), 0);
   return problem_.support.X_WS() * Eigen::Translation3d(to) *
@@ -98,7 +100,9 @@ void Examination::check_pressing(const Segment& segment) {
 
 /// The fingertip must be clear of the object where the press begins and where the lift ends.
 void Examination::check_clearance() {
-  for (const auto& q : {segment("press").positions.front(), segment("lift").positions.back()}) {
+  std::vector<Eigen::VectorXd> lifted{segment("lift").positions.back()};
+  if (!plan_.resumed) lifted.push_back(segment("press").positions.front());
+  for (const Eigen::VectorXd& q : lifted) {
     const double clear = -finger(q).depth;
     if (clear < options_.lift_height - 1e-4) {
       fault("press or lift", "the fingertip is only " + figure(clear) + " m above the object");
@@ -129,9 +133,10 @@ void Examination::check_slide() {
   else if (inside < rim_margin() - 0.001) {
     fault(slide, 0, "the contact is " + figure(inside) + " m from the object's rim");
   }
-  const double end_pitch = finger(slide.positions.back()).pitch;
-  for (const double pitch :
-       {start.pitch, end_pitch}) {  // Eqs. (3) and (4): beta = beta_0 at both ends
+  // Eqs. (3) and (4): beta = beta_0 at both ends.
+  std::vector<double> pitches{finger(slide.positions.back()).pitch};
+  if (!plan_.resumed) pitches.push_back(start.pitch);
+  for (const double pitch : pitches) {
     if (!(std::abs(pitch - options_.pitch) <= 1e-4)) {
       fault(slide, 0, "begins or ends at pitch " + figure(pitch) + " rad");
     }
@@ -141,7 +146,8 @@ void Examination::check_slide() {
       [&](std::size_t row, const Eigen::VectorXd& q) { check_slide_row(slide, row, q); });
   for (std::size_t row = 0; row < slide.positions.size(); ++row) {
     poll();
-    if (!is_same(followed(start, finger(slide.positions[row])), slide.object_poses[row], kSame)) {
+    if (!is_same(followed(slide.object_poses[0], start, finger(slide.positions[row])),
+                 slide.object_poses[row], kSame)) {
       fault(slide, row, "the object does not follow the contact");
     }
   }

@@ -48,6 +48,9 @@ class GRASPLESS_API ContactSpace {
     return projection_.project(arm);
   }
 
+  /// True if the constraint rows are in their bands; says nothing about the other conditions.
+  bool is_pressing(const Eigen::VectorXd& arm) const { return projection_.is_satisfied(arm); }
+
   /// True if the motion between two near configurations keeps the constraint without collision, at
   /// joint steps of `resolution` [rad]. With `carried`, the object moves along and must not collide
   /// either.

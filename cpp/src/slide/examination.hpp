@@ -59,6 +59,7 @@ class Examination {
     fault(segment.name + " row " + std::to_string(row), what);
   }
   static std::string figure(double value);
+  std::vector<std::string> names() const;
   const Segment& segment(const std::string& name) const;
 
   bool has_shape();
@@ -80,6 +81,8 @@ class Examination {
   bool is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
                   const Eigen::Isometry3d& X_SO) const;
   Eigen::Isometry3d object_start() const;
+  Eigen::Isometry3d flat_where_interrupted() const;
+  void check_lies_flat();
   void check_hand_open();
   void check_clearance();
   void check_touching_row(const Segment& segment, std::size_t row, const Finger& now);
@@ -89,7 +92,8 @@ class Examination {
   void check_warnings();
   void check_straight(const Segment& grasp);
   Finger finger(const Eigen::VectorXd& q) const;
-  Eigen::Isometry3d followed(const Finger& start, const Finger& now) const;
+  Eigen::Isometry3d followed(const Eigen::Isometry3d& X_WO_start, const Finger& start,
+                             const Finger& now) const;
 
   const Problem& problem_;
   const Plan& plan_;

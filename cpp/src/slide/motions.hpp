@@ -35,6 +35,11 @@ class GRASPLESS_API Motions {
  public:
   explicit Motions(Query& query) : query_(query) {}
 
+  /// Makes `start` a start where the finger presses already: it needs no approach.
+  void begin_at(const Eigen::VectorXd& start) {
+    approaches_[std::vector<double>(start.begin(), start.end())].found = Approach{};
+  }
+
   /// IsPairValid(): checks the overhang, the centre of mass, and the motions onto the start and
   /// from the goal to the grasp.
   bool is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal);

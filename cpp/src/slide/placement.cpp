@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "graspless/watch.hpp"
@@ -72,6 +73,11 @@ Points largest_part(Points points, double link) {
 
 }  // namespace
 
+double rim_margin(const Object& object, const Options& options) {
+  if (options.rim_margin == 0) return -std::numeric_limits<double>::infinity();
+  return std::min(options.rim_margin, object.depths().maxCoeff() / 2);
+}
+
 bool is_com_inside(const Problem& problem, const Planar& object_S, double margin) {
   const Eigen::Vector3d com_S = spatial(object_S) * problem.object.com();
   const Eigen::Vector3d down_S = -problem.support.X_WS().linear().row(2).transpose();
@@ -122,12 +128,17 @@ Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
 
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
                                           std::mt19937_64& rng) {
+  return draw_graspable_pose(problem, options, draw_edge(problem.support.polygon(), rng), rng);
+}
+
+std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
+                                          const geometry::Polygon::Edge& edge,
+                                          std::mt19937_64& rng) {
   constexpr double kTwoPi = 6.28318530717958647692;
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(rng);
   };
   poll();
-  const geometry::Polygon::Edge edge = draw_edge(problem.support.polygon(), rng);
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(uniform(0, kTwoPi)).toRotationMatrix();
   const Eigen::RowVector2d inward_O = edge.inward.transpose() * R;
   const double farthest =

@@ -27,6 +27,10 @@ struct Placement {
 
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S);
 
+/// Least distance of the contact from the object's outline at the start of a slide [m]:
+/// options.rim_margin, at most half of the largest that the object allows. Minus infinity for 0.
+double rim_margin(const Object& object, const Options& options);
+
 /// True if the centre of mass, projected along gravity, lies at least `margin` [m] inside the
 /// polygon.
 bool is_com_inside(const Problem& problem, const Planar& object_S, double margin);
@@ -41,6 +45,11 @@ Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
 /// overhang between u* and the largest that keeps the centre of mass inside. Returns nothing if
 /// this draw leaves no such overhang.
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
+                                          std::mt19937_64& rng);
+
+/// The same, over a given edge.
+std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
+                                          const geometry::Polygon::Edge& edge,
                                           std::mt19937_64& rng);
 
 }  // namespace graspless::slide

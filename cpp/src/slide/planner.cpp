@@ -3,10 +3,14 @@
 //
 // The integrated planner of Section IV-C: ForestCBiRRT (Algorithm 1) over the arm's joints, with
 // C_s of Eq. (3), C_g of Eq. (4), the relaxed contact constraint, and IsPairValid.
+#include <ompl/base/ScopedState.h>
+
 #include "graspless/planning/vector_states.hpp"
+#include "graspless/slide/resume.hpp"
 
 #include "planning/plan_within.hpp"
 #include "slide/assemble.hpp"
+#include "slide/interruption.hpp"
 #include "slide/motions.hpp"
 #include "slide/query.hpp"
 #include "slide/refusals.hpp"
@@ -55,19 +59,9 @@ void fill_statistics(const planning::ForestCBiRRT& planner, Query& query, Statis
   statistics.projections = query.contact.num_projections();
 }
 
-Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
-              std::uint64_t seed) {
-  validate(problem, options);
-  Query query(problem, options, clock, seed);
-  Plan plan;
-  if (!is_home_free(query, plan)) return plan;
-
-  Motions motions(query);  // IsPairValid(), Section IV-C.1
-  const ob::SpaceInformationPtr si = make_space(query);
-  const auto starts = std::make_shared<StartRegion>(si, query);         // C_s, Eq. (3)
-  const auto goals = std::make_shared<GoalRegion>(si, query, motions);  // C_g, Eq. (4)
-  const SlideSearch search = make_search(query, si, starts, goals);     // Section IV-C.3
-  const ob::PlannerStatus status = search.planner->solve(               // Algorithm 1
+/// Algorithm 1 from the starts of `search` to a valid pair, and the plan's segments.
+void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan& plan) {
+  const ob::PlannerStatus status = search.planner->solve(  // Algorithm 1
       ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     planning::Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
@@ -78,18 +72,65 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
   }
   fill_statistics(*search.planner, query, plan.statistics);
   plan.reason = reason(query, plan);
+}
+
+Plan searched(Query& query) {
+  Plan plan;
+  if (!is_home_free(query, plan)) return plan;
+  Motions motions(query);  // IsPairValid(), Section IV-C.1
+  const ob::SpaceInformationPtr si = make_space(query);
+  const auto starts = std::make_shared<StartRegion>(si, query);         // C_s, Eq. (3)
+  const auto goals = std::make_shared<GoalRegion>(si, query, motions);  // C_g, Eq. (4)
+  solve(query, motions, make_search(query, si, starts, goals), plan);   // Section IV-C.3
+  return plan;
+}
+
+/// The same from a single start, at which the finger presses already.
+Plan searched_from(Query& query, const Interruption& at) {
+  Plan plan;
+  plan.resumed = at;
+  const std::optional<Eigen::VectorXd> start = find_pressed_start(query, at, plan);
+  if (!start) return plan;
+  Motions motions(query);
+  motions.begin_at(*start);
+  const ob::SpaceInformationPtr si = make_space(query);
+  const auto goals = std::make_shared<GoalRegion>(si, query, motions, &at);
+  const SlideSearch search = make_search(query, si, nullptr, goals);
+  ob::ScopedState<ob::RealVectorStateSpace> root(si);
+  planning::vector(root.get(), query.arm.dof()) = *start;
+  search.problem->addStartState(root);
+  solve(query, motions, search, plan);
+  return plan;
+}
+
+/// Runs `search` on a query within the budget.
+template <class Search>
+Plan within_budget(const Problem& problem, const Options& options, const planning::Budget& budget,
+                   const Search& search) {
+  planning::Clock clock(budget, options.max_memory);
+  Plan plan = planning::plan_within(
+      clock, "a larger options.range, or shapes and outlines of fewer corners", [&] {
+        validate(problem, options);
+        Query query(problem, options, clock, budget.seed);
+        return search(query);
+      });
+  plan.statistics.iterations = clock.iterations();
+  plan.joint_names = problem.robot.joint_names();
   return plan;
 }
 
 }  // namespace
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
-  planning::Clock clock(budget, options.max_memory);
-  Plan plan = planning::plan_within(
-      clock, "a larger options.range, or shapes and outlines of fewer corners",
-      [&] { return searched(problem, options, clock, budget.seed); });
-  plan.statistics.iterations = clock.iterations();
-  plan.joint_names = problem.robot.joint_names();
+  return within_budget(problem, options, budget, searched);
+}
+
+Plan resume(const Problem& problem, const Interruption& at, const Options& options,
+            const planning::Budget& budget) {
+  validate(problem, at);
+  Plan plan = within_budget(problem, options, budget,
+                            [&](Query& query) { return searched_from(query, at); });
+  plan.resumed = at;
   return plan;
 }
 

@@ -136,6 +136,8 @@ std::string reason(Query& query, const Plan& plan) {
   if (plan.statistics.iterations == 0) return "the budget allowed no iteration";
   switch (plan.status) {
     case Status::start_in_collision:
+    case Status::off_support:
+    case Status::contact_lost:
       return plan.reason;
     case Status::no_start_root:
       return "no configuration was found that presses on the object" + refused;

@@ -24,6 +24,9 @@ constexpr Eigen::Index kPolledPoints = 256;  // between two polls
 // Draws in a row whose nearest configurations are refused, after which the others are tried too.
 constexpr int kPatience = 100;
 
+// Draws of the goal and of the edge of a slide that goes on, before those of other edges.
+constexpr int kFormer = 8, kFormerEdge = 24;
+
 Planar contact_at(const Eigen::Vector2d& point, double yaw) {
   Planar contact = Planar::Identity();
   contact.linear() = Eigen::Rotation2Dd(yaw).toRotationMatrix();
@@ -55,10 +58,9 @@ std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, dou
 }
 
 /// Those of P_o that are not within options.rim_margin of the outline.
-std::vector<std::int32_t> inside_points(const Object& object, double rim_margin) {
+std::vector<std::int32_t> inside_points(const Object& object, const Options& options) {
   const Eigen::VectorXd& depths = object.depths();
-  double margin = -std::numeric_limits<double>::infinity();
-  if (rim_margin > 0) margin = std::min(rim_margin, depths.maxCoeff() / 2);
+  const double margin = rim_margin(object, options);
   std::vector<std::int32_t> kept;
   kept.reserve(static_cast<std::size_t>((depths.array() >= margin).count()));
   for (Eigen::Index i = 0; i < depths.size(); ++i) {
@@ -78,7 +80,7 @@ double draw_depth(Query& query) {
 StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
     : planning::SampleableRegion(si),
       query_(query),
-      inside_(inside_points(query.problem.object, query.options.rim_margin)) {}
+      inside_(inside_points(query.problem.object, query.options)) {}
 
 // Eq. (3): a contact anywhere on the object's top face, any yaw, pitch beta_0, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
@@ -114,8 +116,19 @@ bool StartRegion::try_sample(ob::State* state) const {
   return true;
 }
 
-GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions& motions)
-    : planning::SampleableRegion(si), query_(query), motions_(motions) {}
+GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions& motions,
+                       const Interruption* at)
+    : planning::SampleableRegion(si),
+      query_(query),
+      motions_(motions),
+      has_one_start_(at != nullptr) {
+  if (!at || !at->X_WO_goal) return;
+  const Planar goal = planar(query.X_WS.inverse() * *at->X_WO_goal);
+  const Placement place = placement(query.problem, query.options, goal);
+  if (!place.sticks_out) return;
+  former_ = goal;
+  former_edge_ = place.edge;
+}
 
 // Eq. (4): a contact anywhere near the edges, any yaw, pitch beta_0, a depth in the band.
 bool GoalRegion::try_sample(ob::State* state) const {
@@ -150,7 +163,8 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
     const auto object_S = draw_object_pose(carried);
     if (!object_S) continue;
     const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
-    const auto arm = press_at(query_, contact, depth, near, query_.free_joint_of(near));
+    const double free_joint = draw_free_joint(query_.free_joint_of(near));
+    const auto arm = press_at(query_, contact, depth, near, free_joint);
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
@@ -166,7 +180,7 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
 /// Draws a goal pose of the object: graspable by construction, with the fingertip's contact still
 /// on the support.
 std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& carried) const {
-  const auto object_S = draw_graspable_pose(query_.problem, query_.options, query_.rng);
+  const std::optional<Planar> object_S = draw_graspable();
   if (!object_S) {
     query_.refuse("goal: overhang against center of mass");
     return std::nullopt;
@@ -177,6 +191,28 @@ std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& 
     return std::nullopt;
   }
   return object_S;
+}
+
+std::optional<Planar> GoalRegion::draw_graspable() const {
+  const int drawn = num_drawn_++;
+  if (former_ && drawn < kFormer) return former_;
+  if (former_ && drawn < kFormer + kFormerEdge) {
+    return draw_graspable_pose(query_.problem, query_.options, former_edge_, query_.rng);
+  }
+  return draw_graspable_pose(query_.problem, query_.options, query_.rng);
+}
+
+/// Draws the free joint of a partner: that of its start. If there is no other start, later values
+/// are near it, and then anywhere.
+double GoalRegion::draw_free_joint(double at_start) const {
+  constexpr double kNear = 0.5;  // [rad]
+  const std::optional<int> joint = query_.tip_ik.free_joint();
+  if (!joint || !has_one_start_ || num_drawn_ <= 1) return at_start;
+  if (num_drawn_ > kFormer + kFormerEdge && query_.uniform(0, 1) < 0.5) {
+    return query_.draw_free_joint();
+  }
+  return std::clamp(at_start + query_.uniform(-kNear, kNear), query_.problem.robot.lower()[*joint],
+                    query_.problem.robot.upper()[*joint]);
 }
 
 bool GoalRegion::isStartGoalPairValid(const ob::State* start, const ob::State* goal) const {

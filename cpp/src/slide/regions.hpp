@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "graspless/planning/sampleable_region.hpp"
@@ -28,7 +29,11 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
 
 class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
  public:
-  GoalRegion(const ompl::base::SpaceInformationPtr& si, Query& query, Motions& motions);
+  /// With `at`, for a slide that goes on from there: all partners are for the same start, so they
+  /// differ in the arm's free joint too. The first ones have the object at the former goal, the
+  /// next ones over the same edge.
+  GoalRegion(const ompl::base::SpaceInformationPtr& si, Query& query, Motions& motions,
+             const Interruption* at = nullptr);
   bool try_sample(ompl::base::State* state) const override;
   bool try_sample_partner(const ompl::base::State* start, ompl::base::State* goal) const override;
   bool isStartGoalPairValid(const ompl::base::State* start,
@@ -36,9 +41,15 @@ class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
 
  private:
   std::optional<Planar> draw_object_pose(const ContactSpace::Carried& carried) const;
+  std::optional<Planar> draw_graspable() const;
+  double draw_free_joint(double at_start) const;
 
   Query& query_;
   Motions& motions_;
+  bool has_one_start_;
+  std::optional<Planar> former_;  ///< goal pose of the object in S, if it is over an edge
+  geometry::Polygon::Edge former_edge_{};
+  mutable int num_drawn_ = 0;  ///< object poses
 };
 
 }  // namespace graspless::slide

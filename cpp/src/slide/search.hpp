@@ -24,7 +24,8 @@ struct SlideSearch {
 GRASPLESS_API ompl::base::SpaceInformationPtr make_space(Query& query);
 
 /// Makes the planner between two regions of that space, with the relaxed contact constraint of
-/// Section IV-C.3. The query must outlive it.
+/// Section IV-C.3. Without `starts`, the start states of `problem` are the roots. The query must
+/// outlive it.
 GRASPLESS_API SlideSearch
 make_search(Query& query, const ompl::base::SpaceInformationPtr& si,
             std::shared_ptr<const ompl::base::GoalSampleableRegion> starts,

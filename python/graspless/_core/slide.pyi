@@ -11,7 +11,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'depth_band', 'plan', 'turning', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'depth_band', 'plan', 'resume', 'turning', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -638,14 +638,41 @@ class Status(graspless._named.Named):
     """
     Outcome of a query.
     """
+    contact_lost = ...
     interrupted = ...
     no_goal_root = ...
     no_start_root = ...
     no_valid_pair = ...
     not_connected = ...
+    off_support = ...
     out_of_memory = ...
     solved = ...
     start_in_collision = ...
+class Interruption:
+    """
+    State in which a slide was interrupted, with the finger pressed on the object.
+    """
+    def __init__(self, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
+        """
+        q: (dof,) commanded joints [rad or m]. X_WO: (4, 4) measured pose of the object in the world. X_WO_goal: (4, 4) pose at the goal of the plan that was interrupted.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WO(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) measured pose of the object in the world.
+        """
+    @property
+    def X_WO_goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"] | None:
+        """
+        (4, 4) pose of the object at the goal of the plan that was interrupted, or None.
+        """
+    @property
+    def q(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (dof,) commanded joints [rad or m].
+        """
 class Plan:
     """
     Result of a query. False unless it is solved.
@@ -699,6 +726,14 @@ class Plan:
         """
     @reason.setter
     def reason(self, arg0: str) -> None:
+        ...
+    @property
+    def resumed(self) -> Interruption | None:
+        """
+        Interruption from which the plan goes on; None if it begins at the problem's q_home.
+        """
+    @resumed.setter
+    def resumed(self, arg0: Interruption | None) -> None:
         ...
     @property
     def segments(self) -> tuple[Segment, ...]:
@@ -791,6 +826,14 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
     
     Raises ValueError on a bad problem or bad options.
+    """
+def resume(problem: Problem, at: Interruption, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
+    """
+    Plans the rest of an interrupted slide, without lifting the finger: slide, lift, reach, grasp and close.
+    
+    A state from which no slide can go on is a status: off_support, contact_lost or start_in_collision.
+    
+    Raises ValueError on a bad problem, options or interruption.
     """
 def turning(problem: Problem, plan: Plan) -> Turning:
     """

@@ -30,6 +30,18 @@ class Segment(Table):
     )
 
 
+class Interruption(Table):
+    """State in which a slide was interrupted, and from which the plan goes on."""
+
+    MAKE: ClassVar = slide.Interruption
+
+    q: list[float] = Field(description="[dof] commanded joints, rad or m")
+    X_WO: PoseRow = Field(description="measured pose of the object")
+    X_WO_goal: PoseRow | None = Field(
+        default=None, description="pose of the object at the goal of the interrupted plan"
+    )
+
+
 class SlidePlanFile(PlanFields):
     """A plan with its whole task."""
 
@@ -39,6 +51,10 @@ class SlidePlanFile(PlanFields):
     overhang: float = Field(description="length of the object beyond the edge at the goal [m]")
     X_WO_goal: PoseRow = Field(description="pose of the object after the slide")
     X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the grasp")
+    resumed: Interruption | None = Field(
+        default=None,
+        description="where the plan goes on; without it, it begins at the task's home",
+    )
     segments: list[Segment]
     warnings: list[str] = Field(
         default=[], description="risks that the plan carries, one sentence each"
@@ -54,6 +70,11 @@ class SlidePlanFile(PlanFields):
             where = f"segment '{segment.name}'"
             require_rows(where, segment.positions, segment.object_poses, dof)
         require_unit_quaternions([self.X_WO_goal, self.X_WH_grasp])
+        if self.resumed is not None:
+            if len(self.resumed.q) != dof:
+                raise ValueError(f"resumed.q has {len(self.resumed.q)} values for {dof} joints")
+            poses = [self.resumed.X_WO, self.resumed.X_WO_goal]
+            require_unit_quaternions([pose for pose in poses if pose is not None])
         return self
 
 

@@ -39,7 +39,7 @@ def lines_not_found(plan: Plan) -> list[str]:
 
 
 def _slide_line(plan: Plan) -> str:
-    start, goal = np.asarray(plan.task.problem.X_WO_start), plan.X_WO_goal
+    start, goal = plan.X_WO_start, plan.X_WO_goal
     distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
     R = start[:3, :3].T @ goal[:3, :3]
     turn = math.degrees(math.atan2(R[1, 0], R[0, 0]))

@@ -27,8 +27,9 @@ class RootComponents;
 /// any state space. Without a projector it is RRT-Connect over forests. Without a start region the
 /// problem's start states are the roots. The goal must be an `ompl::base::GoalSampleableRegion`.
 ///
-/// set_connect_first(true) adds a shortcut to Algorithm 1. It samples a partner for each new root
-/// (SampleableRegion::try_sample_partner) and tries to connect the two at once. It also counts all
+/// set_connect_first(true) adds a shortcut to Algorithm 1. It samples a partner for each new root,
+/// or several for each given start (SampleableRegion::try_sample_partner), and tries to connect the
+/// two at once. It also counts all
 /// starts and goals as connected that are joined by any chain of connections (union-find over the
 /// roots).
 ///

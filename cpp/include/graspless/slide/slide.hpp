@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ GRASPLESS_API void validate(const Problem& problem, const Options& options);
 enum class Status {
   solved,
   start_in_collision,
+  off_support,
+  contact_lost,
   no_start_root,
   no_goal_root,
   no_valid_pair,
@@ -45,7 +48,11 @@ constexpr auto choices(Status) {
   return std::array{
       Choice{Status::solved, "solved", "A plan was found."},
       Choice{Status::start_in_collision, "start_in_collision",
-             "The robot touches something in its home configuration."},
+             "The robot touches something in its home configuration, or where it resumes a slide."},
+      Choice{Status::off_support, "off_support",
+             "The object of a slide to resume does not lie flat on the support."},
+      Choice{Status::contact_lost, "contact_lost",
+             "The finger of a slide to resume does not press on the object."},
       Choice{Status::no_start_root, "no_start_root",
              "No configuration that presses on the object was found."},
       Choice{Status::no_goal_root, "no_goal_root",
@@ -59,6 +66,13 @@ constexpr auto choices(Status) {
              "The search would need more memory than options.max_memory."}};
 }
 GRASPLESS_API std::string to_string(Status status);
+
+/// State in which a slide was interrupted: the finger presses on the object.
+struct Interruption {
+  Eigen::VectorXd q;                           ///< commanded joints, all of them [rad or m]
+  Eigen::Isometry3d X_WO;                      ///< measured pose of the object
+  std::optional<Eigen::Isometry3d> X_WO_goal;  ///< of the interrupted plan; it is tried first
+};
 
 /// Part of a motion: Robot::step() between rows of `positions` is 0.05 rad at most.
 struct Segment {
@@ -101,11 +115,12 @@ constexpr auto fields(const Statistics&) {
             "collision\" or \"pair: overhang\"."});
 }
 
-/// Result of plan(): a motion, or the reason why there is none.
+/// Result of plan() or resume(): a motion, or the reason why there is none.
 struct Plan {
   Status status = Status::not_connected;
   std::string reason;  ///< one sentence for the user
   std::vector<std::string> joint_names;
+  std::optional<Interruption> resumed;  ///< of a plan by resume(): its start. See resume.hpp
   std::vector<Segment> segments;
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g

@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 
 from ... import frames, timing
+from ...errors import TaskError
 from ..results import Recording, Trial
 from ..robots import joint_addresses, lags, set_positions
 from ..settings import SLIDE_SPREAD, Slide
@@ -53,6 +54,11 @@ def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
     """Executes a solved plan; `settings` are for tests."""
+    if plan.resumed is not None:
+        raise TaskError(
+            "a resumed plan begins with the finger pressed on the object, and the simulation "
+            "begins at rest: simulate the plan that was interrupted"
+        )
     start = time.perf_counter()
     return _trial(Execution(plan, variation, settings or Slide()), record, start)
 

@@ -17,5 +17,4 @@ SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3} 
 
 def film(plan: Plan, recording: Recording | None = None) -> films.Film:
     """Returns a recording, or the plan's rows at a speed for watching, or else the start."""
-    problem = plan.task.problem
-    return films.film(plan, recording, problem.q_home, problem.X_WO_start, SPEEDS)
+    return films.film(plan, recording, plan.q_start, plan.X_WO_start, SPEEDS)

@@ -57,7 +57,7 @@ def _headline(plan: Plan) -> str:
     name = plan.task.problem.object.name
     if not plan:
         return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
-    distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.task.problem.X_WO_start[:3, 3])
+    distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.X_WO_start[:3, 3])
     robot = plan.task.problem.robot.name
     return f"{robot} slides the {name} {distance * 100:.0f} cm to the edge and grasps it there"
 

@@ -20,19 +20,19 @@ if TYPE_CHECKING:
     from ..film import Film
 
 MOMENTS = {
-    "press": "1  press",
-    "slide": "2  slide to the edge",
-    "reach": "3  reach for the edge",
-    "close": "4  grasp",
+    "press": "press",
+    "slide": "slide to the edge",
+    "reach": "reach for the edge",
+    "close": "grasp",
 }
 
 
 def moments(shown: Film) -> list[tuple[int, str]]:
     """Returns rows to draw the robot at, with captions."""
+    found = [(name, caption) for name, caption in MOMENTS.items() if name in shown.names]
     rows = [
-        (int(shown.rows(name)[-1]), caption)
-        for name, caption in MOMENTS.items()
-        if name in shown.names
+        (int(shown.rows(name)[-1]), f"{k}  {caption}")
+        for k, (name, caption) in enumerate(found, start=1)
     ]
     return rows or [(0, "start")]
 

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/interruption.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "graspless/geometry/pose.hpp"
+#include "graspless/slide/resume.hpp"
+
+#include "slide/refusals.hpp"
+
+namespace graspless::slide {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kDegree = 0.017453292519943295;  // [rad]
+
+std::string figure(double value) {
+  std::ostringstream out;
+  out.precision(3);
+  out << value;
+  return out.str();
+}
+
+/// Why the object does not lie flat on the support; empty if it does.
+std::string why_not_flat(const Problem& problem, const Eigen::Isometry3d& X_SO) {
+  const Eigen::Vector3d com_O = problem.object.com();
+  const double height = (X_SO * com_O).z() - com_O.z();
+  const double tilt = std::acos(std::clamp(X_SO.linear()(2, 2), -1.0, 1.0));
+  if (std::abs(height) > kFlatHeight) {
+    return "the object is " + in_mm(std::abs(height)) + (height > 0 ? " above" : " below") +
+           " the support, measured at its centre of mass; at most " + in_mm(kFlatHeight) +
+           " is allowed";
+  }
+  if (tilt > kFlatTilt) {
+    return "the object is tilted by " + figure(tilt / kDegree) +
+           " degrees against the support; at most " + figure(kFlatTilt / kDegree) +
+           " degrees are allowed";
+  }
+  return "";
+}
+
+/// Lays the object flat, with its yaw and its centre of mass in the plane as measured.
+Planar laid_flat(const Object& object, const Eigen::Isometry3d& X_SO) {
+  Planar flat = planar(X_SO);
+  flat.translation() = (X_SO * object.com()).head<2>() - flat.linear() * object.com().head<2>();
+  return flat;
+}
+
+/// Why the fingertip does not press at `contact`, a position on the object; empty if it does.
+std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
+  const Object& object = query.problem.object;
+  constexpr double kSpacings = 1.25;  // from a position on the object to the nearest of its points
+  const double inside = object.outline().depth(p_OC);
+  if (inside < 0) return "the fingertip presses " + in_mm(-inside) + " beside the object";
+  const double nearest = (object.points().colwise() - p_OC).colwise().norm().minCoeff();
+  if (nearest > kSpacings * object.spacing()) {
+    return "the fingertip presses into a hole of the object, " + in_mm(nearest) +
+           " from its nearest point";
+  }
+  const double margin = rim_margin(object, query.options);
+  if (inside >= margin) return "";
+  return "the fingertip presses only " + in_mm(inside) +
+         " inside the object's outline; options.rim_margin asks for " + in_mm(margin);
+}
+
+/// Why q is too far from a configuration to be corrected; empty if it is near.
+std::string why_far(const Query& query, const VectorXd& q, const VectorXd& corrected) {
+  const robot::Robot& robot = query.problem.robot;
+  const double step = robot.step(q, corrected);
+  if (step <= kMaxCorrection) return "";
+  Eigen::Index joint = 0;
+  (corrected - q).cwiseProduct(robot.step_weights()).cwiseAbs().maxCoeff(&joint);
+  return "q is " + figure(step) + " rad from the nearest configuration that presses (joint '" +
+         robot.joint_names()[static_cast<std::size_t>(joint)] + "'); at most " +
+         figure(kMaxCorrection) + " rad is allowed";
+}
+
+std::nullopt_t refuse(Plan& plan, Status status, const std::string& why) {
+  plan.status = status;
+  plan.reason = why;
+  return std::nullopt;
+}
+
+/// Refuses a start for which contact.is_valid() has just returned false.
+std::nullopt_t refuse_invalid(Query& query, const VectorXd& start, Plan& plan) {
+  if (const auto& touching = query.contact.touching()) {
+    const collision::World& world = query.contact.scene().world();
+    return refuse(plan, Status::start_in_collision,
+                  "where the slide is to go on, '" + world.name(touching->first) + "' touches '" +
+                      world.name(touching->second) + "'");
+  }
+  const double inside =
+      query.problem.support.polygon().depth(query.contact.effective_tip_at(start).translation());
+  if (inside < query.options.tip_margin) {
+    return refuse(plan, Status::contact_lost,
+                  "the fingertip presses " + in_mm(std::abs(inside)) +
+                      (inside < 0 ? " outside" : " inside") +
+                      " the support's edge; options.tip_margin asks for " +
+                      in_mm(query.options.tip_margin) + " inside");
+  }
+  return refuse(plan, Status::contact_lost, "the hand is not in the attitude in which it presses");
+}
+
+}  // namespace
+
+void validate(const Problem& problem, const Interruption& at) {
+  const auto dof = problem.robot.dof();
+  if (at.q.size() != dof || !at.q.allFinite()) {
+    throw std::invalid_argument(
+        "q must have " + std::to_string(dof) + " finite values, not " +
+        (at.q.size() != dof ? std::to_string(at.q.size()) : "some that are not finite"));
+  }
+  geometry::require_pose(at.X_WO, "X_WO");
+  if (at.X_WO_goal) geometry::require_pose(*at.X_WO_goal, "X_WO_goal");
+}
+
+std::optional<VectorXd> find_pressed_start(Query& query, const Interruption& at, Plan& plan) {
+  const Eigen::Isometry3d X_SO = query.X_WS.inverse() * at.X_WO;
+  const std::string off = why_not_flat(query.problem, X_SO);
+  if (!off.empty()) return refuse(plan, Status::off_support, off);
+  const Planar measured = laid_flat(query.problem.object, X_SO);
+
+  const robot::Robot& robot = query.problem.robot;
+  const Tip given =
+      tip(query.X_WS.inverse() * robot.pose(robot.frame(query.problem.hand.fingertip), at.q));
+  const double above = given.height - query.top;
+  if (above > kTouchHeight) {
+    return refuse(plan, Status::contact_lost,
+                  "the fingertip is " + in_mm(above) + " above the object's top face");
+  }
+  VectorXd start = query.arm.part(at.q).cwiseMax(query.arm.lower()).cwiseMin(query.arm.upper());
+  const bool presses = query.contact.is_pressing(start) || query.contact.project(start);
+  const std::string far = why_far(query, at.q, query.arm.full(start));
+  if (!presses || !far.empty()) {
+    return refuse(plan, Status::contact_lost,
+                  presses ? far : "no configuration near q presses on the object");
+  }
+  const ContactSpace::Carried moved{
+      effective_tip(query.problem.hand, given, query.top, query.options.pitch), measured};
+  query.object_start = query.contact.carry(moved, start);
+  const ContactSpace::Carried carried = query.carried_from(start);
+  const Eigen::Vector2d p_OC = query.object_start.inverse() * carried.tip_start.translation();
+  const std::string beside = why_beside(query, p_OC);
+  if (!beside.empty()) return refuse(plan, Status::contact_lost, beside);
+  if (!query.contact.is_valid(start, carried)) return refuse_invalid(query, start, plan);
+  return start;
+}
+
+}  // namespace graspless::slide

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/resume.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "complaint.hpp"
+#include "paths.hpp"
+#include "slide/problems.hpp"
+
+namespace graspless::slide {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+std::string listed(const std::vector<std::string>& faults) {
+  std::string all;
+  for (const std::string& fault : faults) all += fault + "\n";
+  return all;
+}
+
+/// A solved plan of the simple problem, the same for all tests.
+const Plan& whole() {
+  static const Plan found = plan(simple_problem(), {}, seeded(1));
+  if (!found) throw std::runtime_error(found.reason);
+  return found;
+}
+
+const Segment& slide_of(const Plan& plan) {
+  for (const Segment& segment : plan.segments) {
+    if (segment.name == "slide") return segment;
+  }
+  throw std::runtime_error("no slide");
+}
+
+Interruption at_row(const Plan& plan, std::size_t row) {
+  const Segment& slide = slide_of(plan);
+  return {slide.positions.at(row), slide.object_poses.at(row), plan.X_WO_goal};
+}
+
+/// The middle of the slide.
+Interruption midway() { return at_row(whole(), slide_of(whole()).positions.size() / 2); }
+
+Eigen::Isometry3d shifted(const Eigen::Isometry3d& X_WO, double x, double y, double z = 0) {
+  return Eigen::Translation3d(x, y, z) * X_WO;
+}
+
+Eigen::Isometry3d turned(const Eigen::Isometry3d& X_WO, double angle, const Eigen::Vector3d& axis) {
+  return X_WO * Eigen::AngleAxisd(angle, axis);
+}
+
+TEST(Resume, GoesOnFromEveryRowOfAnUndisturbedSlide) {
+  std::mt19937_64 rng(1);
+  std::uint64_t seed = 1;
+  for (const Support& table : tables()) {
+    for (const Object& object : objects()) {
+      const Problem problem = make_problem(table, object, random_pose(table, object, rng));
+      const Plan plan = slide::plan(problem, {}, seeded(seed++));
+      ASSERT_TRUE(plan) << plan.reason;
+      const std::size_t rows = slide_of(plan).positions.size();
+      for (std::size_t row = 0; row < rows; row += std::max<std::size_t>(1, rows / 5)) {
+        const Interruption at = at_row(plan, row);
+        const Plan rest = resume(problem, at, {}, seeded(seed));
+        ASSERT_TRUE(rest) << rest.reason << " at row " << row << " of " << rows;
+        EXPECT_EQ(listed(check(problem, rest)), "");
+        EXPECT_EQ(rest.segments.front().name, "slide");
+        EXPECT_EQ(rest.segments.front().positions.front(), at.q);
+        EXPECT_TRUE(rest.segments.front().object_poses.front().isApprox(at.X_WO, 1e-9));
+        EXPECT_GT(rest.overhang, Options{}.min_overhang);
+      }
+    }
+  }
+}
+
+TEST(Resume, ReachesTheSameGoalWhereItFits) {
+  const Plan rest = resume(simple_problem(), midway(), {}, seeded(3));
+  ASSERT_TRUE(rest);
+  EXPECT_TRUE(rest.X_WO_goal.isApprox(whole().X_WO_goal, 1e-9));
+  EXPECT_NEAR(rest.overhang, whole().overhang, 1e-9);
+}
+
+TEST(Resume, FollowsTheMeasuredObject) {
+  std::mt19937_64 rng(4);
+  std::uniform_real_distribution<double> offset(-0.01, 0.01), yaw(-10 * kDegree, 10 * kDegree);
+  std::uniform_int_distribution<std::size_t> row(0, slide_of(whole()).positions.size() - 1);
+  const Problem problem = simple_problem();
+  int solved = 0;
+  constexpr int kCases = 60;
+  for (int i = 0; i < kCases; ++i) {
+    Interruption at = at_row(whole(), row(rng));
+    at.X_WO = turned(shifted(at.X_WO, offset(rng), offset(rng), offset(rng) / 2), yaw(rng),
+                     Eigen::Vector3d::UnitZ());
+    at.X_WO = turned(at.X_WO, yaw(rng) / 2, Eigen::Vector3d::UnitX());
+    const Plan rest = resume(problem, at, {}, seeded(i));
+    if (!rest) {
+      EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
+      continue;
+    }
+    ++solved;
+    EXPECT_EQ(listed(check(problem, rest)), "") << i;
+    const Eigen::Isometry3d& first = rest.segments.front().object_poses.front();
+    const Eigen::Vector3d com = problem.object.com();
+    EXPECT_LT((first * com - at.X_WO * com).head<2>().norm(), 1e-9);
+    EXPECT_NEAR(first.translation().z(), 0, 1e-12);
+  }
+  EXPECT_GT(solved, kCases * 8 / 10);
+}
+
+TEST(Resume, TakesMeasuredJointsToTheNearestThatPress) {
+  const Problem problem = simple_problem();
+  std::mt19937_64 rng(7);
+  std::normal_distribution<double> noise(0, 0.01);
+  for (int i = 0; i < 30; ++i) {
+    Interruption at = midway();
+    for (double& q : at.q) q += std::clamp(noise(rng), -0.02, 0.02);
+    at.q = at.q.cwiseMax(problem.robot.lower()).cwiseMin(problem.robot.upper());
+    const Plan rest = resume(problem, at, {}, seeded(i));
+    if (!rest) {
+      EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
+      continue;
+    }
+    EXPECT_EQ(listed(check(problem, rest)), "") << i;
+    EXPECT_LE(problem.robot.step(at.q, rest.segments.front().positions.front()), kMaxCorrection);
+  }
+}
+
+TEST(Resume, RefusesJointsFarFromTheContact) {
+  const Problem problem = simple_problem();
+  int far = 0;
+  for (const int joint : problem.robot.group("arm")) {
+    for (const double angle : {-0.15, 0.15}) {
+      Interruption at = midway();
+      at.q[joint] += angle;
+      const Plan rest = resume(problem, at, {}, seeded(1));
+      if (rest) {
+        EXPECT_EQ(listed(check(problem, rest)), "") << joint;
+      } else {
+        EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
+        far += rest.reason.find("from the nearest configuration that presses") < 200 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(far, 0);
+}
+
+struct Lost {
+  Interruption at;
+  Status status;
+  std::string reason;
+};
+
+TEST(Resume, SaysWhyNoSlideCanGoOn) {
+  const Problem problem = simple_problem();
+  const Interruption good = midway();
+  const auto moved = [&](const Eigen::Isometry3d& X_WO) { return Interruption{good.q, X_WO, {}}; };
+  const auto with_q = [&](const Eigen::VectorXd& q) { return Interruption{q, good.X_WO, {}}; };
+  Eigen::VectorXd hand_closed = problem.robot.state("closed", good.q);
+  const std::vector<Lost> cases{
+      {moved(shifted(good.X_WO, 0, 0, 0.03)), Status::off_support, "30 mm above the support"},
+      {moved(shifted(good.X_WO, 0, 0, -0.4)), Status::off_support, "400 mm below the support"},
+      {moved(turned(good.X_WO, 0.3, Eigen::Vector3d::UnitY())), Status::off_support, "tilted by"},
+      {moved(turned(good.X_WO, M_PI, Eigen::Vector3d::UnitY())), Status::off_support, "tilted by"},
+      {moved(shifted(good.X_WO, 0.2, 0)), Status::contact_lost, "beside the object"},
+      {with_q(problem.q_home), Status::contact_lost, "above the object's top face"},
+      {with_q(whole().segments[3].positions.back()), Status::contact_lost, "above the object's"},
+      {with_q(hand_closed), Status::contact_lost, "above the object's"},
+  };
+  for (const Lost& lost : cases) {
+    const Plan rest = resume(problem, lost.at, {}, seeded(1));
+    EXPECT_EQ(rest.status, lost.status) << rest.reason;
+    EXPECT_NE(rest.reason.find(lost.reason), std::string::npos) << rest.reason;
+    EXPECT_TRUE(rest.segments.empty());
+    EXPECT_FALSE(rest);
+  }
+}
+
+TEST(Resume, KeepsAwayFromTheRim) {
+  const Problem problem = simple_problem();
+  Interruption at = midway();
+  Options edge;
+  edge.rim_margin = 0;
+  // Moves the object until the contact comes near its outline.
+  bool near = false;
+  for (double x = 0; x < 0.1 && !near; x += 0.001) {
+    const Interruption there{at.q, shifted(at.X_WO, x, 0), {}};
+    const Plan kept = resume(problem, there, {}, seeded(1));
+    if (kept) continue;
+    EXPECT_EQ(kept.status, Status::contact_lost);
+    EXPECT_NE(kept.reason.find("options.rim_margin"), std::string::npos) << kept.reason;
+    EXPECT_TRUE(resume(problem, there, edge, seeded(1)));
+    near = true;
+  }
+  EXPECT_TRUE(near);
+}
+
+TEST(Resume, StopsAtAnObstacleThatTouches) {
+  Problem problem = simple_problem();
+  const Eigen::Isometry3d X_WO = midway().X_WO;
+  const geometry::PlacedShape box{geometry::Box{{0.02, 0.02, 0.02}}, Eigen::Isometry3d::Identity()};
+  problem.obstacles = {{"box", {box}, Eigen::Isometry3d(Eigen::Translation3d(X_WO.translation()))}};
+  const Plan rest = resume(problem, midway(), {}, seeded(1));
+  EXPECT_EQ(rest.status, Status::start_in_collision);
+  EXPECT_NE(rest.reason.find("'box'"), std::string::npos) << rest.reason;
+}
+
+TEST(Resume, RefusesWhatIsNoState) {
+  const Problem problem = simple_problem();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto complaint_of = [&](const Interruption& at) {
+    return complaint([&] { resume(problem, at); });
+  };
+  Interruption at = midway();
+  at.q[1] = nan;
+  EXPECT_NE(complaint_of(at).find("q must have"), std::string::npos);
+  at = midway();
+  at.q.conservativeResize(3);
+  EXPECT_NE(complaint_of(at).find("finite values, not 3"), std::string::npos);
+  at = midway();
+  at.X_WO.linear() *= 2;
+  EXPECT_NE(complaint_of(at).find("X_WO"), std::string::npos);
+  at = midway();
+  at.X_WO.translation().x() = nan;
+  EXPECT_NE(complaint_of(at).find("X_WO"), std::string::npos);
+  at = midway();
+  at.X_WO_goal->linear().col(0) *= -1;
+  EXPECT_NE(complaint_of(at).find("X_WO_goal"), std::string::npos);
+}
+
+TEST(Resume, IsTheSameForTheSameSeed) {
+  Interruption at = midway();
+  at.X_WO = turned(shifted(at.X_WO, 0.004, -0.006), 0.1, Eigen::Vector3d::UnitZ());
+  at.X_WO_goal.reset();
+  const Plan a = resume(simple_problem(), at, {}, seeded(5)),
+             b = resume(simple_problem(), at, {}, seeded(5));
+  ASSERT_TRUE(a) << a.reason;
+  for (std::size_t i = 0; i < a.segments.size(); ++i) {
+    EXPECT_EQ(a.segments[i].positions, b.segments[i].positions);
+  }
+}
+
+TEST(Resume, WorksWithAlgorithmOneAsWritten) {
+  Options options;
+  options.search = Search::paper;
+  const Plan rest = resume(simple_problem(), midway(), options, seeded(2, 60));
+  ASSERT_TRUE(rest) << rest.reason;
+  EXPECT_EQ(listed(check(simple_problem(), rest, options)), "");
+}
+
+TEST(Resume, CheckFindsWhatWasEdited) {
+  const Problem problem = simple_problem();
+  const Plan good = resume(problem, midway(), {}, seeded(1));
+  ASSERT_TRUE(good);
+  const auto faults_after = [&](const auto& edit) {
+    Plan edited = good;
+    edit(edited);
+    return listed(check(problem, edited));
+  };
+  EXPECT_EQ(faults_after([](Plan&) {}), "");
+  const auto has = [](const std::string& faults, const std::string& what) {
+    return faults.find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(has(faults_after([](Plan& p) { p.resumed.reset(); }), "segments are not approach"));
+  EXPECT_TRUE(has(faults_after([](Plan& p) { p.resumed->q[0] += 0.1; }), "was interrupted"));
+  EXPECT_TRUE(has(faults_after([](Plan& p) { p.resumed->X_WO.translation().x() += 0.01; }),
+                  "not at its start"));
+  EXPECT_TRUE(has(faults_after([](Plan& p) { p.resumed->X_WO.translation().z() += 0.03; }),
+                  "does not lie flat"));
+  EXPECT_TRUE(has(faults_after([](Plan& p) { p.resumed->q.conservativeResize(2); }), "resumed"));
+  EXPECT_TRUE(has(faults_after([](Plan& p) {
+                    for (auto& X : p.segments[0].object_poses) X.translation().y() += 0.05;
+                    p.resumed->X_WO.translation().y() += 0.05;
+                  }),
+                  "contact"));
+}
+
+}  // namespace
+}  // namespace graspless::slide
