@@ -17,6 +17,7 @@ import graspless
 from clasp_common import PURSE, changed
 from graspless import clasp, geometry
 from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, run, surface
+from graspless.simulation.clasp.closing import left_open
 from graspless.simulation.clasp.execution import LOOK, Execution
 from graspless.simulation.clasp.judge import Judge
 from graspless.simulation.clasp.model import make_world
@@ -124,6 +125,43 @@ def test_a_plan_that_was_spoilt_fails(plan, tmp_path, change, settings, failures
     change(document)
     spoilt = reread(document, tmp_path / "plan.json")
     assert failures <= set(run(spoilt, Variation(), settings=settings).failures)
+
+
+def _with_rows(document, share):
+    """Keeps the first rows of the closing, at least one."""
+    rows = document["segments"][-1]
+    kept = max(1, round(share * len(rows["positions"])))
+    for name in ("positions", "object_poses", "virtual_linking"):
+        rows[name] = rows[name][:kept]
+
+
+@pytest.mark.parametrize("share", [0.0, 0.5, 0.75])
+def test_a_plan_that_leaves_closing_to_the_executor_fails(plan, tmp_path, share):
+    document = json.loads(plan.to_json())
+    _with_rows(document, share)
+    short = dataclasses.replace(SHORT, sequences=1, seconds=0.1)
+    trial = run(reread(document, tmp_path / "plan.json"), Variation(), settings=short)
+    assert trial.failures[0] == "not_closed"
+    assert trial.measures["linking"] > 0  # the trial closes the hand all the same
+
+
+def test_a_plan_that_closes_until_contact_leaves_nothing(plan):
+    assert left_open(plan, Clasp()) == 0
+    solid = clasp.sample_object("purse")  # its surface is a fraction of the cloud's spacing away
+    assert left_open(plan, Clasp(), solid) < Clasp().left
+
+
+def test_what_is_left_open_is_the_joint_that_was_opened(plan, tmp_path):
+    """A joint that opens by some steps can close by as many, or by one more until it touches."""
+    document = json.loads(plan.to_json())
+    joint = document["joint_names"].index("finger_1_proximal_joint")
+    end = document["segments"][-1]["positions"][-1]
+    for opened in (0.05, 0.1, 0.15):
+        end[joint] = plan.segments[-1].positions[-1][joint] - opened
+        left = left_open(reread(document, tmp_path / "plan.json"), Clasp())
+        assert opened - 0.011 < left < opened + 0.011
+    end[joint] -= 0.5
+    assert left_open(reread(document, tmp_path / "plan.json"), Clasp()) == Clasp().left_most
 
 
 def test_a_hand_that_never_had_the_loop_did_not_lose_it(plan, tmp_path):

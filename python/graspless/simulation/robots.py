@@ -18,12 +18,19 @@ from ..tasks.robots import mesh_path
 from .settings import Servo, Solver
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..frames import Matrix
     from ..robot import Robot
     from ..tasks.robots import Robot as RobotFields
 
 
-def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) -> Any:
+def robot_spec(
+    robot: Robot,
+    fields: RobotFields,
+    servo: Servo | None = None,
+    excluded: Iterable[tuple[int, int]] | None = None,
+) -> Any:
     """Returns a mujoco.MjSpec of a world with the robot alone.
 
     Bodies and joints have the URDF's names, an actuator that of its joint. Pairs of links that
@@ -37,8 +44,11 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
         Fields of a resolved task, with the text of the URDF.
     servo : Servo, optional
         Servo of all joints.
+    excluded : pairs of int, optional
+        Links that do not collide with each other; `untested_pairs` by default.
     """
     servo = servo or Servo()
+    excluded = untested_pairs(robot) if excluded is None else excluded
     xml, assets = _model(fields)
     spec = mujoco.MjSpec.from_string(xml, assets=assets)
     apply(spec)
@@ -47,7 +57,7 @@ def robot_spec(robot: Robot, fields: RobotFields, servo: Servo | None = None) ->
     for body in spec.bodies:
         if body.name in names:
             body.gravcomp = 1.0
-    for i, j in untested_pairs(robot):
+    for i, j in excluded:
         spec.add_exclude(bodyname1=names[i], bodyname2=names[j])
     for name, effort, weight in zip(
         robot.joint_names, robot.max_effort, robot.step_weights, strict=True

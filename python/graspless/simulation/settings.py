@@ -138,6 +138,9 @@ class Clasp:
     grip_effort: float = 0.5  # fraction of a joint's largest effort at which it stops closing
     grip_rate: float = 0.5  # [rad/s; m/s / 10]: a sixth of the SDH's largest
     grip_seconds: float = 3.0  # longest time of closing [s]
+    left: float = 0.05  # that a joint may still close after the last row before it touches: a row
+    # of the plan [rad; m / 10]
+    left_most: float = 0.2  # to which that is measured [rad; m / 10]
     grip_still: int = 10  # observations without motion after which the hand is closed; a choice
     locked_torque: float = 1e3  # of locked motors, relative to their own; a choice, as the next
     locked_stiffness: float = 10.0  # of locked motors, relative to their own

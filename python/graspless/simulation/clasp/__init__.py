@@ -20,6 +20,7 @@ import numpy as np
 from ...timing import time as timed
 from ..results import Trial
 from ..settings import Clasp
+from .closing import left_open
 from .execution import Execution, Recorder
 from .judge import Judge
 from .model import make_world
@@ -35,8 +36,8 @@ if TYPE_CHECKING:
 
 FAILURES = {
     "hit": "the object moved before the hand closed, or the robot touched an obstacle",
-    "not_closed": "a finger was not linked with the loop after closing; if none is, the later "
-    "tests are skipped",
+    "not_closed": "a finger was not linked with the loop after closing (if none is, the later "
+    "tests are skipped), or the plan ends before a joint of the hand touches anything",
     "escaped": "random wrenches pulled the loop out of the closed hand, even with locked motors",
     "forced_open": "random wrenches forced the fingers open; the hand held with locked motors",
     "pulled_out": "the loop came out of the closed hand under a straight pull below 15 N",
@@ -87,7 +88,7 @@ def run(
     measures = _close(execution, timed(plan))
     if execution.touched or not measures["moved_before"] <= settings.hit:
         failures.append("hit")
-    if measures["linking"] == 0:
+    if measures["linking"] == 0 or left_open(plan, settings, solids) > settings.left:
         failures.append("not_closed")
     if judge.linked():  # otherwise the loop was never in the hand
         seeds = _seeds(plan, variation, settings.sequences)

@@ -17,7 +17,7 @@ from ..settings import Clasp, Solver
 from .object import OBJECT, OBJECT_BIT, STAND, add_object
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
 
@@ -90,6 +90,7 @@ def make_world(
     variation: Variation,
     settings: Clasp,
     solids: Sequence[geometry.PlacedShape] | None = None,
+    excluded: Iterable[tuple[int, int]] | None = None,
 ) -> World:
     """Makes the world at rest, with the robot at the start of the plan.
 
@@ -103,9 +104,11 @@ def make_world(
         Of the object and what touches it.
     solids : list of PlacedShape, optional
         In O, what the object's cloud was taken from: touched instead of the cloud's skin.
+    excluded : pairs of int, optional
+        Links of the robot that do not collide with each other; as in `robot_spec` by default.
     """
     problem = task.problem
-    spec = robot_spec(problem.robot, task.fields.robot)
+    spec = robot_spec(problem.robot, task.fields.robot, excluded=excluded)
     spec.option.timestep = Solver().timestep * variation.timestep
     for geom in spec.geoms:
         geom.contype, geom.conaffinity = _ROBOT_BIT, _ROBOT_BIT | OBJECT_BIT
