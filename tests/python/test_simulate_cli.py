@@ -52,6 +52,31 @@ def test_one_trial_is_as_planned(plan_file, engine, capsys):
     assert "median" not in out
 
 
+def test_closed_loop_and_conditions_are_asked_for(plan_file, monkeypatch, capsys):
+    asked = []
+
+    def follow(plan, variation, seed, *, record=False):
+        asked.append((variation, list(seed), record))
+        failed = ("stopped",) if len(asked) == 2 else ()
+        return Trial(variation, failed, {"position_error": 0.001, "resumes": 2.0}, 0.5)
+
+    monkeypatch.setattr("graspless.simulation.slide.follow", follow)
+    flags = ("--closed-loop", "--condition", "table", "--trials", "3", "--seed", "4")
+    code, out, _ = run(capsys, "simulate", plan_file, *flags)
+    assert code == 1
+    assert "stopped in 1 trial: the follower of the plan gave up" in out
+    assert "number of new plans during the slide without lifting off" in out
+    assert "nominal" not in out
+    assert [seed for _, seed, _ in asked] == [[4, 0], [4, 1], [4, 2]]
+    assert {abs(variation.table) for variation, *_ in asked} == {0.003}
+
+
+def test_a_condition_that_is_none_is_refused(plan_file, capsys):
+    code, _, err = run(capsys, "simulate", plan_file, "--condition", "wind")
+    assert code == 2
+    assert "condition: wind: should be one of none, friction, start" in err
+
+
 def test_trials_that_fail_are_named_and_counted(plan_file, engine, capsys):
     code, out, _ = run(capsys, "simulate", plan_file, "--trials", "9", "--seed", "3")
     failed = sum(variation.friction < 1 for variation, _ in engine)

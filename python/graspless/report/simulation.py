@@ -30,11 +30,13 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
         The number of trials that succeeded, the failures, and a table of measures.
     """
     kind = simulation_kind(found.plan.kind)
+    failures = {**kind.FAILURES, **getattr(kind, "FOLLOWED_FAILURES", {})}
+    measures = {**kind.MEASURES, **getattr(kind, "FOLLOWED_MEASURES", {})}
     trials = count(len(found.trials), "trials")
     lines = [f"{found.held} of {trials} succeeded, seed {found.seed}"]
     for name, times in found.failures.items():
-        lines.append(f"  {name} in {count(times, 'trials')}: {kind.FAILURES[name]}")
-    lines += [f"  {line}" for line in _table(found.trials, kind.MEASURES)]
+        lines.append(f"  {name} in {count(times, 'trials')}: {failures[name]}")
+    lines += [f"  {line}" for line in _table(found.trials, measures)]
     if disturbed is not None:
         lines.append(f"  {_disturbance(disturbed)}")
         if getattr(found.plan, "joint_segments", None):

@@ -38,8 +38,9 @@ class SimulationKind(Protocol):
     MEASURES: dict[str, str]
     """Measured quantities: meaning and unit by name."""
 
-    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread();
-    # CONDITIONS, meaning by name, and draw(), which draws a variation of one.
+    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread(). Kinds that
+    # can be followed in closed loop have follow(), FOLLOWED_FAILURES, FOLLOWED_MEASURES, CONDITIONS
+    # and draw().
 
     def run(self, plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         """Executes a solved plan."""
@@ -50,6 +51,7 @@ def simulate(
     trials: int = 1,
     seed: int = 0,
     *,
+    closed_loop: bool = False,
     condition: str | None = None,
     record: bool = False,
     progress: Callable[[int], None] | None = None,
@@ -67,7 +69,9 @@ def simulate(
         also vary thickness and centre of mass of the object, the height of the support, and the
         flexures of the fingers.
     seed : int
-        Seed of the variations.
+        Seed of the variations, and of the camera.
+    closed_loop : bool
+        Execute a slide by a `following.Follower` with a camera that is late, noisy and biased.
     condition : str, optional
         A single difference from the plan for all trials of a slide: none, friction, start, kick,
         mass, thickness or table. Default: variations of everything, after a nominal trial.
@@ -85,8 +89,8 @@ def simulate(
     ------
     TaskError
         The plan is not solved, trials is not a whole number of at least 1, seed is not one of at
-        least 0, the plan is no slide but a condition is given, there is no such condition, or
-        MuJoCo is not installed.
+        least 0, the plan is no slide but closed_loop or condition is given, there is no such
+        condition, or MuJoCo is not installed.
     """
     plan = as_plan(plan)
     if not plan:
@@ -95,9 +99,15 @@ def simulate(
     seed = require_integer("seed", seed, least=0)
     kind: Any = simulation_kind(plan.kind)
     drawn = _drawn(kind, plan, trials, seed, condition)
+    if closed_loop and not hasattr(kind, "follow"):
+        raise TaskError(f"closed_loop: {plan.kind} plans cannot be followed (slide plans can)")
     done: list[Trial] = []
-    for variation in drawn:
-        done.append(kind.run(plan, variation, record=record and not done))
+    for trial, variation in enumerate(drawn):
+        wanted = record and not done
+        if closed_loop:
+            done.append(kind.follow(plan, variation, [seed, trial], record=wanted))
+        else:
+            done.append(kind.run(plan, variation, record=wanted))
         if progress is not None:
             progress(len(done))
     return Simulation(plan, seed, done)

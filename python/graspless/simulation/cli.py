@@ -34,6 +34,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="seed of the variations (default: %(default)s)",
     )
     parser.add_argument(
+        "--closed-loop",
+        action="store_true",
+        help="for slides: follow the plan by a camera that is late, noisy and biased",
+    )
+    parser.add_argument(
         "--condition",
         metavar="C",
         help="for slides: a single difference from the plan for all trials: none, friction, "
@@ -70,6 +75,7 @@ def _run(options: argparse.Namespace) -> int:
             plan,
             options.trials,
             options.seed,
+            closed_loop=options.closed_loop,
             condition=options.condition,
             record=options.html is not None,
         )

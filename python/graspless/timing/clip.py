@@ -15,6 +15,7 @@ from .path import rounded, stretches
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .fastest import Limits, Motion
+    from .ramps import Ramps
     from .rates import Rate
 
 
@@ -47,11 +48,14 @@ def clip(points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate) -> Clip:
     for rows in stretches(points):
         path = rounded(points[rows], tolerance)
         if path is not None:
-            parts.append(_sampled(fastest(path, limits), rows.start, rate))
-    if not parts:
-        still = np.zeros_like(points[:1])
-        return Clip(np.zeros(1), np.array([len(points) - 1.0]), points[-1:], still, still)
-    return joined(parts)
+            parts.append(sampled(fastest(path, limits), rows.start, rate))
+    return joined(parts) if parts else still(points)
+
+
+def still(points: Matrix) -> Clip:
+    """Returns a single sample at the last of equal points [N, n]."""
+    none = np.zeros_like(points[:1])
+    return Clip(np.zeros(1), np.array([len(points) - 1.0]), points[-1:], none, none)
 
 
 def joined(parts: list[Clip]) -> Clip:
@@ -67,7 +71,8 @@ def joined(parts: list[Clip]) -> Clip:
     return Clip(np.concatenate(times), *values)
 
 
-def _sampled(motion: Motion, row: int, rate: Rate) -> Clip:
+def sampled(motion: Motion | Ramps, row: int, rate: Rate) -> Clip:
+    """Returns the samples of a motion along a path that starts at a `row`."""
     times = rate.times(motion.duration)
     rows = row + motion.path.row(motion.at(times)[0])
     return Clip(times, rows, *motion.coordinates(times))

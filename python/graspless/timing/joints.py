@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .._plan import Plan
+    from ..frames import Matrix
     from ..robot import Robot
     from .fastest import Pace
     from .settings import Settings
@@ -45,15 +46,24 @@ def trajectory(
     `slow` are the speed limits of a segment, by its name.
     """
     assert settings.robot is not None
-    clips, poses = [], []
-    for segment in segments:
-        touching = segment.name in slow
-        tolerance = defaults.CONTACT_TOLERANCE if touching else defaults.TOLERANCE
-        acceleration = settings.acceleration * (defaults.CONTACT_SHARE if touching else 1.0)
-        limits = Limits(settings.velocity, acceleration, slow.get(segment.name, ()))
-        tolerances = np.full(len(settings.velocity), tolerance)
-        timed = clip(segment.positions, tolerances, limits, settings.rate)
-        clips.append(timed)
-        poses.append(frames.along(segment.object_poses, timed.rows))
+    clips = [
+        clip(segment.positions, *of_segment(segment.name, slow, settings), settings.rate)
+        for segment in segments
+    ]
+    poses = [
+        frames.along(segment.object_poses, timed.rows)
+        for segment, timed in zip(segments, clips, strict=True)
+    ]
     names = list(settings.robot.joint_names)
     return assembled(plan, list(segments), names, clips, poses, settings.pause)
+
+
+def of_segment(
+    name: str, slow: Mapping[str, Sequence[Pace]], settings: Settings
+) -> tuple[Matrix, Limits]:
+    """Returns the tolerance [dof] of a segment's corners, and the limits of its motion."""
+    touching = name in slow
+    tolerance = defaults.CONTACT_TOLERANCE if touching else defaults.TOLERANCE
+    acceleration = settings.acceleration * (defaults.CONTACT_SHARE if touching else 1.0)
+    tolerances = np.full(len(settings.velocity), tolerance)
+    return tolerances, Limits(settings.velocity, acceleration, slow.get(name, ()))

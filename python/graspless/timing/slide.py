@@ -21,17 +21,21 @@ if TYPE_CHECKING:
 
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     """Times the plan."""
+    return joints.trajectory(plan, plan.segments, slow(plan, settings), settings)
+
+
+def slow(plan: Plan, settings: Settings) -> dict[str, Sequence[Pace]]:
+    """Returns the speed limits of each segment that touches something, by its name."""
     assert settings.robot is not None
     hand, speed = plan.task.problem.hand, settings.speed(defaults.CONTACT_SPEED)
     tip = [paces.frame_speed(settings.robot, hand.fingertip, speed)]
-    slow: dict[str, Sequence[Pace]] = {
+    return {
         "press": tip,
         "slide": tip,
         "lift": tip,
         "grasp": [paces.frame_speed(settings.robot, hand.grasp_frame, speed)],
         "close": [paces.link_speed(settings.robot, speed)],
     }
-    return joints.trajectory(plan, plan.segments, slow, settings)
 
 
-__all__ = ["robot", "trajectory"]
+__all__ = ["robot", "slow", "trajectory"]

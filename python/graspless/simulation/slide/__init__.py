@@ -50,6 +50,14 @@ _RECORD = 50.0  # moments a second
 _NEVER = -1.0  # a contact margin that disables contact [m]
 
 
+FOLLOWED_FAILURES = {"stopped": "the follower of the plan gave up"}
+FOLLOWED_MEASURES = {
+    "resumes": "number of new plans during the slide without lifting off",
+    "restarts": "number of times that the hand was lifted off to begin anew",
+    "update": "longest processor time of an update of the follower [s]",
+}
+
+
 def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
@@ -61,6 +69,14 @@ def run(
         )
     start = time.perf_counter()
     return _trial(Execution(plan, variation, settings or Slide()), record, start)
+
+
+def follow(plan: Plan, variation: Variation, seed: Sequence[int], *, record: bool = False) -> Trial:
+    """Executes a solved plan in closed loop; `seed` is that of the camera."""
+    from .closed_loop import FollowedExecution
+
+    start = time.perf_counter()
+    return _trial(FollowedExecution(plan, variation, Slide(), seed), record, start)
 
 
 def _trial(execution: Execution, record: bool, start: float) -> Trial:
@@ -254,8 +270,11 @@ def overhang(plan: Plan, X_WO: Matrix) -> float:
 __all__ = [
     "CONDITIONS",
     "FAILURES",
+    "FOLLOWED_FAILURES",
+    "FOLLOWED_MEASURES",
     "MEASURES",
     "SPREAD",
     "draw",
+    "follow",
     "run",
 ]

@@ -80,6 +80,11 @@ class Judge:
         if failure not in self.failures:
             self.failures.append(failure)
 
+    def withdraw(self, failure: str) -> None:
+        """Forgets a failure that was made good."""
+        self.failures = [other for other in self.failures if other != failure]
+        self._lost = 0.0
+
     @property
     def is_over(self) -> bool:
         """True if the trial has failed for good."""

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Poses as an application gives them: which can be used, and as what measurement."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..slide import Problem
+    from .estimate import Estimate
+    from .hand import Hand
+
+TILT = 0.35  # of an object beyond which it does not lie on its support [rad]
+HEIGHT = 0.02  # above or below its support, the same [m]
+OUTSIDE = 0.02  # of its centre of mass beyond the support's edge, the same [m]
+_ORTHOGONAL = 1e-3  # tolerance of a rotation
+
+
+class Camera:
+    """Checks poses and hands them to the filter."""
+
+    def __init__(self, problem: Problem, hand: Hand) -> None:
+        self._hand = hand
+        self._polygon = problem.support.polygon
+        self._com = np.append(problem.object.com, 1.0)
+        self._newest = -np.inf
+        self.used = 0  # poses since the last forget()
+        self.last = -np.inf  # time at which a pose was used last
+        self.off = 0  # successive poses of an object that is off its support
+
+    def forget(self) -> None:
+        """Counts poses anew."""
+        self.used = self.off = 0
+
+    def see(self, t: float, pose: Any, covariance: Any, age: Any, estimate: Estimate) -> str:
+        """Takes a pose X_WO that is `age` [s] old at time t; returns what became of it."""
+        X_WO, R = _pose(pose), _covariance(covariance)
+        if X_WO is None:
+            return "not_a_pose"
+        if R is None:
+            return "not_a_covariance"
+        if not isinstance(age, (int, float, np.number)) or not 0 <= age < np.inf:
+            return "bad_age"
+        if age > estimate.memory:
+            return "late"
+        taken = t - float(age)
+        if taken <= self._newest:
+            return "out_of_order"
+        X_SO = self._hand.X_SW @ X_WO
+        fault = self._off(X_SO)
+        if fault:
+            self.off += 1
+            return fault
+        seen = np.array([*self._hand.place(X_WO), X_SO[2, 3]])
+        verdict = estimate.measure(taken, seen, self._flat(R))
+        if verdict in ("used", "moved"):
+            self._newest, self.last, self.off = taken, t, 0
+            self.used += 1
+        return verdict
+
+    def _off(self, X_SO: Matrix) -> str:
+        if X_SO[2, 2] < np.cos(TILT):
+            return "tilted"
+        outside = -float(self._polygon.depth((X_SO @ self._com)[:2]))
+        far = abs(float(X_SO[2, 3])) > HEIGHT or outside > OUTSIDE
+        return "off_support" if far else ""
+
+    def _flat(self, R: Matrix) -> Matrix | None:
+        """Returns the covariance of x, y, yaw and height in S of one in the world."""
+        if not R.size:
+            return None
+        turn = np.kron(np.eye(2), self._hand.X_SW[:3, :3])
+        keep = [0, 1, 5, 2]
+        flat: Matrix = (turn @ R @ turn.T)[np.ix_(keep, keep)]
+        return flat
+
+
+def _pose(given: Any) -> Matrix | None:
+    try:
+        X = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    if X.shape != (4, 4) or not np.isfinite(X).all():
+        return None
+    R = X[:3, :3]
+    rigid = np.abs(R @ R.T - np.eye(3)).max() < _ORTHOGONAL and np.linalg.det(R) > 0
+    return X if rigid and np.allclose(X[3], [0, 0, 0, 1], atol=_ORTHOGONAL) else None
+
+
+def _covariance(given: Any) -> Matrix | None:
+    """Returns a covariance [6, 6]; an empty array if there is none, None if it is not one."""
+    if given is None:
+        return np.zeros((0, 0))
+    try:
+        R = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    if R.shape != (6, 6) or not np.isfinite(R).all():
+        return None
+    if np.abs(R - R.T).max() > 1e-9 + 1e-6 * np.abs(R).max():
+        return None
+    return R if np.linalg.eigvalsh(R).min() > 0 else None

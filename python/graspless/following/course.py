@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A timed segment with a clock that brakes, and the transition into it from another motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..timing import settings
+from ..timing.joints import of_segment
+from ..timing.ramps import ramped
+from ..timing.rates import Rate
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from ..frames import Matrix
+    from ..robot import Robot
+    from ..timing.fastest import Pace
+    from ..timing.settings import PerJoint, Settings
+
+STRAIGHT = 0.7  # cosine between two velocities below which a motion comes to rest between them
+_SHORTEST = 0.1  # of a transition [s]
+_SHARE = 0.9  # of the velocity limits; corrections take the rest
+
+
+class Course:
+    """A segment that is followed: its clock, and what is left of the motion before it.
+
+    Parameters
+    ----------
+    segment : slide.Segment
+    places : array [N, 3]
+        Place of the object at each row, in the plane of the support.
+    slow : dict
+        Speed limits of segments that touch something, by name.
+    limits : timing.settings.Settings
+    q, velocity : array [dof], optional
+        State in which the segment begins; by default at rest at its first row.
+    """
+
+    def __init__(
+        self,
+        segment: Any,
+        places: Matrix,
+        slow: Mapping[str, Sequence[Pace]],
+        limits: Settings,
+        q: Matrix | None = None,
+        velocity: Matrix | None = None,
+    ) -> None:
+        self.name = str(segment.name)
+        self.places = places
+        tolerance, bounds = of_segment(self.name, slow, limits)
+        rows = np.asarray(segment.positions)
+        self._clip = ramped(rows, tolerance, bounds, Rate(limits.rate.hertz), velocity)
+        self.clock, self.rate = 0.0, 1.0
+        self._since = 0.0
+        none = np.zeros(rows.shape[1])
+        self._offset = none if q is None else q - self._clip.coordinates[0]
+        self._drift = none if velocity is None else velocity - self._clip.velocities[0]
+        fades = 4 * np.abs(self._drift) / bounds.acceleration
+        shifts = np.sqrt(6 * np.abs(self._offset) / bounds.acceleration)
+        self._fades = max(_SHORTEST, float(fades.max()), float(shifts.max()))
+
+    @property
+    def has_ended(self) -> bool:
+        """True if the last row is reached."""
+        return self.clock >= self._clip.times[-1] and self._since >= self._fades * self._differs
+
+    @property
+    def _differs(self) -> bool:
+        return bool(np.any(self._offset) or np.any(self._drift))
+
+    def advance(self, seconds: float, rate: float, braking: float) -> None:
+        """Moves the clock; `rate` from 0 to 1 is approached within `braking` [s]."""
+        step = seconds / braking
+        before = self.rate
+        self.rate += float(np.clip(rate - self.rate, -step, step))
+        self.clock = min(
+            self.clock + seconds * (before + self.rate) / 2, float(self._clip.times[-1])
+        )
+        self._since += seconds
+
+    def position(self) -> Matrix:
+        """Returns the joints [dof] now."""
+        return self._mixed(self._clip.coordinates) + self._left()
+
+    def place(self) -> Matrix:
+        """Returns the planned place [3] of the object now."""
+        row = float(self._mixed(self._clip.rows[:, None])[0])
+        before = min(int(row), len(self.places) - 1)
+        after, t = min(before + 1, len(self.places) - 1), row - before
+        a, b = self.places[before], self.places[after]
+        turn = (b[2] - a[2] + np.pi) % (2 * np.pi) - np.pi
+        mixed: Matrix = a + t * np.array([*(b[:2] - a[:2]), turn])
+        return mixed
+
+    @property
+    def left(self) -> float:
+        """Distance that the object still has to move [m]."""
+        return float(np.linalg.norm(self.places[-1][:2] - self.place()[:2]))
+
+    def _left(self) -> Matrix:
+        """Returns what is left of the motion before: a cubic that ends in rest."""
+        x = self._since / self._fades
+        if x >= 1 or not self._differs:
+            return np.zeros_like(self._offset)
+        offset = self._offset * (1 - x) ** 2 * (1 + 2 * x)
+        left: Matrix = offset + self._drift * self._since * (1 - x) ** 2
+        return left
+
+    def _mixed(self, values: Matrix) -> Matrix:
+        times = self._clip.times
+        k = int(np.clip(np.searchsorted(times, self.clock, side="right") - 1, 0, len(times) - 1))
+        if k == len(times) - 1:
+            last: Matrix = values[-1]
+            return last
+        t = (self.clock - times[k]) / (times[k + 1] - times[k])
+        mixed: Matrix = (1 - t) * values[k] + t * values[k + 1]
+        return mixed
+
+
+def limits_of(
+    robot: Robot,
+    rate: float,
+    max_velocity: PerJoint | None,
+    max_acceleration: PerJoint | None,
+    contact_speed: float | None,
+) -> Settings:
+    """Returns the limits of a robot's motions, as `graspless.time` does."""
+    velocity, acceleration = settings.joint_limits(robot, max_velocity, max_acceleration)
+    if contact_speed is not None:
+        contact_speed = settings.require_positive("contact_speed", contact_speed)
+    velocity = _SHARE * velocity
+    return settings.Settings(
+        robot, velocity, acceleration, contact_speed, Rate(rate), settings.PAUSE
+    )
+
+
+def goes_on(segment: Any, velocity: Matrix) -> bool:
+    """Returns True if a motion at `velocity` [dof] can go over into a segment without rest."""
+    speed = float(np.linalg.norm(velocity))
+    rows = np.asarray(segment.positions)
+    ways = rows - rows[0]
+    moved = np.linalg.norm(ways, axis=1)
+    if speed < 1e-6 or moved.max() < 1e-9:
+        return speed < 1e-6
+    first = ways[int(np.argmax(moved > 1e-9))]
+    return float(velocity @ first) >= STRAIGHT * speed * float(np.linalg.norm(first))

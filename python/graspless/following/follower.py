@@ -1,0 +1,299 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Follower of a slide: targets of the joints from measured poses of the object."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import TaskError
+from ..plan_files import as_plan
+from ..timing.slide import slow
+from .camera import Camera
+from .course import Course, goes_on, limits_of
+from .deviation import IN_CONTACT, Deviation
+from .estimate import Estimate
+from .hand import Correction, Hand
+from .replan import Replanner
+from .settings import Settings, Target
+from .watch import Watch, is_time
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..frames import Matrix
+    from ..slide import Plan
+    from ..timing.settings import PerJoint
+
+RETREAT = "retreat"
+_LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
+_FALLEN = 5  # successive poses off the support after which the object has fallen
+_PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
+_ELSEWHERE = "the object is not where the plan has it"
+_ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object, and with what it does
+
+
+class Follower:
+    """Follows a slide plan by an application's loop, and corrects it by measured poses.
+
+    Call `update` at the rate of the loop and send the target to the robot. Small deviations of the
+    object are corrected in place: the path of the hand is shifted and turned in the plane of the
+    support, and along its normal, while the object is slid to the goal of the plan. Larger ones
+    lead to a new plan. Collisions are tested for plans, not for the shift.
+
+    Parameters
+    ----------
+    plan : slide.Plan, str or Path
+        Solved plan, or the path of its file.
+    settings : Settings, optional
+    max_velocity, max_acceleration, contact_speed
+        Limits, as of `graspless.time`. Half of each acceleration limit is kept for bends.
+
+    Raises
+    ------
+    TaskError
+        The plan is not a solved slide plan, or a limit is not positive.
+    """
+
+    def __init__(
+        self,
+        plan: Plan | str | Path,
+        settings: Settings | None = None,
+        *,
+        max_velocity: PerJoint | None = None,
+        max_acceleration: PerJoint | None = None,
+        contact_speed: float | None = None,
+    ) -> None:
+        found: Any = as_plan(plan)
+        if found.kind != "slide":
+            raise TaskError(f"plan: {found.kind}: only slide plans can be followed")
+        if not found:
+            raise TaskError(f"the plan's status is {found.status}, not solved: nothing to follow")
+        self.settings = settings or Settings()
+        problem = found.task.problem
+        self._limits = limits_of(
+            problem.robot, self.settings.rate, max_velocity, max_acceleration, contact_speed
+        )
+        self._slow = slow(found, self._limits)
+        self._hand = Hand(problem)
+        self._replanner = Replanner(found, self._hand, self.settings)
+        self._watch = Watch(problem.robot, self._hand.arm, self.settings)
+        self.plan: Plan = found
+        self.resumes = self.restarts = 0
+        self.estimate = Estimate(self._hand.place(problem.X_WO_start), self.settings.noise)
+        self._camera = Camera(problem, self._hand)
+        self._correction = Correction(self.settings)
+        self._t = self._looked = self._planned = -np.inf
+        self._still = 0.0  # time since the segment ended
+        self._stopped = ""
+        self._reason = ""
+        self._is_looking = True
+        self._restart = ""  # reason for which the motion brakes, to begin anew
+        self._is_braking = False  # to go on from rest
+        q = np.array(found.segments[0].positions[0])
+        self._command, self._velocity = q, np.zeros_like(q)
+        self._course: Course
+        self._index = 0
+        self._begin(0)
+
+    def update(
+        self, t: float, q: Any, pose: Any = None, covariance: Any = None, age: float = 0.0
+    ) -> Target:
+        """Returns the target of the joints. It never raises: faults are statuses with reasons.
+
+        Parameters
+        ----------
+        t : float
+            Time, increasing from call to call [s].
+        q : array [dof]
+            Measured joints, in the order of the plan's joint_names [rad or m].
+        pose : array [4, 4], optional
+            Measured pose X_WO of the object. Each pose is given once.
+        covariance : array [6, 6], optional
+            Covariance of its position and rotation vector in the world [m^2, rad^2]. Default: that
+            of settings.noise.
+        age : float
+            Time that has passed since the pose was measured [s].
+        """
+        try:
+            return self._update(t, q, pose, covariance, age)
+        except Exception as error:  # in the middle of a motion a loop has to go on
+            self._stop(f"{type(error).__name__}: {error}")
+            return self._target("none", np.zeros_like(self._command))
+
+    def _update(self, t: float, q: Any, pose: Any, covariance: Any, age: float) -> Target:
+        if not is_time(t) or t <= self._t:
+            self._reason = f"t: {t}: should be a number above {self._t:g}"
+            return self._target("none", np.zeros_like(self._velocity))
+        seconds = min(float(t) - self._t, _LONGEST)
+        self._t = float(t)
+        seen = "none"
+        if pose is not None:
+            seen = self._camera.see(self._t, pose, covariance, age, self.estimate)
+        waits = self._waits(q, seconds)
+        if self._camera.off >= _FALLEN and self._course.name != "close":
+            self._stop(f"the object is off its support in {_FALLEN} successive poses")
+        if self._is_looking:
+            self._look(waits)
+        else:
+            self._move(seconds, waits)
+        return self._commanded(seconds, waits, seen)
+
+    def _waits(self, q: Any, seconds: float) -> str:
+        """Returns the reason for which the motion has to wait, or an empty text."""
+        waits, is_lost = self._watch.joints(seconds, q, self._command)
+        if not waits and self._course.name in IN_CONTACT:
+            waits, is_lost = self._watch.poses(self._t - self._camera.last)
+        if waits and is_lost:
+            self._stop(waits)
+        return waits
+
+    def _look(self, waits: str) -> None:
+        """Waits at rest until the object was seen often enough, then begins."""
+        s = self.settings
+        if not np.isfinite(self._looked):
+            self._looked = self._t
+        waited = self._t - self._looked
+        if waits or self._stopped or (self._camera.used < s.look_poses and waited < s.look_seconds):
+            return
+        self._is_looking, self._looked = False, -np.inf
+        if self._course.name == RETREAT and not self._camera.used:
+            self._stop(f"no usable pose in {s.look_seconds:g} s")
+        elif self._course.name == RETREAT or self._deviation.is_large(s):
+            self._plan_anew()
+
+    def _move(self, seconds: float, waits: str) -> None:
+        """Goes on along the segment, corrects, and decides on new plans and the next segment."""
+        halted = bool(waits or self._stopped or self._restart or self._is_braking)
+        before, course = self._deviation.commanded, self._course
+        if not (waits or self._stopped):
+            self._correct(seconds, not halted)
+        if self._course is not course:
+            before = self._deviation.commanded
+        halted = halted or bool(self._restart or self._is_braking)
+        self._course.advance(seconds, 0.0 if halted else 1.0, self.settings.brake_seconds)
+        if self._course.name in IN_CONTACT:
+            self.estimate.carry(self._t, before, self._deviation.commanded)
+        if waits or self._stopped:
+            return
+        if self._course.rate == 0 and self._is_braking:
+            self._is_braking = False
+            self._resume(at_rest=True)
+        elif self._restart and (self._course.rate == 0 or self._course.has_ended):
+            self._begin_anew()
+        elif self._course.has_ended and not halted:
+            self._still += seconds
+            if self._deviation.has_settled(self._still, not self._camera.used, self.settings):
+                self._end()
+
+    def _commanded(self, seconds: float, waits: str, seen: str) -> Target:
+        shifted = self._hand.shifted(self._base(), np.zeros(3), self._correction.height)
+        velocity = (shifted - self._command) / seconds if seconds > 0 else np.zeros_like(shifted)
+        self._command, self._velocity = shifted, velocity
+        return self._target(seen, velocity, waits)
+
+    def _target(self, seen: str, velocity: Matrix, waits: str = "") -> Target:
+        if self._stopped:
+            status, reason = "stopped", self._stopped
+        elif self.is_done:
+            status, reason = "done", ""
+        elif waits or self._restart:
+            status, reason = "waiting", waits or self._restart
+        else:
+            status, reason = "looking" if self._is_looking else "moving", self._reason
+        return Target(self._command.copy(), velocity, status, reason, self._course.name, seen)
+
+    @property
+    def _deviation(self) -> Deviation:
+        return Deviation(self._course, self._correction.motion, self.estimate.place)
+
+    def _correct(self, seconds: float, may_plan: bool) -> None:
+        deviation, name = self._deviation, self._course.name
+        if name == "approach":
+            off, spread = self.estimate.height, self.estimate.spread[2]
+            self._correction.raise_to(seconds, off if abs(off) > 2 * spread else 0.0)
+        if name in _PLANNED_ANEW and self._camera.used and deviation.is_large(self.settings):
+            if may_plan and self._t - self._planned > self.settings.between:
+                self._planned = self._t
+                if name in IN_CONTACT:
+                    self._resume()
+                else:
+                    self._restart = _ELSEWHERE
+            return
+        self._correction.follow(seconds, deviation.pivot, deviation.step)
+
+    @property
+    def is_done(self) -> bool:
+        """True if the hand has closed."""
+        return self._index >= len(self.plan.segments)
+
+    def _end(self) -> None:
+        """Goes on to the next segment."""
+        if self._course.name == RETREAT:
+            self._is_looking = True
+            self._camera.forget()
+            return
+        self._index += 1
+        if not self.is_done:
+            self._begin(self._index)
+
+    def _begin(self, index: int, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
+        self._index = index
+        self._take(self.plan.segments[index], q, velocity)
+
+    def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
+        self._still = 0.0
+        places = np.array([self._hand.place(X) for X in segment.object_poses])
+        self._course = Course(segment, places, self._slow, self._limits, q, velocity)
+
+    def _base(self) -> Matrix:
+        """Returns the target without the correction of the height."""
+        return self._hand.shifted(self._course.position(), self._correction.motion, 0.0)
+
+    def _resume(self, at_rest: bool = False) -> None:
+        """Plans the rest of the slide, or brakes to begin anew."""
+        if self.resumes >= self.settings.resumes:
+            self._restart = f"the object did not follow {self.resumes} plans"
+            return
+        q = self._base()
+        plan, fault = self._replanner.resume(self.plan, q, self.estimate.place)
+        if plan is None:
+            self._restart = fault
+        elif not (at_rest or goes_on(plan.segments[0], self._velocity)):
+            self._is_braking = True
+        else:
+            self.resumes += 1
+            self._reason = f"planned the rest anew: {_ELSEWHERE}"
+            self.plan = plan
+            self._correction.clear()
+            self._begin(0, q, self._velocity)
+
+    def _begin_anew(self) -> None:
+        """Lifts the hand straight up if it may touch the object, to begin anew from there."""
+        reason, self._restart = self._restart, ""
+        if self.restarts >= self.settings.restarts:
+            self._stop(f"began anew {self.restarts} times; now {reason}")
+            return
+        self.restarts += 1
+        self._reason = f"begins anew: {reason}"
+        lifts, place = self._course.name in IN_CONTACT, self.estimate.place
+        segment = self._replanner.retreat(self._base(), place, lifts)
+        self._index = -1
+        self._correction.clear()
+        self._take(segment)
+        self.estimate.loosen()
+
+    def _plan_anew(self) -> None:
+        plan, fault = self._replanner.anew(self._base(), self.estimate.place)
+        if plan is None:
+            self._stop(fault)
+            return
+        self._reason = f"planned anew: {_ELSEWHERE}"
+        self.plan, self._planned = plan, self._t
+        self._correction.clear()
+        self._begin(0)
+
+    def _stop(self, reason: str) -> None:
+        self._stopped = self._stopped or reason

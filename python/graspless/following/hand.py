@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Corrections in place: the hand's path, shifted and turned in the plane of the support."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import frames
+from . import plane
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..slide import Problem
+    from .settings import Settings
+
+
+_STEPS = 3  # of least squares
+_DAMPING = 1e-4  # of singular values squared [m^2 or 1]; the arms here have 1e-2 and more
+
+
+class Hand:
+    """The arm's inverse kinematics, and places in the plane of the support."""
+
+    def __init__(self, problem: Problem) -> None:
+        hand = problem.hand
+        self.robot, self.frame = problem.robot, hand.grasp_frame
+        self.arm = list(self.robot.group(hand.arm))
+        self.X_WS = np.array(problem.support.X_WS)
+        self.X_SW = np.linalg.inv(self.X_WS)
+
+    def place(self, X_WO: Matrix) -> Matrix:
+        """Returns the place [3] of an object at X_WO."""
+        X_SO = self.X_SW @ X_WO
+        return np.array([X_SO[0, 3], X_SO[1, 3], np.arctan2(X_SO[1, 0], X_SO[0, 0])])
+
+    def pose(self, place: Matrix) -> Matrix:
+        """Returns X_WO of an object that lies flat at a place [3]."""
+        X_WO: Matrix = self.X_WS @ frames.planar(*map(float, place))
+        return X_WO
+
+    def shifted(self, q: Matrix, motion: Matrix, height: float) -> Matrix:
+        """Returns the joints [dof] that put the hand where the motion [3] takes it from q.
+
+        The motion acts from the left in the plane of the support, which is `height` higher [m].
+        Damped least squares from q: near a singularity or a joint limit the hand moves less, but no
+        joint jumps.
+        """
+        if not np.any(motion) and height == 0:
+            return q
+        X_SS = frames.planar(*map(float, motion))
+        X_SS[2, 3] = height
+        X_WH = self.X_WS @ X_SS @ self.X_SW @ self.robot.pose(self.frame, q)
+        found = q.copy()
+        for _ in range(_STEPS):
+            error = _twist(self.robot.pose(self.frame, found), X_WH)
+            J = np.asarray(self.robot.jacobian(self.frame, found))[:, self.arm]
+            weighted = J @ J.T + _DAMPING * np.eye(6)
+            found[self.arm] += J.T @ np.linalg.solve(weighted, error)
+        return np.asarray(self.robot.clamp(found))
+
+    def lifted(self, q: Matrix, height: float, steps: int = 16) -> Matrix:
+        """Returns a path [N, dof] that lifts the hand straight up, as high as the arm can."""
+        path = [q]
+        for _ in range(steps):
+            path.append(self.shifted(path[-1], np.zeros(3), height / steps))
+        return np.array(path)
+
+
+def _twist(X_WA: Matrix, X_WB: Matrix) -> Matrix:
+    """Returns displacement and rotation vector [6] from A to B, in the world."""
+    R = X_WB[:3, :3] @ X_WA[:3, :3].T
+    turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2  # if small
+    return np.concatenate([X_WB[:3, 3] - X_WA[:3, 3], turn])
+
+
+class Correction:
+    """Shift of the hand's path, that follows what is asked with bounded speed and acceleration.
+
+    Attributes
+    ----------
+    motion : array [3]
+        D: x, y [m] and yaw [rad]; acts from the left in the plane of the support.
+    height : float
+        Shift along the support's normal [m].
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self.settings = settings
+        self.clear()
+        self.height = 0.0
+
+    def clear(self) -> None:
+        """Begins anew at no shift in the plane; the height stays."""
+        self.motion = np.zeros(3)
+        self._rate = np.zeros(3)
+
+    def follow(self, seconds: float, pivot: Matrix, step: Matrix) -> None:
+        """Moves D so that the point at `pivot` [2] is moved by a part of `step` [3]."""
+        s = self.settings
+        asked = s.gain * step
+        asked[:2] *= min(1.0, s.speed / max(float(np.hypot(*asked[:2])), 1e-12))
+        asked[2] = np.clip(asked[2], -s.turn_speed, s.turn_speed)
+        change = asked - self._rate
+        most = s.acceleration * seconds
+        change[:2] *= min(1.0, most / max(float(np.hypot(*change[:2])), 1e-12))
+        change[2] = np.clip(
+            change[2], -s.turn_acceleration * seconds, s.turn_acceleration * seconds
+        )
+        self._rate = self._rate + change
+        if np.any(self._rate):
+            self.motion = plane.turned(self.motion, pivot, self._rate * seconds)
+
+    def raise_to(self, seconds: float, height: float) -> None:
+        """Moves the height towards `height` [m], at the speed of corrections."""
+        most = self.settings.speed * seconds
+        self.height += float(np.clip(height - self.height, -most, most))

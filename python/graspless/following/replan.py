@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""New plans for a slide that is under way."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import planning, slide
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..slide import Plan
+    from .hand import Hand
+    from .settings import Settings
+
+
+class Replanner:
+    """Plans the same task again, with the object where it is."""
+
+    def __init__(self, plan: Plan, hand: Hand, settings: Settings) -> None:
+        self._task = plan.task
+        self._hand, self._settings = hand, settings
+
+    def anew(self, q: Matrix, place: Matrix) -> tuple[Plan | None, str]:
+        """Plans from q [dof], not in contact, with the object at a place [3]."""
+        problem = self._problem(q, place)
+        budget = planning.Budget(seconds=self._settings.plan_seconds, seed=self._task.seed)
+        return _found(slide.plan(problem, self._task.options, budget))
+
+    def resume(self, plan: Plan, q: Matrix, place: Matrix) -> tuple[Plan | None, str]:
+        """Plans the rest of a slide from q [dof], pressed, with the object at a place [3]."""
+        budget = planning.Budget(seconds=self._settings.resume_seconds, seed=self._task.seed)
+        X_WO, task = self._hand.pose(place), self._task
+        found = slide.resume(
+            task.problem,
+            q,
+            X_WO,
+            X_WO_goal=plan.X_WO_goal,
+            options=task.options,
+            budget=budget,
+        )
+        return _found(found)
+
+    def retreat(self, q: Matrix, place: Matrix, lifts: bool) -> slide.Segment:
+        """Returns the segment that lifts the hand off the object from q [dof], or stays there."""
+        path = self._hand.lifted(q, self._settings.lift) if lifts else np.array([q, q])
+        poses = np.repeat(self._hand.pose(place)[None], len(path), axis=0)
+        return slide.Segment("retreat", path, poses)
+
+    def _problem(self, q: Matrix, place: Matrix) -> slide.Problem:
+        problem = self._task.problem
+        return slide.Problem(
+            problem.robot,
+            problem.hand,
+            problem.object,
+            problem.support,
+            self._hand.pose(place),
+            q,
+            problem.obstacles,
+        )
+
+
+def _found(plan: Plan) -> tuple[Plan | None, str]:
+    if plan:
+        return plan, str(plan.status)
+    return None, f"{plan.status}: {plan.reason}"

@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Settings of a follower, all choices unless a source is given, and what it returns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from .estimate import Noise
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Settings of a follower.
+
+    Attributes
+    ----------
+    noise : Noise
+        Assumptions of the filter.
+    look_poses : int
+        Poses to see before the arm moves, and after the finger was lifted off.
+    look_seconds : float
+        Longest time to wait for them [s]. Without a single pose the plan is followed blindly.
+    correct, correct_angle : float
+        Deviations of the object up to which the path of the hand is shifted in place [m, rad].
+        Beyond them the slide is planned anew.
+    grasp_correct, grasp_correct_angle : float
+        The same, of the object on which the hand closes [m, rad].
+    gain : float
+        Fraction of a deviation that is corrected per second [1/s].
+    speed, turn_speed : float
+        Largest speeds of corrections [m/s, rad/s].
+    acceleration, turn_acceleration : float
+        Largest accelerations of corrections [m/s^2, rad/s^2].
+    settle_seconds : float
+        Rest after pressing and after sliding [s].
+    settled, settled_angle : float
+        Deviations at the end of the slide that are left alone [m, rad].
+    settle_most : float
+        Longest time for reaching them [s].
+    brake_seconds : float
+        Time in which a motion comes to rest, and starts again [s].
+    blind_seconds : float
+        Time without a usable pose after which a slide waits [s].
+    lost_seconds : float
+        Time without a usable pose after which a slide that waits is given up [s].
+    between : float
+        Least time between two plans [s].
+    resumes, restarts : int
+        Numbers of plans without and with lifting off after which the motion is given up.
+    lift : float
+        Height to which the hand is lifted to begin anew [m].
+    joint_tolerance : float
+        Largest distance of the arm's joints from their targets [rad; m/10].
+    joint_seconds : float
+        Time of larger distances, or of joints that are no numbers, after which the motion is given
+        up [s].
+    plan_seconds : float
+        Time limit of a new plan from rest [s].
+    resume_seconds : float
+        Time limit of a plan without lifting off [s].
+    rate : float
+        Samples of a timed segment per second [1/s].
+    """
+
+    noise: Noise = field(default_factory=Noise)
+    look_poses: int = 10
+    look_seconds: float = 2.0
+    correct: float = 0.006
+    correct_angle: float = 0.105
+    grasp_correct: float = 0.012
+    grasp_correct_angle: float = 0.21
+    gain: float = 3.0
+    speed: float = 0.015
+    turn_speed: float = 0.25
+    acceleration: float = 0.1
+    turn_acceleration: float = 1.5
+    settle_seconds: float = 0.3
+    settled: float = 0.001
+    settled_angle: float = 0.0087
+    settle_most: float = 2.5
+    brake_seconds: float = 0.3
+    blind_seconds: float = 0.7
+    lost_seconds: float = 5.0
+    between: float = 0.3
+    resumes: int = 8
+    restarts: int = 3
+    lift: float = 0.08
+    joint_tolerance: float = 0.2
+    joint_seconds: float = 0.2
+    plan_seconds: float = 2.0
+    resume_seconds: float = 0.05
+    rate: float = 200.0
+
+
+@dataclass(frozen=True)
+class Target:
+    """Answer of a follower.
+
+    Attributes
+    ----------
+    position, velocity : array [dof]
+        Target of the joints [rad or m, rad/s or m/s]; valid until the next update.
+    status : str
+        looking: waiting at rest for poses; moving; waiting: come, or coming, to rest for a reason
+        that may pass; done: the hand has closed; stopped: given up.
+    reason : str
+        Reason of waiting and stopping, and of the last new plan; empty if there was none.
+    phase : str
+        Segment of the plan, or retreat: lifting off to begin anew.
+    pose : str
+        What became of the pose of this update: none was given; used; moved: the object jumped, as
+        several poses agree; jumped: unlike the other poses; late; out_of_order; not_a_pose;
+        not_a_covariance; bad_age; off_support; tilted.
+    """
+
+    position: Matrix
+    velocity: Matrix
+    status: str
+    reason: str = ""
+    phase: str = ""
+    pose: str = "none"

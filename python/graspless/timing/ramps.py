@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Motion along a path to rest, computed in milliseconds, for timing anew while a robot moves.
+
+Half of each acceleration limit is kept for bends, half for speeding up and slowing down. The
+squared speed is then bounded at every point, and its slope along the path too: two passes over the
+path give the largest squared speed within both bounds. `fastest` shares the limits better and takes
+a hundred times as long.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .clip import Clip, joined, sampled, still
+from .path import rounded, stretches
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .fastest import Limits
+    from .path import Path
+    from .rates import Rate
+
+
+_NEAR = 1e-7  # distance of points that count as one, relative to the path's length
+_SHARE = 0.97  # of paces and accelerations, which are larger between points of the grid
+
+
+@dataclass(frozen=True)
+class Ramps:
+    """A timed path whose squared speed is linear between points of a grid.
+
+    Attributes
+    ----------
+    path : Path
+    grid : array [M]
+        Parameters of the path, from 0 to its length.
+    speeds : array [M]
+        Speeds along the path there [1/s].
+    times : array [M]
+        Times there [s].
+    """
+
+    path: Path
+    grid: Matrix
+    speeds: Matrix
+    times: Matrix
+
+    @property
+    def duration(self) -> float:
+        """Duration [s]."""
+        return float(self.times[-1])
+
+    def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
+        """Returns position, speed and acceleration along the path [N] at times `t` [N] [s]."""
+        t = np.clip(t, 0.0, self.duration)
+        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.grid) - 2)
+        since = t - self.times[k]
+        slopes = np.diff(self.speeds**2) / (2 * np.diff(self.grid))
+        s = self.grid[k] + self.speeds[k] * since + slopes[k] * since**2 / 2
+        return s.clip(0.0, self.path.length), self.speeds[k] + slopes[k] * since, slopes[k]
+
+    def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
+        """Returns coordinates, velocities and accelerations [N, n] at times `t` [N] [s]."""
+        s, ds, dds = self.at(t)
+        dq = self.path(s, 1)
+        accelerations = self.path(s, 2) * ds[:, None] ** 2 + dq * dds[:, None]
+        return self.path(s), dq * ds[:, None], accelerations
+
+
+def ramps(path: Path, limits: Limits, speed: float = 0.0) -> Ramps:
+    """Returns a motion along `path` that begins at `speed` [1/s] and ends at rest.
+
+    It begins slower if the path is too short, or its first bend too sharp, for that speed.
+    """
+    breaks = np.asarray(path.curve.x)
+    # The ends are where a motion from rest gains its speed.
+    ends = path.length * np.array([1e-3, 1e-2, 0.05])
+    inner = [breaks[:-1] + share * np.diff(breaks) for share in (0.25, 0.5, 0.75)]
+    points = [breaks, *inner, ends, path.length - ends]
+    grid = np.unique(np.concatenate(points).clip(0.0, path.length))
+    grid = np.append(grid[:-1][np.diff(grid) > _NEAR * path.length], path.length)
+    slopes, bends = np.abs(path(grid, 1)), np.abs(path(grid, 2))
+    with np.errstate(divide="ignore"):
+        fast = np.min(limits.velocity / slopes, axis=1)
+        bent = np.min(_SHARE * limits.acceleration / 2 / bends, axis=1)
+        gains = np.min(_SHARE * limits.acceleration / 2 / slopes, axis=1)
+        paced = _SHARE / limits.pace(path, grid)
+    squares = np.minimum(np.minimum(fast, paced) ** 2, bent)
+    squares[-1] = 0.0
+    steps = 2 * np.diff(grid) * np.minimum(gains[1:], gains[:-1])
+    for k in range(len(grid) - 2, -1, -1):
+        squares[k] = min(squares[k], squares[k + 1] + steps[k])
+    squares[0] = min(squares[0], speed**2)
+    for k in range(len(grid) - 1):
+        squares[k + 1] = min(squares[k + 1], squares[k] + steps[k])
+    speeds = np.sqrt(squares)
+    times = np.concatenate([[0.0], np.cumsum(2 * np.diff(grid) / (speeds[1:] + speeds[:-1]))])
+    return Ramps(path, grid, speeds, times)
+
+
+def ramped(
+    points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate, velocity: Matrix | None = None
+) -> Clip:
+    """Returns a motion through points [N, n], sampled at `rate`: as `clip` does, but quickly.
+
+    With a `velocity` [n] it does not start from rest, but with as much of that velocity's part
+    along the first points as the limits allow.
+    """
+    parts: list[Clip] = []
+    for rows in stretches(points):
+        path = rounded(points[rows], tolerance)
+        if path is not None:
+            is_first = velocity is not None and not parts
+            speed = max(0.0, float(velocity @ path(np.zeros(1), 1)[0])) if is_first else 0.0
+            parts.append(sampled(ramps(path, limits, speed), rows.start, rate))
+    return joined(parts) if parts else still(points)

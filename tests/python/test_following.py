@@ -1,0 +1,332 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Followers of slides in a world without physics: arrivals, corrections, new plans, bad input."""
+
+from __future__ import annotations
+
+import copy
+import re
+
+import numpy as np
+import pytest
+
+import graspless
+from following_common import World
+from graspless import _data, frames
+from graspless.errors import TaskError
+from graspless.following import Follower, Settings
+
+CARD = _data.directory("examples") / "01_slide_card.yaml"
+CAMERA = {"lag": 0.1, "noise": (0.002, np.radians(1)), "bias": (0.0009, -0.0009, 0.0008)}
+
+
+@pytest.fixture(scope="module")
+def plan():
+    return graspless.plan(CARD)
+
+
+def phases(world):
+    return list(dict.fromkeys(target.phase for target in world.targets))
+
+
+def test_a_world_as_planned_is_followed_to_the_end(plan):
+    world = World(plan)
+    assert world.run().status == "done"
+    assert phases(world) == [segment.name for segment in plan.segments]
+    np.testing.assert_allclose(world.q, plan.segments[-1].positions[-1], atol=2e-4)
+    assert world.error()[0] < 5e-4
+    assert world.error()[1] < 2e-3
+    assert world.step().status == "done"
+    np.testing.assert_array_equal(world.targets[-1].position, world.targets[-2].position)
+
+
+def test_without_any_pose_the_plan_is_followed_blindly(plan):
+    world = World(plan, camera=0)
+    assert world.run().status == "done"
+    np.testing.assert_allclose(world.q, plan.segments[-1].positions[-1], atol=1e-6)
+    waited = [target.status for target in world.targets].count("looking") / world.rate
+    assert waited == pytest.approx(Settings().look_seconds, abs=0.05)
+
+
+def test_targets_are_smooth_and_within_limits(plan):
+    world = World(plan, x=0.004, yaw=0.05, **CAMERA)
+    world.run()
+    positions = np.array([target.position for target in world.targets])
+    velocities = np.array([target.velocity for target in world.targets])
+    steps = np.diff(positions, axis=0) * world.rate
+    np.testing.assert_allclose(steps, velocities[1:], atol=1e-9)
+    limits = np.array(plan.task.problem.robot.max_velocity)
+    assert (np.abs(velocities) / limits).max() < 1
+    slides = np.array([target.phase == "slide" for target in world.targets])
+    jumps = np.abs(np.diff(velocities[slides], axis=0)) * world.rate
+    assert jumps.max() < 3  # [rad/s^2]: limits of contact, and of corrections
+
+
+@pytest.mark.parametrize("off", [(0.004, 0, 0.03), (-0.002, 0.003, -0.05), (0, 0, 0.08)])
+def test_small_deviations_are_corrected_in_place(plan, off):
+    world = World(plan, *off, **CAMERA)
+    assert world.run().status == "done"
+    assert (world.follower.resumes, world.follower.restarts) == (0, 0)
+    assert world.follower.plan is plan
+    position, angle = world.error()
+    assert position < 0.003  # a bias of 1.5 mm, and noise
+    assert angle < np.radians(1.5)
+
+
+def test_noise_alone_leads_to_no_new_plan(plan):
+    for seed in range(4):
+        world = World(plan, seed=seed, **CAMERA)
+        world.run(lambda target: target.phase == "lift")
+        assert (world.follower.resumes, world.follower.restarts) == (0, 0)
+        assert world.follower.plan is plan
+
+
+def test_an_object_that_turns_less_than_the_finger_is_turned_further(plan):
+    blind, world = World(plan, grip=0.7, camera=0), World(plan, grip=0.7, **CAMERA)
+    blind.run()
+    assert world.run().status == "done"
+    assert blind.error()[1] > np.radians(10)
+    assert world.error()[1] < np.radians(2)
+    assert world.error()[0] < 0.004
+    assert world.follower.restarts == 0
+    assert world.follower.resumes >= 1
+
+
+def test_a_start_elsewhere_is_planned_anew_before_the_arm_moves(plan):
+    world = World(plan, 0.007, -0.007, 0.17, **CAMERA)
+    target = world.run(lambda target: target.phase == "press")
+    assert "planned anew" in target.reason
+    assert world.follower.plan is not plan
+    assert world.run().status == "done"
+    assert (world.follower.resumes, world.follower.restarts) == (0, 0)
+    assert world.error()[0] < 0.003
+
+
+def kicked(plan, kick, **camera):
+    world = World(plan, **camera)
+    world.run(lambda target: target.phase == "slide")
+    for _ in range(150):
+        world.step()
+    world.kick(*kick)
+    return world
+
+
+@pytest.mark.parametrize(
+    ("kick", "rests"), [((-0.007, 0.007, -0.17), False), ((0.01, 0.0, 0.17), True)]
+)
+def test_a_kick_leads_to_a_new_plan(plan, kick, rests):
+    world = kicked(plan, kick, **CAMERA)
+    assert world.run().status == "done"
+    speeds = np.array([np.abs(target.velocity).max() for target in world.targets])
+    first = next(k for k, target in enumerate(world.targets) if "the rest anew" in target.reason)
+    # Only a new path that turns back is begun from rest.
+    assert (speeds[first - 20 : first + 50].min() < 0.01) == rests
+    assert world.follower.resumes > 0
+    assert world.follower.restarts == 0
+    assert "retreat" not in phases(world)
+    assert world.error()[0] < 0.004
+    assert world.error()[1] < np.radians(2)
+
+
+def test_an_object_out_of_touch_is_touched_anew(plan):
+    world = kicked(plan, (0.0, 0.12, 0.0), **CAMERA)
+    world.run(lambda target: target.phase == "retreat")
+    world.contact = None
+    assert world.run().status == "done"
+    assert world.follower.restarts == 1
+    heights = [
+        world.robot.pose(world.hand.fingertip, target.position)[2, 3] for target in world.targets
+    ]
+    lifted = [
+        h for h, target in zip(heights, world.targets, strict=True) if target.phase == "retreat"
+    ]
+    assert max(lifted) - min(lifted) == pytest.approx(Settings().lift, abs=1e-3)
+    assert world.error()[0] < 0.004
+
+
+def test_an_object_that_never_follows_is_given_up(plan):
+    world = World(plan, **CAMERA)
+    world.effective_tip = lambda q: np.eye(4)
+    target = world.run(seconds=300)
+    assert target.status == "stopped"
+    assert f"began anew {Settings().restarts} times" in target.reason
+    assert world.follower.restarts == Settings().restarts
+
+
+def test_a_slide_waits_without_poses_and_goes_on_with_them(plan):
+    world = World(plan, **CAMERA)
+    world.run(lambda target: target.phase == "slide")
+    world.camera = 0
+    target = world.run(lambda target: target.status == "waiting")
+    assert target.reason.startswith("no usable pose for 0.7")
+    for _ in range(50):
+        still = world.step()
+    assert np.abs(still.velocity).max() == 0
+    world.camera = 2
+    assert world.run().status == "done"
+    assert world.error()[0] < 0.003
+
+
+def test_a_slide_that_stays_blind_is_given_up(plan):
+    world = World(plan, **CAMERA)
+    world.run(lambda target: target.phase == "slide")
+    world.camera = 0
+    target = world.run()
+    assert target.status == "stopped"
+    assert target.reason.startswith("no usable pose for 5.0")
+    for _ in range(100):
+        held = world.step()
+    np.testing.assert_array_equal(held.position, world.targets[-2].position)
+    assert held.status == "stopped"
+
+
+def test_an_object_that_falls_ends_the_motion(plan):
+    world = World(plan, **CAMERA)
+    world.run(lambda target: target.phase == "slide")
+    world.X_WO[2, 3] -= 0.3
+    target = world.run()
+    assert (target.status, target.pose) == ("stopped", "off_support")
+    assert "off its support" in target.reason
+
+
+def turned(X, rpy):
+    return X @ frames.from_rpy(rpy)
+
+
+POSES = {
+    "nothing": (lambda X: {}, "none"),
+    "a pose": (lambda X: {"pose": X}, "used"),
+    "with a covariance": (lambda X: {"pose": X, "covariance": 1e-6 * np.eye(6)}, "used"),
+    "text": (lambda X: {"pose": "here"}, "not_a_pose"),
+    "too small": (lambda X: {"pose": X[:3]}, "not_a_pose"),
+    "no number": (lambda X: {"pose": X * np.nan}, "not_a_pose"),
+    "infinite": (lambda X: {"pose": X + np.inf}, "not_a_pose"),
+    "scaled": (lambda X: {"pose": 2 * X}, "not_a_pose"),
+    "mirrored": (lambda X: {"pose": X @ np.diag([1.0, 1, -1, 1])}, "not_a_pose"),
+    "a row of a matrix": (lambda X: {"pose": [1, 2, 3, [4]]}, "not_a_pose"),
+    "covariance of text": (lambda X: {"pose": X, "covariance": "small"}, "not_a_covariance"),
+    "covariance of 3": (lambda X: {"pose": X, "covariance": np.eye(3)}, "not_a_covariance"),
+    "indefinite": (
+        lambda X: {"pose": X, "covariance": np.diag([1.0, 1, 1, 1, 1, -1])},
+        "not_a_covariance",
+    ),
+    "not symmetric": (
+        lambda X: {"pose": X, "covariance": np.eye(6) + np.triu(np.ones((6, 6)), 1)},
+        "not_a_covariance",
+    ),
+    "covariance nan": (lambda X: {"pose": X, "covariance": np.nan * np.eye(6)}, "not_a_covariance"),
+    "age below 0": (lambda X: {"pose": X, "age": -0.1}, "bad_age"),
+    "age nan": (lambda X: {"pose": X, "age": np.nan}, "bad_age"),
+    "age of text": (lambda X: {"pose": X, "age": "old"}, "bad_age"),
+    "late": (lambda X: {"pose": X, "age": 5.0}, "late"),
+    "old": (lambda X: {"pose": X, "age": 0.5}, "out_of_order"),
+    "far": (lambda X: {"pose": frames.translation([0.1, 0, 0]) @ X}, "jumped"),
+    "turned": (lambda X: {"pose": turned(X, [0, 0, 1.0])}, "jumped"),
+    "beside": (lambda X: {"pose": frames.translation([2, 0, 0]) @ X}, "off_support"),
+    "below": (lambda X: {"pose": frames.translation([0, 0, -0.1]) @ X}, "off_support"),
+    "tilted": (lambda X: {"pose": turned(X, [0.5, 0, 0])}, "tilted"),
+    "upside down": (lambda X: {"pose": turned(X, [np.pi, 0, 0])}, "tilted"),
+}
+
+
+@pytest.fixture(scope="module", params=["approach", "slide"])
+def moving(plan, request):
+    world = World(plan)
+    world.run(lambda target: target.phase == request.param and target.status == "moving")
+    return world
+
+
+@pytest.mark.parametrize("name", POSES)
+def test_each_pose_has_a_verdict_and_bad_ones_move_nothing(moving, name):
+    given, verdict = POSES[name]
+    for _ in range(6):
+        moving.step()
+    target = moving.step(**({"pose": None} | given(moving.X_WO.copy())))
+    assert target.pose == verdict
+    assert target.status == "moving"
+    off = moving.follower._hand.place(moving.X_WO) - moving.follower.estimate.place
+    assert np.abs(off).max() < 1e-3  # the estimate is where it was
+
+
+JOINTS = {
+    "text": ("here", "q: should be an array of numbers"),
+    "none": (None, "q: shape"),
+    "too few": (np.zeros(3), r"q: shape \(3,\): should be \(8,\)"),
+    "nan": (np.full(8, np.nan), "q: should be finite"),
+    "elsewhere": (np.full(8, 1.0), "q: .* from its target"),
+}
+
+
+@pytest.mark.parametrize("name", JOINTS)
+def test_joints_that_do_not_match_stop_the_motion(plan, name):
+    given, reason = JOINTS[name]
+    world = World(plan)
+    world.run(lambda target: target.phase == "slide")
+    target = world.step(q=given)
+    assert target.status == "waiting"
+    assert re.match(reason, target.reason)
+    assert world.step().status == "moving"  # one bad reading is no end
+    for _ in range(30):
+        target = world.step(q=given)
+    assert target.status == "stopped"
+    assert re.match(reason, target.reason)
+    for _ in range(60):
+        target = world.step(q=given)
+    assert np.abs(target.velocity).max() == 0
+    assert World(plan).step(q=given).status == "stopped"  # at the start: move the robot there first
+
+
+@pytest.mark.parametrize("t", [None, "now", np.nan, np.inf, -1.0, 0.0])
+def test_times_that_do_not_increase_move_nothing(plan, t):
+    world = World(plan)
+    world.run(lambda target: target.phase == "press")
+    before = world.targets[-1].position
+    target = world.step(t=t)
+    np.testing.assert_array_equal(target.position, before)
+    assert target.reason.startswith("t: ")
+    assert np.abs(target.velocity).max() == 0
+    assert world.run().status == "done"
+
+
+def test_a_loop_that_was_late_goes_on_where_it_was(plan):
+    world = World(plan, camera=0)
+    world.run(lambda target: target.phase == "slide")
+    before = world.q
+    world.t += 3.0
+    assert np.abs(world.step().position - before).max() < 0.02
+
+
+def test_an_error_inside_is_a_status(plan, monkeypatch):
+    world = World(plan)
+    world.run(lambda target: target.phase == "slide")
+
+    def broken(*_):
+        raise RuntimeError("no such thing")
+
+    monkeypatch.setattr(world.follower.estimate, "carry", broken)
+    target = world.step()
+    assert (target.status, target.reason) == ("stopped", "RuntimeError: no such thing")
+    assert world.step().status == "stopped"
+
+
+def test_no_garbage_makes_it_raise(plan):
+    random = np.random.default_rng(5)
+    junk = [None, "x", np.nan, -1, np.zeros(8), np.eye(4), np.full((4, 4), np.nan), [], {}, 1e300]
+    world = World(plan)
+    for _ in range(600):
+        picked = [junk[i] for i in random.integers(len(junk), size=5)]
+        target = world.follower.update(*picked)
+        assert target.position.shape == (8,)
+        assert np.isfinite(target.position).all()
+
+
+def test_what_cannot_be_followed_is_refused(plan):
+    failed = copy.copy(plan)
+    failed.status = graspless.slide.Status.not_connected
+    with pytest.raises(TaskError, match="status is not_connected, not solved: nothing to follow"):
+        Follower(failed)
+    with pytest.raises(TaskError, match="contact_speed: -1: should be positive"):
+        Follower(plan, contact_speed=-1)
+    other = graspless.plan(_data.directory("examples") / "06_push_block.yaml")
+    with pytest.raises(TaskError, match="fingertip: only slide plans can be followed"):
+        Follower(other)
