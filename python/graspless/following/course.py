@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 STRAIGHT = 0.7  # cosine between two velocities below which a motion comes to rest between them
 _SHORTEST = 0.1  # of a transition [s]
-_SHARE = 0.9  # of the velocity limits; corrections take the rest
+_SHARE = 0.75  # of the velocity limits; corrections take the rest
 
 
 class Course:

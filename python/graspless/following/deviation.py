@@ -33,11 +33,14 @@ class Deviation:
         Shift D of the hand's path.
     place : array [3]
         Estimated place of the object.
+    away : array [2]
+        Shift of the hand away from the object while it reaches [m].
     """
 
     course: Course
     motion: Matrix
     place: Matrix
+    away: Matrix
 
     @property
     def commanded(self) -> Matrix:
@@ -46,23 +49,29 @@ class Deviation:
 
     @property
     def pivot(self) -> Matrix:
-        """Returns the point [2] that the hand has to move by `step`."""
+        """Returns the point [2] that errors and steps move."""
         at = self.commanded if self.course.name in ON_OBJECT else self.place
         return at[:2]
 
     @property
-    def step(self) -> Matrix:
-        """Returns the motion [3] that the hand has to make: displacement of the pivot, and turn."""
+    def error(self) -> Matrix:
+        """Returns the motion [3] that the hand lacks: displacement of the pivot, and turn."""
         if self.course.name in ON_OBJECT:
             return plane.difference(self.commanded, self.place)
         if self.course.name in IN_CONTACT:
             return plane.difference(self.place, self.course.place())
         return np.zeros(3)
 
+    @property
+    def step(self) -> Matrix:
+        """Returns the motion [3] that the hand has to make: the error, and away in `reach`."""
+        reaches = self.course.name == "reach"
+        return self.error + np.append(self.away, 0.0) if reaches else self.error
+
     def is_large(self, settings: Settings) -> bool:
         """Returns True if the shift that is needed is more than what is done in place."""
         planned = self.course.place()
-        needed = plane.turned(self.motion, self.pivot, self.step)
+        needed = plane.turned(self.motion, self.pivot, self.error)
         off = plane.difference(planned, plane.compose(needed, planned))
         most, turned = settings.correct, settings.correct_angle
         if self.course.name in ("reach", "grasp"):
@@ -78,6 +87,6 @@ class Deviation:
             return still >= settings.settle_seconds
         if self.course.name != "slide":
             return still >= _PAUSE
-        off, turn = np.hypot(*self.step[:2]), abs(self.step[2])
+        off, turn = np.hypot(*self.error[:2]), abs(self.error[2])
         near = is_blind or (off < settings.settled and turn < settings.settled_angle)
         return bool((still >= settings.settle_seconds and near) or still >= settings.settle_most)

@@ -207,7 +207,8 @@ class Follower:
 
     @property
     def _deviation(self) -> Deviation:
-        return Deviation(self._course, self._correction.motion, self.estimate.place)
+        away = self._hand.away(self.plan.X_WH_grasp, self.settings.stand_off)
+        return Deviation(self._course, self._correction.motion, self.estimate.place, away)
 
     def _correct(self, seconds: float, may_plan: bool) -> None:
         deviation, name = self._deviation, self._course.name

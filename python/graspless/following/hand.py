@@ -41,6 +41,12 @@ class Hand:
         X_WO: Matrix = self.X_WS @ frames.planar(*map(float, place))
         return X_WO
 
+    def away(self, X_WH: Matrix, distance: float) -> Matrix:
+        """Returns a step [2] in the plane of the support, back along the approach to a grasp."""
+        back = -(self.X_SW[:2, :3] @ X_WH[:3, 2])
+        step: Matrix = distance * back / max(float(np.linalg.norm(back)), 1e-9)
+        return step
+
     def shifted(self, q: Matrix, motion: Matrix, height: float) -> Matrix:
         """Returns the joints [dof] that put the hand where the motion [3] takes it from q.
 

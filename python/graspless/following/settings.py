@@ -30,6 +30,8 @@ class Settings:
         Beyond them the slide is planned anew.
     grasp_correct, grasp_correct_angle : float
         The same, of the object on which the hand closes [m, rad].
+    stand_off : float
+        Distance that the hand keeps from the object while it reaches, beyond the plan's [m].
     gain : float
         Fraction of a deviation that is corrected per second [1/s].
     speed, turn_speed : float
@@ -74,6 +76,7 @@ class Settings:
     correct_angle: float = 0.105
     grasp_correct: float = 0.012
     grasp_correct_angle: float = 0.21
+    stand_off: float = 0.006
     gain: float = 3.0
     speed: float = 0.015
     turn_speed: float = 0.25
