@@ -13,7 +13,7 @@
 #include <benchmark/benchmark.h>
 
 #include "graspless/planning/vector_states.hpp"
-#include "graspless/slide/slide.hpp"
+#include "graspless/slide/resume.hpp"
 
 #include "slide/query.hpp"
 #include "slide/regions.hpp"
@@ -153,26 +153,78 @@ void BM_SlideCheck(benchmark::State& state) {
 }
 BENCHMARK(BM_SlideCheck)->Unit(benchmark::kMillisecond);
 
-/// A query a time over 64 poses; the counter is the median query, the time their mean.
-void BM_SlidePlan(benchmark::State& state) {
-  std::mt19937_64 rng(1);
+std::vector<Problem> make_problems(std::mt19937_64& rng) {
   std::vector<Problem> problems;
-  for (int i = 0; i < 64; ++i) problems.push_back(make_problem(rng));
+  for (std::size_t i = 0; i < 64; ++i) problems.push_back(make_problem(rng));
+  return problems;
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  const auto count = static_cast<double>(values.size());
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * (count - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+/// Runs `query` with a seed of its own each time; the time is the mean, counters are quantiles.
+template <class Query>
+void run_seeded(benchmark::State& state, const Query& query) {
   std::vector<double> times;
   for (auto _ : state) {
     planning::Budget budget;
     budget.seed = times.size();
     const auto start = std::chrono::steady_clock::now();
-    benchmark::DoNotOptimize(slide::plan(problems[times.size() % 64], paper_terms(), budget));
+    benchmark::DoNotOptimize(query(times.size(), budget));
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
     times.push_back(spent.count());
   }
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  state.counters["median_ms"] = *middle;
+  state.counters["median_ms"] = quantile(times, 0.5);
+  state.counters["p99_ms"] = quantile(times, 0.99);
+}
+
+/// A query a time over 64 poses.
+void BM_SlidePlan(benchmark::State& state) {
+  std::mt19937_64 rng(1);
+  const std::vector<Problem> problems = make_problems(rng);
+  run_seeded(state, [&](std::size_t i, const planning::Budget& budget) {
+    return slide::plan(problems[i % problems.size()], paper_terms(), budget);
+  });
 }
 BENCHMARK(BM_SlidePlan)->Unit(benchmark::kMillisecond)->MinTime(1);
+
+/// A row of the plan's slide, with the object up to 10 mm and 10 degrees aside.
+Interruption interrupted(const Plan& plan, std::mt19937_64& rng) {
+  std::uniform_real_distribution<double> share(0, 1), angle(-3.14, 3.14), turn(-0.1745, 0.1745);
+  const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
+                                  [](const Segment& s) { return s.name == "slide"; });
+  const std::size_t row = rng() % slide->positions.size();
+  const double aside = 0.01 * std::sqrt(share(rng)), direction = angle(rng);
+  const Eigen::Translation3d shift(aside * std::cos(direction), aside * std::sin(direction), 0);
+  const Eigen::AngleAxisd yaw(turn(rng), Eigen::Vector3d::UnitZ());
+  return {slide->positions[row], shift * slide->object_poses[row] * yaw, plan.X_WO_goal};
+}
+
+/// An interruption a time over 1024, 16 of each of 64 plans; `solved` is the share that goes on.
+void BM_SlideResume(benchmark::State& state) {
+  std::mt19937_64 rng(1);
+  const std::vector<Problem> problems = make_problems(rng);
+  std::vector<Interruption> interruptions;
+  for (int round = 0; round < 16; ++round) {
+    for (const Problem& problem : problems)
+      interruptions.push_back(interrupted(solved(problem), rng));
+  }
+  std::size_t solved = 0, count = 0;
+  run_seeded(state, [&](std::size_t i, const planning::Budget& budget) {
+    const Plan rest = resume(problems[i % problems.size()], interruptions[i % interruptions.size()],
+                             paper_terms(), budget);
+    solved += rest ? 1 : 0;
+    ++count;
+    return rest.segments.size();
+  });
+  state.counters["solved"] = static_cast<double>(solved) / static_cast<double>(count);
+}
+BENCHMARK(BM_SlideResume)->Unit(benchmark::kMillisecond)->Iterations(1024);
 
 }  // namespace
 }  // namespace graspless::slide

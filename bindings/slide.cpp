@@ -253,6 +253,19 @@ void bind_resume(py::module_& m) {
       "grasp and close.\n\nA state from which no slide can go on is a status: off_support, "
       "contact_lost or start_in_collision.\n\nRaises ValueError on a bad problem, options or "
       "interruption.");
+  m.def(
+      "restart",
+      [](const Problem& problem, const Interruption& at, const Options& options,
+         const StoppableBudget& budget) {
+        return run_interruptibly(budget, [&problem, at, options](const planning::Budget& b) {
+          return restart(problem, at, options, b);
+        });
+      },
+      py::arg("problem"), py::arg("at"), py::arg_v("options", Options{}, "Options()"),
+      py::arg_v("budget", StoppableBudget{}, "Budget()"),
+      "Plans an interrupted slide anew: retreat, approach, press, slide, lift, reach, grasp and "
+      "close.\n\nA state from which no slide can begin is a status.\n\nRaises ValueError on a bad "
+      "problem, options or interruption.");
 }
 
 void bind_plan(py::module_& m) {
@@ -295,7 +308,7 @@ void bind_slide(py::module_ m) {
   bind_problem(m);
   bind_choices<Search>(m, "Search", "Search algorithms.");
   bind_options_struct<Options>(m, "Options", "Options of the search.");
-  bind_motion_segment<Segment>(m, "approach, press, slide, lift, reach, grasp or close.");
+  bind_motion_segment<Segment>(m, "approach, press, slide, lift, reach, grasp, close or retreat.");
   bind_statistics_struct<Statistics>(m);
   bind_choices<Status>(m, "Status", "Outcome of a query.");
   bind_interruption(m);

@@ -30,7 +30,7 @@ from ._plan import AnyPlan
 from .collision import Obstacle
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike as Array
+    from numpy.typing import ArrayLike
 
     from . import tasks
     from .frames import Matrix
@@ -92,10 +92,10 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
 
 def resume(
     problem: Problem | Plan,
-    q: Array,
-    X_WO: Array,
+    q: ArrayLike,
+    X_WO: ArrayLike,
     *,
-    X_WO_goal: Array | None = None,
+    X_WO_goal: ArrayLike | None = None,
     options: Options | None = None,
     budget: Budget | None = None,
 ) -> Plan:
@@ -142,19 +142,74 @@ def resume(
         A bad problem or options; `q` of the wrong size or with a value that is not finite; a pose
         that is not rigid.
     """
+    task, former = _interrupted(problem, options, budget)
+    at = Interruption(q, X_WO, former if X_WO_goal is None else X_WO_goal)
+    return Plan._of(_core.resume(task.problem, at, task.options, task.budget), task)
+
+
+def restart(
+    problem: Problem | Plan,
+    q: ArrayLike,
+    X_WO: ArrayLike,
+    *,
+    options: Options | None = None,
+    budget: Budget | None = None,
+) -> Plan:
+    """Plans an interrupted slide anew: lifts the finger off, and begins again.
+
+    For a contact that was lost, or from which `resume` finds no way. The plan has the segments
+    retreat, approach, press, slide, lift, reach, grasp and close. While the finger retreats, the
+    contact does not move; a finger that is beside the object goes straight up.
+
+    A state from which no slide can begin is a status with a reason, never an exception: those of
+    `plan`, and
+
+    - off_support: as in `resume`; or the centre of mass is beyond the support's edge, and the
+      object would fall without the finger.
+    - contact_lost: the hand is not open, or the fingertip is deeper than its band.
+    - start_in_collision: the finger cannot be lifted off.
+
+    Parameters
+    ----------
+    problem : Problem or Plan
+        The problem; or the plan that was interrupted, whose problem, options and budget are taken.
+    q : (dof,) array
+        Commanded joints [rad or m].
+    X_WO : (4, 4) array
+        Measured pose of the object in the world.
+    options : Options, optional
+        Settings of the search.
+    budget : planning.Budget, optional
+        Time and randomness.
+
+    Returns
+    -------
+    Plan
+        False unless solved.
+
+    Raises
+    ------
+    ValueError
+        As `resume`.
+    """
+    task, _ = _interrupted(problem, options, budget)
+    at = Interruption(q, X_WO)
+    return Plan._of(_core.restart(task.problem, at, task.options, task.budget), task)
+
+
+def _interrupted(
+    problem: Problem | Plan, options: Options | None, budget: Budget | None
+) -> tuple[Task, Matrix | None]:
+    """Returns the task to go on with, and the goal of a plan for it."""
     from .tasks import Task
 
-    if isinstance(problem, Plan):
-        task = problem.task
-        if X_WO_goal is None and problem:
-            X_WO_goal = problem.X_WO_goal
-        if (options, budget) != (None, None):
-            options = task.options if options is None else options
-            task = Task.of(task.problem, options, task.budget if budget is None else budget)
-    else:
-        task = Task.of(problem, options, budget)
-    at = Interruption(q, X_WO, X_WO_goal)
-    return Plan._of(_core.resume(task.problem, at, task.options, task.budget), task)
+    if not isinstance(problem, Plan):
+        return Task.of(problem, options, budget), None
+    task, goal = problem.task, problem.X_WO_goal if problem else None
+    if options is None and budget is None:
+        return task, goal
+    options = task.options if options is None else options
+    return Task.of(task.problem, options, task.budget if budget is None else budget), goal
 
 
 __all__ = [
@@ -176,6 +231,7 @@ __all__ = [
     "check",
     "depth_band",
     "plan",
+    "restart",
     "resume",
     "turning",
     "validate",

@@ -161,6 +161,40 @@ def test_lost_contact_is_a_status(plan):
     assert "above the object's top face" in rest.reason
 
 
+@pytest.mark.parametrize("y", [0.0, 0.15])
+def test_restarts_where_the_contact_is_lost(plan, tmp_path, y):
+    q, X_WO = state(plan, y=y)
+    anew = slide.restart(plan, q, X_WO, budget=QUICK)
+    assert anew, anew.reason
+    assert graspless.check(anew) == []
+    names = ["retreat", "approach", "press", "slide", "lift", "reach", "grasp", "close"]
+    assert [s.name for s in anew.segments] == names
+    np.testing.assert_array_equal(anew.segments[0].positions[0], q)
+    np.testing.assert_allclose(anew.segments[1].object_poses[0], X_WO, atol=1e-9)
+    assert anew.resumed.X_WO_goal is None
+    anew.save(tmp_path / "anew.json")
+    assert graspless.check(tmp_path / "anew.json") == []
+    trajectory = graspless.time(anew)
+    np.testing.assert_allclose(trajectory.positions[0], q, atol=1e-12)
+    assert "retreat" in report.as_text(anew)
+
+
+def test_restarts_from_home(plan):
+    _, X_WO = state(plan)
+    anew = slide.restart(plan, plan.task.problem.q_home, X_WO, budget=QUICK)
+    assert anew, anew.reason
+    assert graspless.check(anew) == []
+    assert graspless.time(anew).duration > 0
+
+
+def test_does_not_let_the_object_fall(plan):
+    q, X_WO = state(plan)
+    X_WO[1, 3] = 0.355
+    anew = slide.restart(plan, q, X_WO, budget=QUICK)
+    assert anew.status == "off_support"
+    assert "falls" in anew.reason
+
+
 def test_mistakes_raise(plan):
     q, X_WO = state(plan)
     for bad, match in [
@@ -170,8 +204,9 @@ def test_mistakes_raise(plan):
         ((q, 2 * X_WO), "X_WO"),
         ((q, np.full((4, 4), np.inf)), "X_WO"),
     ]:
-        with pytest.raises(ValueError, match=match):
-            slide.resume(plan, *bad, budget=QUICK)
+        for again in (slide.resume, slide.restart):
+            with pytest.raises(ValueError, match=match):
+                again(plan, *bad, budget=QUICK)
 
 
 def test_simulation_says_that_it_begins_at_rest(rest):

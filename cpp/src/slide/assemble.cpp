@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/assemble.hpp"
 
+#include <algorithm>
+
 #include "graspless/watch.hpp"
 
 #include "slide/rows.hpp"
@@ -70,6 +72,12 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   for (const Warning& warning : warnings(query.problem, plan)) {
     plan.warnings.push_back(warning.text());
   }
+}
+
+void prepend_retreat(const Query& query, const Retreat& retreat, Plan& plan) {
+  append(query, plan, "retreat", with_hand_open(query, retreat.path),
+         query.X_WS * spatial(retreat.object_S));
+  std::rotate(plan.segments.begin(), plan.segments.end() - 1, plan.segments.end());
 }
 
 }  // namespace graspless::slide

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "slide/interruption.hpp"
 #include "slide/motions.hpp"
 
 namespace graspless::slide {
@@ -10,5 +11,8 @@ namespace graspless::slide {
 /// valid pair.
 GRASPLESS_API void assemble(Query& query, const Motions& motions, const planning::Path& slide,
                             Plan& plan);
+
+/// Puts the segment `retreat` before those of a plan that begins at its end.
+void prepend_retreat(const Query& query, const Retreat& retreat, Plan& plan);
 
 }  // namespace graspless::slide

@@ -16,8 +16,8 @@ namespace graspless::slide {
 
 namespace {
 
-const std::vector<std::string> kNames = {"approach", "press", "slide", "lift",
-                                         "reach",    "grasp", "close"};
+const std::vector<std::string> kNames = {"retreat", "approach", "press", "slide",
+                                         "lift",    "reach",    "grasp", "close"};
 
 double angle_between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
@@ -49,7 +49,8 @@ Faults Examination::run() {
   check_object_poses();
   check_hand_open();
   for (const Segment& segment : plan_.segments) check_collisions(segment);
-  if (!plan_.resumed) check_pressing(segment("press"));
+  if (has("retreat")) check_retreat(segment("retreat"));
+  if (has("press")) check_pressing(segment("press"));
   check_pressing(segment("lift"));
   check_clearance();
   check_slide();
@@ -62,8 +63,14 @@ Faults Examination::run() {
 
 /// Names of the segments that the plan must have, in order.
 std::vector<std::string> Examination::names() const {
-  constexpr std::ptrdiff_t kSlide = 2;
-  return {kNames.begin() + (plan_.resumed ? kSlide : 0), kNames.end()};
+  constexpr std::ptrdiff_t kApproach = 1, kSlide = 3;
+  if (!plan_.resumed) return {kNames.begin() + kApproach, kNames.end()};
+  return has("retreat") ? kNames : std::vector(kNames.begin() + kSlide, kNames.end());
+}
+
+bool Examination::has(const std::string& name) const {
+  return std::any_of(plan_.segments.begin(), plan_.segments.end(),
+                     [&](const Segment& segment) { return segment.name == name; });
 }
 
 const Segment& Examination::segment(const std::string& name) const {
@@ -87,8 +94,9 @@ bool Examination::has_shape() {
   std::vector<std::string> found;
   for (const Segment& s : plan_.segments) found.push_back(s.name);
   if (found != names()) {
-    fault("plan", std::string("segments are not ") + (plan_.resumed ? "" : "approach, press, ") +
-                      "slide, lift, reach, grasp, close");
+    std::string listed;
+    for (const std::string& name : names()) listed += (listed.empty() ? "" : ", ") + name;
+    fault("plan", "segments are not " + listed);
   }
   for (const Segment& s : plan_.segments) {
     if (s.positions.empty() || s.positions.size() != s.object_poses.size()) {
@@ -116,7 +124,8 @@ void Examination::check_rows() {
   if (plan_.resumed) {
     const double step = problem_.robot.step(plan_.resumed->q, before);
     if (!(step <= scene::kLongestStep)) {
-      fault("slide row 0", "is " + figure(step) + " rad from where the slide was interrupted");
+      fault(plan_.segments[0], 0,
+            "is " + figure(step) + " rad from where the slide was interrupted");
     }
   } else if ((before - problem_.q_home).lpNorm<Eigen::Infinity>() > kSame) {
     fault("approach row 0", "is not the home configuration q_home");
@@ -129,8 +138,9 @@ void Examination::check_rows() {
 }
 
 /// The object's pose at the start: X_WO_start, laid flat on the support. In a plan that was
-/// resumed: where the object has followed the finger from its measured pose to the first row.
+/// resumed: where it was measured, and has followed the finger to the first row of the slide.
 Eigen::Isometry3d Examination::object_start() const {
+  if (has("retreat")) return flat_where_interrupted();
   if (plan_.resumed) {
     return followed(flat_where_interrupted(), finger(plan_.resumed->q),
                     finger(plan_.segments[0].positions[0]));
@@ -174,7 +184,7 @@ void Examination::check_object_poses() {
     fault("plan", "X_WO_goal is not where the slide ends");
   for (const Segment& s : plan_.segments) {
     if (s.name == "slide") continue;
-    const bool before = s.name == "approach" || s.name == "press";
+    const bool before = s.name == "retreat" || s.name == "approach" || s.name == "press";
     const Eigen::Isometry3d& still = before ? plan_.segments[0].object_poses[0] : X_WO_slid;
     for (std::size_t i = 0; i < s.object_poses.size(); ++i) {
       if (!is_same(s.object_poses[i], still, kSame))
@@ -199,8 +209,8 @@ void Examination::check_hand_open() {
 }
 
 void Examination::check_collisions(const Segment& segment) {
-  const bool pressing =
-      segment.name == "press" || segment.name == "slide" || segment.name == "lift";
+  const bool pressing = segment.name == "retreat" || segment.name == "press" ||
+                        segment.name == "slide" || segment.name == "lift";
   Replay world(problem_, depths_.max,
                pressing                  ? Contacts::press
                : segment.name == "close" ? Contacts::close

@@ -76,32 +76,57 @@ Eigen::Isometry3d Examination::followed(const Eigen::Isometry3d& X_WO_start, con
 /// The object must not move while the finger presses or lifts, so the effective contact must not
 /// either.
 void Examination::check_pressing(const Segment& segment) {
-  constexpr double kTurn = 1e-3;  // [rad]
   const bool press = segment.name == "press";
   // Rigid fingers press at depth 0, where the contact of a flexing one begins to move.
   const bool flexes = problem_.hand.finger_model == FingerModel::flexure;
   const double touching = flexes ? 0 : -kHeightTolerance;
   const Finger pressed = finger(press ? segment.positions.back() : segment.positions.front());
-  scene::replay_rows(
-      problem_.robot, segment.positions, [&](std::size_t row, const Eigen::VectorXd& q) {
-        const Finger now = finger(q);
-        if (now.depth > depths_.max + kHeightTolerance) {
-          fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
-        }
-        if (now.depth <= touching) return;
-        const double moved = (now.effective - pressed.effective).norm();
-        if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
-        const double turned = (now.heading - pressed.heading).norm();
-        if (!(turned <= kTurn))
-          fault(segment, row, "the contact turns by " + figure(turned) + " rad");
-        check_touching_row(segment, row, now);
-      });
+  scene::replay_rows(problem_.robot, segment.positions,
+                     [&](std::size_t row, const Eigen::VectorXd& q) {
+                       const Finger now = finger(q);
+                       check_depth(segment, row, now);
+                       if (now.depth <= touching) return;
+                       check_still(segment, row, now, pressed);
+                       check_touching_row(segment, row, now);
+                     });
+}
+
+/// A finger that presses on the object must not move it while it retreats. One that has lost it may
+/// move.
+void Examination::check_retreat(const Segment& segment) {
+  const Finger pressed = finger(segment.positions.front());
+  const Eigen::Isometry3d X_OS = (X_SW_ * segment.object_poses.front()).inverse();
+  const Eigen::Vector3d contact_O =
+      X_OS * Eigen::Vector3d(pressed.effective.x(), pressed.effective.y(), 0);
+  const bool on_object =
+      signed_depth(problem_.object.outline().vertices(), contact_O.head<2>()) > kRound;
+  scene::replay_rows(problem_.robot, segment.positions,
+                     [&](std::size_t row, const Eigen::VectorXd& q) {
+                       const Finger now = finger(q);
+                       check_depth(segment, row, now);
+                       if (on_object && now.depth > 0) check_still(segment, row, now, pressed);
+                     });
+}
+
+void Examination::check_depth(const Segment& segment, std::size_t row, const Finger& now) {
+  if (now.depth > depths_.max + kHeightTolerance) {
+    fault(segment, row, "the fingertip presses " + figure(now.depth) + " m deep");
+  }
+}
+
+void Examination::check_still(const Segment& segment, std::size_t row, const Finger& now,
+                              const Finger& pressed) {
+  constexpr double kTurn = 1e-3;  // [rad]
+  const double moved = (now.effective - pressed.effective).norm();
+  if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
+  const double turned = (now.heading - pressed.heading).norm();
+  if (!(turned <= kTurn)) fault(segment, row, "the contact turns by " + figure(turned) + " rad");
 }
 
 /// The fingertip must be clear of the object where the press begins and where the lift ends.
 void Examination::check_clearance() {
   std::vector<Eigen::VectorXd> lifted{segment("lift").positions.back()};
-  if (!plan_.resumed) lifted.push_back(segment("press").positions.front());
+  if (has("press")) lifted.push_back(segment("press").positions.front());
   for (const Eigen::VectorXd& q : lifted) {
     const double clear = -finger(q).depth;
     if (clear < options_.lift_height - 1e-4) {
@@ -135,7 +160,7 @@ void Examination::check_slide() {
   }
   // Eqs. (3) and (4): beta = beta_0 at both ends.
   std::vector<double> pitches{finger(slide.positions.back()).pitch};
-  if (!plan_.resumed) pitches.push_back(start.pitch);
+  if (has("press")) pitches.push_back(start.pitch);
   for (const double pitch : pitches) {
     if (!(std::abs(pitch - options_.pitch) <= 1e-4)) {
       fault(slide, 0, "begins or ends at pitch " + figure(pitch) + " rad");

@@ -60,13 +60,18 @@ class Examination {
   }
   static std::string figure(double value);
   std::vector<std::string> names() const;
+  bool has(const std::string& name) const;
   const Segment& segment(const std::string& name) const;
 
   bool has_shape();
   void check_rows();
   void check_object_poses();
   void check_collisions(const Segment& segment);
+  void check_retreat(const Segment& segment);
   void check_pressing(const Segment& segment);
+  void check_depth(const Segment& segment, std::size_t row, const Finger& now);
+  void check_still(const Segment& segment, std::size_t row, const Finger& now,
+                   const Finger& pressed);
   double rim_margin() const;
   void check_slide();
   void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);

@@ -68,16 +68,26 @@ std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
          " inside the object's outline; options.rim_margin asks for " + in_mm(margin);
 }
 
-/// Why q is too far from a configuration to be corrected; empty if it is near.
+/// Why q is too far from a configuration to be taken there; empty if it is near.
 std::string why_far(const Query& query, const VectorXd& q, const VectorXd& corrected) {
   const robot::Robot& robot = query.problem.robot;
   const double step = robot.step(q, corrected);
   if (step <= kMaxCorrection) return "";
   Eigen::Index joint = 0;
   (corrected - q).cwiseProduct(robot.step_weights()).cwiseAbs().maxCoeff(&joint);
-  return "q is " + figure(step) + " rad from the nearest configuration that presses (joint '" +
+  return "q is " + figure(step) + " rad from the nearest configuration to begin at (joint '" +
          robot.joint_names()[static_cast<std::size_t>(joint)] + "'); at most " +
          figure(kMaxCorrection) + " rad is allowed";
+}
+
+Tip tip_at(const Query& query, const VectorXd& q) {
+  const robot::Robot& robot = query.problem.robot;
+  return tip(query.X_WS.inverse() * robot.pose(robot.frame(query.problem.hand.fingertip), q));
+}
+
+/// Returns the arm's joints of q within their limits, which measured joints may exceed.
+VectorXd within_limits(const Query& query, const VectorXd& q) {
+  return query.arm.part(q).cwiseMax(query.arm.lower()).cwiseMin(query.arm.upper());
 }
 
 std::nullopt_t refuse(Plan& plan, Status status, const std::string& why) {
@@ -123,17 +133,13 @@ std::optional<VectorXd> find_pressed_start(Query& query, const Interruption& at,
   const Eigen::Isometry3d X_SO = query.X_WS.inverse() * at.X_WO;
   const std::string off = why_not_flat(query.problem, X_SO);
   if (!off.empty()) return refuse(plan, Status::off_support, off);
-  const Planar measured = laid_flat(query.problem.object, X_SO);
-
-  const robot::Robot& robot = query.problem.robot;
-  const Tip given =
-      tip(query.X_WS.inverse() * robot.pose(robot.frame(query.problem.hand.fingertip), at.q));
-  const double above = given.height - query.top;
-  if (above > kTouchHeight) {
-    return refuse(plan, Status::contact_lost,
-                  "the fingertip is " + in_mm(above) + " above the object's top face");
+  const Tip given = tip_at(query, at.q);
+  if (given.height - query.top > kTouchHeight) {
+    return refuse(
+        plan, Status::contact_lost,
+        "the fingertip is " + in_mm(given.height - query.top) + " above the object's top face");
   }
-  VectorXd start = query.arm.part(at.q).cwiseMax(query.arm.lower()).cwiseMin(query.arm.upper());
+  VectorXd start = within_limits(query, at.q);
   const bool presses = query.contact.is_pressing(start) || query.contact.project(start);
   const std::string far = why_far(query, at.q, query.arm.full(start));
   if (!presses || !far.empty()) {
@@ -141,7 +147,8 @@ std::optional<VectorXd> find_pressed_start(Query& query, const Interruption& at,
                   presses ? far : "no configuration near q presses on the object");
   }
   const ContactSpace::Carried moved{
-      effective_tip(query.problem.hand, given, query.top, query.options.pitch), measured};
+      effective_tip(query.problem.hand, given, query.top, query.options.pitch),
+      laid_flat(query.problem.object, X_SO)};
   query.object_start = query.contact.carry(moved, start);
   const ContactSpace::Carried carried = query.carried_from(start);
   const Eigen::Vector2d p_OC = query.object_start.inverse() * carried.tip_start.translation();
@@ -149,6 +156,44 @@ std::optional<VectorXd> find_pressed_start(Query& query, const Interruption& at,
   if (!beside.empty()) return refuse(plan, Status::contact_lost, beside);
   if (!query.contact.is_valid(start, carried)) return refuse_invalid(query, start, plan);
   return start;
+}
+
+std::optional<Retreat> find_retreat(Query& query, const Interruption& at, Plan& plan) {
+  const Object& object = query.problem.object;
+  const Eigen::Isometry3d X_SO = query.X_WS.inverse() * at.X_WO;
+  const std::string off = why_not_flat(query.problem, X_SO);
+  if (!off.empty()) return refuse(plan, Status::off_support, off);
+  query.object_start = laid_flat(object, X_SO);
+  if (!is_com_inside(query.problem, query.object_start, 0)) {
+    return refuse(plan, Status::off_support,
+                  "the centre of mass is beyond the support's edge: the object falls when the "
+                  "finger leaves it");
+  }
+  VectorXd start = within_limits(query, at.q);
+  if (!query.contact.is_pressing(start)) {
+    VectorXd pressed = start;
+    const bool is_near =
+        query.contact.project(pressed) && why_far(query, at.q, query.arm.full(pressed)).empty();
+    if (is_near) start = pressed;
+  }
+  const std::string far = why_far(query, at.q, query.arm.full(start));
+  if (!far.empty()) return refuse(plan, Status::contact_lost, "the hand is not open: " + far);
+  const double depth = query.top - query.contact.tip_at(start).height;
+  const double deepest = depth_band(query.problem.hand, query.options).max;
+  if (depth > deepest + kHeightTolerance) {
+    return refuse(plan, Status::contact_lost,
+                  "the fingertip is " + in_mm(depth) + " below the object's top face; at most " +
+                      in_mm(deepest) + " is allowed");
+  }
+  const Eigen::Vector2d p_OC =
+      query.object_start.inverse() * query.contact.effective_tip_at(start).translation();
+  const bool presses = depth > 0 && object.outline().depth(p_OC) >= 0;
+  Motions motions(query);
+  const auto path = presses ? motions.lift_from(start, query.object_start)
+                            : motions.rise_from(start, query.object_start);
+  if (path) return Retreat{*path, query.object_start};
+  return refuse(plan, Status::start_in_collision,
+                "the finger cannot be lifted off: the arm collides or does not reach");
 }
 
 }  // namespace graspless::slide

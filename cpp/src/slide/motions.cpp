@@ -24,6 +24,15 @@ int pieces(double length, double step) {
   return std::max(1, static_cast<int>(std::ceil(length / step)));
 }
 
+/// Appends poses straight above X_WF, up to `height` [m].
+void append_rise(const Query& query, const Eigen::Isometry3d& X_WF, double height,
+                 std::vector<Eigen::Isometry3d>& poses) {
+  const Eigen::Vector3d up_W = query.problem.support.normal_W();
+  const int steps = height > 0 ? pieces(height, kLineStep) : 0;
+  for (int i = 1; i <= steps; ++i)
+    poses.push_back(Eigen::Translation3d(up_W * (height * i / steps)) * X_WF);
+}
+
 }  // namespace
 
 bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal) {
@@ -100,28 +109,31 @@ int Motions::search_iterations() const {
   return kFirst << std::min(num_refused_ / 2, kDoublings);
 }
 
-// Leaves the object along the retreat line, on which the effective contact does not move, then goes
-// straight up.
+// Along the retreat line, on which the effective contact does not move, then straight up.
 std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Planar& object_S) {
   const Tip tip = query_.contact.tip_at(pressed);
   const Planar contact = query_.contact.effective_tip_at(pressed);
   const double depth = query_.top - tip.height;
   std::vector<Eigen::Isometry3d> poses;
-  const int press_steps = pieces(depth, kPressStep),
-            lift_steps = pieces(query_.options.lift_height, kLineStep);
+  const int press_steps = pieces(depth, kPressStep);
   for (int i = press_steps - 1; i >= 0; --i) {
     poses.push_back(query_.pressed_tip(contact, depth * i / press_steps, tip.pitch));
   }
-  const Eigen::Vector3d up_W = query_.problem.support.normal_W();
-  const Eigen::Isometry3d touch = poses.back();
-  for (int i = 1; i <= lift_steps; ++i) {
-    poses.push_back(Eigen::Translation3d(up_W * (query_.options.lift_height * i / lift_steps)) *
-                    touch);
-  }
+  append_rise(query_, Eigen::Isometry3d(poses.back()), query_.options.lift_height, poses);
   auto path = track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
   if (path && !stands_still(Path(path->begin(), path->begin() + press_steps + 1), contact))
     return std::nullopt;
   return path;
+}
+
+// Straight up without turning, to the height at which a lift ends.
+std::optional<Path> Motions::rise_from(const Eigen::VectorXd& start, const Planar& object_S) {
+  const int F = query_.problem.robot.frame(query_.problem.hand.fingertip);
+  const double depth = query_.top - query_.contact.tip_at(start).height;
+  std::vector<Eigen::Isometry3d> poses;
+  append_rise(query_, query_.problem.robot.pose(F, query_.arm.full(start)),
+              depth + query_.options.lift_height, poses);
+  return track(query_.tip_ik, start, poses, query_.contact.scene_with_object_at(object_S));
 }
 
 /// True if position and heading of the effective contact stay the same, also halfway between

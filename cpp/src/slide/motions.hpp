@@ -46,6 +46,12 @@ class GRASPLESS_API Motions {
   /// True if a collision-free configuration exists that grasps the object at this pose.
   bool is_graspable(const Planar& object_S);
 
+  /// Returns the motion that takes a pressing finger off the object, to options.lift_height above
+  /// it; nothing if it collides or leaves the arm's reach.
+  std::optional<planning::Path> lift_from(const Eigen::VectorXd& pressed, const Planar& object_S);
+  /// The same for a finger that does not press on the object.
+  std::optional<planning::Path> rise_from(const Eigen::VectorXd& start, const Planar& object_S);
+
   /// Motions of the pair that was last found valid.
   const Approach& approach() const { return *valid_approach_; }
   const Handling& handling() const { return *handling_; }
@@ -60,7 +66,6 @@ class GRASPLESS_API Motions {
   std::optional<Approach> find_approach(const Eigen::VectorXd& start, int iterations);
   int search_iterations() const;
   bool stands_still(const planning::Path& press, const Planar& contact);
-  std::optional<planning::Path> lift_from(const Eigen::VectorXd& pressed, const Planar& object_S);
   std::vector<GraspConfiguration> grasp_configurations(const Placement& placement,
                                                        std::size_t enough);
   void refuse_grasp(const std::optional<std::pair<int, int>>& touching, const Eigen::VectorXd& q);

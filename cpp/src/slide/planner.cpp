@@ -103,6 +103,20 @@ Plan searched_from(Query& query, const Interruption& at) {
   return plan;
 }
 
+/// The whole plan anew, after the finger has been lifted off.
+Plan searched_anew(Query& query, const Interruption& at) {
+  Plan plan;
+  const std::optional<Retreat> retreat = find_retreat(query, at, plan);
+  if (!retreat) return plan;
+  Problem now = query.problem;
+  now.q_home = query.arm.full(retreat->path.back());
+  now.X_WO_start = query.X_WS * spatial(retreat->object_S);
+  Query anew(now, query.options, query.clock, query.rng());
+  plan = searched(anew);
+  if (plan) prepend_retreat(query, *retreat, plan);
+  return plan;
+}
+
 /// Runs `search` on a query within the budget.
 template <class Search>
 Plan within_budget(const Problem& problem, const Options& options, const planning::Budget& budget,
@@ -130,6 +144,15 @@ Plan resume(const Problem& problem, const Interruption& at, const Options& optio
   validate(problem, at);
   Plan plan = within_budget(problem, options, budget,
                             [&](Query& query) { return searched_from(query, at); });
+  plan.resumed = at;
+  return plan;
+}
+
+Plan restart(const Problem& problem, const Interruption& at, const Options& options,
+             const planning::Budget& budget) {
+  validate(problem, at);
+  Plan plan = within_budget(problem, options, budget,
+                            [&](Query& query) { return searched_anew(query, at); });
   plan.resumed = at;
   return plan;
 }

@@ -47,7 +47,7 @@ void Query::refuse_press(const std::string& when, const Eigen::VectorXd& arm_par
 
 Eigen::Isometry3d Query::pressed_tip(const Planar& contact, double depth, double pitch) const {
   const Eigen::Vector2d heading = contact.linear().col(0);
-  const double shift = contact_shift(problem.hand, depth, pitch, pitch);
+  const double shift = contact_shift(problem.hand, depth, pitch, options.pitch);
   return X_WS * tip_pose(contact.translation() - shift * heading, top - depth, heading, pitch);
 }
 

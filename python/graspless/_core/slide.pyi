@@ -11,7 +11,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'depth_band', 'plan', 'resume', 'turning', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'depth_band', 'plan', 'restart', 'resume', 'turning', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -517,7 +517,7 @@ class Segment:
     @property
     def name(self) -> str:
         """
-        approach, press, slide, lift, reach, grasp or close.
+        approach, press, slide, lift, reach, grasp, close or retreat.
         """
     @property
     def object_poses(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -826,6 +826,14 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
     
     Raises ValueError on a bad problem or bad options.
+    """
+def restart(problem: Problem, at: Interruption, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
+    """
+    Plans an interrupted slide anew: retreat, approach, press, slide, lift, reach, grasp and close.
+    
+    A state from which no slide can begin is a status.
+    
+    Raises ValueError on a bad problem, options or interruption.
     """
 def resume(problem: Problem, at: Interruption, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """

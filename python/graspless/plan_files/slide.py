@@ -23,7 +23,7 @@ class Segment(Table):
 
     MAKE: ClassVar = slide.Segment
 
-    name: str = Field(description="approach, press, slide, lift, reach, grasp or close")
+    name: str = Field(description="approach, press, slide, lift, reach, grasp, close or retreat")
     positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
         description="[N][7] poses of the object, x y z qw qx qy qz in the world"

@@ -30,6 +30,7 @@ def slow(plan: Plan, settings: Settings) -> dict[str, Sequence[Pace]]:
     hand, speed = plan.task.problem.hand, settings.speed(defaults.CONTACT_SPEED)
     tip = [paces.frame_speed(settings.robot, hand.fingertip, speed)]
     return {
+        "retreat": tip,
         "press": tip,
         "slide": tip,
         "lift": tip,

@@ -125,6 +125,21 @@ TEST_P(OnASphere, FindsTheGateBetweenValidPairs) {
   EXPECT_GT(goal_->num_asked, 0);
 }
 
+TEST_P(OnASphere, ConnectsOneGivenStartWithManyGoals) {
+  planner_->set_start_region(nullptr);
+  ob::ScopedState<ob::RealVectorStateSpace> start(si_->getStateSpace());
+  const Eigen::Vector3d given(std::sin(0.2), 0, std::cos(0.2));
+  vector(start.get(), 3) = given;
+  setup_.setStartState(start);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Path path = solve(seed);
+    ASSERT_FALSE(path.empty()) << seed;
+    EXPECT_EQ(path.front(), given);
+    EXPECT_GT(path.back().x(), 0);
+    EXPECT_EQ(planner_->num_start_roots(), 1U);
+  }
+}
+
 TEST_P(OnASphere, PlannerDataIsTheForest) {
   ASSERT_FALSE(solve(1).empty());
   ob::PlannerData data(si_);

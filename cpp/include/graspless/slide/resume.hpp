@@ -33,4 +33,15 @@ GRASPLESS_API void validate(const Problem& problem, const Interruption& at);
 GRASPLESS_API Plan resume(const Problem& problem, const Interruption& at,
                           const Options& options = {}, const planning::Budget& budget = {});
 
+/// Plans a slide anew from the state in which one was interrupted: retreat, approach, press, slide,
+/// lift, reach, grasp and close. For a contact that was lost, or from which no way leads to a goal.
+///
+/// The segment `retreat` lifts the finger off, along the line on which the contact stands still if
+/// it presses on the object, straight up otherwise. Statuses are those of plan(), and: off_support
+/// (as in resume(), or the centre of mass is beyond the support's edge, so that the object would
+/// fall without the finger), contact_lost (the hand is not open, or the fingertip is deeper than
+/// its band) and start_in_collision (the finger cannot be lifted off).
+GRASPLESS_API Plan restart(const Problem& problem, const Interruption& at,
+                           const Options& options = {}, const planning::Budget& budget = {});
+
 }  // namespace graspless::slide

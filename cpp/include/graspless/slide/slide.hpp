@@ -76,8 +76,8 @@ struct Interruption {
 
 /// Part of a motion: Robot::step() between rows of `positions` is 0.05 rad at most.
 struct Segment {
-  std::string name;                        ///< approach, press, slide, lift, reach, grasp or close
-  std::vector<Eigen::VectorXd> positions;  ///< all joints [rad or m]
+  std::string name;  ///< approach, press, slide, lift, reach, grasp, close or retreat
+  std::vector<Eigen::VectorXd> positions;       ///< all joints [rad or m]
   std::vector<Eigen::Isometry3d> object_poses;  ///< X_WO at each row
 };
 
@@ -115,12 +115,12 @@ constexpr auto fields(const Statistics&) {
             "collision\" or \"pair: overhang\"."});
 }
 
-/// Result of plan() or resume(): a motion, or the reason why there is none.
+/// Result of plan(), resume() or restart(): a motion, or the reason why there is none.
 struct Plan {
   Status status = Status::not_connected;
   std::string reason;  ///< one sentence for the user
   std::vector<std::string> joint_names;
-  std::optional<Interruption> resumed;  ///< of a plan by resume(): its start. See resume.hpp
+  std::optional<Interruption> resumed;  ///< of resume() and restart(): where the plan begins
   std::vector<Segment> segments;
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g
