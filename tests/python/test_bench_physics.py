@@ -17,6 +17,7 @@ from graspless import TaskError, kinds, simulation
 from graspless.batches import manifest, pools
 from graspless.cli import main
 from graspless.simulation import Trial
+from graspless.simulation.slide import conditions
 from graspless.tasks import read_task
 from graspless_bench.physics import claims, report, tables, work
 from graspless_bench.physics import run as physics
@@ -35,6 +36,13 @@ def run_trial(plan, variation, *, record=False):
     return Trial(variation, failures, measures, seconds=0.25)
 
 
+def follow(plan, variation, seed, *, record=False):
+    """In closed loop a kick alone is a failure, and the errors are half as large."""
+    failures = ("stopped",) if variation.kick_yaw else ()
+    measures = {"position_error": 0.001, "angle_error": 0.01, "resumes": 2.0, "restarts": 1.0}
+    return Trial(variation, failures, measures, seconds=0.5)
+
+
 def disturb(plan):
     return {"segment": 0, "row": 2, "smallest": float("inf"), "z": 4.0, "compliant": 2.0,
             "ratio": float("inf"), "compliant_ratio": 0.9}  # fmt: skip
@@ -51,7 +59,11 @@ def physics_tasks(count, seed, finger_model="flexure"):
 def engine(monkeypatch):
     """A physics engine that is none, and problems for it; everything in this process."""
     measures = MEASURES | dict.fromkeys(SEQUENCES, "sequences")
-    kind = types.SimpleNamespace(FAILURES=FAILURES, MEASURES=measures, run=run_trial)
+    kind = types.SimpleNamespace(
+        FAILURES=FAILURES, MEASURES=measures, run=run_trial, follow=follow, draw=conditions.draw,
+        CONDITIONS=conditions.CONDITIONS, FOLLOWED_FAILURES={"stopped": "given up"},
+        FOLLOWED_MEASURES={"resumes": "plans", "restarts": "plans"},
+    )  # fmt: skip
     monkeypatch.setattr(simulation, "simulation_kind", lambda _: kind)
     monkeypatch.setattr(report, "simulation_kind", lambda _: kind)
     monkeypatch.setattr(report.importlib.metadata, "version", lambda _: "4")
@@ -252,6 +264,7 @@ def test_an_error_or_a_dead_worker_is_a_complaint(engine, monkeypatch):
     [
         (["--kind", "slide"], "slide"),
         (["--kind", "slide", "--ablation"], "slide_ablation"),
+        (["--kind", "slide", "--closed-loop"], "slide_closed_loop"),
         (["--kind", "fingertip"], "fingertip"),
         (["--kind", "fingertip", "--disturb"], "fingertip_disturb"),
         (["--kind", "clasp"], "clasp"),
@@ -273,12 +286,41 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
     for claim in claims.CLAIMS[part]:
         asked = claim.of == "disturbed" or part != "fingertip_disturb"
         assert (f"| {claim.what} |" in page) == asked
-    if part == "fingertip_disturb":
+    if part == "slide_closed_loop":
+        assert "| kick, closed | 2 | 0 | 1 | 1 | 1 |" in page
+        assert "stopped 2" in page
+    elif part == "fingertip_disturb":
         assert result["rows"][0]["disturbed"]["ratio"] is None
         assert "| z [N] | 2 | 4 | 4 | 4 |" in page
     else:
         assert "| fell | 0 |" in page
         assert "position error" in page
+
+
+def test_each_condition_is_tried_in_both_loops_with_the_same_difference(engine):
+    row = physics.run(physics.Grid("slide", runs=1, closed_loop=True)).rows[0]
+    names = [f"{name}, {loop}" for name in conditions.CONDITIONS for loop in ("open", "closed")]
+    assert row["of"] == names
+    assert all(len(values) == len(names) for values in row["measures"].values())
+    failed = dict(zip(names, row["failures"], strict=True))
+    assert failed["kick, closed"] == ["stopped"]
+    assert failed["start, closed"] == []
+    opened = dict(zip(names, row["measures"]["position_error"], strict=True))
+    assert opened["none, open"] == 0.001
+    assert opened["start, open"] > 0.001
+    found = {
+        (c["name"], c["of"]): c
+        for c in tables.claims({"part": "slide_closed_loop", "rows": [row]})[0]
+    }
+    kick = found["held and lifted", "kick, closed"]
+    assert (kick["held"], kick["asked"], kick["must"]) == (0, 1, 0.98)
+    assert found["held and lifted", "mass, closed"]["held"] == 1
+    assert ("held and lifted", "none, open") in found
+    near = found["within 3 mm and 2 deg", "table, closed"]
+    assert (near["held"], near["must"], near["goal"]) == (1, None, 0.95)
+    rows, _ = tables.conditions({"rows": [row]})
+    closed = next(row for row in rows if row["name"] == "friction, closed")
+    assert (closed["plans"], closed["position_error"]["median"]) == (3, 1)
 
 
 def test_the_ablation_is_the_papers_finger(engine):
@@ -298,7 +340,7 @@ def test_files_of_before_still_make_a_page(tmp_path):
         (tmp_path / path.name).write_text(json.dumps(result))
     report.write_page(tmp_path)
     page = (tmp_path / "physics.md").read_text()
-    assert page.count("| `graspless bench physics --kind") == len(files) == 5
+    assert page.count("| `graspless bench physics --kind") == len(files) == 6
     _, ablation = page.split("commanded tip\n", 1)
     assert re.search(r"\| off target \| \d+ \| – \|", ablation.split("\n## ")[0])
     assert re.search(r"\| smallest disturbance that moves a corner by 5 mm / z \| \d+ \|", page)
@@ -325,10 +367,13 @@ def test_results_were_made_by_this_code(part):
     path = Path(__file__).parents[2] / "docs" / "results" / f"physics_{part}.json"
     result = json.loads(path.read_text())
     kind = simulation.simulation_kind(result["kind"])
-    for field, names in {"failures": kind.FAILURES, "measures": kind.MEASURES}.items():
+    failures, measures = kind.FAILURES, kind.MEASURES
+    if part.endswith("_closed_loop"):
+        failures, measures = failures | kind.FOLLOWED_FAILURES, measures | kind.FOLLOWED_MEASURES
+    for field, names in {"failures": failures, "measures": measures}.items():
         assert set(result[field]) == set(names), f"{path.name} is old: run its command again"
     for row in result["rows"]:
-        assert set(row["measures"]) in (set(), set(kind.MEASURES)), f"{path.name} is old"
+        assert set(row["measures"]) in (set(), set(measures)), f"{path.name} is old"
 
 
 @pytest.mark.parametrize(
@@ -336,6 +381,8 @@ def test_results_were_made_by_this_code(part):
     [
         (physics.Grid("clasp", 1, is_ablation=True), "--ablation: clasp has none"),
         (physics.Grid("slide", 1, disturb=True), "--disturb: slide plans have no stability margin"),
+        (physics.Grid("clasp", 1, closed_loop=True), "--closed-loop: clasp: only slide plans"),
+        (physics.Grid("slide", 1, is_ablation=True, closed_loop=True), "--closed-loop: --ablation"),
         (physics.Grid("slide", 0), "--runs: 0: should be at least 1"),
         (physics.Grid("slide", 1, seed=-1), "--seed: -1: should not be negative"),
     ],

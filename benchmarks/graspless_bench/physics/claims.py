@@ -8,6 +8,10 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from graspless.simulation.slide.conditions import CONDITIONS
+
+from .work import CLOSED, OPEN
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
@@ -26,7 +30,7 @@ class Claim:
     what : str
         Description.
     of : str
-        NOMINAL or VARIED trials, or DISTURBED plans.
+        NOMINAL or VARIED trials, a condition and a loop ("kick, closed"), or DISTURBED plans.
     holds : function
         Returns True if a trial fulfils it, by its failures and measures, or its disturbance. None:
         it does not apply.
@@ -49,7 +53,7 @@ def cases(rows: list[Row], of: str) -> Iterator[Row]:
                 yield row["disturbed"]
             continue
         for k, failures in enumerate(row["failures"]):
-            if (k == 0) == (of == NOMINAL):
+            if (row["of"][k] if "of" in row else VARIED if k else NOMINAL) == of:
                 figures = {name: values[k] for name, values in row["measures"].items()}
                 yield {"failures": failures, "seconds": row["seconds"][k], **figures}
 
@@ -114,6 +118,24 @@ def _clasped_dragged(case: Row) -> bool | None:
     return None if held is None else _CLASPED_LOCKED(case) and held == case["sequences"]
 
 
+def _in_closed_loop(condition: str) -> list[Claim]:
+    """Returns the claims on a condition."""
+    of = f"{condition}, {CLOSED}"
+    return [
+        Claim("held and lifted", f"{condition}, {OPEN}", lambda case: not case["failures"]),
+        Claim("held and lifted", of, lambda case: not case["failures"], 0.98, 0.995),
+        _within(of, 5, 3, 0.95, None),
+        _within(of, 3, 2, None, 0.95),
+    ]
+
+
+def _within(
+    of: str, position: float, angle: float, must: float | None, goal: float | None
+) -> Claim:
+    limits = {"position_error": position / 1000, "angle_error": angle * DEGREE}
+    return Claim(f"within {position:g} mm and {angle:g} deg", of, _at_most(limits), must, goal)
+
+
 CLAIMS: dict[str, list[Claim]] = {
     "slide": [
         _arrives(NOMINAL, 5, 0.95, 0.995),
@@ -128,6 +150,9 @@ CLAIMS: dict[str, list[Claim]] = {
         Claim("lifted", NOMINAL, _LIFTED),
         _arrives(VARIED, 10),
         Claim("lifted", VARIED, _LIFTED),
+    ],
+    "slide_closed_loop": [
+        claim for condition in CONDITIONS for claim in _in_closed_loop(condition)
     ],
     "fingertip": [
         _vertices(NOMINAL, 1, 0.95, None),

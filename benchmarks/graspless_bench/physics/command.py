@@ -51,6 +51,11 @@ def add_parser(experiments: Any) -> None:
         action="store_true",
         help="fingertip: instead of trials, the smallest wrench that breaks the weakest row (slow)",
     )
+    parser.add_argument(
+        "--closed-loop",
+        action="store_true",
+        help="slide: instead of trials, each condition in open and in closed loop",
+    )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write physics_KIND.json and physics.md there"
@@ -66,8 +71,9 @@ def _run(options: argparse.Namespace) -> int:
     from .run import RUNS, Grid, run
 
     runs = options.runs or RUNS[options.kind]
-    trials = 1 if options.disturb else options.trials
-    grid = Grid(options.kind, runs, trials, options.seed, options.ablation, options.disturb)
+    trials = 1 if options.disturb or options.closed_loop else options.trials
+    flags = options.ablation, options.disturb, options.closed_loop
+    grid = Grid(options.kind, runs, trials, options.seed, *flags)
     grid.check()
     simulation_kind(grid.kind)  # there is one
     log = None

@@ -7,7 +7,7 @@ from __future__ import annotations
 import importlib.metadata
 import json
 import string
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from graspless.simulation import simulation_kind
 
@@ -23,12 +23,13 @@ if TYPE_CHECKING:
     from ..machine import Row
     from .run import Run
 
-PARTS = ("slide", "slide_ablation", "fingertip", "fingertip_disturb", "clasp")
+PARTS = ("slide", "slide_ablation", "slide_closed_loop", "fingertip", "fingertip_disturb", "clasp")
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:
     """Returns all of a run. `load`: load averages before it."""
-    kind = simulation_kind(run.grid.kind)
+    kind: Any = simulation_kind(run.grid.kind)
+    followed = run.grid.closed_loop
     return {
         "bench": "physics",
         "kind": run.grid.kind,
@@ -37,8 +38,8 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
         "trials": run.grid.trials,
         "complete": run.is_complete,
         "totals": tables.totals(run.rows),
-        "measures": kind.MEASURES,
-        "failures": kind.FAILURES,
+        "measures": kind.MEASURES | (kind.FOLLOWED_MEASURES if followed else {}),
+        "failures": kind.FAILURES | (kind.FOLLOWED_FAILURES if followed else {}),
         "rows": run.rows,
         "complaints": run.complaints,
         "machine": machine.machine(load, 0),
@@ -83,6 +84,8 @@ def write_page(directory: Path) -> None:
 
 def _tables(result: Row) -> dict[str, tables.Table]:
     asked = {"requirement": tables.claims(result)}
+    if result["part"].endswith("_closed_loop"):
+        return asked | {"condition": tables.conditions(result)}
     if result["part"].endswith("_disturb"):
         return asked | {"disturbance": tables.disturbances(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
@@ -95,7 +98,7 @@ def _short(shown: list[tables.Column]) -> list[tables.Column]:
 def _fields(result: Row) -> dict[str, str]:
     """Returns the fields that a section of the template may use: counts and tables."""
     names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
-    shown = {"disturbance": "disturbances"} | names
+    shown = {"disturbance": "disturbances", "condition": "conditions"} | names
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
     return dict.fromkeys(shown.values(), "") | fields | {"counts": _counts(result["totals"])}
 

@@ -45,6 +45,8 @@ class Grid:
         Slide plans by the paper's formula on the commanded tip.
     disturb : bool
         Instead of trials: the smallest wrench that breaks a fingertip plan.
+    closed_loop : bool
+        Instead of varied trials: each slide plan in each condition, in open and in closed loop.
     """
 
     kind: str
@@ -53,11 +55,17 @@ class Grid:
     seed: int = 1
     is_ablation: bool = False
     disturb: bool = False
+    closed_loop: bool = False
 
     @property
     def part(self) -> str:
         """Name of the results in physics_PART.json."""
-        return self.kind + "_ablation" * self.is_ablation + "_disturb" * self.disturb
+        flags = {
+            "_ablation": self.is_ablation,
+            "_disturb": self.disturb,
+            "_closed_loop": self.closed_loop,
+        }
+        return self.kind + "".join(name for name, is_set in flags.items() if is_set)
 
     def check(self) -> None:
         """Raises TaskError unless there is such a grid."""
@@ -68,6 +76,9 @@ class Grid:
             raise TaskError(f"--seed: {self.seed}: should not be negative")
         if self.is_ablation and self.kind != "slide":
             raise TaskError(f"--ablation: {self.kind} has none (slide has)")
+        if self.closed_loop and (self.kind != "slide" or self.is_ablation):
+            what = "--ablation" if self.is_ablation else self.kind
+            raise TaskError(f"--closed-loop: {what}: only slide plans are followed")
         if self.disturb and self.kind != "fingertip":
             raise TaskError(
                 f"--disturb: {self.kind} plans have no stability margin (fingertip plans do)"
@@ -78,7 +89,15 @@ class Grid:
         for k, task in enumerate(self._tasks()):
             name = f"{k:03} {task.source.file.removeprefix('bench: ')}"
             finger = "flexure" if self.is_ablation else None
-            yield work.Query(name, task.to_dict(), self.trials, self.seed + k, self.disturb, finger)
+            yield work.Query(
+                name,
+                task.to_dict(),
+                self.trials,
+                self.seed + k,
+                self.disturb,
+                finger,
+                self.closed_loop,
+            )
 
     def _tasks(self) -> Iterator[Task]:
         module = importlib.import_module(f".{self.kind}_tasks", __package__)

@@ -96,6 +96,27 @@ def measures(result: Row) -> Table:
     return rows, MEASURE_COLUMNS
 
 
+def conditions(result: Row) -> Table:
+    """Returns the trials of each condition in open and in closed loop."""
+    of = dict.fromkeys(name for row in result["rows"] for name in row.get("of", ()))
+    rows = []
+    for name in of:
+        seen = list(cases(result["rows"], name))
+        kinds = Counter(f.replace("_", " ") for case in seen for f in case["failures"])
+        row: Row = {
+            "name": name,
+            "trials": len(seen),
+            "held": sum(not case["failures"] for case in seen),
+            "plans": sum(int(case.get(n) or 0) for case in seen for n in ("resumes", "restarts")),
+            "failures": ", ".join(f"{kind} {count}" for kind, count in kinds.most_common()),
+        }
+        for measure, unit in (("position_error", "m"), ("angle_error", "rad")):
+            known = [case[measure] for case in seen if case[measure] is not None]
+            row[measure] = {q: _quantile(known, f, UNITS[unit][0]) for q, f in SHOWN.items()}
+        rows.append(row)
+    return rows, CONDITION_COLUMNS
+
+
 def disturbances(result: Row) -> Table:
     """Returns quantiles of the smallest disturbances, without plans that nothing broke."""
     rows = []
@@ -163,6 +184,21 @@ FAILURE_COLUMNS: list[Column] = [
 MEASURE_COLUMNS: list[Column] = [
     *(_of(of, quantile) for of in (NOMINAL, VARIED) for quantile in SHOWN),
     (MEANING, lambda r: r["means"]),
+]
+
+
+def _error(measure: str, quantile: str, unit: str) -> Column:
+    title = f"{measure.partition('_')[0]} {quantile} [{unit}]"
+    return title, lambda r: _figure(r[measure][quantile])
+
+
+CONDITION_COLUMNS: list[Column] = [
+    ("trials", lambda r: str(r["trials"])),
+    ("held", lambda r: str(r["held"])),
+    *(_error("position_error", quantile, "mm") for quantile in SHOWN),
+    *(_error("angle_error", quantile, "deg") for quantile in SHOWN),
+    ("new plans", lambda r: str(r["plans"])),
+    ("failures", lambda r: r["failures"] or "–"),
 ]
 
 

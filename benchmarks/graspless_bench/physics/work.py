@@ -15,12 +15,15 @@ from graspless.kinds import part
 from graspless.tasks.digest import digest
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
     from graspless._plan import Plan
     from graspless.simulation import Trial
 
     from ..machine import Row
 
 DIGITS = 5  # of a figure in a row
+LOOPS = OPEN, CLOSED = "open", "closed"
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,8 @@ class Query:
         Instead of trials: the smallest wrench that breaks the weakest row of a fingertip plan.
     executing_finger : str, optional
         Finger model that executes a slide; default: the one that it was planned with.
+    closed_loop : bool
+        Instead of varied trials: a trial of each condition, in open and in closed loop.
     """
 
     name: str
@@ -49,6 +54,7 @@ class Query:
     seed: int
     disturb: bool = False
     executing_finger: str | None = None
+    closed_loop: bool = False
 
     @property
     def key(self) -> str:
@@ -79,7 +85,9 @@ def _measure(query: Query) -> Row:
     }
     if not plan or faults:
         return row
-    return row | (_disturbed(plan) if query.disturb else _tried(plan, query))
+    if query.disturb:
+        return row | _disturbed(plan)
+    return row | (_followed(plan, query) if query.closed_loop else _tried(plan, query))
 
 
 def unknown(query: Query, status: str, reason: str) -> Row:
@@ -109,7 +117,25 @@ def _tried(plan: Plan, query: Query) -> Row:
         document["task"]["hand"]["finger_model"] = query.executing_finger
         plan = read_plan(json.dumps(document), query.name)
     trials = simulation.simulate(plan, query.trials, query.seed).trials
-    names = simulation.simulation_kind(plan.kind).MEASURES
+    return _trials(trials, simulation.simulation_kind(plan.kind).MEASURES)
+
+
+def _followed(plan: Plan, query: Query) -> Row:
+    from graspless import simulation
+
+    kind: Any = simulation.simulation_kind(plan.kind)
+    asked = [(condition, loop) for condition in kind.CONDITIONS for loop in LOOPS]
+    trials = [
+        simulation.simulate(
+            plan, 1, query.seed, condition=condition, closed_loop=loop == CLOSED
+        ).trials[0]
+        for condition, loop in asked
+    ]
+    of = [f"{condition}, {loop}" for condition, loop in asked]
+    return {"of": of, **_trials(trials, kind.MEASURES | kind.FOLLOWED_MEASURES)}
+
+
+def _trials(trials: Sequence[Trial], names: Iterable[str]) -> Row:
     return {
         "failures": [list(trial.failures) for trial in trials],
         "measures": {name: [_measured(trial, name) for trial in trials] for name in names},

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from .estimate import Noise
-from .follower import RETREAT, Follower
+from .follower import Follower
 from .settings import Settings, Target
 
-__all__ = ["RETREAT", "Follower", "Noise", "Settings", "Target"]
+__all__ = ["Follower", "Noise", "Settings", "Target"]

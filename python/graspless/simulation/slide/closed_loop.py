@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
-from ...following import RETREAT, Follower
+from ...following import Follower
+from ...following.follower import RETREAT
 from . import Execution
 from .program import HOLD, Command, Program, make_end
 
