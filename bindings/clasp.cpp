@@ -260,14 +260,16 @@ void bind_stability(py::module_& m) {
   py::class_<Stability> found(m, "Stability", "Result of the stability test.");
   bind_fields(
       found, "Any field by keyword; the others keep their defaults.",
-      Field{
-          "secure", &Stability::secure,
-          "True if the loop escaped in no sequence, and the load asks for no more than the effort "
-          "limits."},
+      Field{"secure", &Stability::secure,
+            "True if the loop escaped in no sequence and, for a hand of two fingers, if its motors "
+            "withstand the load."},
       Field{"escapes", &Stability::escapes, "Number of sequences in which the loop escaped."},
-      Field{"effort", &Stability::effort,
-            "Largest effort that the load asks of a joint of a hand of two fingers, as a fraction "
-            "of its limit; 0 if that was not tested."},
+      Field{"withstands", &Stability::withstands,
+            "Largest force that may act suddenly in any direction, with moments in proportion as "
+            "in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if "
+            "none does, 0 if that was not tested."},
+      Field{"opens_first", &Stability::opens_first,
+            "The joint that gives way first; empty if none does."},
       Field{"margin", &Stability::margin, "1: the object cannot move; 0 or less: it escaped."},
       Field{"checks", &Stability::checks, "Number of poses checked."});
 }

@@ -66,7 +66,7 @@ std::string insecure(const Query& query) {
   const StabilityOptions& load = query.options.stability;
   std::ostringstream out;
   out << "clasps were found, but the object came free of ";
-  if (!std::isfinite(query.least_effort) && query.best_pinch.press == 0) {
+  if (query.most_withstood == 0 && query.best_pinch.press == 0) {
     out << "all " << query.statistics.stability_tests << " in the stability test";
     return out.str();
   }
@@ -76,8 +76,8 @@ std::string insecure(const Query& query) {
       << " in the stability test";
   if (opened > 0) {
     out << ", and a sudden " << load.force << " N and " << load.torque
-        << " Nm force open the others: they ask for " << query.least_effort
-        << " times the effort limits or more (";
+        << " Nm force open the others: they withstand " << query.most_withstood
+        << " N or less (effort limits of the hand: ";
     for (const int joint : robot.group(query.problem.hand.hand)) {
       out << robot.joint_names()[static_cast<std::size_t>(joint)] << ": "
           << robot.max_effort()[joint] << (robot.step_weights()[joint] > 1 ? " N; " : " Nm; ");
@@ -119,6 +119,13 @@ std::optional<Pinch> pinched(Query& query, const Eigen::VectorXd& q) {
   return pinch.holds ? std::optional(pinch) : std::nullopt;
 }
 
+/// What a clasp must withstand to be accepted [N].
+double enough(const Query& query) {
+  const bool must_withstand =
+      query.options.must_be_secure && query.problem.hand.fingers.size() == 1;
+  return must_withstand ? query.options.stability.force : 0;
+}
+
 /// Runs the stability test and, if the loop escapes, that of a pinch. If the clasp must hold, a
 /// failure of both in the first sequence ends them.
 void test(Query& query, int loop, Clasp& clasp) {
@@ -135,8 +142,10 @@ void test(Query& query, int loop, Clasp& clasp) {
   clasp.stability = query.tester->test(q, loop_O, first);
   if (!clasp.stability.secure) clasp.pinch = pinched(query, q);
   if (query.options.must_be_secure && (clasp.stability.secure || clasp.pinch)) {
-    clasp.stability = query.tester->test(q, loop_O, query.options.stability);
+    clasp.stability = query.tester->test(q, loop_O, query.options.stability, enough(query));
     if (!clasp.stability.secure && !clasp.pinch) clasp.pinch = pinched(query, q);
+    if (clasp.pinch && clasp.stability.withstands > 0)
+      clasp.stability = query.tester->test(q, loop_O, query.options.stability);
   }
   ++query.statistics.stability_tests;
   query.statistics.stability_seconds += query.clock.seconds() - before;
@@ -175,8 +184,9 @@ std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
   clasp.target_W = *held;
   test(query, search.task().loop, clasp);
   if (query.options.must_be_secure && !clasp.stability.secure && !clasp.pinch) {
-    if (clasp.stability.effort == 0) return refused(kNotSecure);
-    query.least_effort = std::min(query.least_effort, clasp.stability.effort);
+    const double withstands = clasp.stability.withstands;
+    if (withstands == 0 || withstands >= enough(query)) return refused(kNotSecure);
+    query.most_withstood = std::max(query.most_withstood, withstands);
     return refused(kForcedOpen);
   }
   return clasp;

@@ -3,6 +3,8 @@
 //
 // The planner of Stork 2013, Section IV: selects loops and targets, grows a task-space RRT per
 // loop, closes the fingers, and tests the stability. Margins name the paper's sections.
+#include <cmath>
+
 #include "clasp/assemble.hpp"
 #include "clasp/query.hpp"
 #include "clasp/search/loop_search.hpp"
@@ -46,6 +48,18 @@ Eigen::VectorXd opened(Query& query, Plan& plan) {
   return problem.q_start;
 }
 
+/// Warns of joints of the hand whose strength is unknown.
+void warn_of_missing_limits(const Problem& problem, const Options& options, Plan& plan) {
+  if (options.stability.force == 0) return;
+  for (const int joint : problem.robot.group(problem.hand.hand)) {
+    if (std::isfinite(problem.robot.max_effort()[joint])) continue;
+    plan.warnings.push_back("joint '" +
+                            problem.robot.joint_names()[static_cast<std::size_t>(joint)] +
+                            "' of the hand has no effort limit above 0 in the URDF; what the "
+                            "motors withstand is computed as if it never gave way");
+  }
+}
+
 Status failure(const Query& query) {
   if (query.clock.was_interrupted()) return Status::interrupted;
   const auto refused = [&](const char* why) { return query.statistics.refusals.count(why) > 0; };
@@ -70,6 +84,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
   if (problem.object.loops().loops.empty()) return without_hole(problem, clock);
   Query query(problem, options, clock, seed);
   Plan plan;
+  warn_of_missing_limits(problem, options, plan);
   std::vector<std::unique_ptr<LoopSearch>> searches;
   if (is_start_free(query, plan)) {
     const Eigen::VectorXd q_init = opened(query, plan);

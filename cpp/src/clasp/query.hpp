@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <random>
 #include <string>
@@ -36,8 +35,8 @@ struct Query {
   std::optional<PinchTester> pinch_tester;  ///< the same, for hands of two fingers
   Statistics statistics;
   // Of clasps that were refused:
-  double least_effort = std::numeric_limits<double>::infinity();  ///< that a load asked
-  Pinch best_pinch;                                               ///< the one that resists most
+  double most_withstood = 0;  ///< where the load is more [N]
+  Pinch best_pinch;           ///< the one that resists most
 
   /// Test of pinches, made at its first use.
   PinchTester& pinching() {

@@ -314,7 +314,7 @@ class StabilityOptions:
     @property
     def force(self) -> float:
         """
-        Force on the object, in any direction, that a hand of two fingers must withstand when it acts suddenly. At least the object's weight; the default is that of 250 g.
+        Force on the object, in any direction, that the motors of the hand should withstand when it acts suddenly. A hand of two fingers must. At least the object's weight; the default is that of 250 g.
         
         Unit: N. Range: [0, 1e+06]. Default: 2.5.
         """
@@ -374,7 +374,7 @@ class StabilityOptions:
     @property
     def torque(self) -> float:
         """
-        Moment about the mean of the object's points that it must withstand together with the force. Where both are 0, forces are not tested.
+        Moment about the mean of the object's points that they should withstand together with the force. Where both are 0, forces are not tested.
         
         Unit: Nm. Range: [0, 1e+06]. Default: 0.15.
         """
@@ -395,7 +395,7 @@ class Stability:
     """
     Result of the stability test.
     """
-    def __init__(self, *, secure: bool = False, escapes: typing.SupportsInt | typing.SupportsIndex = 0, effort: typing.SupportsFloat | typing.SupportsIndex = 0.0, margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, checks: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
+    def __init__(self, *, secure: bool = False, escapes: typing.SupportsInt | typing.SupportsIndex = 0, withstands: typing.SupportsFloat | typing.SupportsIndex = 0.0, opens_first: str = '', margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, checks: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -408,14 +408,6 @@ class Stability:
         """
     @checks.setter
     def checks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-    @property
-    def effort(self) -> float:
-        """
-        Largest effort that the load asks of a joint of a hand of two fingers, as a fraction of its limit; 0 if that was not tested.
-        """
-    @effort.setter
-    def effort(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def escapes(self) -> int:
@@ -434,12 +426,28 @@ class Stability:
     def margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def opens_first(self) -> str:
+        """
+        The joint that gives way first; empty if none does.
+        """
+    @opens_first.setter
+    def opens_first(self, arg0: str) -> None:
+        ...
+    @property
     def secure(self) -> bool:
         """
-        True if the loop escaped in no sequence, and the load asks for no more than the effort limits.
+        True if the loop escaped in no sequence and, for a hand of two fingers, if its motors withstand the load.
         """
     @secure.setter
     def secure(self, arg0: bool) -> None:
+        ...
+    @property
+    def withstands(self) -> float:
+        """
+        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested.
+        """
+    @withstands.setter
+    def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Pinch:
     """

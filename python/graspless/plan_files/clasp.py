@@ -52,11 +52,12 @@ class Stability(Table):
     secure: bool
     escapes: Index = Field(description="number of sequences of moves in which the loop escaped")
     margin: float = Field(description="1: the loop cannot move; 0 or less: it escaped")
-    effort: NotNegative = Field(
+    withstands: NotNegative = Field(
         default=0.0,
-        description="largest effort that the load asks of a joint of a hand of two fingers, as a "
-        "fraction of its limit; 0 if that was not tested",
+        description="largest sudden force in any direction, with moments in proportion as in the "
+        "options, before a joint gives way [N]; 1e6 if none does, 0 if that was not tested",
     )
+    opens_first: str = Field(default="", description="the joint that gives way first, if any")
     checks: Index = Field(description="number of poses checked")
 
 

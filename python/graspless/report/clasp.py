@@ -52,8 +52,10 @@ def lines(plan: Plan) -> list[str]:
     found.append(f"{held}: the loop escapes in {escapes}, {margin}")
     load = plan.task.options.stability
     asked = f"{load.force:g} N and {load.torque:g} Nm"
-    if stability.effort > 0:
-        found.append(f"{asked} ask for {stability.effort:.2f} of the hand's effort limits")
+    if stability.opens_first:
+        moment = stability.withstands * load.torque / load.force
+        sudden = f"a sudden {stability.withstands:.2g} N with {moment:.2g} Nm in any direction"
+        found.append(f"its motors withstand {sudden}; then {stability.opens_first} opens first")
     if plan.pinch is not None:
         friction = f"friction {plan.task.options.friction:g} holds it all the same"
         press = f"fingers that press with {plan.pinch.press:.0f} N"
@@ -77,7 +79,7 @@ def _target(plan: Plan) -> dict[str, list[float]] | None:
 
 
 def _stability(plan: Plan) -> dict[str, Any] | None:
-    names = ("secure", "escapes", "margin", "effort", "checks")
+    names = ("secure", "escapes", "margin", "withstands", "opens_first", "checks")
     found = plan.stability
     return None if found is None else {name: getattr(found, name) for name in names}
 

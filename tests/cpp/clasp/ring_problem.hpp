@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "graspless/clasp/clasp.hpp"
 
@@ -26,10 +27,10 @@ inline Eigen::Matrix3Xd ring_cloud(double radius, double thickness, int round = 
   return p;
 }
 
-/// A ring of 24 cm in front of the KR 5 with the SDH, whose hand looks at it.
-inline Problem ring_problem() {
+/// A ring of 24 cm in front of the KR 5, whose hand looks at it.
+inline Problem ring_problem(const std::string& name = "kr5_sdh") {
   static const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
-  const RobotWithHand r = robot_with_hand("kr5_sdh");
+  const RobotWithHand r = robot_with_hand(name);
   Problem problem{r.robot, r.hand, ring, Eigen::Isometry3d::Identity(), {}, at_home(r, "open"),
                   {},      {},     {}};
   problem.X_WO.translation() = Eigen::Vector3d(0.6, 0, 0.5);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -50,12 +51,13 @@ constexpr auto fields(const StabilityOptions&) {
             "hand's centre. 0: half the length of the longest finger curve, the reach of any hand.",
             Range::closed(0, 10)},
       Field{"force", &Options::force, "N",
-            "Force on the object, in any direction, that a hand of two fingers must withstand when "
-            "it acts suddenly. At least the object's weight; the default is that of 250 g.",
+            "Force on the object, in any direction, that the motors of the hand should withstand "
+            "when it acts suddenly. A hand of two fingers must. At least the object's weight; the "
+            "default is that of 250 g.",
             Range::closed(0, 1e6)},
       Field{"torque", &Options::torque, "Nm",
-            "Moment about the mean of the object's points that it must withstand together with the "
-            "force. Where both are 0, forces are not tested.",
+            "Moment about the mean of the object's points that they should withstand together with "
+            "the force. Where both are 0, forces are not tested.",
             Range::closed(0, 1e6)},
       Field{"seed", &Options::seed, "", "Seed of the random moves.", Range::not_negative()});
 }
@@ -65,12 +67,15 @@ GRASPLESS_API void validate(const StabilityOptions& options);
 
 /// Result of the stability test.
 struct Stability {
-  /// True if the loop escaped in no sequence, and the load asks for no more than the effort limits.
+  /// True if the loop escaped in no sequence and, for a hand of two fingers, if its motors
+  /// withstand the load.
   bool secure = false;
   int escapes = 0;  ///< number of sequences in which the loop escaped
-  /// Largest effort that `force` and `torque`, acting suddenly, ask of a joint of a hand of two
-  /// fingers, as a fraction of its limit in the URDF; 0 if that was not tested.
-  double effort = 0;
+  /// Largest force that may act suddenly in any direction, with moments in proportion as in the
+  /// options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if
+  /// that was not tested or the loop escaped.
+  double withstands = 0;
+  std::string opens_first;  ///< the joint that gives way first, if any
   /// 1 - r / escape_distance, where r is the largest distance of the loop from the hand's centre in
   /// any sequence. 1: the object cannot move; 0 or less: it escaped.
   double margin = 0;
@@ -106,12 +111,13 @@ GRASPLESS_API Pinch test_pinch(const Problem& problem, const Eigen::VectorXd& q,
 /// hand's centre is that of the bounding box of the finger curves. A move without a hit ends after
 /// twice the escape distance or a full turn.
 ///
-/// The fingers of a hand of two must also withstand a load: force and torque along the axes of the
-/// palm, all 36 pairs. The object moves under the load, without friction, until the hand blocks it,
-/// and twice the contact forces there must not exceed the effort limits of the joints: a load that
-/// acts suddenly asks for twice its force. Throws
-/// std::invalid_argument on an invalid problem, loop or configuration, and if a joint of such a
-/// hand has no effort limit.
+/// If the loop did not escape, loads act on the object: force and torque along the axes of the
+/// palm, all 36 pairs. The object moves under the load, without friction, until the hand blocks it.
+/// A joint gives way where the load would gain more work than its motor does at the effort limit. A
+/// load that acts suddenly counts twice. Joints that close may be forced open, and those that do
+/// not, to both sides; a joint without a limit never gives way. Throws std::invalid_argument on an
+/// invalid problem, loop or configuration, and if a joint of a hand of two fingers has no effort
+/// limit.
 GRASPLESS_API Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,
                                        const StabilityOptions& options = {});
 

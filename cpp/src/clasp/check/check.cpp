@@ -141,9 +141,11 @@ void PlanChecker::check_stability() {
   const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
   if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||
       !(std::abs(found.margin - plan_.stability.margin) <= kTolerance) ||
-      !(std::abs(found.effort - plan_.stability.effort) <= kTolerance)) {
+      !(std::abs(found.withstands - plan_.stability.withstands) <= kTolerance * found.withstands) ||
+      found.opens_first != plan_.stability.opens_first) {
     fault("plan", "stability is not what its test says: ", found.escapes, " escapes, margin ",
-          found.margin, ", effort ", found.effort);
+          found.margin, ", withstands ", found.withstands, " N until '", found.opens_first,
+          "' opens");
   }
   if (!found.secure) check_pinch();
   if (found.secure && comes_free(problem_, plan_.loop, q_end()))

@@ -30,7 +30,7 @@ constexpr double kReach = 0.025;     // a point farther from a shape never meets
 constexpr double kRound = 0.0005;    // radius by which edges of links are rounded [m]
 constexpr double kArm = 20;          // length that makes lengths of angles [mm]
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
-constexpr int kMoves = 10;
+constexpr int kMoves = 6;
 
 /// Motion of a body whose step is given in mm, about a point.
 Eigen::Isometry3d motion(const Vector6d& move, const Vector3d& center_W) {
@@ -67,16 +67,21 @@ LoadTester::LoadTester(const Problem& problem)
     : problem_(problem), mean_O_(problem.object.points().rowwise().mean()) {
   const robot::Robot& robot = problem.robot;
   const VectorXd open = robot.state(problem.hand.open), closed = robot.state(problem.hand.closed);
+  std::vector<double> directions;
   for (const int joint : robot.group(problem.hand.hand)) {
-    if (open[joint] != closed[joint]) joints_.push_back(joint);
+    if (!std::isfinite(robot.max_effort()[joint])) continue;
+    for (const double direction : {1.0, -1.0}) {
+      if (direction * (closed[joint] - open[joint]) > 0) continue;
+      joints_.push_back(joint);
+      directions.push_back(direction);
+    }
   }
   const auto count = static_cast<Eigen::Index>(joints_.size());
-  directions_.resize(count);
+  directions_ = Eigen::Map<const VectorXd>(directions.data(), count);
   limits_.resize(count);
   units_.resize(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const int joint = joints_[static_cast<std::size_t>(j)];
-    directions_[j] = open[joint] > closed[joint] ? 1 : -1;
     const bool slides = robot.step_weights()[joint] > 1;
     units_[j] = slides ? 1 : kMetre;
     limits_[j] = robot.max_effort()[joint] * units_[j];
@@ -90,11 +95,17 @@ LoadTester::Posture LoadTester::posture(const VectorXd& q, const Vector3d& cente
   problem_.robot.forward(q, hand.X_WL);
   for (const Eigen::Isometry3d& X : hand.X_WL) hand.X_LW.push_back(X.inverse());
   hand.twists.assign(hand.X_WL.size(), mechanics::Matrix6Xd(6, directions_.size()));
+  VectorXd ways = directions_;  // 0 where a joint is at its stop
+  for (Eigen::Index j = 0; j < ways.size(); ++j) {
+    const int joint = joints_[static_cast<std::size_t>(j)];
+    const double stop = (ways[j] > 0 ? problem_.robot.upper() : problem_.robot.lower())[joint];
+    if (ways[j] * (stop - q[joint]) <= 0) ways[j] = 0;
+  }
   mechanics::Matrix6Xd J;
   for (std::size_t link = 0; link < hand.X_WL.size(); ++link) {
     problem_.robot.jacobian(static_cast<int>(link), hand.X_WL, J);
     for (Eigen::Index j = 0; j < directions_.size(); ++j) {
-      const Vector6d velocity = directions_[j] * J.col(joints_[static_cast<std::size_t>(j)]);
+      const Vector6d velocity = ways[j] * J.col(joints_[static_cast<std::size_t>(j)]);
       const Vector3d spin = velocity.tail<3>();
       hand.twists[link].col(j) << velocity.head<3>() - spin.cross(hand.X_WL[link].translation()),
           spin;
@@ -167,11 +178,11 @@ LoadContact LoadTester::contact(const Vector3d& p_W, const Body& body, const Pos
   return contact;
 }
 
-double LoadTester::effort_of(const Vector6d& load, std::vector<Pair> pairs,
-                             std::vector<LoadContact> contacts_now, const Posture& hand) const {
+LoadEffort LoadTester::effort_of(const Vector6d& load, std::vector<Pair> pairs,
+                                 std::vector<LoadContact> contacts_now, const Posture& hand) const {
   LoadStepper stepper(limits_);
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
-  double effort = 0;
+  LoadEffort most;
   for (int i = 0; i < kMoves; ++i) {
     poll();
     if (i > 0) contacts_now = contacts(pairs, moved, hand);
@@ -180,25 +191,29 @@ double LoadTester::effort_of(const Vector6d& load, std::vector<Pair> pairs,
     wrench.tail<3>() += (mean_W - hand.center_W).cross(load.head<3>());
     wrench.tail<3>() *= kMetre / kArm;
     const LoadStep next = stepper.step(wrench, contacts_now);
-    effort = next.effort;
+    if (next.effort > most.effort)
+      most = {next.effort, next.yields < 0 ? -1 : joints_[static_cast<std::size_t>(next.yields)]};
     moved = motion(next.move, hand.center_W) * moved;
     if (next.move.lpNorm<Eigen::Infinity>() < kAtRest) break;
   }
-  return effort;
+  return most;
 }
 
-double LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double reach, double force,
-                          double torque) const {
-  if (force == 0 && torque == 0) return 0;
+LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double reach,
+                              double force, double torque, double enough) const {
+  if (force == 0 && torque == 0) return {};
   const Posture hand = posture(q, center_W);
   std::vector<Pair> near = pairs(hand, reach + kReach);
   const auto first = contacts(near, Eigen::Isometry3d::Identity(), hand);  // of all loads
   const auto palm = static_cast<std::size_t>(problem_.robot.frame(problem_.hand.frame));
   const auto loads = loads_W(hand.X_WL[palm].linear(), force, torque);
-  double most = 0;
-  for (Eigen::Index i = 0; i < loads.cols() && kSudden * most <= 1; ++i)
-    most = std::max(most, effort_of(loads.col(i), near, first, hand));
-  return kSudden * most;
+  LoadEffort most;
+  for (Eigen::Index i = 0; i < loads.cols() && most.effort <= enough; ++i) {
+    LoadEffort found = effort_of(loads.col(i), near, first, hand);
+    found.effort *= kSudden;
+    if (found.effort > most.effort) most = found;
+  }
+  return most;
 }
 
 void require_efforts(const Problem& problem, const StabilityOptions& options) {

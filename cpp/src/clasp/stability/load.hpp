@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -21,17 +22,25 @@ mechanics::Matrix6Xd loads_W(const Eigen::Matrix3d& R_WH, double force, double t
 
 constexpr double kSudden = 2;  ///< force of a load that acts suddenly, relative to one at rest
 
-/// Test whether a load forces open the closed hand. The object moves without friction and without
-/// inertia, by small steps, until the hand blocks it; a linear program finds the contact forces
-/// there, and the efforts of the joints that balance them. Not thread-safe.
+/// Largest effort that loads ask of a joint of the hand.
+struct LoadEffort {
+  double effort = 0;  ///< as a fraction of its limit
+  int joint = -1;     ///< the joint that gives way first; -1: none is loaded
+};
+
+/// Test of the loads that force open the closed hand. The object moves without friction and without
+/// inertia, by small steps, until the hand blocks it. At each step a linear program compares the
+/// work that the load gains if joints give way with the work of their motors. Not thread-safe.
 class LoadTester {
  public:
   explicit LoadTester(const Problem& problem);
 
-  /// Largest effort of a joint of the hand under any of the loads, which act suddenly, as a
-  /// fraction of its limit. `center_W`, `reach`: ball that contains the finger curves.
-  double effort(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W, double reach,
-                double force, double torque) const;
+  /// Largest effort of a joint of the hand under any of the loads, which act suddenly, in any step.
+  /// Ends at the first load whose effort is above `enough`. `center_W`, `reach`: ball that contains
+  /// the finger curves.
+  LoadEffort effort(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W, double reach,
+                    double force, double torque,
+                    double enough = std::numeric_limits<double>::infinity()) const;
 
   /// Shape of a link, and a ball around it.
   struct Body {
@@ -61,20 +70,22 @@ class LoadTester {
   std::vector<LoadContact> contacts(std::vector<Pair>& pairs, const Eigen::Isometry3d& moved,
                                     const Posture& hand) const;
   LoadContact contact(const Eigen::Vector3d& p_W, const Body& body, const Posture& hand) const;
-  double effort_of(const mechanics::Vector6d& load, std::vector<Pair> pairs,
-                   std::vector<LoadContact> contacts_now, const Posture& hand) const;
+  LoadEffort effort_of(const mechanics::Vector6d& load, std::vector<Pair> pairs,
+                       std::vector<LoadContact> contacts_now, const Posture& hand) const;
 
   Problem problem_;
   std::vector<Body> bodies_;
-  std::vector<int> joints_;     // of the hand, which open
-  Eigen::VectorXd directions_;  // in which they open
+  // Ways in which joints of the hand give way: those that close may open, the others may turn to
+  // both sides, and stand here twice.
+  std::vector<int> joints_;
+  Eigen::VectorXd directions_;  // 1 or -1
   Eigen::VectorXd units_;       // lengths in mm: 1 for a prismatic joint, 1000 for others
   Eigen::VectorXd limits_;      // [N or N mm]
   Eigen::Vector3d mean_O_;      // of the object's points
 };
 
 /// Throws std::invalid_argument if a load is to be tested, and a joint of a hand of two fingers has
-/// no effort limit.
+/// no effort limit. Such a joint of another hand is taken as one that never gives way.
 void require_efforts(const Problem& problem, const StabilityOptions& options);
 
 }  // namespace graspless::clasp

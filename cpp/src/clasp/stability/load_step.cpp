@@ -60,6 +60,13 @@ Contacts passed(const std::vector<LoadContact>& contacts, const Vector6d& move,
   return most;
 }
 
+/// The joint whose motor does the most work against the load.
+Eigen::Index most_yielding(const VectorXd& yield, const VectorXd& limits) {
+  Eigen::Index joint = -1;
+  if (yield.size() == 0 || !(yield.cwiseProduct(limits).maxCoeff(&joint) > 0)) return -1;
+  return joint;
+}
+
 }  // namespace
 
 LoadStep LoadStepper::step(const Vector6d& load, const std::vector<LoadContact>& contacts) {
@@ -70,8 +77,9 @@ LoadStep LoadStepper::step(const Vector6d& load, const std::vector<LoadContact>&
   while (true) {
     const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_));
     if (found.status != mechanics::LpStatus::optimal) return {};
-    const LoadStep step{-found.duals.head<6>(), found.x[0]};
-    const Contacts added = passed(contacts, step.move, found.duals.tail(limits_.size()), points_);
+    const VectorXd yield = found.duals.tail(limits_.size());
+    const LoadStep step{-found.duals.head<6>(), found.x[0], most_yielding(yield, limits_)};
+    const Contacts added = passed(contacts, step.move, yield, points_);
     if (added.empty()) return step;
     for (const LoadContact* contact : added) {
       used.push_back(contact);

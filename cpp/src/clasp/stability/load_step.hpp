@@ -29,7 +29,8 @@ struct LoadContact {
 /// A motion of the object that is stopped by contacts, and the effort that it demands of the hand.
 struct LoadStep {
   mechanics::Vector6d move = mechanics::Vector6d::Zero();  ///< [mm]
-  double effort = 0;  ///< largest effort of a joint, as a fraction of its limit
+  double effort = 0;         ///< largest effort of a joint, as a fraction of its limit
+  Eigen::Index yields = -1;  ///< the joint that yields most, by the work of its motor; -1: none
 };
 
 /// Finds the steps under one load by linear programs. A program holds few contacts: those that

@@ -10,6 +10,11 @@
 namespace graspless::clasp {
 void validate(const StabilityOptions& options) {
   planning::require_in_range("stability.", options);
+  if (options.force == 0 && options.torque > 0) {
+    throw std::invalid_argument(
+        "stability.torque acts with a force, so stability.force must be above 0 where it is, not "
+        "0; both may be 0");
+  }
 }
 
 Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int loop,

@@ -54,8 +54,20 @@ StabilityTester::StabilityTester(const Problem& problem)
       balls_(problem.robot),
       clearance_(problem.object.outer_clearance()) {}
 
+/// Sets what the motors withstand.
+void StabilityTester::load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC,
+                           const StabilityOptions& options, double enough, Stability& result) {
+  if (!load_) load_.emplace(problem_);
+  const double reach = (kinematics_.nodes().colwise() - p_WC).colwise().norm().maxCoeff();
+  const LoadEffort most =
+      load_->effort(q, p_WC, reach, options.force, options.torque, options.force / enough);
+  result.withstands = std::min(options.force / most.effort, mechanics::kMaxForce);
+  if (most.joint >= 0)
+    result.opens_first = problem_.robot.joint_names()[static_cast<std::size_t>(most.joint)];
+}
+
 Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
-                                const StabilityOptions& options) {
+                                const StabilityOptions& options, double enough) {
   kinematics_.update(q);
   const Eigen::Matrix3Xd& nodes = kinematics_.nodes();
   const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
@@ -89,13 +101,9 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
     }
     result.escapes += distance > escape;
   }
-  const bool has_load = options.force > 0 || options.torque > 0;
-  if (result.escapes == 0 && has_load && problem_.hand.fingers.size() == 1) {
-    if (!load_) load_.emplace(problem_);
-    const double reach = (nodes.colwise() - p_WC).colwise().norm().maxCoeff();
-    result.effort = load_->effort(q, p_WC, reach, options.force, options.torque);
-  }
-  result.secure = result.escapes == 0 && result.effort <= 1;
+  if (result.escapes == 0 && options.force > 0) load(q, p_WC, options, enough, result);
+  const bool must_withstand = problem_.hand.fingers.size() == 1;
+  result.secure = result.escapes == 0 && (!must_withstand || result.withstands >= options.force);
   result.margin = 1 - farthest / escape;
   result.checks = walk.steps();
   return result;

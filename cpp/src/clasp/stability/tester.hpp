@@ -21,17 +21,21 @@ class StabilityTester {
  public:
   explicit StabilityTester(const Problem& problem);
 
-  /// Runs the test for a loop, 3 x n in O [m]. q and the options must be valid.
+  /// Runs the test for a loop, 3 x n in O [m]. q and the options must be valid. Loads are
+  /// tested until one shows that the clasp withstands less than `enough` [N].
   Stability test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
-                 const StabilityOptions& options);
+                 const StabilityOptions& options, double enough = 0);
 
  private:
+  void load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC, const StabilityOptions& options,
+            double enough, Stability& result);
+
   Problem problem_;
   Eigen::Isometry3d X_OW_;
   HandKinematics kinematics_;
   LinkBalls balls_;
   collision::Clearance clearance_;
-  std::optional<LoadTester> load_;  // made with the first load on a hand of two fingers
+  std::optional<LoadTester> load_;  // made with the first load
 };
 
 }  // namespace graspless::clasp
