@@ -195,5 +195,5 @@ def test_velocity_limit_of_no_motion(limit):
     text = text.replace(one, re.sub(r'velocity="[^"]*"', f'velocity="{limit}"', one))
     robot = graspless.robot.Robot.from_urdf(text)
     with pytest.raises(TaskError, match=f"robot: wam_joint_1: velocity limit {limit}: should be"):
-        joint_limits(robot, None, None)
-    assert joint_limits(robot, {"wam_joint_1": 0.5}, None)[0][0] == 0.5
+        joint_limits(robot, None, None, None)
+    assert joint_limits(robot, {"wam_joint_1": 0.5}, None, None)[0][0] == 0.5

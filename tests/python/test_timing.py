@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans in time keep every limit, go through their rows, and rest at the ends of segments."""
+"""Plans in time keep every limit, go through their rows, and rest where contacts change."""
 
 import copy
 import re
@@ -44,13 +44,26 @@ def test_time_runs_through_every_segment_in_order(name):
         assert (np.diff(rows) >= 0).all()
         if name in ARMS:
             assert rows[-1] == len(segment) - 1
-            assert rows[0] in (0, len(segment) - 1)  # one moment where nothing moves
+            assert rows[0] < 1 or len(rows) == 1  # one moment where nothing moves
             np.testing.assert_allclose(
-                trajectory.positions[mine][-1], segment.positions[-1], atol=1e-9
+                trajectory.positions[mine][-1], segment.positions[-1], atol=settings.TOLERANCE
             )
-            np.testing.assert_allclose(
-                trajectory.positions[mine][0], segment.positions[0], atol=1e-9
-            )
+
+
+def near_contact(plan, segment, positions):
+    """Moments [N] of a slow segment in which something touches, or is about to."""
+    if segment.name in ("press", "lift"):
+        problem = plan.task.problem
+        tips = np.array([problem.robot.pose(problem.hand.fingertip, q)[:3, 3] for q in positions])
+        X_WS = problem.support.X_WS
+        height = (tips - X_WS[:3, 3]) @ X_WS[:3, 2] - problem.object.thickness
+        return height < settings.GUARD
+    if segment.name == "close":
+        arm = arm_of(plan)
+        reach = np.array([arm.reach(frame) for frame in arm.frame_names])
+        left = (np.abs(positions - positions[-1]) @ reach.T).max(axis=1)
+        return left < settings.GUARD
+    return np.ones(len(positions), dtype=bool)
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -63,8 +76,9 @@ def test_limits_are_kept_and_reached(name):
     assert (speeds > 0.9 * top).any() or accelerations.max() > 0.9 * settings.ACCELERATION[0]
     for segment, mine in of_segments(trajectory):
         if segment.name in SLOW:
+            near = near_contact(planned(name), segment, trajectory.positions[mine])
             most = settings.CONTACT_SHARE * settings.ACCELERATION[0]
-            assert accelerations[mine].max() <= most * (1 + 1e-6), segment.name
+            assert accelerations[mine][near].max() <= most * (1 + 1e-6), segment.name
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -95,23 +109,51 @@ def test_velocities_and_accelerations_are_those_of_the_positions(name):
         assert off <= 0.03 * (np.abs(a[1:]) * dt).sum()
 
 
-@pytest.mark.parametrize("name", ARMS)
-def test_segments_begin_and_end_at_rest(name):
+@pytest.mark.parametrize(
+    ("name", "through"),
+    [("slide", {"approach", "lift", "reach"}), ("clasp", {"reach"}), ("carried", set())],
+)
+def test_joints_rest_where_contacts_change_and_nowhere_else(name, through):
     trajectory = timed(name)
-    for _, mine in of_segments(trajectory):
-        np.testing.assert_allclose(trajectory.velocities[mine][[0, -1]], 0, atol=1e-6)
+    np.testing.assert_allclose(trajectory.velocities[0], 0, atol=1e-6)
+    for segment, mine in of_segments(trajectory):
+        end = np.abs(trajectory.velocities[mine][-1]).max()
+        assert (end > 1e-3) == (segment.name in through), segment.name
+        if segment.name not in through:
+            assert end <= 1e-6
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_jerks_are_bounded_during_contact_and_elsewhere(name):
+    trajectory = timed(name, rate=1000.0)
+    steps = np.abs(np.diff(trajectory.accelerations, axis=0)).max(axis=1)
+    jerks = steps / np.diff(trajectory.times)
+    most = settings.JERK * settings.ACCELERATION[0]
+    assert jerks.max() <= most * (1 + 1e-6)
+    assert jerks.max() > 0.4 * most
+    slides = np.array([name == "slide" for name in trajectory.names])
+    inside = slides[1:] & slides[:-1]
+    if inside.any():
+        assert jerks[inside].max() <= settings.CONTACT_SHARE * most * (1 + 1e-6)
+    gentle = timed_with(name, max_jerk=10.0)
+    assert gentle.duration > trajectory.duration
+    steps = np.abs(np.diff(gentle.accelerations, axis=0)).max(axis=1)
+    assert (steps <= 10.0 * np.diff(gentle.times) * (1 + 1e-6)).all()
 
 
 @pytest.mark.parametrize("name", ARMS)
 def test_joints_stay_near_the_rows(name):
     trajectory = timed(name, rate=400.0)
     for segment, mine in of_segments(trajectory):
-        near = settings.CONTACT_TOLERANCE if segment.name in SLOW else settings.TOLERANCE
+        most = np.full(len(trajectory.rows[mine]), settings.TOLERANCE)
+        if segment.name in SLOW:
+            near = near_contact(planned(name), segment, trajectory.positions[mine])
+            most[near] = settings.CONTACT_TOLERANCE
         row = np.arange(len(segment))
         for joint, values in enumerate(segment.positions.T):
             on_rows = np.interp(trajectory.rows[mine], row, values)
             off = np.abs(trajectory.positions[mine][:, joint] - on_rows)
-            assert off.max() <= near + 1e-12, segment.name
+            assert (off <= most + 1e-12).all(), segment.name
 
 
 @pytest.mark.parametrize("name", ["slide", "clasp"])
@@ -125,9 +167,11 @@ def test_greater_limits_are_never_slower(name):
         {"max_velocity": half, "max_acceleration": 2.5, "contact_speed": 0.04},
     ):
         assert timed_with(name, **faster).duration <= slow.duration
-    # Twice the speeds and four times the accelerations: the same motion in half the time.
-    twice = timed_with(name, max_acceleration=10.0, contact_speed=0.04, pause=1e-6)
-    once = timed_with(name, max_velocity=half, max_acceleration=2.5, contact_speed=0.02, pause=1e-6)
+    # Twice the speeds, four times the accelerations and eight times the jerks: half the time.
+    fast = {"max_acceleration": 10.0, "max_jerk": 400.0, "contact_speed": 0.04}
+    slow = {"max_acceleration": 2.5, "max_jerk": 50.0, "contact_speed": 0.02}
+    twice = timed_with(name, **fast, pause=1e-6)
+    once = timed_with(name, **slow, max_velocity=half, pause=1e-6)
     assert twice.duration == pytest.approx(once.duration / 2, rel=1e-3)
 
 
@@ -154,8 +198,9 @@ def test_what_touches_is_slow(name, speed, frames_of):
                     trajectory.positions[mine], trajectory.velocities[mine], strict=True
                 )
             ]
-            assert max(moved) <= speed * (1 + 1e-6), segment.name
-            fastest[segment.name] = max(moved)
+            near = near_contact(plan, segment, trajectory.positions[mine])
+            fastest[segment.name] = max(np.array(moved)[near])
+            assert fastest[segment.name] <= speed * (1 + 1e-6), segment.name
     assert set(fastest) == set(frames_of)
     assert max(fastest.values()) > 0.95 * speed
 
@@ -270,11 +315,22 @@ def test_the_timed_motion_passes_the_plan_s_own_check():
     """Collisions, bands, limits and the grasp hold along it as they do along the rows."""
     plan, trajectory = planned("slide"), timed("slide")
     moved = copy.copy(plan)
-    moved.segments = [
-        slide.Segment(segment.name, trajectory.positions[mine], trajectory.object_poses[mine])
-        for segment, mine in of_segments(trajectory)
-    ]
-    faults = slide.check(plan.task.problem, moved, plan.task.options)
+    segments = []
+    for segment, mine in of_segments(trajectory):
+        # A segment begins where the one before ended.
+        rows = slice(max(mine.start - 1, 0), mine.stop)
+        rows = rows if trajectory.rows[mine.start] > 0 else mine
+        segments.append(
+            slide.Segment(segment.name, trajectory.positions[rows], trajectory.object_poses[rows])
+        )
+    moved.segments = segments
+    options = plan.task.options
+    height = options.lift_height
+    try:
+        options.lift_height = height - settings.TOLERANCE  # its corners are rounded
+        faults = slide.check(plan.task.problem, moved, options)
+    finally:
+        options.lift_height = height
     # Poses between rows are interpolated, and follow the contact less exactly than rows do.
     assert [fault for fault in faults if "does not follow the contact" not in fault] == []
 
@@ -329,13 +385,16 @@ SLIDER = """<robot name="slider"><link name="a"/><link name="b"/><link name="c"/
 def test_limits_beside_those_of_the_urdf():
     slider = Robot.from_urdf(SLIDER)
     order = [slider.joint("rail"), slider.joint("turn")]
-    velocity, acceleration = settings.joint_limits(slider, {"rail": 0.25}, None)
+    velocity, acceleration, _ = settings.joint_limits(slider, {"rail": 0.25}, None, None)
     np.testing.assert_array_equal(velocity[order], [settings.VELOCITY[1], 3.0])
     np.testing.assert_array_equal(acceleration[order], settings.ACCELERATION[::-1])
-    velocity, acceleration = settings.joint_limits(slider, {"turn": 5, "rail": 0.25}, {"rail": 0.3})
+    velocity, acceleration, jerk = settings.joint_limits(
+        slider, {"turn": 5, "rail": 0.25}, {"rail": 0.3}, {"turn": 7}
+    )
     np.testing.assert_array_equal(velocity[order], [settings.VELOCITY[1], 3.0])  # the URDF's
     np.testing.assert_array_equal(acceleration[order], [0.3, settings.ACCELERATION[0]])
-    velocity, _ = settings.joint_limits(slider, 0.2, None)
+    np.testing.assert_array_equal(jerk[order], [0.3 * settings.JERK, 7])
+    velocity, *_ = settings.joint_limits(slider, 0.2, None, None)
     np.testing.assert_array_equal(velocity, [0.2, 0.2])
 
 
@@ -346,6 +405,9 @@ def test_limits_beside_those_of_the_urdf():
         ("slide", {"max_velocity": float("nan")}, ["max_velocity", "nan"]),
         ("slide", {"max_velocity": "fast"}, ["max_velocity", "'fast'", "a number"]),
         ("slide", {"max_acceleration": -1.0}, ["max_acceleration", "-1"]),
+        ("slide", {"max_jerk": {"elbow": 5}}, ["max_jerk", "elbow", "wam_joint_1"]),
+        ("slide", {"max_jerk": 0}, ["max_jerk", "0"]),
+        ("push", {"max_jerk": 5.0}, ["max_jerk", "moves no joints"]),
         ("slide", {"max_acceleration": {"wam_joint_1": float("inf")}}, ["wam_joint_1", "inf"]),
         ("slide", {"max_velocity": {"elbow": 1}}, ["max_velocity", "elbow", "wam_joint_7"]),
         ("slide", {"contact_speed": -0.1}, ["contact_speed", "-0.1"]),

@@ -8,8 +8,9 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from graspless.timing.clip import clip
-from graspless.timing.fastest import Limits, fastest
+from graspless.timing.clip import clip, split
+from graspless.timing.fastest import fastest
+from graspless.timing.limits import Limits, Zone
 from graspless.timing.path import rounded, stretches
 from graspless.timing.rates import Rate
 
@@ -25,7 +26,7 @@ def polylines(draw):
 @settings(max_examples=60, deadline=None)
 def test_a_path_keeps_to_its_polyline(points, tolerance):
     for rows in stretches(points):
-        path = rounded(points[rows], np.full(points.shape[1], tolerance))
+        path = rounded(points[rows], np.full(points[rows].shape, tolerance))
         if path is None:
             continue
         s = np.linspace(0, path.length, 400)
@@ -41,38 +42,70 @@ def test_a_path_keeps_to_its_polyline(points, tolerance):
         assert np.abs(rates - path(s, 1)[1:-1]).mean() < 0.05
 
 
-@given(polylines(), st.floats(0.1, 3), st.floats(0.2, 10))
-@settings(max_examples=30, deadline=None, phases=[Phase.explicit, Phase.reuse, Phase.generate])
-def test_the_fastest_motion_keeps_its_limits(points, velocity, acceleration):
-    n = points.shape[1]
-    limits = Limits(np.full(n, velocity), np.full(n, acceleration))
-    timed = clip(points, np.full(n, 1e-3), limits, rate=Rate(500.0))
+def limits_of(n, velocity, acceleration, jerk=np.inf, paces=()):
+    return Limits(np.full(n, velocity), np.full(n, acceleration), np.full(n, jerk), paces)
+
+
+def whole(points, limits, tolerance=1e-3):
+    """All rows as one zone."""
+    return [Zone(slice(0, len(points)), limits, np.full(points.shape[1], tolerance))]
+
+
+@given(polylines(), st.floats(0.1, 3), st.floats(0.2, 10), st.floats(5, 100) | st.just(np.inf))
+@settings(max_examples=40, deadline=None, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+def test_the_fastest_motion_keeps_its_limits(points, velocity, acceleration, per_acceleration):
+    jerk = acceleration * per_acceleration
+    limits = limits_of(points.shape[1], velocity, acceleration, jerk)
+    timed = clip(points, whole(points, limits), rate=Rate(500.0))
     assert np.abs(timed.velocities).max() <= velocity * (1 + 1e-6)
     assert np.abs(timed.accelerations).max() <= acceleration * (1 + 1e-6)
+    steps = np.abs(np.diff(timed.accelerations, axis=0))
+    assert (steps <= jerk * np.diff(timed.times)[:, None] * (1 + 1e-6) + 1e-9).all()
     np.testing.assert_allclose(timed.velocities[[0, -1]], 0, atol=1e-6)
     np.testing.assert_allclose(timed.coordinates[[0, -1]], points[[0, -1]], atol=1e-6)
     farthest = np.abs(points - points[0]).max()
     assert timed.times[-1] >= max(farthest / velocity, np.sqrt(2 * farthest / acceleration)) - 1e-9
 
 
+@pytest.mark.parametrize("jerk", [20, np.inf])
 @pytest.mark.parametrize(("distance", "velocity", "acceleration"), [(1, 1, 2), (0.1, 5, 1)])
-def test_a_straight_line_takes_the_time_of_the_textbook(distance, velocity, acceleration):
+def test_a_straight_line_takes_the_time_of_the_textbook(distance, velocity, acceleration, jerk):
     line = np.array([[0.0, 0.0], [distance, 0.0]])
-    path = rounded(line, np.full(2, 1e-3))
-    limits = Limits(np.full(2, velocity), np.full(2, acceleration))
+    path = rounded(line, np.full((2, 2), 1e-3))
+    limits = limits_of(2, velocity, acceleration, jerk)
     if velocity**2 / acceleration < distance:  # a trapezoid, else a triangle
         seconds = distance / velocity + velocity / acceleration
     else:
         seconds = 2 * np.sqrt(distance / acceleration)
-    assert fastest(path, limits).duration == pytest.approx(seconds, rel=5e-3)
+    seconds += 2 * acceleration / jerk  # in which the acceleration changes its sign
+    assert fastest(path, whole(line, limits)).duration == pytest.approx(seconds, rel=5e-3)
+
+
+def test_each_zone_has_its_own_limits_and_the_motion_does_not_rest_between_them():
+    points = np.array([[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 0.5]])
+    fast, slow = limits_of(2, 1.0, 5.0, 100.0), limits_of(2, 0.2, 0.5, 10.0)
+    tolerance = np.full(2, 1e-3)
+    zones = [Zone(slice(0, 2), fast, tolerance), Zone(slice(1, 4), slow, tolerance)]
+    timed = clip(points, zones, Rate(1000.0), marks=[1, 2])
+    x, v, a = timed.coordinates[:, 0], timed.velocities, timed.accelerations
+    assert np.abs(v[x > 0.5]).max() <= 0.2 * (1 + 1e-6)
+    assert np.abs(a[x > 0.5]).max() <= 0.5 * (1 + 1e-6)
+    assert v[x < 0.5, 0].max() > 0.9
+    inside = (timed.rows > 0.1) & (timed.rows < 2.9)
+    assert np.linalg.norm(v[inside], axis=1).min() > 0.01
+    first, second, third = split(timed, [1, 2, 3])
+    np.testing.assert_allclose(first.coordinates[-1], points[1], atol=1e-9)
+    np.testing.assert_allclose(second.coordinates[-1], points[2], atol=2e-3)  # round a corner
+    assert [part.rows[-1] for part in (first, second, third)] == [1, 1, 1]
+    assert min(part.times[0] for part in (second, third)) > 0
+    total = sum(part.times[-1] for part in (first, second, third))
+    assert total == pytest.approx(timed.times[-1])
 
 
 def test_a_pace_is_kept_along_the_way():
     line = np.array([[0.0], [1.0]])
-    slow_end = Limits(
-        np.array([1.0]), np.array([5.0]), [lambda q, dq: np.abs(dq[:, 0]) / 0.1 * q[:, 0]]
-    )
-    timed = clip(line, np.array([1e-3]), slow_end, rate=Rate(1000.0))
+    slow_end = limits_of(1, 1.0, 5.0, paces=[lambda q, dq: np.abs(dq[:, 0]) / 0.1 * q[:, 0]])
+    timed = clip(line, whole(line, slow_end), rate=Rate(1000.0))
     q, v = timed.coordinates[:, 0], timed.velocities[:, 0]
     assert (v * q <= 0.1 * (1 + 1e-6)).all()
     assert v[q < 0.08].max() > 0.8
@@ -81,8 +114,8 @@ def test_a_pace_is_kept_along_the_way():
 def test_turning_back_comes_to_rest():
     there_and_back = np.array([[0.0, 0.0], [0.5, 0.0], [0.0, 0.01]])
     assert [(s.start, s.stop) for s in stretches(there_and_back)] == [(0, 2), (1, 3)]
-    limits = Limits(np.ones(2), np.full(2, 5.0))
-    timed = clip(there_and_back, np.full(2, 1e-3), limits, rate=Rate(1000.0))
+    zones = whole(there_and_back, limits_of(2, 1.0, 5.0))
+    timed = clip(there_and_back, zones, rate=Rate(1000.0))
     at_turn = np.argmin(np.abs(timed.rows - 1))
     np.testing.assert_allclose(timed.velocities[at_turn], 0, atol=0.01)
     np.testing.assert_allclose(timed.coordinates[at_turn], [0.5, 0], atol=1e-4)
@@ -90,9 +123,9 @@ def test_turning_back_comes_to_rest():
 
 def test_rows_that_do_not_move_are_passed():
     points = np.array([[0.0], [0.0], [1.0], [1.0], [2.0], [2.0]])
-    timed = clip(points, np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=Rate(100.0))
+    timed = clip(points, whole(points, limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
     assert timed.rows[-1] == 5
     assert (np.diff(timed.rows) >= 0).all()
-    still = clip(points[:2], np.array([1e-3]), Limits(np.ones(1), np.ones(1)), rate=Rate(100.0))
+    still = clip(points[:2], whole(points[:2], limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
     assert len(still.times) == 1
     np.testing.assert_array_equal(still.velocities, [[0.0]])

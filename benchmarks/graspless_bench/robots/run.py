@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 import tempfile
 import time
@@ -77,14 +78,14 @@ def _measure(member: Member, slides: int, clasps: int, limits: tuple[float, floa
         "clasps": None,
         "refused": None,
     }
-    begin = time.perf_counter()
+    begin = _processor_seconds()
     try:
         found = inspect(member)
     except PackageNotFoundError as error:
         return row | {"refused": f"{error.name} is not installed"}
     except ValueError as error:
         return row | {"refused": _first_line(error)}
-    row |= {"inspect_s": time.perf_counter() - begin, "found": summary(found)}
+    row |= {"inspect_s": _processor_seconds() - begin, "found": summary(found)}
     with tempfile.TemporaryDirectory() as folder:
         found.write(folder)
         return row | _plans(member.name, found, Path(folder), (slides, clasps), limits)
@@ -139,9 +140,9 @@ def _plan_slides(scene: Scene, name: str, runs: int, limit: float) -> Row:
     options = task.options
     for number, X_SO in enumerate(scene.poses(name, runs)):
         problem = _moved(task.problem, X_SO)
-        begin = time.perf_counter()
+        begin = time.process_time()
         plan = slide.plan(problem, options, Budget(seconds=limit, seed=number + 1))
-        times.append(time.perf_counter() - begin if plan else math.inf)
+        times.append(time.process_time() - begin if plan else math.inf)
         if plan:
             faults += bool(slide.check(problem, plan, options))
         else:
@@ -200,6 +201,11 @@ def _plan_clasps(scene: Scene, runs: int, limit: float) -> Row:
             reasons[plan.reason] += 1
     reason = reasons.most_common(1)[0][0] if reasons else None
     return {"runs": runs, "solved": solved, "faults": faults, "refused": reason}
+
+
+def _processor_seconds() -> float:
+    """Returns the processor time of this process and its children [s], to about 0.01 s."""
+    return sum(os.times()[:4])
 
 
 def _refused(runs: int, reason: str) -> Row:

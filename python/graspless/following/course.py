@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..timing import settings
-from ..timing.joints import of_segment
 from ..timing.ramps import ramped
 from ..timing.rates import Rate
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
     from ..frames import Matrix
     from ..robot import Robot
-    from ..timing.fastest import Pace
+    from ..timing.limits import Zone
     from ..timing.settings import PerJoint, Settings
 
 STRAIGHT = 0.7  # cosine between two velocities below which a motion comes to rest between them
@@ -34,9 +33,10 @@ class Course:
     segment : slide.Segment
     places : array [N, 3]
         Place of the object at each row, in the plane of the support.
-    slow : dict
-        Speed limits of segments that touch something, by name.
-    limits : timing.settings.Settings
+    zones : list of timing.limits.Zone
+        Limits of its rows.
+    rate : float
+        Samples per second [1/s].
     q, velocity : array [dof], optional
         State in which the segment begins; by default at rest at its first row.
     """
@@ -45,23 +45,23 @@ class Course:
         self,
         segment: Any,
         places: Matrix,
-        slow: Mapping[str, Sequence[Pace]],
-        limits: Settings,
+        zones: Sequence[Zone],
+        rate: float,
         q: Matrix | None = None,
         velocity: Matrix | None = None,
     ) -> None:
         self.name = str(segment.name)
         self.places = places
-        tolerance, bounds = of_segment(self.name, slow, limits)
         rows = np.asarray(segment.positions)
-        self._clip = ramped(rows, tolerance, bounds, Rate(limits.rate.hertz), velocity)
+        self._clip = ramped(rows, zones, Rate(rate), velocity)
         self.clock, self.rate = 0.0, 1.0
         self._since = 0.0
         none = np.zeros(rows.shape[1])
         self._offset = none if q is None else q - self._clip.coordinates[0]
         self._drift = none if velocity is None else velocity - self._clip.velocities[0]
-        fades = 4 * np.abs(self._drift) / bounds.acceleration
-        shifts = np.sqrt(6 * np.abs(self._offset) / bounds.acceleration)
+        acceleration = np.min([zone.limits.acceleration for zone in zones], axis=0)
+        fades = 4 * np.abs(self._drift) / acceleration
+        shifts = np.sqrt(6 * np.abs(self._offset) / acceleration)
         self._fades = max(_SHORTEST, float(fades.max()), float(shifts.max()))
 
     @property
@@ -130,12 +130,14 @@ def limits_of(
     contact_speed: float | None,
 ) -> Settings:
     """Returns the limits of a robot's motions, as `graspless.time` does."""
-    velocity, acceleration = settings.joint_limits(robot, max_velocity, max_acceleration)
+    velocity, acceleration, jerk = settings.joint_limits(
+        robot, max_velocity, max_acceleration, None
+    )
     if contact_speed is not None:
         contact_speed = settings.require_positive("contact_speed", contact_speed)
     velocity = _SHARE * velocity
     return settings.Settings(
-        robot, velocity, acceleration, contact_speed, Rate(rate), settings.PAUSE
+        robot, velocity, acceleration, jerk, contact_speed, Rate(rate), settings.PAUSE
     )
 
 

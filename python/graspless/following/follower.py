@@ -10,7 +10,8 @@ import numpy as np
 
 from ..errors import TaskError
 from ..plan_files import as_plan
-from ..timing.slide import slow
+from ..timing.joints import zones_of
+from ..timing.slide import touch
 from .camera import Camera
 from .course import Course, goes_on, limits_of
 from .deviation import IN_CONTACT, Deviation
@@ -76,8 +77,7 @@ class Follower:
         self._limits = limits_of(
             problem.robot, self.settings.rate, max_velocity, max_acceleration, contact_speed
         )
-        self._slow = slow(found, self._limits)
-        self._hand = Hand(problem)
+        self._problem, self._hand = problem, Hand(problem)
         self._replanner = Replanner(found, self._hand, self.settings)
         self._watch = Watch(problem.robot, self._hand.arm, self.settings)
         self.plan: Plan = found
@@ -247,7 +247,8 @@ class Follower:
     def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
         self._still = 0.0
         places = np.array([self._hand.place(X) for X in segment.object_poses])
-        self._course = Course(segment, places, self._slow, self._limits, q, velocity)
+        zones = zones_of(segment, touch(self._problem, segment, self._limits), self._limits)
+        self._course = Course(segment, places, zones, self.settings.rate, q, velocity)
 
     def _base(self) -> Matrix:
         """Returns the target without the correction of the height."""

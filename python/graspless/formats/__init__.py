@@ -70,7 +70,7 @@ def export(
         Group of the SRDF, such as arm or hand: only its joints are written, for a controller of
         their own. Default: all joints. Not of `mujoco`.
     **limits
-        As in `time`: max_velocity, max_acceleration, contact_speed, pause, fingers.
+        As in `time`: max_velocity, max_acceleration, max_jerk, contact_speed, pause, fingers.
 
     Returns
     -------

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 FLAGS = {
     "max_velocity": "--velocity",
     "max_acceleration": "--acceleration",
+    "max_jerk": "--jerk",
     "contact_speed": "--contact-speed",
 }  # the others are called as in Python
 FIELD = rf"^(to|rate|fingers|group)(?=: )|(?<!\S)({'|'.join(FLAGS)})(?=[:, ])"
@@ -51,6 +52,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         (
             "--acceleration",
             "acceleration limit of every joint [rad/s^2, m/s^2] (default: 5 and 1)",
+        ),
+        (
+            "--jerk",
+            "jerk limit of every joint [rad/s^3, m/s^3] (default: 50 times its acceleration)",
         ),
     ):
         parser.add_argument(
@@ -107,6 +112,7 @@ def _run(options: argparse.Namespace) -> int:
         "rate": options.rate,
         "max_velocity": _limits("--velocity", options.velocity),
         "max_acceleration": _limits("--acceleration", options.acceleration),
+        "max_jerk": _limits("--jerk", options.jerk),
         "contact_speed": options.contact_speed,
         "fingers": options.fingers,
         "group": options.group,

@@ -36,17 +36,18 @@ def time(
     *,
     max_velocity: PerJoint | None = None,
     max_acceleration: PerJoint | None = None,
+    max_jerk: PerJoint | None = None,
     contact_speed: float | None = None,
     rate: float | None = None,
     pause: float | None = None,
     fingers: bool = False,
 ) -> Trajectory:
-    """Times a plan: as fast as its limits allow, with each segment from rest to rest.
+    """Times a plan: as fast as its limits allow, at rest where contacts change.
 
     Between rows the joints move along straight lines. Corners are rounded by at most 1e-3 (rad or
-    m), and by 2e-4 during contact. Limits hold at every moment. During contact, joint
-    accelerations are a tenth of their limits. Fingertips move an object so slowly that its inertia
-    takes at most a tenth of the least `stability` of the segment.
+    m), and by 2e-4 near a contact. Limits hold at every moment. Near a contact, which is within 15
+    mm of it, joint accelerations and jerks are at most a tenth of their limits. Fingertips move an
+    object so slowly that its inertia takes at most a tenth of the least `stability` of the segment.
 
     A fingertip plan without an arm has no joints. Its rows go from -0.5 to N - 0.5, from the first
     pose of `X_WO` to the last. During a regrasp they go from 0 to 1: up to 1/3 the finger leaves
@@ -64,16 +65,20 @@ def time(
         well. Default for joints without any: 1 rad/s, 0.25 m/s.
     max_acceleration : float or dict, optional
         Limit of all joints, or limits by joint name [rad/s^2, m/s^2]. Default: 5 rad/s^2, 1 m/s^2.
+    max_jerk : float or dict, optional
+        Limit of all joints, or limits by joint name [rad/s^3, m/s^3]. Default: the limit of
+        acceleration is reached in 0.02 s.
     contact_speed : float, optional
         Speed limit of parts in contact or about to be [m/s]: the sliding fingertip while it
         presses, slides and lifts; the hand on its approach to a grasp and while it carries; every
-        point of closing fingers; the object of fingertip plans. Default: 0.05, for fingertip
+        point of closing fingers; the object of fingertip plans. Parts that press, lift or close
+        are free until 15 mm before the contact. Default: 0.05, for fingertip
         plans 0.02.
     rate : float, optional
         Samples of the trajectory per second [1/s]. Default: 100.
     pause : float, optional
-        Rest between segments, while contacts change [s]; above 0, so that the end of one segment
-        and the start of the next are separate samples. Default: 0.05.
+        Rest where contacts change [s]; above 0, so that the end of one segment and the start of
+        the next are separate samples. Default: 0.05.
     fingers : bool
         Time the bare fingertips of a plan that has an arm. This also works for a plan whose
         status is not_realized.
@@ -99,8 +104,8 @@ def time(
     robot = own if robot is None else _require_same_joints(robot, own)
     if contact_speed is not None:
         contact_speed = defaults.require_positive("contact_speed", contact_speed)
-    velocity, acceleration = defaults.joint_limits(robot, max_velocity, max_acceleration)
-    asked = defaults.Settings(robot, velocity, acceleration, contact_speed, Rate(rate), pause)
+    limits = defaults.joint_limits(robot, max_velocity, max_acceleration, max_jerk)
+    asked = defaults.Settings(robot, *limits, contact_speed, Rate(rate), pause)
     return defaults.require_sayable(kind.trajectory(plan, asked), pause)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from . import joints, paces
 from . import settings as defaults
-from .joints import robot
+from .joints import Touch, robot
 
 if TYPE_CHECKING:
     from ..carry import Plan
@@ -20,8 +20,12 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     """Times the plan."""
     assert settings.robot is not None
     speed = settings.speed(defaults.CONTACT_SPEED)
-    slow = {"carry": [paces.frame_speed(settings.robot, plan.task.problem.frame, speed)]}
-    return joints.trajectory(plan, plan.segments, slow, settings)
+    slow = [paces.frame_speed(settings.robot, plan.task.problem.frame, speed)]
+    touches = [
+        Touch(slice(0, len(segment)), slow) if segment.name == "carry" else None
+        for segment in plan.segments
+    ]
+    return joints.trajectory(plan, plan.segments, touches, settings)
 
 
 __all__ = ["robot", "trajectory"]

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from . import joints, paces
+from . import joints
 from . import settings as defaults
 from .joints import robot
 
@@ -19,8 +19,12 @@ if TYPE_CHECKING:
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     """Times the plan."""
     assert settings.robot is not None
-    slow = {"close": [paces.link_speed(settings.robot, settings.speed(defaults.CONTACT_SPEED))]}
-    return joints.trajectory(plan, plan.segments, slow, settings)
+    robot, speed = settings.robot, settings.speed(defaults.CONTACT_SPEED)
+    touches = [
+        joints.closing(segment, robot, speed) if segment.name == "close" else None
+        for segment in plan.segments
+    ]
+    return joints.trajectory(plan, plan.segments, touches, settings)
 
 
 __all__ = ["robot", "trajectory"]

@@ -1,163 +1,169 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fastest motion along a path from rest to rest, by toppra, with a check of its result."""
+"""Fastest motion along a path from rest to rest, by toppra, smoothed and checked.
+
+toppra knows no jerk: its accelerations jump. Its motion s(t) along the path is therefore averaged
+over a window of T = 2 a / j, the time in which an acceleration a changes its sign at a jerk j. The
+path stays the same, and the motion takes T longer. On a straight path the result is the fastest
+motion within a and j. At a bend the average is faster than toppra's motion. Speed limits of bends
+therefore hold from T / 2 before to T / 2 after them.
+"""
 
 from __future__ import annotations
 
 import logging
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from toppra.algorithm import TOPPRA
-from toppra.constraint import (
-    JointAccelerationConstraint,
-    JointVelocityConstraint,
-    LinearConstraint,
-)
+from toppra.constraint import LinearConstraint
+from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
 from toppra.interpolator import AbstractGeometricPath
-from toppra.parametrizer import ParametrizeConstAccel
 
 from ..errors import TaskError
+from .limits import bounds
+from .motion import NO_MOTION, Motion, profile_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from ..frames import Matrix
+    from .limits import Zone
     from .path import Path
-
-    Pace = Callable[[Matrix, Matrix], Matrix]
 
 logging.getLogger("toppra").setLevel(logging.CRITICAL)  # graspless reports failures itself
 
-CHECKS = 4  # moments between two grid points at which limits are checked
+CHECKS = 4  # moments between two points of the grid at which limits are checked
 FINAL_CHECKS = 24
 REFINEMENTS = 4  # maximum number of refinements of the grid
 MARGIN = 1e-4  # for excess between the checked moments
 ACCEPTED = 0.01  # relative excess above which the grid is refined
 
-_NO_MOTION = (
-    "toppra found no motion along a path within max_velocity, max_acceleration and contact_speed: "
-    "they should be closer to their defaults"
-)
 
+@np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion.made
+def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
+    """Returns a fast motion along `path` whose limits hold at every moment.
 
-@dataclass(frozen=True)
-class Limits:
-    """Limits along a path of n coordinates.
-
-    Attributes
-    ----------
-    velocity, acceleration : array [n]
-        Limits of each coordinate; inf for none.
-    paces : list of callable
-        Functions of coordinates [N, n] and their derivatives [N, n] along the path. Each returns
-        the least time per unit of the path [N].
+    toppra evaluates limits at the points of a grid. Where they are exceeded between two points,
+    the grid is refined and the speed there is reduced. The remaining excess slows down the whole
+    motion.
     """
-
-    velocity: Matrix
-    acceleration: Matrix
-    paces: Sequence[Pace] = ()
-
-    def pace(self, path: Path, s: Matrix) -> Matrix:
-        """Returns the slowest of the paces [N]."""
-        slowest = np.zeros(len(s))
-        if self.paces:
-            q, dq = path(s), path(s, 1)
-            for pace in self.paces:
-                slowest = np.maximum(slowest, pace(q, dq))
-        return slowest
-
-
-@dataclass(frozen=True)
-class Motion:
-    """A timed path.
-
-    The tolerances of toppra are absolute, so the path is scaled to length 1 and to a duration of
-    about 1.
-    """
-
-    path: Path
-    _arc: Any
-    _unit: float
-
-    @property
-    def duration(self) -> float:
-        """Duration [s]."""
-        return float(self._arc.duration) * self._unit
-
-    def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-        """Returns position, speed and acceleration along the path [N] at times `t` [N] [s]."""
-        scaled = np.clip(t / self._unit, 0.0, self._arc.duration)
-        s, ds, dds = (self._arc(scaled, order)[:, 0] * self.path.length for order in range(3))
-        s = np.where(scaled < self._arc.duration, s, self.path.length)  # exactly, at the end
-        return s.clip(0.0, self.path.length), ds / self._unit, dds / self._unit**2
-
-    def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-        """Returns coordinates, velocities and accelerations [N, n] at times `t` [N] [s]."""
-        s, ds, dds = self.at(t)
-        dq = self.path(s, 1)
-        accelerations = self.path(s, 2) * ds[:, None] ** 2 + dq * dds[:, None]
-        return self.path(s), dq * ds[:, None], accelerations
-
-
-def fastest(path: Path, limits: Limits) -> Motion:
-    """Returns the fastest motion along `path` whose limits hold at every moment.
-
-    toppra evaluates limits at the points of a grid. The grid is refined where they are exceeded
-    between two points. The remaining excess slows down the whole motion.
-    """
-    grid = path.grid() / path.length
-    motion, excess = _solved(path, limits, grid)
+    grid = path.grid()
+    slowed = np.ones(len(grid))
+    window = _window(zones)
+    motion, excess = _solved(path, zones, grid, slowed, window)
     for _ in range(REFINEMENTS):
         if excess.max() <= ACCEPTED:
             break
         broken = np.flatnonzero(excess > ACCEPTED / 2)
-        grid = np.sort(np.append(grid, (grid[broken] + grid[broken + 1]) / 2))
-        motion, excess = _solved(path, limits, grid)
-    without_paces = replace(limits, paces=())  # they are slow to ask, and smoother
-    most = max(excess.max(), _excess(motion, without_paces, FINAL_CHECKS).max())
-    slower = 1 + MARGIN + 1.1 * float(most)
-    return Motion(path, motion._arc, motion._unit * slower)
+        more = 1 + excess[broken].clip(max=1.0)
+        slowed[broken] *= more
+        slowed[broken + 1] *= more
+        middles = (grid[broken] + grid[broken + 1]) / 2
+        order = np.argsort(np.append(grid, middles), kind="stable")
+        slowed = np.append(slowed, np.maximum(slowed[broken], slowed[broken + 1]))[order]
+        grid = np.append(grid, middles)[order]
+        motion, excess = _solved(path, zones, grid, slowed, window)
+    times = _moments(motion, grid, FINAL_CHECKS)
+    most = max(excess.max(), _excess(motion, zones, times, paces=False).max())
+    return motion.slower(1 + MARGIN + 1.1 * float(most))
 
 
-def _solved(path: Path, limits: Limits, grid: Matrix) -> tuple[Motion, Matrix]:
-    """Returns the motion of toppra, and its relative excess between points of the grid [M - 1]."""
-    unit = _unit_of_time(path, limits)
+def _window(zones: Sequence[Zone]) -> float:
+    """Returns the time in which every coordinate may reverse its acceleration [s]."""
+    times = [0.0]
+    for zone in zones:
+        acceleration, jerk = zone.limits.acceleration, zone.limits.jerk
+        limited = np.isfinite(jerk)
+        times += (2 * acceleration[limited] / jerk[limited]).tolist()
+    return max(times)
+
+
+def _solved(
+    path: Path, zones: Sequence[Zone], grid: Matrix, slowed: Matrix, window: float
+) -> tuple[Motion, Matrix]:
+    """Returns the motion of toppra, smoothed, and its relative excess in the parts of the grid.
+
+    `slowed` [M] are factors on the time that a unit of the path takes.
+    """
+    # The tolerances of toppra are absolute: the path gets length 1 and a duration of about 1.
+    unit = _unit_of_time(path, zones)
+    speed, acceleration = _limits(path, zones, grid, window)
+    given = _Given(path)
     constraints = [
-        JointVelocityConstraint(np.minimum(limits.velocity * unit, 1e6)),
-        JointAccelerationConstraint(np.minimum(limits.acceleration * unit**2, 1e6)),
-        _Pace(limits, unit),
+        _Speed(speed / slowed / path.length * unit, given.dof),
+        _Acceleration(acceleration * unit**2),
     ]
-    result = TOPPRA(constraints, _Given(path), gridpoints=grid).compute_parameterization(0, 0)
+    solver = TOPPRA(constraints, given, gridpoints=grid / path.length)
+    result = solver.compute_parameterization(0, 0)
     speeds = result[1]
     if speeds is None or not np.isfinite(speeds).all():
-        raise TaskError(_NO_MOTION)
-    with np.errstate(all="ignore"):  # speeds too small to divide by are reported below
-        motion = Motion(path, ParametrizeConstAccel(_Arc(), grid, np.maximum(speeds, 0.0)), unit)
-    if not np.isfinite(motion.duration):
-        raise TaskError(_NO_MOTION)
-    return motion, _excess(motion, limits)
+        raise TaskError(NO_MOTION)
+    profile = profile_of(grid, np.maximum(speeds, 0.0) * path.length / unit)
+    motion = Motion(path, profile, window)
+    times = _moments(motion, grid, CHECKS)
+    excess = _excess(motion, zones, times)
+    return motion, excess.reshape(len(grid) - 1, -1).max(axis=1)
 
 
-def _unit_of_time(path: Path, limits: Limits) -> float:
+def _limits(
+    path: Path, zones: Sequence[Zone], grid: Matrix, window: float
+) -> tuple[Matrix, Matrix]:
+    """Returns the largest speed [M] and accelerations [M, n] at the points of the grid.
+
+    Each holds for half the window before and after its point.
+    """
+    most = bounds(path, zones, grid)
+    d1, d2, d3 = (np.abs(path(grid, order)) for order in (1, 2, 3))
+    pace = [
+        np.full(len(grid), 1e-100),
+        most.pace,
+        (d1 / most.velocity).max(axis=1),
+        np.sqrt(d2 / most.acceleration).max(axis=1),
+        np.cbrt(d3 / most.jerk).max(axis=1),
+    ]
+    speed = 1 / np.max(pace, axis=0)
+    acceleration = most.acceleration.copy()
+    if window > 0:
+        reach = speed * window / 2
+        first = np.searchsorted(grid, grid - reach, "left")
+        last = np.searchsorted(grid, grid + reach, "right")
+        of_point = speed.copy()
+        for k, (i, j) in enumerate(zip(first, last, strict=True)):
+            np.minimum(speed[i:j], of_point[k], out=speed[i:j])
+            np.minimum(acceleration[i:j], most.acceleration[k], out=acceleration[i:j])
+    return speed, acceleration
+
+
+def _unit_of_time(path: Path, zones: Sequence[Zone]) -> float:
     """Returns the time that the path takes from rest at its maximum accelerations [s]."""
-    slopes = np.abs(path(np.linspace(0.0, path.length, 50), 1)).max(axis=0)
-    return float(np.sqrt((path.length * slopes / limits.acceleration).max()))
+    s = np.linspace(0.0, path.length, 50)
+    slopes = np.abs(path(s, 1)) / bounds(path, zones, s, paces=False).acceleration
+    return float(np.sqrt(path.length * slopes.max()))
 
 
-def _excess(motion: Motion, limits: Limits, checks: int = CHECKS) -> Matrix:
-    """Returns the relative excess of a motion between points of its grid; 0.01 is one percent."""
-    times = np.asarray(motion._arc._ts) * motion._unit
+def _moments(motion: Motion, grid: Matrix, checks: int) -> Matrix:
+    """Returns times at which to check the motion [s]: `checks` + 2 in each part of the grid."""
+    x = motion.profile.x
+    knots = np.unique(np.concatenate([x, x + motion.window]))
+    knots = np.sort(np.append(knots, (knots[1:] + knots[:-1]) / 2))
+    times = np.interp(grid, motion.at(knots)[0], knots)
     parts = np.linspace(1e-6, 1 - 1e-6, checks + 2)
-    t = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
-    s, ds, _ = motion.at(t)
-    _, velocities, accelerations = motion.coordinates(t)
-    velocity = (np.abs(velocities) / limits.velocity).max(axis=1)
-    acceleration = (np.abs(accelerations) / limits.acceleration).max(axis=1)
-    pace = ds * limits.pace(motion.path, s)
-    most = np.max([velocity, np.sqrt(acceleration), pace, np.ones(len(t))], axis=0)
-    excess: Matrix = most.reshape(-1, len(parts)).max(axis=1) - 1
+    moments: Matrix = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
+    return moments
+
+
+def _excess(motion: Motion, zones: Sequence[Zone], times: Matrix, *, paces: bool = True) -> Matrix:
+    """Returns the relative excess of a motion at `times` [N] [s]; 0.01 is one percent."""
+    s, ds, *_ = motion.at(times)
+    _, *values = motion.coordinates(times)
+    most = bounds(motion.path, zones, s, paces=paces)  # paces are slow to ask
+    allowed = (most.velocity, most.acceleration, most.jerk)
+    ratios = [
+        (np.abs(value) / limit).max(axis=1) ** (1 / power)
+        for power, (value, limit) in enumerate(zip(values, allowed, strict=True), 1)
+    ]
+    excess: Matrix = np.max([*ratios, ds * most.pace, np.ones(len(times))], axis=0) - 1
     return excess
 
 
@@ -180,34 +186,33 @@ class _Given(AbstractGeometricPath):  # type: ignore[misc]
         return np.array([0.0, 1.0])
 
 
-class _Arc(AbstractGeometricPath):  # type: ignore[misc]
-    """Path parameter as a path of one coordinate."""
+class _Speed(LinearConstraint):  # type: ignore[misc]
+    """Limits of the speed along the path at the points of the grid [M]."""
 
-    def __call__(self, path_positions: Any, order: int = 0) -> Matrix:
-        s = np.asarray(path_positions, dtype=float).reshape(-1, 1)
-        return s if order == 0 else np.full_like(s, float(order == 1))
-
-    @property
-    def dof(self) -> int:
-        return 1
-
-    @property
-    def path_interval(self) -> Matrix:
-        return np.array([0.0, 1.0])
-
-
-class _Pace(LinearConstraint):  # type: ignore[misc]
-    """Paces as bounds on the squared speed along the path."""
-
-    def __init__(self, limits: Limits, unit: float) -> None:
+    def __init__(self, speed: Matrix, dof: int) -> None:
         super().__init__()
-        self.limits = limits
-        self.unit = unit
-        self.dof = len(limits.velocity)
+        self.speed = speed.clip(1e-50, 1e4)  # whose squares are numbers
+        self.dof = dof
 
     def compute_constraint_params(self, path: Any, gridpoints: Matrix) -> tuple[Any, ...]:
-        length = path.path.length
-        pace = self.limits.pace(path.path, gridpoints * length) * length / self.unit
-        slowest = np.clip(pace, 1e-4, 1e100)  # whose square is a number
-        bounds = np.stack([np.zeros(len(pace)), 1 / slowest**2], axis=1)
-        return None, None, None, None, None, None, bounds
+        limits = np.stack([np.zeros(len(gridpoints)), self.speed**2], axis=1)
+        return None, None, None, None, None, None, limits
+
+
+class _Acceleration(LinearConstraint):  # type: ignore[misc]
+    """Limits of the accelerations at the points of the grid [M, n]."""
+
+    def __init__(self, acceleration: Matrix) -> None:
+        super().__init__()
+        self.acceleration = acceleration.clip(1e-50, 1e6)
+        self.dof = acceleration.shape[1]
+        self.identical = True
+
+    def compute_constraint_params(self, path: Any, gridpoints: Matrix) -> tuple[Any, ...]:
+        slopes, bends = (path(gridpoints, order) / self.acceleration for order in (1, 2))
+        both = np.vstack([np.eye(self.dof), -np.eye(self.dof)])
+        parameters: tuple[Any, ...] = canlinear_colloc_to_interpolate(
+            slopes, bends, np.zeros_like(slopes), both, np.ones(2 * self.dof), None, None,
+            gridpoints, identical=True,
+        )  # fmt: skip
+        return parameters

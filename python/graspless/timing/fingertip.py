@@ -11,7 +11,7 @@ import numpy as np
 from .. import frames
 from . import settings as defaults
 from .clip import Clip, clip
-from .fastest import Limits
+from .limits import Limits, Zone
 from .object_path import ObjectPath
 from .paces import frame_speed
 from .regrasp import regrasp
@@ -46,7 +46,7 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
         timed = [_carried(plan, segment, settings) for segment in segments]
         names = list(settings.robot.joint_names)
     clips, poses = zip(*timed, strict=True)
-    return assembled(plan, segments, names, list(clips), list(poses), settings.pause)
+    return assembled(plan, segments, names, list(clips), list(poses), [settings.pause] * len(clips))
 
 
 def _bare(plan: Plan, index: int, settings: Settings) -> tuple[Clip, Matrix]:
@@ -57,9 +57,9 @@ def _bare(plan: Plan, index: int, settings: Settings) -> tuple[Clip, Matrix]:
         return timed, np.repeat(segment.object_poses[:1], len(timed.times), axis=0)
     ends = segment.X_WO[:1], segment.object_poses, segment.X_WO[-1:]
     path = ObjectPath(plan.task.problem.object, np.concatenate(ends))
-    timed = clip(
-        path.coordinates(), _object_tolerance(), _limits(path, segment, settings), settings.rate
-    )
+    points = path.coordinates()
+    zone = Zone(slice(0, len(points)), _limits(path, segment, settings), _object_tolerance())
+    timed = clip(points, [zone], settings.rate)
     poses = path.at(timed.coordinates, timed.rows)
     last = len(path.poses) - 1  # rows lie in the middle of their parts of the way: half a row
     rows = np.interp(timed.rows, np.arange(last + 1), [-0.5, *range(last - 1), last - 1.5])
@@ -69,7 +69,7 @@ def _bare(plan: Plan, index: int, settings: Settings) -> tuple[Clip, Matrix]:
 def _limits(path: ObjectPath, segment: Segment, settings: Settings) -> Limits:
     acceleration = path.acceleration(float(segment.stability.min()))
     slow = path.slow(segment.name, settings.speed(defaults.FINGERTIP_SPEED))
-    return Limits(np.full(6, np.inf), acceleration, [slow])
+    return Limits(np.full(6, np.inf), acceleration, np.full(6, np.inf), [slow])
 
 
 def _carried(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Clip, Matrix]:
@@ -83,11 +83,12 @@ def _carried(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Cli
     limits = Limits(
         np.append(settings.velocity, of_object.velocity),
         np.append(settings.acceleration * defaults.CONTACT_SHARE, of_object.acceleration),
+        np.append(settings.jerk * defaults.CONTACT_SHARE, of_object.jerk),
         of_object.paces,
     )
     tolerance = np.append(np.full(dof, defaults.CONTACT_TOLERANCE), _object_tolerance())
     points = np.hstack([segment.positions, path.coordinates()])
-    timed = clip(points, tolerance, limits, settings.rate)
+    timed = clip(points, [Zone(slice(0, len(points)), limits, tolerance)], settings.rate)
     return timed, path.at(timed.coordinates[:, dof:], timed.rows)
 
 
@@ -102,9 +103,9 @@ def _free(plan: Plan, segment: JointSegment, settings: Settings) -> tuple[Clip, 
         share, tolerance = defaults.CONTACT_SHARE, defaults.CONTACT_TOLERANCE
     speed = settings.speed(defaults.FINGERTIP_SPEED)
     paces = [frame_speed(settings.robot, tip, speed) for tip in tips]
-    limits = Limits(settings.velocity, settings.acceleration * share, paces)
-    tolerances = np.full(len(settings.velocity), tolerance)
-    timed = clip(segment.positions, tolerances, limits, settings.rate)
+    limits = Limits(settings.velocity, settings.acceleration * share, settings.jerk * share, paces)
+    zone = Zone(slice(0, len(segment)), limits, np.full(len(settings.velocity), tolerance))
+    timed = clip(segment.positions, [zone], settings.rate)
     return timed, frames.along(segment.object_poses, timed.rows)
 
 

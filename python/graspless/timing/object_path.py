@@ -20,7 +20,7 @@ from .settings import STABILITY_SHARE, TUMBLE_SPEED
 if TYPE_CHECKING:
     from ..fingertip import Object
     from ..frames import Matrix
-    from .fastest import Pace
+    from .limits import Pace
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Speeds of points and links as bounds along a path: see `fastest.Limits.paces`.
+"""Speeds of points and links as bounds along a path: see `limits.Limits`.
 
 A path's first coordinates are the robot's joints.
 """
@@ -14,7 +14,7 @@ import numpy as np
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..robot import Robot
-    from .fastest import Pace
+    from .limits import Pace
 
 
 def frame_speed(robot: Robot, frame: str, speed: float) -> Pace:

@@ -55,6 +55,10 @@ class Path:
         """Returns fractional rows [N] at `s` [N]."""
         return np.interp(s, self.knots, self.rows)
 
+    def place(self, row: float) -> float:
+        """Returns the parameter at a fractional row."""
+        return float(np.interp(row, self.rows, self.knots))
+
     def grid(self) -> Matrix:
         """Returns parameters [M] at which to evaluate limits: denser in bends and at the ends."""
         breaks = self.curve.x
@@ -77,7 +81,7 @@ def stretches(points: Matrix) -> list[slice]:
 
 
 def rounded(points: Matrix, tolerance: Matrix) -> Path | None:
-    """Returns a path along rows [N, n] that deviates by at most `tolerance` [n] per coordinate.
+    """Returns a path along rows [N, n] that deviates from each by at most `tolerance` [N, n].
 
     None if the rows do not move.
     """
@@ -87,8 +91,10 @@ def rounded(points: Matrix, tolerance: Matrix) -> Path | None:
     knots = np.concatenate([[0.0], np.cumsum(lengths)])
     breaks, pieces = [0.0], []
     for i, (u, length) in enumerate(zip(directions, lengths, strict=True)):
-        last = i + 1 == len(lengths)
-        bend = 0.0 if last else _bend(directions[i + 1] - u, length, lengths[i + 1], tolerance)
+        bend = 0.0
+        if i + 1 < len(lengths):
+            near = tolerance[rows[i + 1]]
+            bend = _bend(directions[i + 1] - u, length, lengths[i + 1], near)
         start, end = breaks[-1], knots[i + 1] - bend
         if end - start > 1e-12 * knots[-1]:
             pieces.append(_straight(points[rows[i]] + u * (start - knots[i]), u))

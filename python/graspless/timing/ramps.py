@@ -5,7 +5,7 @@
 Half of each acceleration limit is kept for bends, half for speeding up and slowing down. The
 squared speed is then bounded at every point, and its slope along the path too: two passes over the
 path give the largest squared speed within both bounds. `fastest` shares the limits better and takes
-a hundred times as long.
+a hundred times as long. The jerk is not bounded here.
 """
 
 from __future__ import annotations
@@ -16,11 +16,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .clip import Clip, joined, sampled, still
+from .limits import bounds, tolerances
 from .path import rounded, stretches
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..frames import Matrix
-    from .fastest import Limits
+    from .limits import Zone
     from .path import Path
     from .rates import Rate
 
@@ -71,7 +74,7 @@ class Ramps:
         return self.path(s), dq * ds[:, None], accelerations
 
 
-def ramps(path: Path, limits: Limits, speed: float = 0.0) -> Ramps:
+def ramps(path: Path, zones: Sequence[Zone], speed: float = 0.0) -> Ramps:
     """Returns a motion along `path` that begins at `speed` [1/s] and ends at rest.
 
     It begins slower if the path is too short, or its first bend too sharp, for that speed.
@@ -83,12 +86,13 @@ def ramps(path: Path, limits: Limits, speed: float = 0.0) -> Ramps:
     points = [breaks, *inner, ends, path.length - ends]
     grid = np.unique(np.concatenate(points).clip(0.0, path.length))
     grid = np.append(grid[:-1][np.diff(grid) > _NEAR * path.length], path.length)
+    most = bounds(path, zones, grid)
     slopes, bends = np.abs(path(grid, 1)), np.abs(path(grid, 2))
     with np.errstate(divide="ignore"):
-        fast = np.min(limits.velocity / slopes, axis=1)
-        bent = np.min(_SHARE * limits.acceleration / 2 / bends, axis=1)
-        gains = np.min(_SHARE * limits.acceleration / 2 / slopes, axis=1)
-        paced = _SHARE / limits.pace(path, grid)
+        fast = np.min(most.velocity / slopes, axis=1)
+        bent = np.min(_SHARE * most.acceleration / 2 / bends, axis=1)
+        gains = np.min(_SHARE * most.acceleration / 2 / slopes, axis=1)
+        paced = _SHARE / most.pace
     squares = np.minimum(np.minimum(fast, paced) ** 2, bent)
     squares[-1] = 0.0
     steps = 2 * np.diff(grid) * np.minimum(gains[1:], gains[:-1])
@@ -103,7 +107,7 @@ def ramps(path: Path, limits: Limits, speed: float = 0.0) -> Ramps:
 
 
 def ramped(
-    points: Matrix, tolerance: Matrix, limits: Limits, rate: Rate, velocity: Matrix | None = None
+    points: Matrix, zones: Sequence[Zone], rate: Rate, velocity: Matrix | None = None
 ) -> Clip:
     """Returns a motion through points [N, n], sampled at `rate`: as `clip` does, but quickly.
 
@@ -112,9 +116,10 @@ def ramped(
     """
     parts: list[Clip] = []
     for rows in stretches(points):
-        path = rounded(points[rows], tolerance)
+        within = [part for zone in zones if (part := zone.within(rows))]
+        path = rounded(points[rows], tolerances(within, rows.stop - rows.start))
         if path is not None:
             is_first = velocity is not None and not parts
             speed = max(0.0, float(velocity @ path(np.zeros(1), 1)[0])) if is_first else 0.0
-            parts.append(sampled(ramps(path, limits, speed), rows.start, rate))
+            parts.append(sampled(ramps(path, within, speed), rows.start, rate))
     return joined(parts) if parts else still(points)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .clip import Clip, clip, joined
-from .fastest import Limits
+from .limits import Limits, Zone
 from .settings import FINGERTIP_SPEED, FREE_FINGER_ACCELERATION, FREE_FINGER_SPEED
 
 if TYPE_CHECKING:
@@ -39,8 +39,9 @@ def regrasp(plan: Plan, index: int, settings: Settings) -> Clip:
 
 
 def _part(i: int, distance: float, speed: float, rate: Rate) -> Clip:
-    limits = Limits(np.array([speed]), np.array([FREE_FINGER_ACCELERATION]))
-    timed = clip(np.array([[0.0], [distance]]), np.array([1.0]), limits, rate)
+    limits = Limits(np.array([speed]), np.array([FREE_FINGER_ACCELERATION]), np.array([np.inf]))
+    points = np.array([[0.0], [distance]])
+    timed = clip(points, [Zone(slice(0, 2), limits, np.array([1.0]))], rate)
     return Clip(
         timed.times,
         (i + timed.rows) / 3,

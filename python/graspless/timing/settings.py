@@ -31,7 +31,9 @@ OBJECT_TOLERANCE = 1e-4  # how far an object in fingertips rounds its corners [m
 # Limits where the URDF has none, of turning and of sliding joints. URDFs have no accelerations.
 VELOCITY = (1.0, 0.25)  # [rad/s], [m/s]
 ACCELERATION = (5.0, 1.0)  # [rad/s^2], [m/s^2]
-CONTACT_SHARE = 0.1  # of joint accelerations during contact, so that no jerk breaks it
+JERK = 50.0  # per acceleration, which is reached in 0.02 s [1/s]
+CONTACT_SHARE = 0.1  # of joint accelerations and jerks during contact, so that none breaks it
+GUARD = 0.015  # distance to a contact below which parts move at contact speed [m]
 
 CONTACT_SPEED = 0.05  # of parts in contact or about to be [m/s]
 FINGERTIP_SPEED = 0.02  # of an object in fingertips: faster sliding chatters [m/s]
@@ -53,8 +55,8 @@ class Settings:
     ----------
     robot : Robot or None
         Robot that moves; None for fingertips without an arm.
-    velocity, acceleration : array [dof]
-        Limits of its joints [rad/s, rad/s^2], or [m/s, m/s^2] for sliding joints.
+    velocity, acceleration, jerk : array [dof]
+        Limits of its joints [rad/s, rad/s^2, rad/s^3], or [m/s, m/s^2, m/s^3] for sliding joints.
     contact_speed : float or None
         Speed limit of parts in contact [m/s]; None for the default of the kind of plan.
     rate : Rate
@@ -66,6 +68,7 @@ class Settings:
     robot: Robot | None
     velocity: Matrix
     acceleration: Matrix
+    jerk: Matrix
     contact_speed: float | None
     rate: Rate
     pause: float
@@ -76,17 +79,25 @@ class Settings:
 
 
 def joint_limits(
-    robot: Robot | None, max_velocity: PerJoint | None, max_acceleration: PerJoint | None
-) -> tuple[Matrix, Matrix]:
-    """Returns velocity and acceleration limits [dof] of a robot, in the order of its joints.
+    robot: Robot | None,
+    max_velocity: PerJoint | None,
+    max_acceleration: PerJoint | None,
+    max_jerk: PerJoint | None,
+) -> tuple[Matrix, Matrix, Matrix]:
+    """Returns limits of velocity, acceleration and jerk [dof], in the order of a robot's joints.
 
     A velocity limit is the smaller one of the URDF and the caller.
     """
     if robot is None:
-        for name, given in (("max_velocity", max_velocity), ("max_acceleration", max_acceleration)):
+        every = {
+            "max_velocity": max_velocity,
+            "max_acceleration": max_acceleration,
+            "max_jerk": max_jerk,
+        }
+        for name, given in every.items():
             if given is not None:
                 raise TaskError(f"{name}: {given}: this plan moves no joints: should be left out")
-        return np.zeros(0), np.zeros(0)
+        return np.zeros(0), np.zeros(0), np.zeros(0)
     _require_velocities(robot, max_velocity)
     slides = _slides(robot)
     velocity = np.asarray(robot.max_velocity, dtype=float).copy()
@@ -94,7 +105,9 @@ def joint_limits(
     velocity[unknown] = np.where(slides, VELOCITY[1], VELOCITY[0])[unknown]
     velocity = np.minimum(velocity, _per_joint("max_velocity", max_velocity, robot, np.inf))
     default = np.where(slides, ACCELERATION[1], ACCELERATION[0])
-    return velocity, _per_joint("max_acceleration", max_acceleration, robot, default)
+    acceleration = _per_joint("max_acceleration", max_acceleration, robot, default)
+    jerk = _per_joint("max_jerk", max_jerk, robot, JERK * acceleration)
+    return velocity, acceleration, jerk
 
 
 def require_positive(name: str, value: float) -> float:

@@ -1,42 +1,61 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Timing of slides: parts in contact, or about to be, move slowly."""
+"""Timing of slides: parts in contact, or about to be, move slowly.
+
+It rests when the finger has pressed, when it has slid, and before the hand closes: there contacts
+change.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from . import joints, paces
 from . import settings as defaults
-from .joints import robot
+from .joints import Touch, leaving, nearing, robot
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from ..slide import Plan
-    from .fastest import Pace
+    from ..frames import Matrix
+    from ..slide import Plan, Problem, Segment
     from .settings import Settings
     from .trajectory import Trajectory
 
 
+RESTS = ("press", "slide", "grasp")  # after which contact changes, or the hand
+
+
 def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     """Times the plan."""
-    return joints.trajectory(plan, plan.segments, slow(plan, settings), settings)
+    touches = [touch(plan.task.problem, segment, settings) for segment in plan.segments]
+    return joints.trajectory(plan, plan.segments, touches, settings, rests=RESTS)
 
 
-def slow(plan: Plan, settings: Settings) -> dict[str, Sequence[Pace]]:
-    """Returns the speed limits of each segment that touches something, by its name."""
+def touch(problem: Problem, segment: Segment, settings: Settings) -> Touch | None:
+    """Returns where a segment touches something or is about to, and its speed limits there."""
     assert settings.robot is not None
-    hand, speed = plan.task.problem.hand, settings.speed(defaults.CONTACT_SPEED)
-    tip = [paces.frame_speed(settings.robot, hand.fingertip, speed)]
-    return {
-        "retreat": tip,
-        "press": tip,
-        "slide": tip,
-        "lift": tip,
-        "grasp": [paces.frame_speed(settings.robot, hand.grasp_frame, speed)],
-        "close": [paces.link_speed(settings.robot, speed)],
-    }
+    robot, speed = settings.robot, settings.speed(defaults.CONTACT_SPEED)
+    if segment.name == "close":
+        return joints.closing(segment, robot, speed)
+    if segment.name == "grasp":
+        hand = paces.frame_speed(robot, problem.hand.grasp_frame, speed)
+        return Touch(slice(0, len(segment)), [hand])
+    if segment.name not in ("retreat", "press", "slide", "lift"):
+        return None
+    rows = slice(0, len(segment))
+    if segment.name != "slide":
+        near = nearing if segment.name == "press" else leaving
+        rows = near(_heights(problem, segment.positions), defaults.GUARD)
+    return Touch(rows, [paces.frame_speed(robot, problem.hand.fingertip, speed)])
 
 
-__all__ = ["robot", "slow", "trajectory"]
+def _heights(problem: Problem, positions: Matrix) -> Matrix:
+    """Returns the heights of the fingertip over the object's top [N] [m]; negative when pressed."""
+    tips = [problem.robot.pose(problem.hand.fingertip, q)[:3, 3] for q in positions]
+    X_WS = problem.support.X_WS
+    heights: Matrix = (np.array(tips) - X_WS[:3, 3]) @ X_WS[:3, 2] - problem.object.thickness
+    return heights
+
+
+__all__ = ["robot", "touch", "trajectory"]

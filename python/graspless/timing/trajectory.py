@@ -186,10 +186,10 @@ def assembled(
     joint_names: list[str],
     clips: list[Clip],
     object_poses: list[Matrix],
-    pause: float,
+    pauses: Sequence[float],
 ) -> Trajectory:
-    """Joins one clip per segment to a trajectory, with `pause` [s] between them."""
-    lengths = [clip.times[-1] + pause for clip in clips]
+    """Joins one clip per segment to a trajectory, with `pauses` [s] after them."""
+    lengths = [clip.times[-1] + pause for clip, pause in zip(clips, pauses, strict=True)]
     starts = np.cumsum([0.0, *lengths[:-1]])
     dof = len(joint_names)
     return Trajectory(

@@ -170,7 +170,8 @@ def _program(
 
 def stretch(trajectory: Trajectory, index: int, timestep: float) -> Matrix:
     """[N, dof] a segment's positions at even times."""
-    own = trajectory.segment_index == index
+    own = np.flatnonzero(trajectory.segment_index == index)
+    own = np.append(max(own[0] - 1, 0), own)  # from the end of the segment before
     times, positions = trajectory.times[own], trajectory.positions[own]
     asked = np.arange(times[0], times[-1] + timestep, timestep)
     columns = [np.interp(asked, times, column) for column in positions.T]

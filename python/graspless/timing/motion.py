@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Timed paths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.interpolate import PPoly
+from scipy.optimize import brentq
+
+from ..errors import TaskError
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .path import Path
+
+NO_MOTION = (
+    "toppra found no motion along a path within max_velocity, max_acceleration, max_jerk and "
+    "contact_speed: they should be closer to their defaults"
+)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A timed path.
+
+    Attributes
+    ----------
+    path : Path
+    profile : PPoly
+        From time to the path's parameter, before it is averaged.
+    window : float
+        Time over which it is averaged [s].
+    """
+
+    path: Path
+    profile: PPoly
+    window: float
+
+    @property
+    def duration(self) -> float:
+        """Duration [s]."""
+        return float(self.profile.x[-1]) + self.window
+
+    @cached_property
+    def _integral(self) -> PPoly:
+        return self.profile.antiderivative()
+
+    def slower(self, factor: float) -> Motion:
+        """Returns the motion with all times multiplied by a factor."""
+        powers = factor ** np.arange(2.0, -1.0, -1.0)
+        profile = _made(self.profile.c / powers[:, None], self.profile.x * factor)
+        return Motion(self.path, profile, self.window * factor)
+
+    def reaches(self, s: float) -> float:
+        """Returns the time at which the path's parameter becomes `s` [s]."""
+        return float(brentq(lambda t: self.at(np.array([t]))[0, 0] - s, 0.0, self.duration))
+
+    def at(self, t: Matrix) -> Matrix:
+        """Returns the path's parameter and its first three derivatives [4, N] at `t` [N] [s]."""
+        end, length = float(self.profile.x[-1]), self.path.length
+        if self.window == 0:
+            values = [self.profile(t.clip(0.0, end), order) for order in range(3)]
+            values.append(np.zeros_like(t))
+        else:
+            before = t - self.window
+            values = [
+                (_held(self._integral, t, order) - _held(self._integral, before, order))
+                / self.window
+                for order in range(4)
+            ]
+        values[0] = np.where(t < self.duration, values[0].clip(0.0, length), length)
+        return np.array(values)
+
+    def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+        """Returns coordinates, velocities, accelerations and jerks [N, n] at `t` [N] [s]."""
+        s, ds, dds, ddds = self.at(t)
+        d1, d2, d3 = (self.path(s, order) for order in (1, 2, 3))
+        v, a, j = ds[:, None], dds[:, None], ddds[:, None]
+        jerks = d3 * v**3 + 3 * d2 * v * a + d1 * j
+        return self.path(s), d1 * v, d2 * v**2 + d1 * a, jerks
+
+
+def _held(integral: PPoly, t: Matrix, order: int) -> Matrix:
+    """Returns derivatives of the integral of a position that rests before and after its motion."""
+    end = float(integral.x[-1])
+    inside: Matrix = integral(t.clip(0.0, end), order)
+    if order == 0:
+        return inside + (t - end).clip(min=0.0) * float(integral(end, 1))
+    return inside if order == 1 else np.where((t > 0) & (t < end), inside, 0.0)
+
+
+def profile_of(grid: Matrix, speeds: Matrix) -> PPoly:
+    """Returns the path's parameter over time, with a constant acceleration between grid points."""
+    steps = 2 * np.diff(grid) / (speeds[1:] + speeds[:-1])
+    pieces = np.array([np.diff(speeds) / steps / 2, speeds[:-1], grid[:-1]])
+    return _made(pieces, np.concatenate([[0.0], np.cumsum(steps)]))
+
+
+def _made(pieces: Matrix, times: Matrix) -> PPoly:
+    """Returns a profile; raises TaskError if numbers cannot express it."""
+    if not (np.isfinite(pieces).all() and np.isfinite(times).all() and (np.diff(times) > 0).all()):
+        raise TaskError(NO_MOTION)
+    return PPoly(pieces, times)
