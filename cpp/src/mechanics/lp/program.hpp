@@ -49,8 +49,8 @@ struct LpSolution {
 /// with iterative refinement), and improves the basis until errors are below 1e-13 where that is
 /// possible. May be called from any thread. Throws std::invalid_argument on entries or bounds that
 /// are not finite where they must be, crossed, out of range or given twice, and std::runtime_error
-/// if GLPK gives up or errors stay above 1e-6. Whether a program is infeasible or unbounded is
-/// decided by GLPK alone, to its tolerance of 1e-9.
+/// if GLPK gives up or errors stay above 1e-6. GLPK alone decides, to its tolerance of 1e-9, that a
+/// program is unbounded. What it calls infeasible is, unless a vertex proves the opposite.
 LpSolution solve_lp(const LinearProgram& lp);
 
 }  // namespace graspless::mechanics

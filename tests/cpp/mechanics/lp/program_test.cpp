@@ -45,6 +45,38 @@ TEST(Lp, InfeasibleAndUnbounded) {
   EXPECT_EQ(solve_lp(lp).objective, kInfinity);
 }
 
+/// Wrenches of five contacts, of which two at one place oppose each other, so that forces of any
+/// size cancel. GLPK's dual method calls the program infeasible, its primal one gives up, and 0
+/// fulfils all rows.
+TEST(Lp, NarrowRowsAreNotInfeasible) {
+  Eigen::Matrix<double, 9, 6> different;  // one wrench a row
+  different << 0.24806759339941245, 0.60334202086934019, -0.75791878060251256, -0.96458973094956146,
+      -0.12746279630077503, -0.41717809771544689,  //
+      0.98453366686474508, -0.012661611088327335, 0.17473735265966309, -0.093699481873995211,
+      -0.40489815710254101, 0.49859763897653619,  //
+      0.29746685629899966, 0.91254024447427851, 0.28068446985612594, 0.31592788730907628,
+      -0.0083911932214368601, -0.3075366940876394,  //
+      0.16044679664552267, 0.0061231641128045499, 0.98702549729347833, -0.49045116659033688,
+      0.41328935032397784, 0.077161816266359054,  //
+      0.21905145300550879, 0.95080645868249702, 0.21905145300550879, -0.72459331422895024,
+      6.6849198304963497e-06, 0.72456429791856569,  //
+      0.21905145300550874, 0.21905145300550888, 0.95080645868249702, 0.72455761299873511,
+      -0.72455761299873522, 0,  //
+      0.95080645868249702, 0.21905145300550852, 0.21905145300550902, -6.6849198299967494e-06,
+      0.72459331422895001, -0.72456429791856602,  //
+      -0.57735026918962584, -0.57735026918962584, -0.57735026918962584, -1.032915715972065,
+      1.0369505429875809, -0.0040348270155159405,  //
+      -0.57735026918962584, -0.57735026918962584, -0.57735026918962584, 0, 0, 0;
+  LinearProgram lp;
+  for (int row = 0; row < 6; ++row) lp.add_row(-1.03695e-12, 1.03695e-12);
+  for (const int wrench : {0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 7, 7, 8, 8, 8}) {
+    lp.set_block(0, lp.add_variable(0, 1, 1), different.row(wrench).transpose());
+  }
+  const LpSolution solution = solve_lp(lp);
+  ASSERT_EQ(solution.status, LpStatus::optimal);
+  EXPECT_GE(solution.objective, 1);
+}
+
 TEST(Lp, WithoutRowsOrVariables) {
   LinearProgram lp;
   EXPECT_EQ(solve_lp(lp).status, LpStatus::optimal);
