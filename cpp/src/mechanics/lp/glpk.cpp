@@ -141,7 +141,7 @@ glp_smcp options(const LinearProgram& lp, const GlpkMethod& method) {
   options.presolve = GLP_OFF;  // with the primal method it gave wrong optima
   options.tol_bnd = options.tol_dj = method.tolerance;
   // Far more than any of our programs needs; it stops a method that cycles.
-  options.it_lim = 1000 + 20 * static_cast<int>(lp.num_rows() + lp.num_variables());
+  options.it_lim = 1000 + 2 * static_cast<int>(lp.num_rows() + lp.num_variables());
   return options;
 }
 
