@@ -126,6 +126,7 @@ def test_rows_that_do_not_move_are_passed():
     timed = clip(points, whole(points, limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
     assert timed.rows[-1] == 5
     assert (np.diff(timed.rows) >= 0).all()
-    still = clip(points[:2], whole(points[:2], limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
-    assert len(still.times) == 1
-    np.testing.assert_array_equal(still.velocities, [[0.0]])
+    for rows in (points[:2], points[:1]):
+        still = clip(rows, whole(rows, limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
+        assert len(still.times) == 1
+        np.testing.assert_array_equal(still.velocities, [[0.0]])

@@ -51,7 +51,7 @@ def clip(points: Matrix, zones: Sequence[Zone], rate: Rate, marks: Sequence[int]
     parts: list[Clip] = []
     for rows in stretches(points):
         within = [part for zone in zones if (part := zone.within(rows))]
-        path = rounded(points[rows], tolerances(within, rows.stop - rows.start))
+        path = rounded(points[rows], tolerances(within, points[rows].shape))
         if path is not None:
             inside = [mark - rows.start for mark in marks if rows.start < mark < rows.stop - 1]
             motion = fastest(path, within)

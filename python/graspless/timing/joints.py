@@ -133,4 +133,4 @@ def zones_of(segment: Any, touch: Touch | None, settings: Settings, start: int =
         Zone(slice(first, stop), slow, near),
         Zone(slice(stop - 1, start + count), free, far),
     ]
-    return [zone for zone in zones if zone.rows.stop - zone.rows.start > 1]
+    return [zone for zone in zones if zone.rows.stop - zone.rows.start > 1] or zones[1:2]

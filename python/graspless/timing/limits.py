@@ -90,9 +90,9 @@ def bounds(path: Path, zones: Sequence[Zone], s: Matrix, *, paces: bool = True) 
     return found
 
 
-def tolerances(zones: Sequence[Zone], count: int) -> Matrix:
-    """Returns how far `count` rows may be cut off [count, n]: where zones meet, the lesser."""
-    found = np.full((count, len(zones[0].tolerance)), np.inf)
+def tolerances(zones: Sequence[Zone], shape: tuple[int, ...]) -> Matrix:
+    """Returns how far rows of a shape [N, n] may be cut off: where zones meet, the lesser."""
+    found = np.full(shape, np.inf)
     for zone in zones:
         found[zone.rows] = np.minimum(found[zone.rows], zone.tolerance)
     return found

@@ -117,7 +117,7 @@ def ramped(
     parts: list[Clip] = []
     for rows in stretches(points):
         within = [part for zone in zones if (part := zone.within(rows))]
-        path = rounded(points[rows], tolerances(within, rows.stop - rows.start))
+        path = rounded(points[rows], tolerances(within, points[rows].shape))
         if path is not None:
             is_first = velocity is not None and not parts
             speed = max(0.0, float(velocity @ path(np.zeros(1), 1)[0])) if is_first else 0.0
