@@ -119,7 +119,7 @@ std::optional<Pinch> pinched(Query& query, const Eigen::VectorXd& q) {
   return pinch.holds ? std::optional(pinch) : std::nullopt;
 }
 
-/// What a clasp must withstand to be accepted [N].
+/// Force that a clasp must withstand to be accepted [N].
 double enough(const Query& query) {
   const bool must_withstand =
       query.options.must_be_secure && query.problem.hand.fingers.size() == 1;

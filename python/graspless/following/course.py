@@ -11,6 +11,7 @@ import numpy as np
 from ..timing import settings
 from ..timing.ramps import ramped
 from ..timing.rates import Rate
+from . import plane
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -93,8 +94,7 @@ class Course:
         before = min(int(row), len(self.places) - 1)
         after, t = min(before + 1, len(self.places) - 1), row - before
         a, b = self.places[before], self.places[after]
-        turn = (b[2] - a[2] + np.pi) % (2 * np.pi) - np.pi
-        mixed: Matrix = a + t * np.array([*(b[:2] - a[:2]), turn])
+        mixed: Matrix = a + t * plane.difference(a, b)
         return mixed
 
     @property

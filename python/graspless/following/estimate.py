@@ -35,7 +35,7 @@ _SIZE = 7
 
 @dataclass(frozen=True)
 class Noise:
-    """What the filter assumes about camera, task and contact, as standard deviations.
+    """Assumptions of the filter about camera, task and contact, as standard deviations.
 
     Attributes
     ----------
@@ -173,13 +173,13 @@ class Estimate:
 
     def _stranger(self, H: Matrix, error: Matrix, R: Matrix) -> str:
         """Keeps a pose that is far away; believes it when others say the same."""
-        # Of K and height, as if the pose were exact.
+        # The change of K and height, as if the pose were exact, and its covariance.
         change: Matrix = np.linalg.solve(H[:, :4], error).astype(float)
-        spread: Matrix = 2 * np.linalg.solve(H[:, :4], np.linalg.solve(H[:, :4], R).T).astype(float)
+        noise: Matrix = np.linalg.solve(H[:, :4], np.linalg.solve(H[:, :4], R).T).astype(float)
         self._strangers = [
             (other, of)
             for other, of in self._strangers[-AGREEING:]
-            if _distance(change, other, spread) <= GATE
+            if _distance(change, other, 2 * noise) <= GATE
         ]
         self._strangers.append((change, R))
         if len(self._strangers) < AGREEING:
@@ -192,8 +192,8 @@ class Estimate:
         bias = self.covariance[4:, 4:].copy()
         self.covariance[:] = 0
         self.covariance[4:, 4:] = bias
-        noise = np.linalg.solve(H[:, :4], np.linalg.solve(H[:, :4], R).T) / len(changes)
-        self.covariance[:4, :4] = noise + np.diag(np.square([self.noise.bias] * 2 + [0.0] * 2))
+        shared = np.diag(np.square([self.noise.bias] * 2 + [0.0] * 2))
+        self.covariance[:4, :4] = noise / len(changes) + shared
         self.covariance[_HEIGHT, _HEIGHT] += self.noise.bias**2
         self._strangers.clear()
         return "moved"

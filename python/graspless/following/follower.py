@@ -33,7 +33,6 @@ _LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
 _FALLEN = 5  # successive poses off the support after which the object has fallen
 _PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
 _ELSEWHERE = "the object is not where the plan has it"
-_ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object, and with what it does
 
 
 class Follower:

@@ -64,7 +64,7 @@ def trajectory(
     The joints rest after the segments named in `rests`, where contacts change.
     """
     assert settings.robot is not None
-    clips, poses, pauses = [], [], []
+    clips, pauses = [], []
     for run in _runs(segments, rests):
         points = np.concatenate([s.positions[min(k, 1) :] for k, s in enumerate(segments[run])])
         marks = np.cumsum([len(s.positions) - 1 for s in segments[run]]).tolist()
@@ -76,8 +76,10 @@ def trajectory(
         whole = clip(points, zones, settings.rate, marks[:-1])
         clips += split(whole, marks)
         pauses += [0.0] * (len(marks) - 1) + [settings.pause]
-    for segment, timed in zip(segments, clips, strict=True):
-        poses.append(frames.along(segment.object_poses, timed.rows))
+    poses = [
+        frames.along(segment.object_poses, timed.rows)
+        for segment, timed in zip(segments, clips, strict=True)
+    ]
     names = list(settings.robot.joint_names)
     return assembled(plan, list(segments), names, clips, poses, pauses)
 

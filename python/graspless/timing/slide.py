@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Timing of slides: parts in contact, or about to be, move slowly.
 
-It rests when the finger has pressed, when it has slid, and before the hand closes: there contacts
-change.
+The joints rest when the finger has pressed, when it has slid, and before the hand closes: there
+contacts change.
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ class Command:
 
 
 class Senses(Protocol):
-    """What a controller may ask of the world."""
+    """Measurements that a controller may ask for."""
 
     def positions(self) -> Matrix:
         """Returns the actual joint positions [dof]."""
@@ -57,7 +57,7 @@ class Senses(Protocol):
 
 
 class Controller(Protocol):
-    """What the executor asks for commands."""
+    """Source of the commands that the executor gives."""
 
     @property
     def raised(self) -> float:
