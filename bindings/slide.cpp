@@ -238,34 +238,33 @@ void bind_interruption(py::module_& m) {
       });
 }
 
+using GoOn = Plan (*)(const Problem&, const Interruption&, const Options&, const planning::Budget&);
+
+/// Binds a search that goes on from an interruption.
+void bind_search(py::module_& m, const char* name, GoOn search, const char* text) {
+  m.def(
+      name,
+      [search](const Problem& problem, const Interruption& at, const Options& options,
+               const StoppableBudget& budget) {
+        return run_interruptibly(budget,
+                                 [&problem, at, options, search](const planning::Budget& b) {
+                                   return search(problem, at, options, b);
+                                 });
+      },
+      py::arg("problem"), py::arg("at"), py::arg_v("options", Options{}, "Options()"),
+      py::arg_v("budget", StoppableBudget{}, "Budget()"), text);
+}
+
 void bind_resume(py::module_& m) {
-  m.def(
-      "resume",
-      [](const Problem& problem, const Interruption& at, const Options& options,
-         const StoppableBudget& budget) {
-        return run_interruptibly(budget, [&problem, at, options](const planning::Budget& b) {
-          return resume(problem, at, options, b);
-        });
-      },
-      py::arg("problem"), py::arg("at"), py::arg_v("options", Options{}, "Options()"),
-      py::arg_v("budget", StoppableBudget{}, "Budget()"),
-      "Plans the rest of an interrupted slide, without lifting the finger: slide, lift, reach, "
-      "grasp and close.\n\nA state from which no slide can go on is a status: off_support, "
-      "contact_lost or start_in_collision.\n\nRaises ValueError on a bad problem, options or "
-      "interruption.");
-  m.def(
-      "restart",
-      [](const Problem& problem, const Interruption& at, const Options& options,
-         const StoppableBudget& budget) {
-        return run_interruptibly(budget, [&problem, at, options](const planning::Budget& b) {
-          return restart(problem, at, options, b);
-        });
-      },
-      py::arg("problem"), py::arg("at"), py::arg_v("options", Options{}, "Options()"),
-      py::arg_v("budget", StoppableBudget{}, "Budget()"),
-      "Plans an interrupted slide anew: retreat, approach, press, slide, lift, reach, grasp and "
-      "close.\n\nA state from which no slide can begin is a status.\n\nRaises ValueError on a bad "
-      "problem, options or interruption.");
+  bind_search(m, "resume", resume,
+              "Plans the rest of an interrupted slide, without lifting the finger: slide, lift, "
+              "reach, grasp and close.\n\nA state from which no slide can go on is a status: "
+              "off_support, contact_lost or start_in_collision.\n\nRaises ValueError on a bad "
+              "problem, options or interruption.");
+  bind_search(m, "restart", restart,
+              "Plans an interrupted slide anew: retreat, approach, press, slide, lift, reach, "
+              "grasp and close.\n\nA state from which no slide can begin is a status.\n\nRaises "
+              "ValueError on a bad problem, options or interruption.");
 }
 
 void bind_plan(py::module_& m) {

@@ -133,6 +133,17 @@ Plan within_budget(const Problem& problem, const Options& options, const plannin
   return plan;
 }
 
+/// The same for a search that goes on from an interruption.
+template <class Search>
+Plan within_budget(const Problem& problem, const Interruption& at, const Options& options,
+                   const planning::Budget& budget, const Search& search) {
+  validate(problem, at);
+  Plan plan =
+      within_budget(problem, options, budget, [&](Query& query) { return search(query, at); });
+  plan.resumed = at;
+  return plan;
+}
+
 }  // namespace
 
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
@@ -141,20 +152,12 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
 
 Plan resume(const Problem& problem, const Interruption& at, const Options& options,
             const planning::Budget& budget) {
-  validate(problem, at);
-  Plan plan = within_budget(problem, options, budget,
-                            [&](Query& query) { return searched_from(query, at); });
-  plan.resumed = at;
-  return plan;
+  return within_budget(problem, at, options, budget, searched_from);
 }
 
 Plan restart(const Problem& problem, const Interruption& at, const Options& options,
              const planning::Budget& budget) {
-  validate(problem, at);
-  Plan plan = within_budget(problem, options, budget,
-                            [&](Query& query) { return searched_anew(query, at); });
-  plan.resumed = at;
-  return plan;
+  return within_budget(problem, at, options, budget, searched_anew);
 }
 
 }  // namespace graspless::slide
