@@ -9,11 +9,12 @@ import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, overload
 
-from . import limits
+from . import limits, proving
 from ._arguments import require_path
 from .errors import TaskError
 from .kinds import plan_type
 from .plan_files import as_plan
+from .proving import proof
 from .tasks import Task, is_problem, load_task, task_from_dict
 
 if TYPE_CHECKING:
@@ -33,6 +34,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> PlanT: ...
 @overload
 def plan(
@@ -43,6 +46,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> slide.Plan: ...
 @overload
 def plan(
@@ -53,6 +58,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> fingertip.Plan: ...
 @overload
 def plan(
@@ -63,6 +70,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> clasp.Plan: ...
 @overload
 def plan(
@@ -73,6 +82,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> carry.Plan: ...
 @overload
 def plan(
@@ -83,6 +94,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> Plan: ...
 def plan(
     task: Any,
@@ -92,6 +105,8 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    prove: int | None = None,
+    jobs: int = 1,
 ) -> Any:
     """Plans a task. Not finding a plan is a status, never an exception.
 
@@ -105,16 +120,23 @@ def plan(
         Instead of the task's budget [s].
     budget : planning.Budget, optional
         Instead of all three; another thread may stop() it.
+    prove : int, optional
+        Simulate the plan, once as planned and in this number of varied trials. While a trial fails,
+        the search goes on with other seeds, and returns the plan that held in the most trials.
+        `seconds` limits all of it then, 600 s by default; a search has the task's own limit at
+        most. Ctrl-C returns the best plan so far.
+    jobs : int
+        Number of processes that simulate.
 
     Returns
     -------
     slide.Plan, fingertip.Plan, clasp.Plan, carry.Plan or chain.Plan
-        Plan of the task's kind; false unless solved.
+        Plan of the task's kind; false unless solved. Its `proof` has the trials of `prove`.
 
     Raises
     ------
     TaskError
-        A ValueError: the task is not valid.
+        A ValueError: the task is not valid; or its plans cannot be simulated, but prove is given.
     OutOfTimeError
         A TaskError: the time limit was reached before the task was read.
     """
@@ -127,7 +149,11 @@ def plan(
         if not math.isfinite(seconds):  # a plan file has no word for it
             raise TaskError(f"budget: seconds is {seconds}; should be finite")
     task = task.with_changes(search=search, seconds=seconds, iterations=iterations, seed=seed)
-    return plan_since(task, clock.began, budget)
+    if prove is None:
+        if jobs != 1:
+            raise TaskError(f"jobs: {jobs!r}: should be 1 without prove, whose trials they do")
+        return plan_since(task, clock.began, budget)
+    return proving.prove(task, prove, jobs=jobs, seconds=seconds, began=clock.began, budget=budget)
 
 
 def plan_since(
@@ -162,11 +188,13 @@ def check(plan: Plan | str | Path) -> list[str]:
     Returns
     -------
     list of str
-        Faults by segment and row; empty if the plan holds.
+        Faults by segment and row; empty if the plan holds. One that was changed after the trials
+        of its `proof` has a fault.
     """
     given: Any = as_plan(plan)
     if not given:
         status = f"the plan's status is {given.status}, not solved"
         return [f"nothing to check: {status}; reason: {given.reason}"]
     faults: list[str] = given._faults()
-    return faults
+    changed = proof.fault_of(given)
+    return faults if changed is None else [*faults, changed]

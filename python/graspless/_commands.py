@@ -20,7 +20,7 @@ FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
 EXIT_CODES = """exit codes:
   0    success: a plan was found, and it passes its check
-  1    no plan was found, or a plan fails its check
+  1    no plan was found, or a plan fails its check or, with --prove, a trial
   2    bad input, or output that cannot be written
   130  interrupted
   141  the reader of the output closed the pipe
@@ -42,6 +42,17 @@ def add_trust(parser: argparse.ArgumentParser) -> None:
         "--trust",
         action="store_true",
         help="let xacro files read any file and run code (docs/security.md)",
+    )
+
+
+def add_prove(parser: argparse.ArgumentParser) -> None:
+    """Adds the flag --prove, for commands that plan."""
+    parser.add_argument(
+        "--prove",
+        type=int,
+        metavar="N",
+        help="simulate each plan as planned and in N varied trials, and search with other seeds "
+        "until all trials hold (docs/howto/prove.md); exit code 1 if they do not",
     )
 
 

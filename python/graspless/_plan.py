@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from . import planning
+    from .proving import Proof
     from .tasks import Task
 
 Self = TypeVar("Self", bound="AnyPlan")
@@ -26,6 +27,10 @@ class AnyPlan:
 
     kind: ClassVar[str]
     """Planner that made it: slide, fingertip, clasp or carry; chain: one per stage."""
+
+    proof: Proof | None = None
+    """Trials in the physics engine, if it was planned with `prove`. `check` reports a fault if the
+    plan was changed since."""
 
     _planner: ClassVar[Any]  # its own plan() and check()
     _task: Any = None
@@ -93,26 +98,31 @@ class AnyPlan:
     def __repr__(self) -> str:
         plan = self._any
         rows = ", ".join(f"{segment.name} {len(segment)}" for segment in plan.segments)
-        return f"<{self.kind} plan, {plan.status}: {rows or plan.reason}>"
+        proof = "" if self.proof is None else f"; {self.proof}"
+        return f"<{self.kind} plan, {plan.status}: {rows or plan.reason}{proof}>"
 
     def __setattr__(self, name: str, value: Any) -> None:
         super().__setattr__(name, value)
-        if name not in ("_task", "_document"):
+        if name not in ("_task", "_document", "proof"):
             super().__setattr__("_document", None)
 
     def __eq__(self, other: object) -> bool:
         if self is other or type(self) is not type(other):
             return self is other
         assert isinstance(other, AnyPlan)
-        return self._fields() == other._fields() and bool(self.task == other.task)
+        if (self._fields(), self.proof) != (other._fields(), other.proof):
+            return False
+        return bool(self.task == other.task)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __copy__(self: Self) -> Self:
-        return self._made(self._fields(), self._task)
+        copy = self._made(self._fields(), self._task)
+        copy.proof = self.proof
+        return copy
 
     def __deepcopy__(self: Self, memo: Any) -> Self:
-        return self._made(self._fields(), self._task)
+        return self.__copy__()
 
     def __reduce__(self) -> Any:
         from .plan_files import read_plan
@@ -120,7 +130,7 @@ class AnyPlan:
         return read_plan, (self.to_json(), "pickled plan")
 
     def _fields(self) -> dict[str, Any]:
-        """Returns the fields of the plan file without its head and task, in plain types."""
+        """Returns the fields of the plan file without head, proof and task, in plain types."""
         if self._document is None:
             from .plan_files.table import fields_of, table
 
@@ -218,6 +228,9 @@ if TYPE_CHECKING:
         def reason(self) -> str: ...
         @property
         def statistics(self) -> Any: ...
+
+        proof: Proof | None
+
         @property
         def segments(self) -> Any: ...
         def __bool__(self) -> bool: ...

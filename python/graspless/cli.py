@@ -12,6 +12,7 @@ import os
 import sys
 import traceback
 import warnings
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +24,7 @@ from ._commands import (
     FOUND,
     INTERRUPTED,
     NOT_FOUND,
+    add_prove,
     add_trust,
     given_plan,
     read_stdin,
@@ -163,7 +165,11 @@ def _add_plan(parser: argparse.ArgumentParser) -> None:
         "--seed", type=int, metavar="N", help="seed of the random numbers, overrides the task"
     )
     parser.add_argument(
-        "--time", type=float, metavar="S", help="time limit [s], overrides the task"
+        "--time",
+        type=float,
+        metavar="S",
+        help="time limit [s], overrides the task; with --prove, of all searches and trials "
+        "together (default then: 600)",
     )
     parser.add_argument(
         "--iterations",
@@ -176,6 +182,14 @@ def _add_plan(parser: argparse.ArgumentParser) -> None:
         choices=["dijkstra", "paper", "fast"],
         help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
         "(fingertip tasks only); clasp tasks have a single algorithm",
+    )
+    add_prove(parser)
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=1,
+        metavar="J",
+        help="number of processes for the trials of --prove (default: %(default)s)",
     )
     add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
@@ -239,7 +253,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
 
 
 def _plan(options: argparse.Namespace) -> int:
-    from . import _api, files, limits, progress, report
+    from . import _api, files, limits, report
     from .tasks import load_task, read_task
 
     to_stdout = options.output == "-"
@@ -252,8 +266,7 @@ def _plan(options: argparse.Namespace) -> int:
         else:
             given = read_task(read_stdin(), "stdin", trust=options.trust)
         task = _change(given, options)
-    with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
-        plan = _api.plan_since(task, clock.began)
+    plan = _searched(task, clock.began, options)
     faults = _api.check(plan) if plan else []
     # Files first: who reads our output may go at any time.
     if not to_stdout:
@@ -269,9 +282,27 @@ def _plan(options: argparse.Namespace) -> int:
         if options.json:
             summary = [json.dumps(report.as_dict(plan) | {"faults": faults})]
         print("\n".join(summary), file=sys.stderr if to_stdout else sys.stdout)
-    if plan.status == "interrupted":
+    proof = plan.proof
+    if plan.status == "interrupted" or (proof is not None and proof.ended == "interrupted"):
         return INTERRUPTED
-    return FOUND if plan and not faults else NOT_FOUND
+    holds = plan and not faults and (proof is None or proof)
+    return FOUND if holds else NOT_FOUND
+
+
+def _searched(task: Any, began: float, options: argparse.Namespace) -> Plan:
+    """Returns the plan of a task, with the trials that --prove asks for."""
+    from . import _api, progress, proving
+
+    if options.prove is None:
+        if options.jobs != 1:
+            raise TaskError(f"--jobs: {options.jobs}: only beside --prove, whose trials they do")
+        with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
+            return _api.plan_since(task, began)  # type: ignore[no-any-return]
+    limit = proving.limit_of(options.time)
+    with progress.waiting(f"planning and simulating, at most {limit:g} s"):
+        return proving.prove(
+            task, options.prove, jobs=options.jobs, seconds=options.time, began=began
+        )
 
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
@@ -300,7 +331,8 @@ def _check(options: argparse.Namespace) -> int:
     plan = given_plan(options.plan)
     faults = _api.check(plan)
     if options.json:
-        print(json.dumps({"holds": not faults, "faults": faults}))
+        proof = {} if plan.proof is None else {"proof": asdict(plan.proof)}
+        print(json.dumps({"holds": not faults, "faults": faults, **proof}))
     else:
         print(report.verdict(plan, faults))
     return NOT_FOUND if faults else FOUND

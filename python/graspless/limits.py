@@ -24,6 +24,11 @@ _LONGEST = 1e8  # of a timer [s]
 _left: list[BaseException] = []  # exceptions that keep trees alive until the process ends
 
 
+poll = (
+    planning.poll
+)  # for loops in Python that may be long: raises where the time limit was reached
+
+
 class Reading:
     """Clock of a thread that reads a task in order to plan it."""
 

@@ -40,6 +40,7 @@ def batch(
     seed: int | None = None,
     seconds: float | None = None,
     iterations: int | None = None,
+    prove: int | None = None,
     patience: float = PATIENCE,
     trust: bool = False,
     progress: Callable[[int, int], None] | None = None,
@@ -62,6 +63,9 @@ def batch(
         Address of a Dask scheduler whose workers plan instead of local processes.
     seed, seconds, iterations : optional
         Budget of every task, instead of its own; `seconds` in [s].
+    prove : int, optional
+        Number of varied trials in which every plan is simulated, see `plan`. A plan that was made
+        without them, or with another number, is made anew.
     patience : float
         Time beyond its budget after which the process of a task is stopped [s]. It has no effect
         on Dask workers with several threads.
@@ -78,8 +82,8 @@ def batch(
     Raises
     ------
     TaskError
-        There are no tasks, jobs is not a whole number of at least 1, the output cannot be
-        written, or there is no Dask scheduler or worker.
+        There are no tasks, jobs or prove is not a whole number of at least 1, the output cannot
+        be written, or there is no Dask scheduler or worker.
     """
     changes = {"seed": seed, "seconds": seconds, "iterations": iterations}
     jobs = require_integer("jobs", jobs, least=1)
@@ -88,8 +92,10 @@ def batch(
     require_above_zero("patience", patience)
     if any(value is not None for value in changes.values()):
         _check(changes)
+    if prove is not None:
+        prove = require_integer("prove", prove, least=1)
     found = names.find(tasks)
-    run = _Run(found, Path(output), changes, patience, progress, trust)
+    run = _Run(found, Path(output), changes, patience, progress, trust, prove)
     with pools.opened(min(jobs, len(found)), dask) as pool:
         return run.carry_out(pool, work.carry_out)
 
@@ -119,9 +125,11 @@ class _Run:
         patience: float = PATIENCE,
         progress: Callable[[int, int], None] | None = None,
         trust: bool = False,
+        prove: int | None = None,
     ) -> None:
         self.entries, self.output, self.changes = entries, output, changes
         self.patience, self.progress, self.trust = patience, progress, trust
+        self.prove = prove
         self.manifest = output / manifest.NAME
         work.make_folder(output)
         files.check_writable(self.manifest)
@@ -156,6 +164,7 @@ class _Run:
                 output=None if pool.is_elsewhere else str(self.output),
                 patience=patience,
                 trust=self.trust,
+                prove=self.prove,
             )
             yield work.inline(job) if pool.is_elsewhere else job
 

@@ -11,7 +11,7 @@ import shlex
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust
+from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_prove, add_trust
 
 if TYPE_CHECKING:
     import argparse
@@ -72,6 +72,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="maximum number of iterations, overrides every task",
     )
+    add_prove(parser)
     parser.add_argument(
         "--patience",
         type=float,
@@ -98,6 +99,7 @@ def _batch(options: argparse.Namespace) -> int:
             seed=options.seed,
             seconds=options.time,
             iterations=options.iterations,
+            prove=options.prove,
             patience=options.patience,
             trust=options.trust,
             progress=progress,

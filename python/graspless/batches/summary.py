@@ -18,7 +18,7 @@ LONGEST = 160  # characters of a reason
 
 @dataclass(frozen=True)
 class Summary:
-    """Result of a batch. True if all tasks have a plan that passes its check.
+    """Result of a batch. True if all tasks have a plan that passes its check and its trials.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Summary:
 
     @property
     def held(self) -> int:
-        """Number of plans that pass their check."""
+        """Number of plans that pass their check, and their trials if there were any."""
         return sum(row["holds"] for row in self.rows)
 
     @property
@@ -76,11 +76,13 @@ class Summary:
 
     @property
     def reasons(self) -> dict[str, dict[str, int]]:
-        """Number of tasks by status and reason, without solved tasks but with failed checks."""
+        """Number of tasks by status and reason; of solved tasks those that fail check or trials."""
         reasons: dict[str, Counter[str]] = {}
         for row in self.rows:
             if row["faults"]:
                 reasons.setdefault("does not hold", Counter())[row["faults"][0]] += 1
+            elif row["status"] == "solved" and not row["holds"]:
+                reasons.setdefault("not proven", Counter())[row["reason"]] += 1
             elif row["status"] != "solved":
                 reasons.setdefault(row["status"], Counter())[row["reason"]] += 1
         return {status: dict(counts.most_common()) for status, counts in reasons.items()}

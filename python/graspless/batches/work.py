@@ -51,7 +51,7 @@ class Job:
     path : str
         Task file. Only used in error messages if `document` is given.
     changes : dict
-        Arguments of `Task.with_changes`.
+        Arguments of `Task.with_changes`; `document` has them already.
     known : str or None
         Hash of the task that the existing plan was made for.
     document : dict or None
@@ -64,6 +64,8 @@ class Job:
         Time beyond its budget that the task may take [s].
     trust : bool
         Let xacro files read any file and run code.
+    prove : int or None
+        Number of varied trials of the plan, if it is simulated.
     """
 
     name: str
@@ -75,6 +77,7 @@ class Job:
     fault: str | None = None
     patience: float | None = None
     trust: bool = False
+    prove: int | None = None
 
 
 @dataclass(frozen=True)
@@ -128,14 +131,18 @@ def without_plan(job: Job, status: str, reason: str, seconds: float | None = Non
 def inline(job: Job) -> Job:
     """Returns the job with the whole task inline, so that a worker needs no file but meshes."""
     try:
-        return replace(job, document=_read(job).to_dict(), changes={})
+        return replace(job, document=_read(job).to_dict())
     except TaskError as error:
         return replace(job, fault=str(error))
 
 
-def hash_of(task: Task) -> str:
-    """Returns a hash that is equal for tasks with equal content, whatever files they are in."""
-    return digest(task.to_dict())
+def hash_of(task: Task, prove: int | None = None) -> str:
+    """Returns a hash that is equal for tasks with equal content, whatever files they are in.
+
+    `prove` is the number of varied trials that a plan must hold, if any.
+    """
+    content = digest(task.to_dict())
+    return content if prove is None else sha256(f"{content} prove {prove}".encode())
 
 
 def sha256(data: bytes) -> str:
@@ -152,21 +159,27 @@ def is_row(row: Row) -> bool:
 
 
 def _carry_out(job: Job) -> Outcome:
-    from .. import _api
+    from .. import _api, proving
 
     task = _read(job)
-    digest = hash_of(task)
+    digest = hash_of(task, job.prove)
     if digest == job.known:
         return Outcome(job.name)
+    seconds = job.changes.get("seconds")
     if job.patience is not None:
-        _watch(job.patience + task.budget.seconds)
-    plan = _api.plan(task)
+        limit = task.budget.seconds if job.prove is None else proving.limit_of(seconds)
+        _watch(job.patience + limit)
+    if job.prove is None:
+        plan = _api.plan(task)
+    else:
+        plan = _api.plan(task, prove=job.prove, seconds=seconds)
     faults = _api.check(plan) if plan else []
-    row = _row(job, digest, str(plan.status), plan.reason) | {
+    proven = plan.proof is None or bool(plan.proof)
+    row = _row(job, digest, str(plan.status), plan.reason if proven else str(plan.proof)) | {
         "seconds": float(plan.statistics.seconds),
-        "seed": task.seed,
+        "seed": plan.seed,
         "plan": plan_file(job.name),
-        "holds": bool(plan) and not faults,
+        "holds": bool(plan) and not faults and proven,
         "faults": faults[:MOST_FAULTS],
     }
     text = plan.to_json()

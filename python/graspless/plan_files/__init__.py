@@ -5,11 +5,13 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from .._arguments import require_path
 from .._plan import AnyPlan
 from ..errors import TaskError, told
+from ..proving.proof import Proof
 from ..tasks import task_from_dict, task_kind
 from ..tasks.bounds import MOST_DIGITS
 from ..tasks.source import Source, parse_yaml, read_text
@@ -66,6 +68,8 @@ def plan_of(document: dict[str, Any], where: str) -> Plan:
 
     fields = {key: value for key, value in document.items() if key not in HEAD or key == "stats"}
     plan: Plan = plan_type(document["kind"])._made(fields, task_from_dict(document["task"], where))
+    if document.get("proof") is not None:
+        plan.proof = Proof(**document["proof"])
     return plan
 
 
@@ -76,7 +80,10 @@ def document_of(plan: AnyPlan | Plan) -> dict[str, Any]:
     fields = plan._fields()
     head = {"format": 1, "kind": plan.kind, "version": __version__}
     head |= {name: fields[name] for name in ("status", "reason")} | {"seed": plan.seed}
-    return head | {"stats": fields["stats"]} | fields | {"task": plan.task.to_dict()}
+    head["stats"] = fields["stats"]
+    if plan.proof is not None:
+        head["proof"] = asdict(plan.proof)
+    return head | fields | {"task": plan.task.to_dict()}
 
 
 def text_of(plan: AnyPlan) -> str:

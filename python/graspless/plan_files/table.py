@@ -21,12 +21,13 @@ from .. import frames
 from ..kinds import KINDS, part
 from ..tasks.effective_values import plain
 from ..tasks.shapes import Fields
+from .proof import ProofFields
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 PoseRow = Annotated[list[float], Field(min_length=7, max_length=7)]
-HEAD = ("format", "kind", "version", "seed", "stats", "task")
+HEAD = ("format", "kind", "version", "seed", "stats", "proof", "task")
 
 
 class Table(Fields):
@@ -49,6 +50,9 @@ class PlanFields(Table):
     reason: str = Field(description="explanation in one sentence")
     seed: int
     stats: dict[str, float | int | dict[str, int]] = Field(description="counters of the search")
+    proof: ProofFields | None = Field(
+        default=None, description="trials in the physics engine, if the plan was made with `prove`"
+    )
 
 
 def table(kind: str) -> type[PlanFields]:

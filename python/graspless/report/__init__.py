@@ -5,11 +5,13 @@
 from __future__ import annotations
 
 import re
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from ..kinds import part
+from ..proving import proof as proofs
 
 if TYPE_CHECKING:
     from .._plan import Plan
@@ -48,6 +50,7 @@ def as_dict(plan: Plan) -> dict[str, Any]:
         "reason": plan.reason,
         "seed": plan.seed,
         "stats": plan.statistics.as_dict(),
+        **({} if plan.proof is None else {"proof": asdict(plan.proof)}),
         **_kind(plan).details(plan),
     }
 
@@ -68,6 +71,7 @@ def as_text(plan: Plan) -> str:
     lines = [f"{plan.status} in {_duration(stats.get('seconds', 0))}, seed {plan.seed}"]
     if plan:
         lines += [f"  {line}" for line in _kind(plan).lines(plan)]
+        lines += [f"  {proof}" for proof in [proofs.verdict(plan)] if proof]
     else:
         lines.append(f"  {plan.reason}")
     numbers = {name: value for name, value in stats.items() if not isinstance(value, dict)}
@@ -93,7 +97,8 @@ def verdict(plan: Plan, faults: list[str]) -> str:
         return "nothing to check: not solved"
     rows = sum(map(len, plan.segments))
     segments = count(len(plan.segments), "segments")
-    return f"holds: {segments}, {count(rows, 'rows')}; an independent replay found no fault"
+    held = f"holds: {segments}, {count(rows, 'rows')}; an independent replay found no fault"
+    return "\n".join(filter(None, [held, proofs.verdict(plan)]))
 
 
 def count(number: float, things: str) -> str:

@@ -18,6 +18,7 @@ from ..errors import TaskError, install_command, missing
 from ..kinds import part
 from ..plan_files import as_plan
 from .results import Recording, Simulation, Trial
+from .settings import Spread
 from .variation import Variation, variations
 
 if TYPE_CHECKING:
@@ -38,9 +39,10 @@ class SimulationKind(Protocol):
     MEASURES: dict[str, str]
     """Measured quantities: meaning and unit by name."""
 
-    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread(). Kinds that
-    # can be followed in closed loop have follow(), FOLLOWED_FAILURES, FOLLOWED_MEASURES, CONDITIONS
-    # and draw().
+    # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread();
+    # require_simulated(task), which raises TaskError if no plan of the task can be executed. Kinds
+    # that can be followed in closed loop have follow(), FOLLOWED_FAILURES, FOLLOWED_MEASURES,
+    # CONDITIONS and draw().
 
     def run(self, plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         """Executes a solved plan."""
@@ -141,6 +143,21 @@ def simulation_kind(name: str) -> SimulationKind:
     return kind
 
 
+def require_simulated(task: Any) -> SimulationKind:
+    """Returns the simulation of a task's plans; raises TaskError if there is none."""
+    kind: Any = simulation_kind(task.kind)
+    if hasattr(kind, "require_simulated"):
+        kind.require_simulated(task)
+    return kind  # type: ignore[no-any-return]
+
+
+def engine() -> str:
+    """Returns name and version of the physics engine."""
+    import mujoco
+
+    return f"MuJoCo {mujoco.__version__}"
+
+
 def require_mujoco() -> None:
     """Raises TaskError if MuJoCo is older than the tested version, ImportError if it is missing."""
     import mujoco
@@ -152,4 +169,15 @@ def require_mujoco() -> None:
         )
 
 
-__all__ = ["Recording", "Simulation", "Trial", "Variation", "simulate"]
+__all__ = [
+    "Recording",
+    "Simulation",
+    "Spread",
+    "Trial",
+    "Variation",
+    "engine",
+    "require_simulated",
+    "simulate",
+    "simulation_kind",
+    "variations",
+]

@@ -44,13 +44,8 @@ def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
     """Executes a solved plan; `settings` are for tests."""
-    first, *others = kinds = [stage.kind for stage in plan.stages]
-    if first != "slide" or set(others) - {"carry"}:
-        raise TaskError(
-            f"a chain of {', '.join(kinds)} is not simulated (a slide, or a slide and the carries "
-            "after it, is): plan its stages as tasks of their own, and simulate those plans"
-        )
-    if not others:
+    require_simulated(plan.task)
+    if len(plan.stages) == 1:
         slide: Any = plan.stages[0]
         return run_slide(slide, variation, record=record, settings=settings)
     start = time.perf_counter()
@@ -65,6 +60,16 @@ def run(
         time.perf_counter() - start,
         _with_plan(execution.recording(), plan) if record else None,
     )
+
+
+def require_simulated(task: Any) -> None:
+    """Raises TaskError unless a chain is a slide, or a slide and the carries after it."""
+    first, *others = kinds = [stage.kind for stage in task.problem.stages]
+    if first != "slide" or set(others) - {"carry"}:
+        raise TaskError(
+            f"a chain of {', '.join(kinds)} is not simulated (a slide, or a slide and the carries "
+            "after it, is): plan its stages as tasks of their own, and simulate those plans"
+        )
 
 
 def _with_plan(recording: Recording, plan: Plan) -> Recording:
@@ -169,4 +174,4 @@ def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) 
     )
 
 
-__all__ = ["FAILURES", "MEASURES", "SPREAD", "obstacles_of", "run"]
+__all__ = ["FAILURES", "MEASURES", "SPREAD", "obstacles_of", "require_simulated", "run"]

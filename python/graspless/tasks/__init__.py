@@ -169,9 +169,16 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
             return type(self)(self.problem, self.options, changed, arm=self.arm)
         if search is None:
             return _with_budget(self, budget)
+        return self._changed(budget, {"search": search})
+
+    def with_options(self, **options: Any) -> Task[ProblemT, OptionsT, PlanT]:
+        """Returns the task with other options of the search, by their names in the task file."""
+        return self._changed({}, options)
+
+    def _changed(self, budget: dict[str, Any], options: dict[str, Any]) -> Task[Any, Any, Any]:
         document = self.to_dict()
         document["budget"] = document.get("budget", {}) | budget
-        document["options"] = document.get("options", {}) | {"search": search}
+        document["options"] = document.get("options", {}) | options
         source = Source(self.source.file, document)
         fields = source.validate(type(self.fields))
         return _with_search(fields, (self.problem, self.arm), self.source)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
+from ... import limits
 from ..results import Recording
 from ..robots import lags
 
@@ -64,6 +65,7 @@ class Execution:
 
     def run(self, name: str, commands: Matrix | None = None) -> None:
         """Runs to the next observation, with commands [steps, dof] or unchanged ones."""
+        limits.poll()
         world = self.world
         if commands is None:
             mujoco.mj_step(world.model, world.data, nstep=self._steps)

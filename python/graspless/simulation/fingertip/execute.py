@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 import mujoco
 import numpy as np
 
-from ... import frames
+from ... import frames, limits
 from .world import FINGER, OBJECT, OBSTACLE, PLANE
 
 if TYPE_CHECKING:
@@ -82,6 +82,7 @@ def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -
             slides = script.slides[i]
             world.soften(slides=bool(slides))
         servo.command(i)
+        limits.poll()
         mujoco.mj_step(world.model, world.data)
         if i % every == 0:
             look(world, script, i, log)

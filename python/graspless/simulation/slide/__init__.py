@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import frames, timing
+from ... import frames, limits, timing
 from ...errors import TaskError
 from ..results import Recording, Trial
 from ..robots import joint_addresses, lags, set_positions
@@ -178,6 +178,7 @@ class Execution:
     def _step(self, command: Command) -> None:
         self.data.ctrl[:] = command.position + self._lags * command.velocity
         self._press(command.phase)
+        limits.poll()
         mujoco.mj_step(self.scene.model, self.data)
 
     def _press(self, phase: str) -> None:
