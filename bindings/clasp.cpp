@@ -274,6 +274,63 @@ void bind_stability(py::module_& m) {
       Field{"checks", &Stability::checks, "Number of poses checked."});
 }
 
+void bind_certificate(py::module_& m) {
+  bind_options_struct<CertificateOptions>(m, "CertificateOptions", "Options of certificate().");
+  py::class_<Certificate> found(
+      m, "Certificate",
+      "Bounds on the opening through which a loop can leave a hand that does not move.\n\n"
+      "The opening is the largest clearance that the object can keep from the hand on its way out\n"
+      "[m]. If it is negative, the object must enter the hand as deep as that.");
+  bind_fields(
+      found, "Any field by keyword; the others keep their defaults.",
+      Field{"caged", &Certificate::caged,
+            "True if upper is below 0: no motion takes the loop out of the hand."},
+      Field{"lower", &Certificate::lower, "Clearance on a way out that was found [m]."},
+      Field{"upper", &Certificate::upper,
+            "Proven bound [m]; 1e6 if no ring of the hand is linked with the loop."},
+      Field{"thickness", &Certificate::thickness,
+            "Diameter of a ball that fits into the object all along the loop [m]; 0: nothing is "
+            "known to be inside the object there."},
+      Field{"gap", &Certificate::gap,
+            "Widest gap in the ring of the hand [m]; negative where its balls overlap."},
+      Field{"between", &Certificate::between, "Links on both sides of the gap."},
+      Field{"moves", &Certificate::moves, "Number of moves that were tried."});
+  m.def(
+      "certificate",
+      [](const Problem& problem, const Array& q, int loop, const CertificateOptions& options) {
+        const Eigen::VectorXd given = to_configuration(problem.robot, q, "q");
+        const CertificateOptions now = options;
+        const py::gil_scoped_release release;
+        return certificate(problem, given, loop, now);
+      },
+      py::arg("problem"), py::arg("q"), py::arg("loop"),
+      py::arg_v("options", CertificateOptions{}, "CertificateOptions()"),
+      R"(Bounds the opening through which a loop can leave the hand, which does not move.
+
+The upper bound is proven: a ring of the hand is linked with the loop, and the object is thicker
+than the widest gap of the ring by twice the amount below 0. The lower bound is the clearance on
+a way out that random moves found.
+
+Parameters
+----------
+problem : Problem
+q : (dof,) array
+    Configuration of all joints [rad or m].
+loop : int
+    Index in problem.object.loops.loops.
+options : CertificateOptions, optional
+
+Returns
+-------
+Certificate
+
+Raises
+------
+ValueError
+    If the problem, the loop, the configuration or an option is invalid.
+)");
+}
+
 void bind_pinch(py::module_& m) {
   py::class_<Pinch> found(m, "Pinch", "Result of the test of a pinch.");
   bind_fields(found, "Any field by keyword; the others keep their defaults.",
@@ -407,6 +464,8 @@ void bind_plan(py::module_& m) {
               "Result of the stability test at the last row; a copy."});
   field(Field{"pinch", &Plan::pinch,
               "Result of the test of a pinch at the last row, if only friction holds; or None."});
+  field(Field{"certificate", &Plan::certificate,
+              "Certificate of the last row, or None if no time was left; a copy."});
   field(Field{"tree", &Plan::tree, "Search tree that contains the clasp; a copy."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
@@ -466,6 +525,7 @@ void bind_clasp(py::module_ m) {
   bind_problem(m);
   bind_stability(m);
   bind_pinch(m);
+  bind_certificate(m);
   bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_segment(m);
   bind_tree(m);

@@ -29,7 +29,7 @@ SECTIONS = [
         "Clasp",
         "Stork, Pokorny and Kragic 2013.",
         clasp,
-        ["Options", "StabilityOptions", "Statistics"],
+        ["Options", "StabilityOptions", "CertificateOptions", "Statistics"],
     ),
     (
         "Fingertip",

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clasp planner: put a hand through a hole of an object and close it.
 
-After Stork, Pokorny, Kragic 2013. `plan` is Section IV, `test_stability` Section V-A.
+After Stork, Pokorny, Kragic 2013. `plan` is Section IV, `test_stability` Section V-A;
+`certificate` proves what random moves cannot.
 
 >>> import numpy as np
 >>> from graspless import clasp, geometry, robot
@@ -23,6 +24,8 @@ import numpy as np
 
 from ._core import clasp as _core
 from ._core.clasp import (
+    Certificate,
+    CertificateOptions,
     CurveNode,
     Finger,
     Hand,
@@ -35,6 +38,7 @@ from ._core.clasp import (
     Statistics,
     Status,
     Tree,
+    certificate,
     check,
     hand_from_yaml,
     hand_from_yaml_file,
@@ -103,17 +107,19 @@ class Plan(AnyPlan, _core.Plan):
         target: geometry.ClaspTarget | None  # type: ignore[assignment]
         stability: Stability | None  # type: ignore[assignment]
         pinch: Pinch | None
+        certificate: Certificate | None
     else:
         segments = own_segments(_core.Plan)
         loop = of_found(_core.Plan, "loop", Status.solved)
         target = of_found(_core.Plan, "target", Status.solved)
         stability = of_found(_core.Plan, "stability", Status.solved)
         pinch = of_found(_core.Plan, "pinch", Status.solved)
+        certificate = of_found(_core.Plan, "certificate", Status.solved)
 
     @classmethod
     def _of(cls, found: Any, task: Any, **changes: Any) -> Plan:
         if not found:
-            changes |= dict.fromkeys(("loop", "target", "stability", "pinch"))
+            changes |= dict.fromkeys(("loop", "target", "stability", "pinch", "certificate"))
         changes["segments"] = [
             Segment(s.name, s.positions, [task.problem.X_WO] * len(s), s.virtual_linking)
             for s in found.segments
@@ -157,6 +163,8 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
 
 
 __all__ = [
+    "Certificate",
+    "CertificateOptions",
     "CurveNode",
     "Finger",
     "Hand",
@@ -172,6 +180,7 @@ __all__ = [
     "Statistics",
     "Status",
     "Tree",
+    "certificate",
     "check",
     "hand_from_yaml",
     "hand_from_yaml_file",

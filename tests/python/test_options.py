@@ -25,6 +25,7 @@ MODELS = {
     "carry.Options": (carry.Options, carry_model.Options),
     "clasp.Options": (clasp.Options, clasp_model.Options),
     "clasp.StabilityOptions": (clasp.StabilityOptions, clasp_model.Stability),
+    "clasp.CertificateOptions": (clasp.CertificateOptions, clasp_model.Certificate),
     "fingertip.Options": (fingertip.Options, fingertip_model.Options),
     "mechanics.Compliance": (fingertip.Compliance, fingertip_model.Compliance),
     "fingertip.RealizeOptions": (fingertip.RealizeOptions, fingertip_model.Realize),

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "graspless/geometry/shape.hpp"
 
@@ -143,6 +145,16 @@ double reachable_linking(const robot::Robot& robot, const Hand& hand, double thi
 
 bool is_too_thick(const robot::Robot& robot, const Hand& hand, double thickness) {
   return reachable_linking(robot, hand, thickness) <= open_linking(robot, hand);
+}
+
+const Eigen::Matrix3Xd& loop_points(const Problem& problem, int loop) {
+  const auto& loops = problem.object.loops().loops;
+  if (loop < 0 || loop >= static_cast<int>(loops.size())) {
+    throw std::invalid_argument("loop must be the index of one of the " +
+                                std::to_string(loops.size()) + " loops of object '" +
+                                problem.object.name() + "', not " + std::to_string(loop));
+  }
+  return loops[static_cast<std::size_t>(loop)].points;
 }
 
 Options derived(const Options& options, const Problem& problem, int loop) {

@@ -8,6 +8,10 @@
 /// as future work (Stork 2013, Section VI).
 namespace graspless::clasp {
 
+/// Corners of a loop of the object, 3 x n in O [m]. Throws std::invalid_argument if there is no
+/// loop of that index.
+const Eigen::Matrix3Xd& loop_points(const Problem& problem, int loop);
+
 /// Smallest virtual linking of the finger curves after closing around a bar of `thickness` [m]. The
 /// bar lies along `sideways` through the centre of the hand.
 double reachable_linking(const robot::Robot& robot, const Hand& hand, double thickness);

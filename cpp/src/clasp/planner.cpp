@@ -76,6 +76,20 @@ void add_reach(const Problem& problem, planning::Clock& clock, Plan& plan) {
   });
 }
 
+/// Adds the certificate of the clasp, if the clock leaves time for it.
+void certify(const Problem& problem, const Options& options, planning::Clock& clock, Plan& plan) {
+  if (!plan) return;
+  const double before = clock.seconds();
+  clock.run([&] {
+    plan.certificate =
+        certificate(problem, plan.segments.back().positions.back(), plan.loop, options.certificate);
+  });
+  if (!plan.certificate)
+    plan.warnings.push_back("no time was left for the certificate of the clasp");
+  plan.statistics.certificate_seconds = clock.seconds() - before;
+  plan.statistics.seconds = clock.seconds();
+}
+
 Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
               std::uint64_t seed) {
   validate(problem);
@@ -112,6 +126,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
                                     [&] { return searched(problem, options, clock, budget.seed); });
   plan.joint_names = problem.robot.joint_names();
   add_reach(problem, clock, plan);
+  certify(problem, options, clock, plan);
   return plan;
 }
 

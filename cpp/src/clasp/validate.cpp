@@ -66,6 +66,7 @@ void validate(const Problem& problem) {
 void validate(const Options& options) {
   planning::require_in_range("options.", options);
   validate(options.stability);
+  validate(options.certificate);
 }
 
 std::string to_string(Status status) { return planning::name_of(status); }

@@ -11,7 +11,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
+__all__: list[str] = ['Certificate', 'CertificateOptions', 'CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'certificate', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
 class CurveNode:
     """
     A corner of a finger curve, fixed to a link.
@@ -499,6 +499,120 @@ class Pinch:
     @strength.setter
     def strength(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class CertificateOptions:
+    """
+    Options of certificate().
+    """
+    @staticmethod
+    def fields() -> list[graspless._core.planning.Field]:
+        """
+        Returns name, unit, range, text and source of every field.
+        """
+    def __init__(self, *, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, moves: typing.SupportsInt | typing.SupportsIndex = 1000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def moves(self) -> int:
+        """
+        Largest number of moves of the object in the search for a way out. 0: no search; the upper bound needs none.
+        
+        Range: [0, 100000]. Default: 1000.
+        """
+    @moves.setter
+    def moves(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def seed(self) -> int:
+        """
+        Seed of the moves.
+        
+        Range: [0, inf). Default: 1.
+        """
+    @seed.setter
+    def seed(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def tolerance(self) -> float:
+        """
+        Width of the interval at which the search for a way out ends.
+        
+        Unit: m. Range: [0.0001, 0.1]. Default: 0.002.
+        """
+    @tolerance.setter
+    def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+class Certificate:
+    """
+    Bounds on the opening through which a loop can leave a hand that does not move.
+    
+    The opening is the largest clearance that the object can keep from the hand on its way out
+    [m]. If it is negative, the object must enter the hand as deep as that.
+    """
+    def __init__(self, *, caged: bool = False, lower: typing.SupportsFloat | typing.SupportsIndex = 0.0, upper: typing.SupportsFloat | typing.SupportsIndex = 0.0, thickness: typing.SupportsFloat | typing.SupportsIndex = 0.0, gap: typing.SupportsFloat | typing.SupportsIndex = 0.0, between: typing.Annotated[collections.abc.Sequence[str], "FixedSize(2)"] = ['', ''], moves: typing.SupportsInt | typing.SupportsIndex = 0) -> None:
+        """
+        Any field by keyword; the others keep their defaults.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def between(self) -> typing.Annotated[list[str], "FixedSize(2)"]:
+        """
+        Links on both sides of the gap.
+        """
+    @between.setter
+    def between(self, arg0: typing.Annotated[collections.abc.Sequence[str], "FixedSize(2)"]) -> None:
+        ...
+    @property
+    def caged(self) -> bool:
+        """
+        True if upper is below 0: no motion takes the loop out of the hand.
+        """
+    @caged.setter
+    def caged(self, arg0: bool) -> None:
+        ...
+    @property
+    def gap(self) -> float:
+        """
+        Widest gap in the ring of the hand [m]; negative where its balls overlap.
+        """
+    @gap.setter
+    def gap(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def lower(self) -> float:
+        """
+        Clearance on a way out that was found [m].
+        """
+    @lower.setter
+    def lower(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def moves(self) -> int:
+        """
+        Number of moves that were tried.
+        """
+    @moves.setter
+    def moves(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def thickness(self) -> float:
+        """
+        Diameter of a ball that fits into the object all along the loop [m]; 0: nothing is known to be inside the object there.
+        """
+    @thickness.setter
+    def thickness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def upper(self) -> float:
+        """
+        Proven bound [m]; 1e6 if no ring of the hand is linked with the loop.
+        """
+    @upper.setter
+    def upper(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 class Options:
     """
     Options of the search.
@@ -508,7 +622,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, stability: StabilityOptions = ..., must_be_secure: bool = True, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, stability: StabilityOptions = ..., certificate: CertificateOptions = ..., must_be_secure: bool = True, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -523,6 +637,14 @@ class Options:
         """
     @attract.setter
     def attract(self, arg0: bool) -> None:
+        ...
+    @property
+    def certificate(self) -> CertificateOptions:
+        """
+        Options of the bounds on the opening through which the loop could leave the closed hand.
+        """
+    @certificate.setter
+    def certificate(self, arg0: CertificateOptions) -> None:
         ...
     @property
     def friction(self) -> float:
@@ -661,7 +783,7 @@ class Statistics:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, stability_seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, cycles: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, restarts: typing.SupportsInt | typing.SupportsIndex = 0, control_steps: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, fcl_checks: typing.SupportsInt | typing.SupportsIndex = 0, stability_tests: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
+    def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, stability_seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, certificate_seconds: typing.SupportsFloat | typing.SupportsIndex = 0.0, cycles: typing.SupportsInt | typing.SupportsIndex = 0, nodes: typing.SupportsInt | typing.SupportsIndex = 0, restarts: typing.SupportsInt | typing.SupportsIndex = 0, control_steps: typing.SupportsInt | typing.SupportsIndex = 0, collision_checks: typing.SupportsInt | typing.SupportsIndex = 0, fcl_checks: typing.SupportsInt | typing.SupportsIndex = 0, stability_tests: typing.SupportsInt | typing.SupportsIndex = 0, refusals: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex] = {}) -> None:
         """
         Any field by keyword; the others are zero.
         """
@@ -671,6 +793,16 @@ class Statistics:
         """
         Returns all fields by name.
         """
+    @property
+    def certificate_seconds(self) -> float:
+        """
+        Part of the wall-clock time that was spent on the certificate.
+        
+        Unit: s.
+        """
+    @certificate_seconds.setter
+    def certificate_seconds(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
     @property
     def collision_checks(self) -> int:
         """
@@ -785,6 +917,14 @@ class Plan:
     def __repr__(self) -> str:
         ...
     @property
+    def certificate(self) -> Certificate | None:
+        """
+        Certificate of the last row, or None if no time was left; a copy.
+        """
+    @certificate.setter
+    def certificate(self, arg0: Certificate | None) -> None:
+        ...
+    @property
     def joint_names(self) -> tuple[str, ...]:
         """
         The robot's joints, in the order of positions.
@@ -880,6 +1020,32 @@ class Plan:
     @warnings.setter
     def warnings(self, arg1: collections.abc.Sequence[str]) -> None:
         ...
+def certificate(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loop: typing.SupportsInt | typing.SupportsIndex, options: CertificateOptions = ...) -> Certificate:
+    """
+    Bounds the opening through which a loop can leave the hand, which does not move.
+    
+    The upper bound is proven: a ring of the hand is linked with the loop, and the object is thicker
+    than the widest gap of the ring by twice the amount below 0. The lower bound is the clearance on
+    a way out that random moves found.
+    
+    Parameters
+    ----------
+    problem : Problem
+    q : (dof,) array
+        Configuration of all joints [rad or m].
+    loop : int
+        Index in problem.object.loops.loops.
+    options : CertificateOptions, optional
+    
+    Returns
+    -------
+    Certificate
+    
+    Raises
+    ------
+    ValueError
+        If the problem, the loop, the configuration or an option is invalid.
+    """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
     Replays a plan without the code of the search, and returns its faults: joint limits,

@@ -80,6 +80,27 @@ class Pinch(Table):
     gap: float = Field(description="of the finger that is farther from the object [m]")
 
 
+class Certificate(Table):
+    """Bounds on the opening through which the loop can leave the hand at the last row."""
+
+    MAKE: ClassVar = clasp.Certificate
+
+    caged: bool = Field(description="no motion takes the loop out of the hand: upper is below 0")
+    lower: float = Field(description="clearance on a way out that was found [m]")
+    upper: float = Field(
+        description="proven bound on the clearance on any way out [m]; 1e6 if no ring of the hand "
+        "is linked with the loop"
+    )
+    thickness: NotNegative = Field(
+        description="diameter of a ball that fits into the object all along the loop [m]"
+    )
+    gap: float = Field(description="widest gap in the ring of the hand [m]")
+    between: Annotated[list[str], Field(min_length=2, max_length=2)] = Field(
+        description="links on both sides of the gap; empty names without a ring"
+    )
+    moves: Index = Field(description="number of moves that were tried")
+
+
 class Tree(Table):
     """Search tree that contains the clasp."""
 
@@ -115,6 +136,9 @@ class ClaspPlanFile(PlanFields):
     pinch: Pinch | None = Field(
         default=None,
         description="result at the last row, if only friction between two fingers holds",
+    )
+    certificate: Certificate | None = Field(
+        default=None, description="bounds for the last row; missing if no time was left"
     )
     segments: list[Segment]
     tree: Tree

@@ -13,7 +13,7 @@ from . import count, refused, segment_line
 from .loops import betti_line, loop_line
 
 if TYPE_CHECKING:
-    from ..clasp import Plan
+    from ..clasp import Certificate, Plan
 
 
 def details(plan: Plan) -> dict[str, Any]:
@@ -27,6 +27,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "virtual_linking": ends,
         "stability": _stability(plan),
         "pinch": _pinch(plan),
+        "certificate": _certificate(plan),
         "path_nodes": len(plan.tree.path),
         "warnings": list(plan.warnings),
         "segments": [{"name": s.name, "rows": len(s)} for s in plan.segments],
@@ -50,6 +51,8 @@ def lines(plan: Plan) -> list[str]:
     escapes = f"{stability.escapes} of {count(sequences, 'sequences')} of random moves"
     margin = f"margin {stability.margin:.2f} (1: cannot move, 0: escapes)"
     found.append(f"{held}: the loop escapes in {escapes}, {margin}")
+    if plan.certificate is not None:
+        found.append(_caged(plan.certificate))
     load = plan.task.options.stability
     asked = f"{load.force:g} N and {load.torque:g} Nm"
     if stability.opens_first:
@@ -88,6 +91,25 @@ def _pinch(plan: Plan) -> dict[str, Any] | None:
     names = ("holds", "strength", "press", "load", "gap")
     found = plan.pinch
     return None if found is None else {name: getattr(found, name) for name in names}
+
+
+def _certificate(plan: Plan) -> dict[str, Any] | None:
+    names = ("caged", "lower", "upper", "thickness", "gap", "between", "moves")
+    found = plan.certificate
+    return None if found is None else {name: getattr(found, name) for name in names}
+
+
+def _caged(found: Certificate) -> str:
+    """Says *caged* only where that is proven."""
+    if not any(found.between):
+        return "not proven to be caged: no ring of the hand is linked with the loop"
+    first, second = found.between
+    thick = f"a loop {1000 * found.thickness:.1f} mm thick"
+    gap = f"the gap of {1000 * found.gap:.1f} mm between {first} and {second}"
+    opening = f"opening {1000 * found.lower:.1f} to {1000 * found.upper:.1f} mm"
+    if found.caged:
+        return f"caged: {thick} does not pass {gap} ({opening})"
+    return f"not proven to be caged: {thick} may pass {gap} ({opening})"
 
 
 def _ends(plan: Plan) -> dict[str, float]:

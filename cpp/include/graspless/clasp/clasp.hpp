@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "graspless/clasp/certificate.hpp"
 #include "graspless/clasp/options.hpp"
 #include "graspless/clasp/problem.hpp"
 #include "graspless/clasp/stability.hpp"
@@ -72,6 +73,7 @@ struct Tree {
 struct Statistics {
   double seconds = 0;
   double stability_seconds = 0;
+  double certificate_seconds = 0;
   std::int64_t cycles = 0;
   std::int64_t nodes = 0;
   std::int64_t restarts = 0;
@@ -89,6 +91,8 @@ constexpr auto fields(const Statistics&) {
       Field{"seconds", &Statistics::seconds, "s", "Wall-clock time."},
       Field{"stability_seconds", &Statistics::stability_seconds, "s",
             "Part of the wall-clock time that was spent in stability tests."},
+      Field{"certificate_seconds", &Statistics::certificate_seconds, "s",
+            "Part of the wall-clock time that was spent on the certificate."},
       Field{"cycles", &Statistics::cycles, "",
             "Cycles of Algorithm 1 after the pre-expansions, over all trees."},
       Field{"nodes", &Statistics::nodes, "", "Nodes of all trees."},
@@ -118,6 +122,7 @@ struct Plan {
   double min_linking = 0;        ///< threshold on |VLk| of the closed hand
   Stability stability;           ///< of the last row
   std::optional<Pinch> pinch;    ///< of the last row, if only friction holds the object there
+  std::optional<Certificate> certificate;  ///< of the last row, unless time ran out
   Tree tree;
   std::vector<std::string> warnings;
   Statistics statistics;
@@ -135,7 +140,7 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 /// valid. Checks joint limits, collisions by FCL, linking by the double integral, eq. (1), that the
 /// target is one of those requested, and that the fingers closed until contact. It uses no code of
 /// the search, with two exceptions: the threshold derived from the hand, and the tests of stability
-/// and of a pinch, which are run again. A second escape test uses FCL alone.
+/// and of a pinch and the certificate, which are run again. A second escape test uses FCL alone.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 

@@ -16,6 +16,8 @@
 
 namespace graspless::clasp {
 
+class Core;
+
 /// An object known from a point cloud: its loops, and K_d as collision model (Stork 2013, Section
 /// IV-A). Immutable; copies share their data.
 class GRASPLESS_API Object {
@@ -38,7 +40,8 @@ class GRASPLESS_API Object {
   const collision::Clearance& clearance() const;
   /// Same without the triangles wholly inside: equal for every point outside, and cheaper.
   const collision::Clearance& outer_clearance() const;
-  double spacing() const;  ///< median distance of neighbouring points of K_d [m]
+  const Core& core() const;  ///< what the surface shuts off from outside; built on first use
+  double spacing() const;    ///< median distance of neighbouring points of K_d [m]
 
  private:
   struct Data;

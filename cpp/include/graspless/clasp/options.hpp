@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "graspless/clasp/certificate.hpp"
 #include "graspless/clasp/stability.hpp"
 #include "graspless/export.hpp"
 #include "graspless/planning/fields.hpp"
@@ -16,6 +17,7 @@ struct Options {
   double resolution = 0.01;
   double friction = 0.5;
   StabilityOptions stability;
+  CertificateOptions certificate;
   bool must_be_secure = true;
   double max_memory = 4e9;
 };
@@ -49,6 +51,9 @@ constexpr auto fields(const Options&) {
             "Options of the stability test.",
             {},
             "Section V-A"},
+      Field{"certificate", &Options::certificate, "",
+            "Options of the bounds on the opening through which the loop could leave the closed "
+            "hand."},
       Field{"must_be_secure", &Options::must_be_secure, "",
             "Accept a clasp only if it passes the stability test or is a pinch that friction "
             "holds; otherwise the search continues."},

@@ -42,6 +42,7 @@ Faults PlanChecker::run() {
   check_hand_closes();
   check_closed_until_contact();
   check_stability();
+  check_certificate();
   return faults_;
 }
 
@@ -164,6 +165,21 @@ void PlanChecker::check_pinch() {
           found.load, ", gap ", found.gap);
   }
   if (options_.must_be_secure && !found.holds) fault("plan", "the clasp is not secure");
+}
+
+/// Repeats the certificate. A plan without one claims nothing.
+void PlanChecker::check_certificate() {
+  if (!plan_.certificate) return;
+  const Certificate& stated = *plan_.certificate;
+  const Certificate found = certificate(problem_, q_end(), plan_.loop, options_.certificate);
+  const auto differ = [](double a, double b) { return !(std::abs(a - b) <= kTolerance); };
+  if (found.caged != stated.caged || differ(found.lower, stated.lower) ||
+      differ(found.upper, stated.upper) || differ(found.thickness, stated.thickness) ||
+      differ(found.gap, stated.gap) || found.between != stated.between) {
+    fault("plan", "certificate is not what is found again: opening from ", found.lower, " to ",
+          found.upper, " m, between '", found.between[0], "' and '", found.between[1], "', ",
+          found.caged ? "caged" : "not caged");
+  }
 }
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {

@@ -68,6 +68,7 @@ class PlanChecker {
   void check_closed_until_contact();
   void check_stability();
   void check_pinch();
+  void check_certificate();
 
   const Problem& problem_;
   const Plan& plan_;

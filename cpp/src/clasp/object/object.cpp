@@ -8,6 +8,7 @@
 
 #include "graspless/geometry/sampling.hpp"
 
+#include "clasp/certificate/core.hpp"
 #include "clasp/object/surface.hpp"
 
 namespace graspless::clasp {
@@ -21,9 +22,10 @@ struct Object::Data {
   geometry::Mesh surface;
   double spacing = 0;
 
-  mutable std::once_flag solid_made, clearance_made, outer_made;
+  mutable std::once_flag solid_made, clearance_made, outer_made, core_made;
   mutable std::optional<collision::Solid> solid;
   mutable std::optional<collision::Clearance> clearance, outer;
+  mutable std::optional<Core> core;
 };
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
@@ -61,6 +63,11 @@ const collision::Clearance& Object::clearance() const {
 const collision::Clearance& Object::outer_clearance() const {
   std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.complex)); });
   return *data_->outer;
+}
+
+const Core& Object::core() const {
+  std::call_once(data_->core_made, [&] { data_->core.emplace(data_->loops.complex); });
+  return *data_->core;
 }
 
 }  // namespace graspless::clasp

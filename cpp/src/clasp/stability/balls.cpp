@@ -6,8 +6,6 @@
 #include <cmath>
 #include <variant>
 
-#include "clasp/free_space/link_spheres.hpp"
-
 namespace graspless::clasp {
 namespace {
 
@@ -47,19 +45,19 @@ SphereTree balls_of_capsule(const geometry::Capsule& capsule, const Eigen::Isome
   return balls;
 }
 
-SphereTree balls_of(const geometry::PlacedShape& placed) {
+SphereTree balls_of(const geometry::PlacedShape& placed, MeshInside inside) {
   if (const auto* capsule = std::get_if<geometry::Capsule>(&placed.shape)) {
     return balls_of_capsule(*capsule, placed.X_BG);
   }
-  return filling(sphere_tree({covered(placed, MeshInside::hull)}));
+  return filling(sphere_tree({covered(placed, inside)}));
 }
 
 }  // namespace
 
-LinkBalls::LinkBalls(const robot::Robot& robot) {
+LinkBalls::LinkBalls(const robot::Robot& robot, MeshInside inside) {
   SphereTree all;
   for (const robot::LinkShape& shape : robot.shapes()) {
-    const SphereTree balls = balls_of(shape.placed);
+    const SphereTree balls = balls_of(shape.placed, inside);
     links_.insert(links_.end(), balls.size(), shape.link);
     all.insert(all.end(), balls.begin(), balls.end());
   }

@@ -8,15 +8,18 @@
 
 #include "graspless/robot/robot.hpp"
 
+#include "clasp/free_space/link_spheres.hpp"
+
 namespace graspless::clasp {
 
 /// Balls inside the links that fill them up to edges and dents of about a millimetre.
 class LinkBalls {
  public:
-  explicit LinkBalls(const robot::Robot& robot);
+  explicit LinkBalls(const robot::Robot& robot, MeshInside inside = MeshInside::hull);
 
   Eigen::Matrix3Xd centers_W(const robot::Poses& X_WL) const;  ///< centres, 3 x n [m]
   const Eigen::VectorXd& radii() const { return radii_; }      ///< [m]
+  const std::vector<int>& links() const { return links_; }     ///< link of each ball
 
  private:
   std::vector<int> links_;

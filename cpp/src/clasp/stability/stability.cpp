@@ -3,8 +3,8 @@
 #include "graspless/clasp/stability.hpp"
 
 #include <stdexcept>
-#include <string>
 
+#include "clasp/parameters.hpp"
 #include "clasp/stability/tester.hpp"
 
 namespace graspless::clasp {
@@ -23,13 +23,7 @@ Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int l
   validate(options);
   require_efforts(problem, options);
   robot::require_configuration(problem.robot, q, "q");
-  const auto& loops = problem.object.loops().loops;
-  if (loop < 0 || loop >= static_cast<int>(loops.size())) {
-    throw std::invalid_argument("loop must be the index of one of the " +
-                                std::to_string(loops.size()) + " loops of object '" +
-                                problem.object.name() + "', not " + std::to_string(loop));
-  }
-  return StabilityTester(problem).test(q, loops[static_cast<std::size_t>(loop)].points, options);
+  return StabilityTester(problem).test(q, loop_points(problem, loop), options);
 }
 
 }  // namespace graspless::clasp

@@ -72,12 +72,14 @@ def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) 
     """Returns the fields with all values in force. The planner derives values given as 0."""
     loops = _in_force(fields.object.loops, problem.object.loop_options)
     stability = _in_force(fields.options.stability, options.stability)
-    names = [field.name for field in type(options).fields() if field.name != "stability"]
+    certificate = _in_force(fields.options.certificate, options.certificate)
+    nested = ("stability", "certificate")
+    names = [field.name for field in type(options).fields() if field.name not in nested]
     values = {name: getattr(options, name) for name in names}
     return {
         "hand": hand_in_force(problem.hand),
         "object": fields.object.model_copy(update={"loops": loops}),
-        "options": type(fields.options)(**values, stability=stability),
+        "options": type(fields.options)(**values, stability=stability, certificate=certificate),
     }
 
 

@@ -82,6 +82,8 @@ def build_options(task: model.ClaspTask, source: Source) -> clasp.Options:
         fields["stability"].setdefault("force", _GRAVITY * mass)
     with at(source, "options", "stability"):
         fields["stability"] = clasp.StabilityOptions(**fields["stability"])
+    with at(source, "options", "certificate"):
+        fields["certificate"] = clasp.CertificateOptions(**fields["certificate"])
     with at(source, "options"):
         options = clasp.Options(**fields)
         clasp.validate(options)

@@ -116,6 +116,11 @@ class Stability(Fields):
     """Options of the stability test: docs/reference/options.md."""
 
 
+@described_by(clasp.CertificateOptions)
+class Certificate(Fields):
+    """Options of the certificate: docs/reference/options.md."""
+
+
 # Former options and their values: plan files name them.
 _CONSTANTS = {
     "pre_expansions": 0,
@@ -141,6 +146,7 @@ class Options(Fields):
     """Options of the search: docs/reference/options.md."""
 
     stability: Stability = Stability()
+    certificate: Certificate = Certificate()
 
 
 def _kind_of_hand(value: Any) -> str:
