@@ -406,9 +406,11 @@ def test_the_command(task, engine, tmp_path, capsys):
     assert (code, err) == (2, "prove: 0: should be at least 1\n")
 
 
-def test_without_mujoco(task, monkeypatch, tmp_path, capsys):
+def test_without_mujoco(monkeypatch, tmp_path, capsys):
     monkeypatch.setitem(sys.modules, "mujoco", None)
     (tmp_path / "task.yaml").write_text(GOOD)
+    with pytest.raises(TaskError, match="needs mujoco: "):
+        graspless.batch(tmp_path / "task.yaml", tmp_path / "plans", prove=1)
     code, _, err = run(capsys, "plan", str(tmp_path / "task.yaml"), "--prove", "1")
     assert code == 2
     assert err.startswith("needs mujoco: ")

@@ -328,6 +328,16 @@ def test_another_goal_than_the_plans_is_missed(plan):
     assert execution.measures["position_error"] == pytest.approx(0.02, abs=0.005)
 
 
+def test_a_plan_without_its_slide_is_off_target(plan):
+    other = copy.copy(plan)
+    touching = ("press", "slide", "lift")
+    other.segments = [segment for segment in plan.segments if segment.name not in touching]
+    execution = Execution(other, Variation(), Slide())
+    execution.run("close")
+    assert "off_target" in execution.judge.failures
+    assert execution.measures["position_error"] > 0.3
+
+
 def test_an_object_over_the_edge_falls(plan):
     execution = Execution(plan, Variation(x=-0.32), Slide())
     execution.run("press")

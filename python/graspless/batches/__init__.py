@@ -83,7 +83,7 @@ def batch(
     ------
     TaskError
         There are no tasks, jobs or prove is not a whole number of at least 1, the output cannot
-        be written, or there is no Dask scheduler or worker.
+        be written, prove is given without MuJoCo, or there is no Dask scheduler or worker.
     """
     changes = {"seed": seed, "seconds": seconds, "iterations": iterations}
     jobs = require_integer("jobs", jobs, least=1)
@@ -94,10 +94,19 @@ def batch(
         _check(changes)
     if prove is not None:
         prove = require_integer("prove", prove, least=1)
+        _require_engine(dask)
     found = names.find(tasks)
     run = _Run(found, Path(output), changes, patience, progress, trust, prove)
     with pools.opened(min(jobs, len(found)), dask) as pool:
         return run.carry_out(pool, work.carry_out)
+
+
+def _require_engine(dask: str | None) -> None:
+    """Raises TaskError if this machine's workers have no physics engine."""
+    if dask is None:
+        from ..simulation import simulation_kind
+
+        simulation_kind("slide")
 
 
 def _check(changes: dict[str, Any]) -> None:

@@ -128,6 +128,7 @@ class Execution:
         # A wrist that yields trails behind, and catches up while the finger lifts.
         yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
         self._slid_after = ("lift", "reach") if yields else ("slide", "lift")
+        self._slid: Any = None  # the pose of the object after the slide
         self._kick = Kick(variation)
         self._lags = lags(plan.task.problem.robot)
         self._addresses = joint_addresses(model, plan.task.problem.robot)
@@ -195,6 +196,8 @@ class Execution:
         if phase == "lift":
             self._let_finger_grasp()
         elif phase == "close":
+            if self._slid is None:  # the plan has no slide
+                self._measure_slide()
             X_WO = self.judge.pose(self.data)
             self.measures["shift_by_lift"] = float(np.linalg.norm((X_WO - self._slid)[:3, 3]))
         elif phase == SQUEEZE:
