@@ -199,7 +199,6 @@ void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
   if (problem.q_start != clasp.reach.front()) {
     clasp.reach.insert(clasp.reach.begin(), problem.q_start);
   }
-  plan.status = Status::solved;
   const Eigen::VectorXd& weights = query.problem.robot.step_weights();
   plan.segments = {segment("reach", pruned(query, std::move(clasp.reach)), task_space, weights),
                    segment("close", clasp.close, task_space, weights)};
@@ -210,6 +209,7 @@ void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
   plan.stability = clasp.stability;
   plan.pinch = clasp.pinch;
   plan.tree = search.tree();
+  plan.status = Status::solved;  // last: the clock may end the pruning
 }
 
 void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>& searches,

@@ -106,13 +106,15 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
       searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
-  for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
-    LoopSearch& search = *searches[turn % searches.size()];
-    while (!plan && search.cycle()) {                               // IV-D: Algorithm 1
-      std::optional<Clasp> clasp = close_clasp(query, search);      // IV-D: until contact occurs
-      if (clasp) assemble(query, search, std::move(*clasp), plan);  // IV-D: path pruning
+  clock.run([&] {
+    for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
+      LoopSearch& search = *searches[turn % searches.size()];
+      while (!plan && search.cycle()) {                               // IV-D: Algorithm 1
+        std::optional<Clasp> clasp = close_clasp(query, search);      // IV-D: until contact occurs
+        if (clasp) assemble(query, search, std::move(*clasp), plan);  // IV-D: path pruning
+      }
     }
-  }
+  });  // counters and reason stay if the time ends in the middle of a test
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);
   return plan;

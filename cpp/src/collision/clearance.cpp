@@ -53,9 +53,9 @@ Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 Clearance::~Clearance() = default;
 
-double Clearance::distance(const Eigen::Vector3d& point) const {
+double Clearance::distance(const Eigen::Vector3d& point, double limit) const {
   require_finite(point);
-  return surface_->tree.distance(point);
+  return surface_->tree.distance(point, std::max(limit, 0.0));
 }
 
 Clearance::Bounds Clearance::exactly(const Eigen::Vector3d& point) const {

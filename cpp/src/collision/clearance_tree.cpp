@@ -3,6 +3,7 @@
 #include "collision/clearance_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -24,6 +25,8 @@ using Boxes = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 // Number of points of the surface at which a search may begin.
 constexpr Eigen::Index kHints = 64;
+
+constexpr double kBeyond = 1e-9;  // how far beyond the limit a search begins [m]
 
 Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -60,12 +63,17 @@ ClearanceTree::ClearanceTree(const std::vector<SurfaceTriangle>& triangles)
 
 ClearanceTree::~ClearanceTree() = default;
 
-double ClearanceTree::distance(const Eigen::Vector3d& point) const {
+double ClearanceTree::distance(const Eigen::Vector3d& point, double limit) const {
   Eigen::Index best = 0;
-  (hints_.colwise() - point).colwise().squaredNorm().minCoeff(&best);
-  const auto nearest =
-      impl_->tree().closest_point(to_cgal(point), to_cgal(Eigen::Vector3d(hints_.col(best))));
-  return (point - Eigen::Vector3d(nearest.x(), nearest.y(), nearest.z())).norm();
+  const double squared = (hints_.colwise() - point).colwise().squaredNorm().minCoeff(&best);
+  Eigen::Vector3d hint = hints_.col(best);
+  const bool is_limited = squared > limit * limit;
+  if (is_limited) hint = point + Eigen::Vector3d(limit + kBeyond, 0, 0);
+  const auto found = impl_->tree().closest_point(to_cgal(point), to_cgal(hint));
+  const Eigen::Vector3d nearest(found.x(), found.y(), found.z());
+  const double distance = (point - nearest).norm();
+  if (is_limited && distance > limit) return std::numeric_limits<double>::infinity();
+  return distance;
 }
 
 }  // namespace graspless::collision

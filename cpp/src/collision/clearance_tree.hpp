@@ -19,8 +19,8 @@ class ClearanceTree {
   explicit ClearanceTree(const std::vector<SurfaceTriangle>& triangles);
   ~ClearanceTree();
 
-  /// The distance to the surface [m].
-  double distance(const Eigen::Vector3d& point) const;
+  /// The distance to the surface; infinite if it is above `limit` [m].
+  double distance(const Eigen::Vector3d& point, double limit) const;
 
  private:
   struct Impl;

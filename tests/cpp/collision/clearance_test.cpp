@@ -3,6 +3,7 @@
 #include "graspless/collision/clearance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <thread>
 #include <vector>
@@ -80,6 +81,22 @@ TEST(Clearance, DistanceIsThatOfEveryTriangleAsked) {
       const Vector3d p = random_point(rng, reach);
       ASSERT_NEAR(clearance.distance(p), brute_distance(mesh, p), 1e-9 + 1e-12 * reach);
     }
+  }
+}
+
+TEST(Clearance, DistancesBeyondTheLimitAreInfinite) {
+  std::mt19937 rng(2);
+  const Mesh mesh = random_soup(rng, 300);
+  const Clearance clearance(mesh);
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d p(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1));
+    const double limit = i % 10 == 0 ? 0 : uniform(rng, 0, 1), distance = clearance.distance(p);
+    if (distance > limit) {
+      EXPECT_TRUE(std::isinf(clearance.distance(p, limit))) << distance << " beyond " << limit;
+    } else {
+      EXPECT_NEAR(clearance.distance(p, limit), distance, 1e-12);
+    }
+    EXPECT_NEAR(clearance.distance(p, distance + 1e-9), distance, 1e-12);
   }
 }
 

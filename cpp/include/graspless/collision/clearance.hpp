@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -29,8 +30,9 @@ class GRASPLESS_API Clearance {
   Clearance& operator=(Clearance&&) noexcept;
   ~Clearance();
 
-  /// Distance of a point to the surface, exact up to rounding [m].
-  double distance(const Eigen::Vector3d& point) const;
+  /// Distance of a point to the surface, exact up to rounding; infinite if it is above `limit` [m].
+  double distance(const Eigen::Vector3d& point,
+                  double limit = std::numeric_limits<double>::infinity()) const;
   /// Bounds on distance(point) [m].
   struct Bounds {
     double lower, upper;

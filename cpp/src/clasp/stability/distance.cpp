@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/stability/distance.hpp"
 
+#include <limits>
 #include <memory>
 #include <variant>
+#include <vector>
 
 #include "graspless/collision/clearance.hpp"
 
@@ -20,27 +22,61 @@ Distance distance_to(const geometry::PlacedShape& placed) {
   const Eigen::Isometry3d X_GB = placed.X_BG.inverse();
   if (const auto* mesh = std::get_if<geometry::Mesh>(&placed.shape)) {
     auto surface = std::make_shared<collision::Clearance>(*mesh);
-    return [surface, X_GB](const Eigen::Vector3d& p) { return surface->distance(X_GB * p); };
+    return [surface, X_GB](const Eigen::Vector3d& p, double limit) {
+      return surface->distance(X_GB * p, limit);
+    };
   }
   if (const auto* box = std::get_if<geometry::Box>(&placed.shape)) {
-    return [half = Eigen::Vector3d(box->size / 2), X_GB](const Eigen::Vector3d& p) {
+    return [half = Eigen::Vector3d(box->size / 2), X_GB](const Eigen::Vector3d& p, double) {
       const Eigen::Vector3d beyond = (X_GB * p).cwiseAbs() - half;
       return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
     };
   }
-  return [shape = covered(placed, MeshInside::hull)](const Eigen::Vector3d& p) {
+  return [shape = covered(placed, MeshInside::hull)](const Eigen::Vector3d& p, double) {
     return -shape.depth(p);
   };
 }
 
-Eigen::Vector3d gradient(const Distance& distance, const Eigen::Vector3d& p_L) {
+Body body_of(const robot::LinkShape& shape) {
+  Body body{shape.link, distance_to(shape.placed), Eigen::Vector3d::Zero(), 0};
+  const std::vector<Sphere> spheres = covered(shape.placed, MeshInside::hull).spheres;
+  for (const Sphere& sphere : spheres)
+    body.center_L += sphere.center / static_cast<double>(spheres.size());
+  for (const Sphere& sphere : spheres)
+    body.radius = std::max(body.radius, (sphere.center - body.center_L).norm() + sphere.radius);
+  return body;
+}
+
+Eigen::Vector3d gradient(const Distance& distance, const Eigen::Vector3d& p_L, double gap) {
+  const double limit = gap + 2 * kDifference;
   Eigen::Vector3d g;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d step = kDifference * Eigen::Vector3d::Unit(k);
-    g[k] = distance(p_L + step) - distance(p_L - step);
+    g[k] = distance(p_L + step, limit) - distance(p_L - step, limit);
   }
   const double length = g.norm();
   return length > 0 ? Eigen::Vector3d(g / length) : Eigen::Vector3d::Zero();
+}
+
+Gap::Gap(const std::vector<Body>& bodies, const robot::Poses& X_WL) : bodies_(bodies) {
+  for (const Body& body : bodies)
+    X_LW_.push_back(X_WL[static_cast<std::size_t>(body.link)].inverse());
+}
+
+double Gap::at(const Eigen::Vector3d& p_W, double limit) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Eigen::Vector3d p_L = X_LW_[i] * p_W;
+    const double beyond = std::min(least, limit);
+    if (bodies_[i].at_least(p_L) <= beyond)
+      least = std::min(least, bodies_[i].distance(p_L, beyond));
+  }
+  return least;
+}
+
+Eigen::Vector3d Gap::normal(const Eigen::Vector3d& p_W, double gap) const {
+  return gradient([this](const Eigen::Vector3d& p, double limit) { return at(p, limit); }, p_W,
+                  gap);
 }
 
 }  // namespace graspless::clasp

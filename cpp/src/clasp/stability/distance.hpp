@@ -5,21 +5,50 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "graspless/geometry/shape.hpp"
+#include "graspless/robot/robot.hpp"
 
 namespace graspless::clasp {
 
-/// Function of a point in the frame of a link [m].
-using Distance = std::function<double(const Eigen::Vector3d& p_L)>;
+/// Distance of a point in the frame of a link [m]. One above `limit` may be infinite.
+using Distance = std::function<double(const Eigen::Vector3d& p_L, double limit)>;
 
 /// Distance of a point outside a shape. Meshes are surfaces.
 Distance distance_to(const geometry::PlacedShape& placed);
 
-/// Unit gradient by finite differences; zero where there is none.
-Eigen::Vector3d gradient(const Distance& distance, const Eigen::Vector3d& p_L);
+/// Shape of a link, and a ball around it.
+struct Body {
+  int link;
+  Distance distance;
+  Eigen::Vector3d center_L;
+  double radius;  ///< [m]
+
+  /// Lower bound on the distance of a point [m]; cheap.
+  double at_least(const Eigen::Vector3d& p_L) const { return (p_L - center_L).norm() - radius; }
+};
+Body body_of(const robot::LinkShape& shape);
+
+/// Unit gradient by finite differences at a point whose distance is at most `gap`; zero where there
+/// is none.
+Eigen::Vector3d gradient(const Distance& distance, const Eigen::Vector3d& p_L, double gap);
+
+/// Distance of points from bodies at one configuration. Refers to the bodies.
+class Gap {
+ public:
+  Gap(const std::vector<Body>& bodies, const robot::Poses& X_WL);
+  /// Distance of a point [m]; infinite if it is surely above `limit`.
+  double at(const Eigen::Vector3d& p_W, double limit) const;
+  /// Unit normal of the bodies at a point whose distance is `gap`; zero where there is none.
+  Eigen::Vector3d normal(const Eigen::Vector3d& p_W, double gap) const;
+
+ private:
+  const std::vector<Body>& bodies_;
+  robot::Poses X_LW_;
+};
 
 /// Calls visit(p) for points on a triangle, at most `spacing` apart [m].
 template <typename Visit>

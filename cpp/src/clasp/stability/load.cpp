@@ -14,8 +14,6 @@
 
 #include "graspless/watch.hpp"
 
-#include "clasp/free_space/link_spheres.hpp"
-
 namespace graspless::clasp {
 namespace {
 
@@ -39,17 +37,6 @@ Eigen::Isometry3d motion(const Vector6d& move, const Vector3d& center_W) {
   const Vector3d axis = angle > 0 ? Vector3d(turn / angle) : Vector3d::UnitX();
   return Eigen::Translation3d(center_W + move.head<3>() / kMetre) * Eigen::AngleAxisd(angle, axis) *
          Eigen::Translation3d(-center_W);
-}
-
-/// A link's shape with a ball around it.
-LoadTester::Body body_of(const robot::LinkShape& shape) {
-  LoadTester::Body body{shape.link, distance_to(shape.placed), Vector3d::Zero(), 0};
-  const std::vector<Sphere> spheres = covered(shape.placed, MeshInside::hull).spheres;
-  for (const Sphere& sphere : spheres)
-    body.center_L += sphere.center / static_cast<double>(spheres.size());
-  for (const Sphere& sphere : spheres)
-    body.radius = std::max(body.radius, (sphere.center - body.center_L).norm() + sphere.radius);
-  return body;
 }
 
 }  // namespace
@@ -117,23 +104,39 @@ LoadTester::Posture LoadTester::posture(const VectorXd& q, const Vector3d& cente
 std::vector<LoadTester::Pair> LoadTester::pairs(const Posture& hand, double reach) const {
   const geometry::Mesh& surface = problem_.object.surface();
   const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
+  const auto in_link = [&](const Vector3d& p, const Body& body) -> Vector3d {
+    return hand.X_LW[static_cast<std::size_t>(body.link)] * p;
+  };
   std::map<std::array<int, 4>, Pair> nearest;  // of each cell of space, for each body
-  const auto add = [&](const Vector3d& p, std::size_t i) {
-    const Body& body = bodies_[i];
-    const Vector3d p_L = hand.X_LW[static_cast<std::size_t>(body.link)] * p;
-    if ((p_L - body.center_L).norm() > body.radius + kReach) return;
-    const double distance = body.distance(p_L);
-    if (distance > kReach) return;
+  const auto add = [&](const Vector3d& p, std::size_t i, double at_least) {
+    if (at_least > kReach) return;
     const Eigen::Vector3i cell = (p / kCellSize).array().floor().cast<int>();
     const std::array key{cell.x(), cell.y(), cell.z(), static_cast<int>(i)};
-    const auto [entry, is_new] = nearest.try_emplace(key, Pair{p, i, distance, p});
-    if (!is_new && distance < entry->second.distance) entry->second = {p, i, distance, p};
+    const auto former = nearest.find(key);
+    if (former != nearest.end() && at_least >= former->second.distance) return;
+    const double distance = bodies_[i].distance(in_link(p, bodies_[i]), kReach);
+    if (distance > kReach) return;
+    if (former == nearest.end() || distance < former->second.distance)
+      nearest.insert_or_assign(key, Pair{p, i, distance, p});
   };
+  std::vector<std::pair<std::size_t, double>> near;  // bodies of a triangle, with their distances
   for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
     poll();
-    visit_points(p_W(Eigen::all, surface.triangles.col(i)), kSpacing, [&](const Vector3d& p) {
+    const Eigen::Matrix3d corners = p_W(Eigen::all, surface.triangles.col(i));
+    const Vector3d center = corners.rowwise().mean();
+    const double size = (corners.colwise() - center).colwise().norm().maxCoeff();
+    if ((center - hand.center_W).norm() > reach + size) continue;
+    near.clear();
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const Vector3d center_L = in_link(center, bodies_[k]);
+      if (bodies_[k].at_least(center_L) > kReach + size) continue;
+      const double distance = bodies_[k].distance(center_L, kReach + size);
+      if (distance <= kReach + size) near.emplace_back(k, distance);
+    }
+    if (near.empty()) continue;
+    visit_points(corners, kSpacing, [&](const Vector3d& p) {
       if ((p - hand.center_W).norm() > reach) return;
-      for (std::size_t body = 0; body < bodies_.size(); ++body) add(p, body);
+      for (const auto& [body, distance] : near) add(p, body, distance - (p - center).norm());
     });
   }
   std::vector<Pair> found;
@@ -154,20 +157,23 @@ std::vector<LoadContact> LoadTester::contacts(std::vector<Pair>& pairs,
     const double window = kRound + kMove / kMetre * std::sqrt(3) * (1 + turned);
     if (pair.distance - (p - pair.measured_W).norm() > window) continue;
     const Body& body = bodies_[pair.body];
-    pair.distance = body.distance(hand.X_LW[static_cast<std::size_t>(body.link)] * p);
+    const Vector3d p_L = hand.X_LW[static_cast<std::size_t>(body.link)] * p;
+    pair.distance = std::min(body.distance(p_L, kReach), kReach);
     pair.measured_W = p;
     if (pair.distance > window) continue;
-    found.push_back(contact(p, body, hand));
+    found.push_back(contact(p, body, pair.distance, hand));
     found.back().point = i;
     found.back().gap = kMetre * std::max(0.0, pair.distance - kRound);
   }
   return found;
 }
 
-/// The contact of a point with a body, but for its gap.
-LoadContact LoadTester::contact(const Vector3d& p_W, const Body& body, const Posture& hand) const {
+/// Contact of a point with a body; its gap [m] is for the caller to set.
+LoadContact LoadTester::contact(const Vector3d& p_W, const Body& body, double gap,
+                                const Posture& hand) const {
   const auto link = static_cast<std::size_t>(body.link);
-  const Vector3d n_W = hand.X_WL[link].linear() * gradient(body.distance, hand.X_LW[link] * p_W);
+  const Vector3d n_W =
+      hand.X_WL[link].linear() * gradient(body.distance, hand.X_LW[link] * p_W, gap);
   Vector6d wrench_W;  // of a unit force along the normal, about W's origin
   wrench_W << n_W, p_W.cross(n_W);
   LoadContact contact;

@@ -42,20 +42,12 @@ class LoadTester {
                     double force, double torque,
                     double enough = std::numeric_limits<double>::infinity()) const;
 
-  /// Shape of a link, and a ball around it.
-  struct Body {
-    int link;
-    Distance distance;
-    Eigen::Vector3d center_L;
-    double radius;  // [m]
-  };
-
  private:
   /// A point of the object, and a body that it may touch.
   struct Pair {
     Eigen::Vector3d p_W;
     std::size_t body;
-    double distance;             // when it was last measured [m]
+    double distance;             // or a lower bound, when it was last measured [m]
     Eigen::Vector3d measured_W;  // where the point was then
   };
   /// The hand at one configuration.
@@ -69,7 +61,8 @@ class LoadTester {
   std::vector<Pair> pairs(const Posture& hand, double reach) const;
   std::vector<LoadContact> contacts(std::vector<Pair>& pairs, const Eigen::Isometry3d& moved,
                                     const Posture& hand) const;
-  LoadContact contact(const Eigen::Vector3d& p_W, const Body& body, const Posture& hand) const;
+  LoadContact contact(const Eigen::Vector3d& p_W, const Body& body, double gap,
+                      const Posture& hand) const;
   LoadEffort effort_of(const mechanics::Vector6d& load, std::vector<Pair> pairs,
                        std::vector<LoadContact> contacts_now, const Posture& hand) const;
 

@@ -132,7 +132,7 @@ PinchTester::Side PinchTester::side(const Finger& finger, const Finger& other) c
   const std::set<int> links = links_of(problem_, finger, other);
   Side side;
   for (const robot::LinkShape& shape : problem_.robot.shapes()) {
-    if (links.count(shape.link) > 0) side.emplace_back(shape.link, distance_to(shape.placed));
+    if (links.count(shape.link) > 0) side.push_back(body_of(shape));
   }
   return side;
 }
@@ -149,39 +149,53 @@ std::array<std::vector<Touch>, 2> PinchTester::touches(const Eigen::VectorXd& q)
 
 std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses& X_WL,
                                            const Vector3d& middle_W) const {
-  if (side.empty()) return {};  // or all points would be collected, at an infinite distance
-  const Distance distance = [&](const Vector3d& p_W) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [link, to] : side)
-      least = std::min(least, to(X_WL[static_cast<std::size_t>(link)].inverse() * p_W));
-    return least;
-  };
-  const geometry::Mesh& surface = problem_.object.surface();
-  const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
+  const Gap gap(side, X_WL);
+  const std::vector<Facet> facets = facets_near(gap, middle_W);
+  double most = std::numeric_limits<double>::infinity();  // of gaps that may be the least
+  for (const Facet& facet : facets) most = std::min(most, facet.gap + facet.size);
   double nearest = std::numeric_limits<double>::infinity();
   std::vector<Touch> found;
-  for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
-    const Eigen::Matrix3d corners = p_W(Eigen::all, surface.triangles.col(i));
-    const Vector3d center = corners.rowwise().mean();
-    const double size = (corners.colwise() - center).colwise().norm().maxCoeff();
-    if ((center - middle_W).norm() > reach_ + size) continue;
+  for (const Facet& facet : facets) {
     poll();
-    if (distance(center) - size > nearest + kBand) continue;
-    visit_points(corners, kTriangle, [&](const Vector3d& p) {
-      const double gap = distance(p);
-      nearest = std::min(nearest, gap);
-      if (gap <= nearest + kBand) found.push_back({p, Vector3d::Zero(), gap});
+    if (facet.gap - facet.size > most + kBand) continue;
+    visit_points(facet.corners, kTriangle, [&](const Vector3d& p) {
+      if (facet.gap - (p - facet.center).norm() > most + kBand) return;
+      const double distance = gap.at(p, most + kBand);
+      nearest = std::min(nearest, distance);
+      most = std::min(most, distance);
+      if (distance <= most + kBand) found.push_back({p, Vector3d::Zero(), distance});
     });
   }
   const auto is_far = [&](const Touch& touch) { return touch.gap > nearest + kBand; };
   found.erase(std::remove_if(found.begin(), found.end(), is_far), found.end());
   for (Touch& touch : found) {
     poll();
-    touch.n_W = gradient(distance, touch.p_W);
+    touch.n_W = gap.normal(touch.p_W, touch.gap);
   }
   const auto has_none = [](const Touch& touch) { return touch.n_W.isZero(); };
   found.erase(std::remove_if(found.begin(), found.end(), has_none), found.end());
   return found;
+}
+
+/// Triangles of the object within reach of the tips, without those that are surely farther from
+/// the finger than others.
+std::vector<PinchTester::Facet> PinchTester::facets_near(const Gap& gap,
+                                                         const Vector3d& middle_W) const {
+  const geometry::Mesh& surface = problem_.object.surface();
+  const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
+  std::vector<Facet> facets;
+  double most = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
+    Facet facet{p_W(Eigen::all, surface.triangles.col(i)), {}, 0, 0};
+    facet.center = facet.corners.rowwise().mean();
+    facet.size = (facet.corners.colwise() - facet.center).colwise().norm().maxCoeff();
+    if ((facet.center - middle_W).norm() > reach_ + facet.size) continue;
+    poll();
+    facet.gap = gap.at(facet.center, most + kBand + facet.size);
+    most = std::min(most, facet.gap + facet.size);
+    if (std::isfinite(facet.gap)) facets.push_back(facet);
+  }
+  return facets;
 }
 
 mechanics::ContactSet pinch_contacts(const std::array<std::vector<Touch>, 2>& touches,
@@ -205,7 +219,7 @@ double PinchTester::press(const std::array<std::vector<Touch>, 2>& touches,
   problem_.robot.forward(q, X_WL);
   Eigen::RowVectorXd closing = Eigen::RowVectorXd::Zero(problem_.robot.dof());  // [m/rad or 1]
   for (std::size_t k = 0; k < 2; ++k) {
-    const int link = sides_[k].back().first;
+    const int link = sides_[k].back().link;
     const Touch touch = mean_beyond(touches[k], Vector3d::Zero(), 0);
     const Vector3d arm = touch.p_W - X_WL[static_cast<std::size_t>(link)].translation();
     mechanics::Matrix6Xd J;
