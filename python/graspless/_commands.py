@@ -45,17 +45,6 @@ def add_trust(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_prove(parser: argparse.ArgumentParser) -> None:
-    """Adds the flag --prove, for commands that plan."""
-    parser.add_argument(
-        "--prove",
-        type=int,
-        metavar="N",
-        help="simulate each plan as planned and in N varied trials, and search with other seeds "
-        "until all trials hold (docs/howto/prove.md); exit code 1 if they do not",
-    )
-
-
 def add_packages(parser: argparse.ArgumentParser) -> None:
     """Adds the flag --package, for commands that read a robot."""
     parser.add_argument(

@@ -24,7 +24,6 @@ from ._commands import (
     FOUND,
     INTERRUPTED,
     NOT_FOUND,
-    add_prove,
     add_trust,
     given_plan,
     read_stdin,
@@ -183,14 +182,10 @@ def _add_plan(parser: argparse.ArgumentParser) -> None:
         help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
         "(fingertip tasks only); clasp tasks have a single algorithm",
     )
+    from .proving.cli import add_jobs, add_prove
+
     add_prove(parser)
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=1,
-        metavar="J",
-        help="number of processes for the trials of --prove (default: %(default)s)",
-    )
+    add_jobs(parser)
     add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     _add_pictures(parser)
@@ -254,6 +249,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
 
 def _plan(options: argparse.Namespace) -> int:
     from . import _api, files, limits, report
+    from .proving.cli import searched
     from .tasks import load_task, read_task
 
     to_stdout = options.output == "-"
@@ -266,7 +262,7 @@ def _plan(options: argparse.Namespace) -> int:
         else:
             given = read_task(read_stdin(), "stdin", trust=options.trust)
         task = _change(given, options)
-    plan = _searched(task, clock.began, options)
+    plan = searched(task, clock.began, options)
     faults = _api.check(plan) if plan else []
     # Files first: who reads our output may go at any time.
     if not to_stdout:
@@ -287,22 +283,6 @@ def _plan(options: argparse.Namespace) -> int:
         return INTERRUPTED
     holds = plan and not faults and (proof is None or proof)
     return FOUND if holds else NOT_FOUND
-
-
-def _searched(task: Any, began: float, options: argparse.Namespace) -> Plan:
-    """Returns the plan of a task, with the trials that --prove asks for."""
-    from . import _api, progress, proving
-
-    if options.prove is None:
-        if options.jobs != 1:
-            raise TaskError(f"--jobs: {options.jobs}: only beside --prove, whose trials they do")
-        with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
-            return _api.plan_since(task, began)  # type: ignore[no-any-return]
-    limit = proving.limit_of(options.time)
-    with progress.waiting(f"planning and simulating, at most {limit:g} s"):
-        return proving.prove(
-            task, options.prove, jobs=options.jobs, seconds=options.time, began=began
-        )
 
 
 def _change(task: Any, options: argparse.Namespace) -> Any:

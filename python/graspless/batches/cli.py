@@ -11,7 +11,7 @@ import shlex
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_prove, add_trust
+from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust
 
 if TYPE_CHECKING:
     import argparse
@@ -25,6 +25,8 @@ example: graspless batch tasks/ -o plans --jobs 2"""
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `batch`."""
     import argparse
+
+    from ..proving.cli import add_prove
 
     parser.description = (
         "Plan many tasks and check every plan. Results are written as they arrive: plans\n"
