@@ -268,6 +268,7 @@ def test_an_error_or_a_dead_worker_is_a_complaint(engine, monkeypatch):
         (["--kind", "fingertip"], "fingertip"),
         (["--kind", "fingertip", "--disturb"], "fingertip_disturb"),
         (["--kind", "clasp"], "clasp"),
+        (["--kind", "clasp", "--prove", "2"], "clasp_prove"),
     ],
 )
 def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
@@ -284,17 +285,37 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
     assert "$" not in page
     assert "2 tasks, 2 planned" in page
     for claim in claims.CLAIMS[part]:
-        asked = claim.of == "disturbed" or part != "fingertip_disturb"
+        asked = claim.of in ("disturbed", "proven") or part != "fingertip_disturb"
         assert (f"| {claim.what} |" in page) == asked
     if part == "slide_closed_loop":
         assert "| kick, closed | 2 | 0 | 1 | 1 | 1 |" in page
         assert "stopped 2" in page
+    elif part == "clasp_prove":
+        assert [row["proof"]["asked"] for row in result["rows"]] == [3, 3]
+        assert "| proven | 2 | 1 | 1 | 1 |" in page
     elif part == "fingertip_disturb":
         assert result["rows"][0]["disturbed"]["ratio"] is None
         assert "| z [N] | 2 | 4 | 4 | 4 |" in page
     else:
         assert "| fell | 0 |" in page
         assert "position error" in page
+
+
+def test_searches_until_a_plan_holds(engine, monkeypatch):
+    monkeypatch.setattr("graspless.proving.SECONDS", 0.2)
+    run = physics.run(physics.Grid("slide", runs=4, trials=8, seed=4, prove=True))
+    drawn = [simulation.variations(8, k) for k in range(4, 8)]
+    light = [sum(v.mass < 0.85 for v in trials) for trials in drawn]
+    assert 0 < sum(map(bool, light)) < 4
+    assert [row["proof"]["asked"] - row["proof"]["held"] for row in run.rows] == light
+    assert all(row["proof"]["plans"] > 1 for row, failed in zip(run.rows, light) if failed)  # noqa: B905
+    proven = light.count(0)
+    first, whole = tables.claims({"part": "slide_prove", "rows": run.rows})[0]
+    assert (first["held"], whole["held"], whole["asked"]) == (proven, proven, 4)
+    of_proven, others = tables.proofs({"rows": run.rows})[0]
+    assert (of_proven["count"], of_proven["plans"]["max"], of_proven["failures"]) == (proven, 1, "")
+    assert (others["count"], others["failures"]) == (4 - proven, f"fell {sum(light)}")
+    assert "a search with its simulations took" in report._counts(tables.totals(run.rows))
 
 
 def test_each_condition_is_tried_in_both_loops_with_the_same_difference(engine):
@@ -340,7 +361,7 @@ def test_files_of_before_still_make_a_page(tmp_path):
         (tmp_path / path.name).write_text(json.dumps(result))
     report.write_page(tmp_path)
     page = (tmp_path / "physics.md").read_text()
-    assert page.count("| `graspless bench physics --kind") == len(files) == 6
+    assert page.count("| `graspless bench physics --") == len(files) == len(report.PARTS)
     _, ablation = page.split("commanded tip\n", 1)
     assert re.search(r"\| off target \| \d+ \| – \|", ablation.split("\n## ")[0])
     assert re.search(r"\| smallest disturbance that moves a corner by 5 mm / z \| \d+ \|", page)
@@ -383,6 +404,7 @@ def test_results_were_made_by_this_code(part):
         (physics.Grid("slide", 1, disturb=True), "--disturb: slide plans have no stability margin"),
         (physics.Grid("clasp", 1, closed_loop=True), "--closed-loop: clasp: only slide plans"),
         (physics.Grid("slide", 1, is_ablation=True, closed_loop=True), "--closed-loop: --ablation"),
+        (physics.Grid("slide", 1, disturb=True, prove=True), "--prove: not beside"),
         (physics.Grid("slide", 0), "--runs: 0: should be at least 1"),
         (physics.Grid("slide", 1, seed=-1), "--seed: -1: should not be negative"),
     ],

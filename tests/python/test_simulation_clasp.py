@@ -26,6 +26,7 @@ from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation, variations
 from graspless.tasks import read_task
 from graspless_bench.physics.clasp_tasks import physics_tasks
+from graspless_bench.physics.mutants.clasp import close_partly, do_not_reach
 from tasks_common import reread
 
 SHORT = Clasp(sequences=2, seconds=0.6, pull_rate=80.0)
@@ -106,14 +107,6 @@ def _without_closing(document):
                     row[i] = 1.0
 
 
-def _without_reaching(document):
-    """The arm stays where it stands; the hand closes on air."""
-    first = document["segments"][0]["positions"][0]
-    for segment in document["segments"]:
-        for row in segment["positions"]:
-            row[:6] = first[:6]
-
-
 @pytest.mark.parametrize(
     ("change", "settings", "failures"),
     [
@@ -127,18 +120,10 @@ def test_a_plan_that_was_spoilt_fails(plan, tmp_path, change, settings, failures
     assert failures <= set(run(spoilt, Variation(), settings=settings).failures)
 
 
-def _with_rows(document, share):
-    """Keeps the first rows of the closing, at least one."""
-    rows = document["segments"][-1]
-    kept = max(1, round(share * len(rows["positions"])))
-    for name in ("positions", "object_poses", "virtual_linking"):
-        rows[name] = rows[name][:kept]
-
-
 @pytest.mark.parametrize("share", [0.0, 0.5, 0.75])
 def test_a_plan_that_leaves_closing_to_the_executor_fails(plan, tmp_path, share):
     document = json.loads(plan.to_json())
-    _with_rows(document, share)
+    close_partly(share)(document)
     short = dataclasses.replace(SHORT, sequences=1, seconds=0.1)
     trial = run(reread(document, tmp_path / "plan.json"), Variation(), settings=short)
     assert trial.failures[0] == "not_closed"
@@ -166,7 +151,7 @@ def test_what_is_left_open_is_the_joint_that_was_opened(plan, tmp_path):
 
 def test_a_hand_that_never_had_the_loop_did_not_lose_it(plan, tmp_path):
     document = json.loads(plan.to_json())
-    _without_reaching(document)
+    do_not_reach(document)
     trial = run(reread(document, tmp_path / "plan.json"), Variation(), record=True, settings=SHORT)
     assert trial.failures == ("not_closed",)
     assert not {"held", "pull", "open_held"} & set(trial.measures)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from graspless.simulation.slide.conditions import CONDITIONS
 
+from .mutants import mutants
 from .work import CLOSED, OPEN
 
 if TYPE_CHECKING:
@@ -17,7 +18,8 @@ if TYPE_CHECKING:
 
     from ..machine import Row
 
-NOMINAL, VARIED, DISTURBED = "nominal", "varied", "disturbed"
+NOMINAL, VARIED, DISTURBED, PROVEN = "nominal", "varied", "disturbed", "proven"
+BROKEN = "broken"
 DEGREE = math.pi / 180
 
 
@@ -30,7 +32,8 @@ class Claim:
     what : str
         Description.
     of : str
-        NOMINAL or VARIED trials, a condition and a loop ("kick, closed"), or DISTURBED plans.
+        NOMINAL or VARIED trials, a condition and a loop ("kick, closed"), DISTURBED plans, or the
+        PROVEN best plan of a search, or BROKEN plans.
     holds : function
         Returns True if a trial fulfils it, by its failures and measures, or its disturbance. None:
         it does not apply.
@@ -46,8 +49,18 @@ class Claim:
 
 
 def cases(rows: list[Row], of: str) -> Iterator[Row]:
-    """Yields trials of all plans as {failures, seconds, measures by name}, or disturbances."""
+    """Yields trials of all plans as {failures, seconds, measures by name}; or disturbances; or
+    proofs with the seconds of the whole search; or what finds each mutant of each plan.
+    """
     for row in rows:
+        if of == BROKEN:
+            for name, found in (row.get("mutants") or {}).items():
+                yield {"name": name, **found}
+            continue
+        if of == PROVEN:
+            if "proof" in row:
+                yield row["proof"] | {"seconds": row["seconds"][0]}
+            continue
         if of == DISTURBED:
             if row["disturbed"] is not None:
                 yield row["disturbed"]
@@ -136,6 +149,35 @@ def _within(
     return Claim(f"within {position:g} mm and {angle:g} deg", of, _at_most(limits), must, goal)
 
 
+def is_proven(case: Row) -> bool:
+    """Returns True if all trials of a proof held."""
+    return bool(case["held"] == case["asked"])
+
+
+def _at_first(case: Row) -> bool:
+    return is_proven(case) and case["plans"] == 1
+
+
+def _found(kind: str, *by: str) -> Callable[[Row], bool | None]:
+    """Returns a test whether any of these finds a mutant. It does not apply to benign ones."""
+    benign = {mutant.name for mutant in mutants(kind) if mutant.benign}
+    return lambda case: None if case["name"] in benign else any(case[name] for name in by)
+
+
+def _broken(kind: str) -> list[Claim]:
+    return [
+        Claim("`check` finds what matters", BROKEN, _found(kind, "check"), 0.95),
+        Claim("`simulate` finds what matters", BROKEN, _found(kind, "simulate"), 0.95),
+        Claim("either finds what matters", BROKEN, _found(kind, "check", "simulate"), 0.95),
+    ]
+
+
+_PROVEN = [
+    Claim("the first plan holds in all trials", PROVEN, _at_first),
+    Claim("a plan holds in all trials", PROVEN, is_proven, 0.99),
+]
+
+
 CLAIMS: dict[str, list[Claim]] = {
     "slide": [
         _arrives(NOMINAL, 5, 0.95, 0.995),
@@ -178,4 +220,6 @@ CLAIMS: dict[str, list[Claim]] = {
         Claim("holds, with locked motors", VARIED, _CLASPED_LOCKED),
         Claim("the open hand loses the object", VARIED, _LOST_OPEN),
     ],
+    **{f"{kind}_prove": _PROVEN for kind in ("slide", "fingertip", "clasp")},
+    **{f"{kind}_mutants": _broken(kind) for kind in ("slide", "fingertip", "clasp")},
 }

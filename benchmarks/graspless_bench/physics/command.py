@@ -28,7 +28,10 @@ def add_parser(experiments: Any) -> None:
     )
     parser.add_argument("--kind", choices=["slide", "fingertip", "clasp"], required=True)
     parser.add_argument(
-        "--runs", type=positive(int), metavar="N", help="plans (slide 200, fingertip 54, clasp 60)"
+        "--runs",
+        type=positive(int),
+        metavar="N",
+        help="plans (slide 200, fingertip 54, clasp 60; with --mutants 5)",
     )
     parser.add_argument(
         "--trials",
@@ -56,6 +59,17 @@ def add_parser(experiments: Any) -> None:
         action="store_true",
         help="slide: instead of trials, each condition in open and in closed loop",
     )
+    parser.add_argument(
+        "--prove",
+        type=positive(int),
+        metavar="N",
+        help="instead of trials, plan until a plan holds as planned and in N varied trials",
+    )
+    parser.add_argument(
+        "--mutants",
+        action="store_true",
+        help="instead of trials, break every plan on purpose, and see what check and simulate find",
+    )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write physics_KIND.json and physics.md there"
@@ -68,11 +82,15 @@ def _run(options: argparse.Namespace) -> int:
     from graspless.simulation import simulation_kind
 
     from . import report
+    from .mutants import PLANS
     from .run import RUNS, Grid, run
 
-    runs = options.runs or RUNS[options.kind]
-    trials = 1 if options.disturb or options.closed_loop else options.trials
-    flags = options.ablation, options.disturb, options.closed_loop
+    runs = options.runs or (PLANS if options.mutants else RUNS[options.kind])
+    alone = options.disturb or options.closed_loop or options.mutants
+    trials = 1 if alone else options.trials
+    trials = trials if options.prove is None else 1 + options.prove
+    proves, mutants = options.prove is not None, options.mutants
+    flags = options.ablation, options.disturb, options.closed_loop, proves, mutants
     grid = Grid(options.kind, runs, trials, options.seed, *flags)
     grid.check()
     simulation_kind(grid.kind)  # there is one

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import itertools
 import math
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +17,8 @@ from graspless.tasks import task_from_dict
 from ..fingertip.grid import CASES
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.random import Generator
 
     from graspless.tasks import Task
@@ -24,8 +27,8 @@ RANDOM = 50
 UNIT = 0.01  # the paper's unit of length, where it is one centimetre [m]
 
 
-def physics_tasks(count: int | None = None, seed: int = 1) -> list[Task]:
-    """Returns cases a to d with 1 cm as unit of length, then random tasks that have a plan.
+def physics_tasks(count: int | None = None, seed: int = 1) -> Iterator[Task]:
+    """Yields cases a to d with 1 cm as unit of length, then random tasks that have a plan.
 
     Parameters
     ----------
@@ -36,7 +39,22 @@ def physics_tasks(count: int | None = None, seed: int = 1) -> list[Task]:
     """
     count = len("abcd") + RANDOM if count is None else count
     tasks = [task_from_dict(scaled(CASES[name]), f"bench: physics {name}") for name in "abcd"]
-    return [*tasks[:count], *(random_task(seed, k) for k in range(count - len(tasks)))]
+    yield from tasks[:count]
+    yield from (random_task(seed, k) for k in range(count - len(tasks)))
+
+
+def forceful_tasks(count: int, seed: int = 1) -> Iterator[Task]:
+    """Yields those of `physics_tasks` that tumble the object: fingers hold it then, not the floor
+    alone.
+    """
+    most = len("abcd") + RANDOM
+    tasks = (task for task in physics_tasks(most, seed) if _tumbles(task))
+    yield from itertools.islice(tasks, count)
+
+
+def _tumbles(task: Task) -> bool:
+    motion = task.to_dict()["motion"]
+    return any("tumble" in step for step in motion.get("sequence", [motion]))
 
 
 def random_task(seed: int, k: int) -> Task:

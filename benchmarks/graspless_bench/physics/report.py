@@ -23,7 +23,20 @@ if TYPE_CHECKING:
     from ..machine import Row
     from .run import Run
 
-PARTS = ("slide", "slide_ablation", "slide_closed_loop", "fingertip", "fingertip_disturb", "clasp")
+PARTS = (
+    "slide",
+    "slide_ablation",
+    "slide_closed_loop",
+    "slide_prove",
+    "slide_mutants",
+    "fingertip",
+    "fingertip_disturb",
+    "fingertip_prove",
+    "fingertip_mutants",
+    "clasp",
+    "clasp_prove",
+    "clasp_mutants",
+)
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:
@@ -88,6 +101,10 @@ def _tables(result: Row) -> dict[str, tables.Table]:
         return asked | {"condition": tables.conditions(result)}
     if result["part"].endswith("_disturb"):
         return asked | {"disturbance": tables.disturbances(result)}
+    if result["part"].endswith("_mutants"):
+        return asked | {"mutant": tables.broken(result)}
+    if result["part"].endswith("_prove"):
+        return asked | {"search": tables.proofs(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
 
 
@@ -98,7 +115,8 @@ def _short(shown: list[tables.Column]) -> list[tables.Column]:
 def _fields(result: Row) -> dict[str, str]:
     """Returns the fields that a section of the template may use: counts and tables."""
     names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
-    shown = {"disturbance": "disturbances", "condition": "conditions"} | names
+    shown = {"disturbance": "disturbances", "condition": "conditions", "search": "proofs"}
+    shown |= {"mutant": "mutants"} | names
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
     return dict.fromkeys(shown.values(), "") | fields | {"counts": _counts(result["totals"])}
 
@@ -117,9 +135,13 @@ def _counts(totals: Row) -> str:
         parts.append(f"{totals['varied_held']} of {totals['varied']} varied trials held")
     if totals["disturbed"]:
         parts.append(f"{totals['disturbed']} disturbed")
+    if totals.get("broken"):
+        parts.append(f"{totals['broken']} mutants")
     if totals["median_seconds"] is not None:
         slow = f"at most {totals['max_seconds']:.3g} s"
-        parts.append(f"a simulation took {totals['median_seconds']:.3g} s (median), {slow}")
+        what = "a search with its simulations" if totals.get("searched") else "a simulation"
+        what = "a plan with its mutants" if totals.get("broken") else what
+        parts.append(f"{what} took {totals['median_seconds']:.3g} s (median), {slow}")
     return "; ".join(parts)
 
 

@@ -47,6 +47,10 @@ class Grid:
         Instead of trials: the smallest wrench that breaks a fingertip plan.
     closed_loop : bool
         Instead of varied trials: each slide plan in each condition, in open and in closed loop.
+    prove : bool
+        Instead of trials of one plan: `graspless.plan` until a plan holds in all trials.
+    mutants : bool
+        Instead of trials: every plan broken on purpose, in `check` and `simulate`.
     """
 
     kind: str
@@ -56,6 +60,8 @@ class Grid:
     is_ablation: bool = False
     disturb: bool = False
     closed_loop: bool = False
+    prove: bool = False
+    mutants: bool = False
 
     @property
     def part(self) -> str:
@@ -64,6 +70,8 @@ class Grid:
             "_ablation": self.is_ablation,
             "_disturb": self.disturb,
             "_closed_loop": self.closed_loop,
+            "_prove": self.prove,
+            "_mutants": self.mutants,
         }
         return self.kind + "".join(name for name, is_set in flags.items() if is_set)
 
@@ -79,6 +87,10 @@ class Grid:
         if self.closed_loop and (self.kind != "slide" or self.is_ablation):
             what = "--ablation" if self.is_ablation else self.kind
             raise TaskError(f"--closed-loop: {what}: only slide plans are followed")
+        given = (self.is_ablation, self.disturb, self.closed_loop, self.prove, self.mutants)
+        if (self.prove or self.mutants) and sum(given) > 1:
+            which = "prove" if self.prove else "mutants"
+            raise TaskError(f"--{which}: not beside another experiment")
         if self.disturb and self.kind != "fingertip":
             raise TaskError(
                 f"--disturb: {self.kind} plans have no stability margin (fingertip plans do)"
@@ -97,12 +109,17 @@ class Grid:
                 self.disturb,
                 finger,
                 self.closed_loop,
+                self.prove,
+                self.mutants,
             )
 
     def _tasks(self) -> Iterator[Task]:
         module = importlib.import_module(f".{self.kind}_tasks", __package__)
         flags: dict[str, Any] = {"finger_model": "impedance"} if self.is_ablation else {}
-        yield from module.physics_tasks(self.runs, self.seed, **flags)
+        if self.mutants and self.kind == "fingertip":
+            yield from module.forceful_tasks(self.runs, self.seed)
+        else:
+            yield from module.physics_tasks(self.runs, self.seed, **flags)
 
 
 @dataclass

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .claims import CLAIMS, DISTURBED, NOMINAL, VARIED, cases
+from .claims import BROKEN, CLAIMS, DISTURBED, NOMINAL, PROVEN, VARIED, cases, is_proven
+from .mutants import mutants
 
 if TYPE_CHECKING:
     from ..machine import Row
@@ -49,6 +50,8 @@ def totals(rows: list[Row]) -> Row:
         "varied": len(varied),
         "varied_held": sum(not case["failures"] for case in varied),
         "disturbed": sum(1 for _ in cases(rows, DISTURBED)),
+        "broken": sum(1 for _ in cases(rows, BROKEN)),
+        "searched": sum(1 for _ in cases(rows, PROVEN)),
         "median_seconds": _quantile(seconds, 0.5),
         "max_seconds": _quantile(seconds, 1.0),
     }
@@ -115,6 +118,51 @@ def conditions(result: Row) -> Table:
             row[measure] = {q: _quantile(known, f, UNITS[unit][0]) for q, f in SHOWN.items()}
         rows.append(row)
     return rows, CONDITION_COLUMNS
+
+
+def proofs(result: Row) -> Table:
+    """Returns how many plans were simulated for each task, and what fails in the best ones."""
+    seen = list(cases(result["rows"], PROVEN))
+    rows = []
+    for name, group in (("proven", True), ("not proven", False)):
+        of = [case for case in seen if is_proven(case) == group]
+        kinds = Counter(f.replace("_", " ") for c in of for trial in c["failures"] for f in trial)
+        row: Row = {
+            "name": name,
+            "count": len(of),
+            "failures": ", ".join(f"{kind} {count}" for kind, count in kinds.most_common()),
+        }
+        for figure in ("plans", "seconds"):
+            values = [case[figure] for case in of]
+            row[figure] = {q: _quantile(values, f) for q, f in SHOWN.items()}
+        rows.append(row)
+    return rows, PROOF_COLUMNS
+
+
+def broken(result: Row) -> Table:
+    """Returns what finds each mutant."""
+    seen = list(cases(result["rows"], BROKEN))
+    rows = []
+    for mutant in mutants(result["kind"]):
+        of = [case for case in seen if case["name"] == mutant.name]
+        kinds = Counter(name for case in of for name in _names(case["simulate"]))
+        rows.append(
+            {
+                "name": mutant.name,
+                "breaks": mutant.breaks,
+                "plans": len(of),
+                **{by: sum(bool(case[by]) for case in of) for by in ("check", "simulate")},
+                "failures": ", ".join(f.replace("_", " ") for f, _ in kinds.most_common(3)),
+                "benign": mutant.benign,
+            }
+        )
+    return rows, BROKEN_COLUMNS
+
+
+def _names(found: str) -> list[str]:
+    """Returns the names of failures; "refused" if a plan was not executed to its end."""
+    names = found.split(", ") if found else []
+    return names if all(name.isidentifier() for name in names) else ["refused"]
 
 
 def disturbances(result: Row) -> Table:
@@ -199,6 +247,23 @@ CONDITION_COLUMNS: list[Column] = [
     *(_error("angle_error", quantile, "deg") for quantile in SHOWN),
     ("new plans", lambda r: str(r["plans"])),
     ("failures", lambda r: r["failures"] or "–"),
+]
+
+
+PROOF_COLUMNS: list[Column] = [
+    ("tasks", lambda r: str(r["count"])),
+    *(_of("plans", quantile) for quantile in SHOWN),
+    *((f"{title} [s]", show) for title, show in (_of("seconds", q) for q in ("median", "max"))),
+    ("failed trials of the best plan", lambda r: r["failures"] or "–"),
+]
+
+
+BROKEN_COLUMNS: list[Column] = [
+    ("plans", lambda r: str(r["plans"])),
+    ("check", lambda r: str(r["check"])),
+    ("simulate", lambda r: str(r["simulate"])),
+    ("fails by", lambda r: r["failures"] or "–"),
+    (MEANING, lambda r: r["breaks"] + (f". Benign: {r['benign']}" if r["benign"] else "")),
 ]
 
 

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any
 from graspless.kinds import part
 from graspless.tasks.digest import digest
 
+from . import mutants
+
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
@@ -46,6 +48,10 @@ class Query:
         Finger model that executes a slide; default: the one that it was planned with.
     closed_loop : bool
         Instead of varied trials: a trial of each condition, in open and in closed loop.
+    prove : bool
+        Instead of trials of one plan: plan until one holds in all trials.
+    mutants : bool
+        Instead of trials: what `check` and `simulate` find in the plan broken on purpose.
     """
 
     name: str
@@ -55,6 +61,8 @@ class Query:
     disturb: bool = False
     executing_finger: str | None = None
     closed_loop: bool = False
+    prove: bool = False
+    mutants: bool = False
 
     @property
     def key(self) -> str:
@@ -75,7 +83,11 @@ def _measure(query: Query) -> Row:
     from graspless import _api
     from graspless.tasks import task_from_dict
 
-    plan: Any = _api.plan(task_from_dict(query.document, query.name))
+    start = time.perf_counter()
+    task = task_from_dict(query.document, query.name)
+    asked: dict[str, Any] = {"prove": query.trials - 1} if query.prove else {}
+    plan: Any = _api.plan(task, **asked)
+    seconds = time.perf_counter() - start
     faults = _api.check(plan) if plan else []
     row = {
         **unknown(query, str(plan.status), plan.reason),
@@ -85,6 +97,11 @@ def _measure(query: Query) -> Row:
     }
     if not plan or faults:
         return row
+    if query.prove:
+        return row | {"proof": asdict(plan.proof), "seconds": [_figure(seconds)]}
+    if query.mutants:
+        found, seconds = mutants.tried(plan), time.perf_counter() - start
+        return row | {"mutants": found, "seconds": [_figure(seconds)]}
     if query.disturb:
         return row | _disturbed(plan)
     return row | (_followed(plan, query) if query.closed_loop else _tried(plan, query))
