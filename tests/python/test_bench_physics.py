@@ -19,7 +19,7 @@ from graspless.cli import main
 from graspless.simulation import Trial
 from graspless.simulation.slide import conditions
 from graspless.tasks import read_task
-from graspless_bench.physics import claims, report, tables, work
+from graspless_bench.physics import claims, locked, report, tables, work
 from graspless_bench.physics import run as physics
 from tasks_common import changed
 
@@ -48,6 +48,15 @@ def disturb(plan):
             "ratio": float("inf"), "compliant_ratio": 0.9}  # fmt: skip
 
 
+def measure_locked(plan, seed):
+    """A closed hand that is caged and holds, and two that are not and lose the loop; one is held."""
+    known = {"caged": [1.0, 0.0, 0.0], "upper": [-0.002, 0.01, 0.005], "lower": [-0.004, 0.0, 0.004],
+             "margin": [0.7, 0.8, 0.6], "linking": [0.9, 0.8, 0.7],
+             "certificate_seconds": [0.1, 0.2, 0.3], "moves_seconds": [0.2, 0.2, 0.2]}  # fmt: skip
+    of = [locked.CLOSED, locked.OPENED, locked.OPENED]
+    return {"of": of, "failures": [[], ["lost"], []], "seconds": [1.0] * 3, "measures": known}
+
+
 def physics_tasks(count, seed, finger_model="flexure"):
     for k in range(count):
         text = changed("seed: 3", f"seed: {seed + k}")
@@ -71,6 +80,7 @@ def engine(monkeypatch):
     for name in physics.RUNS:
         monkeypatch.setitem(sys.modules, f"graspless_bench.physics.{name}_tasks", tasks)
     monkeypatch.setattr(work, "part", lambda *_: types.SimpleNamespace(disturb=disturb))
+    monkeypatch.setattr(locked, "measure", measure_locked)
     monkeypatch.setattr(
         pools, "opened", lambda jobs, dask: contextlib.nullcontext(batch_common.Here())
     )
@@ -269,6 +279,7 @@ def test_an_error_or_a_dead_worker_is_a_complaint(engine, monkeypatch):
         (["--kind", "fingertip", "--disturb"], "fingertip_disturb"),
         (["--kind", "clasp"], "clasp"),
         (["--kind", "clasp", "--prove", "2"], "clasp_prove"),
+        (["--kind", "clasp", "--locked"], "clasp_locked"),
     ],
 )
 def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
@@ -290,6 +301,13 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
     if part == "slide_closed_loop":
         assert "| kick, closed | 2 | 0 | 1 | 1 | 1 |" in page
         assert "stopped 2" in page
+    elif part == "clasp_locked":
+        assert "| certificate, upper bound | 1 |" in page
+        assert "| random moves, margin | 0 |" in page
+        assert "| virtual linking, least finger | 0.5 |" in page
+        assert "| caged | 2 | 2 | 2 | 2 |" in page
+        assert "| not proven | 4 | 2 | 2 | 5.5 |" in page
+        assert "| held if caged | closed | 100 % | 2/2 | 100 % | – | must |" in page
     elif part == "clasp_prove":
         assert [row["proof"]["asked"] for row in result["rows"]] == [3, 3]
         assert "| proven | 2 | 1 | 1 | 1 |" in page
@@ -299,6 +317,14 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
     else:
         assert "| fell | 0 |" in page
         assert "position error" in page
+
+
+def test_area_under_the_curve_is_the_share_of_pairs_in_order():
+    scores, held = [3.0, 1.0, 2.0, 2.0], [True, True, False, False]
+    assert locked.area(scores, held) == 0.5
+    assert locked.area([2.0, *scores], [True, *held]) == 0.5
+    assert locked.area([3.0, 2.0, 1.0], [True, True, False]) == 1.0
+    assert locked.area([1.0, 2.0], [True, True]) is None
 
 
 def test_searches_until_a_plan_holds(engine, monkeypatch):
@@ -391,6 +417,8 @@ def test_results_were_made_by_this_code(part):
     failures, measures = kind.FAILURES, kind.MEASURES
     if part.endswith("_closed_loop"):
         failures, measures = failures | kind.FOLLOWED_FAILURES, measures | kind.FOLLOWED_MEASURES
+    elif part.endswith("_locked"):
+        failures, measures = locked.FAILURES, locked.MEASURES
     for field, names in {"failures": failures, "measures": measures}.items():
         assert set(result[field]) == set(names), f"{path.name} is old: run its command again"
     for row in result["rows"]:
@@ -405,6 +433,7 @@ def test_results_were_made_by_this_code(part):
         (physics.Grid("clasp", 1, closed_loop=True), "--closed-loop: clasp: only slide plans"),
         (physics.Grid("slide", 1, is_ablation=True, closed_loop=True), "--closed-loop: --ablation"),
         (physics.Grid("slide", 1, disturb=True, prove=True), "--prove: not beside"),
+        (physics.Grid("slide", 1, locked=True), "--locked: slide plans have no certificate"),
         (physics.Grid("slide", 0), "--runs: 0: should be at least 1"),
         (physics.Grid("slide", 1, seed=-1), "--seed: -1: should not be negative"),
     ],

@@ -16,7 +16,7 @@ from scipy.spatial import Delaunay, cKDTree
 import graspless
 from clasp_common import PURSE, changed
 from graspless import clasp, geometry
-from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, run, surface
+from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, held_locked, run, surface
 from graspless.simulation.clasp.closing import left_open
 from graspless.simulation.clasp.execution import LOOK, Execution
 from graspless.simulation.clasp.judge import Judge
@@ -183,6 +183,20 @@ def test_an_object_in_the_way_is_hit(plan):
     trial = run(plan, aside, settings=dataclasses.replace(SHORT, sequences=1))
     assert "hit" in trial.failures
     assert trial.measures["moved_before"] > SHORT.hit
+
+
+def test_a_locked_hand_holds_where_it_is_closed(plan):
+    robot, hand = plan.task.problem.robot, plan.task.problem.hand
+    closed = np.array(plan.segments[-1].positions[-1])
+    opened = closed.copy()
+    joints = robot.group(hand.hand)
+    opened[joints] += 0.6 * (np.asarray(robot.state(hand.open)) - closed)[joints]
+    held, linking = held_locked(plan, closed, [[1, 2]])
+    assert held
+    assert linking == pytest.approx(plan.segments[-1].virtual_linking[-1].min(), abs=1e-6)
+    lost, less = held_locked(plan, opened, [[1, 2]])
+    assert not lost
+    assert less < linking
 
 
 def test_the_same_again(plan, trial):

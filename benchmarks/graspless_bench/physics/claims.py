@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from graspless.simulation.slide.conditions import CONDITIONS
 
+from . import locked
 from .mutants import mutants
 from .work import CLOSED, OPEN
 
@@ -131,6 +132,14 @@ def _clasped_dragged(case: Row) -> bool | None:
     return None if held is None else _CLASPED_LOCKED(case) and held == case["sequences"]
 
 
+def _held_if_caged(case: Row) -> bool | None:
+    return not case["failures"] if case["caged"] else None
+
+
+def _is_narrow(case: Row) -> bool:
+    return bool(case["upper"] - case["lower"] <= 0.002 + 1e-6)
+
+
 def _in_closed_loop(condition: str) -> list[Claim]:
     """Returns the claims on a condition."""
     of = f"{condition}, {CLOSED}"
@@ -209,6 +218,14 @@ CLAIMS: dict[str, list[Claim]] = {
             "breaks at 0.9 z or more, if z < 5 N", DISTURBED, _ratio("ratio", 0.9, 5.0), None, 0.95
         ),
         Claim("breaks at the compliant index or more", DISTURBED, _COMPLIANT, None, 0.99),
+    ],
+    "clasp_locked": [
+        Claim("held", locked.CLOSED, lambda case: not case["failures"]),
+        Claim("caged", locked.CLOSED, lambda case: bool(case["caged"])),
+        Claim("held if caged", locked.CLOSED, lambda case: _held_if_caged(case), 1.0),
+        Claim("held if caged", locked.OPENED, lambda case: _held_if_caged(case), 1.0),
+        Claim("interval of 2 mm", locked.CLOSED, lambda case: _is_narrow(case), 1.0),
+        Claim("certificate within 1 s", locked.CLOSED, _at_most({"certificate_seconds": 1}), 1.0),
     ],
     "clasp": [
         Claim("holds", NOMINAL, _CLASPED, 0.95, 1.0),

@@ -70,6 +70,11 @@ def add_parser(experiments: Any) -> None:
         action="store_true",
         help="instead of trials, break every plan on purpose, and see what check and simulate find",
     )
+    parser.add_argument(
+        "--locked",
+        action="store_true",
+        help="clasp: instead of trials, certificates against hands with locked motors",
+    )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write physics_KIND.json and physics.md there"
@@ -86,11 +91,11 @@ def _run(options: argparse.Namespace) -> int:
     from .run import RUNS, Grid, run
 
     runs = options.runs or (PLANS if options.mutants else RUNS[options.kind])
-    alone = options.disturb or options.closed_loop or options.mutants
+    alone = options.disturb or options.closed_loop or options.mutants or options.locked
     trials = 1 if alone else options.trials
     trials = trials if options.prove is None else 1 + options.prove
-    proves, mutants = options.prove is not None, options.mutants
-    flags = options.ablation, options.disturb, options.closed_loop, proves, mutants
+    proves, others = options.prove is not None, (options.mutants, options.locked)
+    flags = options.ablation, options.disturb, options.closed_loop, proves, *others
     grid = Grid(options.kind, runs, trials, options.seed, *flags)
     grid.check()
     simulation_kind(grid.kind)  # there is one

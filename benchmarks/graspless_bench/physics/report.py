@@ -14,7 +14,8 @@ from graspless.simulation import simulation_kind
 from .. import machine
 from ..pages import circumstances, template
 from ..tables import aligned, markdown
-from . import tables
+from . import locked, tables
+from .claims import cases as all_cases
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,6 +37,7 @@ PARTS = (
     "clasp",
     "clasp_prove",
     "clasp_mutants",
+    "clasp_locked",
 )
 
 
@@ -43,6 +45,10 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
     """Returns all of a run. `load`: load averages before it."""
     kind: Any = simulation_kind(run.grid.kind)
     followed = run.grid.closed_loop
+    measures = kind.MEASURES | (kind.FOLLOWED_MEASURES if followed else {})
+    failures = kind.FAILURES | (kind.FOLLOWED_FAILURES if followed else {})
+    if run.grid.locked:
+        measures, failures = locked.MEASURES, locked.FAILURES
     return {
         "bench": "physics",
         "kind": run.grid.kind,
@@ -51,8 +57,8 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
         "trials": run.grid.trials,
         "complete": run.is_complete,
         "totals": tables.totals(run.rows),
-        "measures": kind.MEASURES | (kind.FOLLOWED_MEASURES if followed else {}),
-        "failures": kind.FAILURES | (kind.FOLLOWED_FAILURES if followed else {}),
+        "measures": measures,
+        "failures": failures,
         "rows": run.rows,
         "complaints": run.complaints,
         "machine": machine.machine(load, 0),
@@ -99,6 +105,9 @@ def _tables(result: Row) -> dict[str, tables.Table]:
     asked = {"requirement": tables.claims(result)}
     if result["part"].endswith("_closed_loop"):
         return asked | {"condition": tables.conditions(result)}
+    if result["part"].endswith("_locked"):
+        cases = [c for of in (locked.CLOSED, locked.OPENED) for c in all_cases(result["rows"], of)]
+        return asked | {"score": locked.scores(cases), "certificate": locked.intervals(cases)}
     if result["part"].endswith("_disturb"):
         return asked | {"disturbance": tables.disturbances(result)}
     if result["part"].endswith("_mutants"):
@@ -116,7 +125,7 @@ def _fields(result: Row) -> dict[str, str]:
     """Returns the fields that a section of the template may use: counts and tables."""
     names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
     shown = {"disturbance": "disturbances", "condition": "conditions", "search": "proofs"}
-    shown |= {"mutant": "mutants"} | names
+    shown |= {"mutant": "mutants", "score": "scores", "certificate": "certificates"} | names
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
     return dict.fromkeys(shown.values(), "") | fields | {"counts": _counts(result["totals"])}
 

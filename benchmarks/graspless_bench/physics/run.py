@@ -51,6 +51,8 @@ class Grid:
         Instead of trials of one plan: `graspless.plan` until a plan holds in all trials.
     mutants : bool
         Instead of trials: every plan broken on purpose, in `check` and `simulate`.
+    locked : bool
+        Instead of trials: certificates of clasps against hands with locked motors.
     """
 
     kind: str
@@ -62,6 +64,7 @@ class Grid:
     closed_loop: bool = False
     prove: bool = False
     mutants: bool = False
+    locked: bool = False
 
     @property
     def part(self) -> str:
@@ -72,6 +75,7 @@ class Grid:
             "_closed_loop": self.closed_loop,
             "_prove": self.prove,
             "_mutants": self.mutants,
+            "_locked": self.locked,
         }
         return self.kind + "".join(name for name, is_set in flags.items() if is_set)
 
@@ -87,7 +91,10 @@ class Grid:
         if self.closed_loop and (self.kind != "slide" or self.is_ablation):
             what = "--ablation" if self.is_ablation else self.kind
             raise TaskError(f"--closed-loop: {what}: only slide plans are followed")
+        if self.locked and self.kind != "clasp":
+            raise TaskError(f"--locked: {self.kind} plans have no certificate (clasp plans do)")
         given = (self.is_ablation, self.disturb, self.closed_loop, self.prove, self.mutants)
+        given += (self.locked,)
         if (self.prove or self.mutants) and sum(given) > 1:
             which = "prove" if self.prove else "mutants"
             raise TaskError(f"--{which}: not beside another experiment")
@@ -111,6 +118,7 @@ class Grid:
                 self.closed_loop,
                 self.prove,
                 self.mutants,
+                self.locked,
             )
 
     def _tasks(self) -> Iterator[Task]:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from graspless.kinds import part
 from graspless.tasks.digest import digest
 
-from . import mutants
+from . import locked, mutants
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -52,6 +52,8 @@ class Query:
         Instead of trials of one plan: plan until one holds in all trials.
     mutants : bool
         Instead of trials: what `check` and `simulate` find in the plan broken on purpose.
+    locked : bool
+        Instead of trials: certificates of a clasp against hands with locked motors.
     """
 
     name: str
@@ -63,6 +65,7 @@ class Query:
     closed_loop: bool = False
     prove: bool = False
     mutants: bool = False
+    locked: bool = False
 
     @property
     def key(self) -> str:
@@ -104,6 +107,8 @@ def _measure(query: Query) -> Row:
         return row | {"mutants": found, "seconds": [_figure(seconds)]}
     if query.disturb:
         return row | _disturbed(plan)
+    if query.locked:
+        return row | _rounded(locked.measure(plan, query.seed))
     return row | (_followed(plan, query) if query.closed_loop else _tried(plan, query))
 
 
@@ -167,6 +172,11 @@ def _disturbed(plan: Plan) -> Row:
         name: _figure(value) if isinstance(value, float) else value for name, value in found.items()
     }
     return {"disturbed": figures, "seconds": [_figure(time.perf_counter() - start)]}
+
+
+def _rounded(row: Row) -> Row:
+    measures = {name: [_figure(v) for v in values] for name, values in row["measures"].items()}
+    return row | {"measures": measures, "seconds": [_figure(s) for s in row["seconds"]]}
 
 
 def _measured(trial: Trial, name: str) -> float | None:

@@ -19,7 +19,9 @@ import numpy as np
 
 from ...timing import time as timed
 from ..results import Trial
+from ..robots import set_positions
 from ..settings import Clasp
+from ..variation import Variation
 from .closing import left_open
 from .execution import Execution, Recorder
 from .judge import Judge
@@ -32,7 +34,6 @@ if TYPE_CHECKING:
     from ...clasp import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
-    from ..variation import Variation
 
 FAILURES = {
     "hit": "the object moved before the hand closed, or the robot touched an obstacle",
@@ -98,6 +99,51 @@ def run(
     recording = None if recorder is None else recorder.recording()
     seconds = perf_counter() - started
     return Trial(variation, tuple(failures), measures, seconds, recording)
+
+
+def held_locked(
+    plan: Plan, q: Matrix, seeds: Sequence[list[int]], settings: Clasp | None = None
+) -> tuple[bool, float]:
+    """Tests a hand that does not move: its motors are locked at a configuration.
+
+    Parameters
+    ----------
+    plan : Plan
+        Solved. Its task has robot and object.
+    q : array [dof]
+        Configuration of all joints [rad or m].
+    seeds : list of list of int
+        One for each sequence of random wrenches; each starts with the object as in the task.
+    settings : Clasp, optional
+        Instead of those for the load of the task.
+
+    Returns
+    -------
+    bool
+        True if the loop stays in the hand in every sequence.
+    float
+        Least virtual linking of a finger at the start.
+    """
+    task, loop = plan.task, plan.loop
+    assert loop is not None
+    problem = task.problem
+    world = make_world(
+        task, Variation(), settings or _settings(problem.hand, task.options.stability)
+    )
+    set_positions(world.model, world.data, problem.robot, q)
+    world.data.ctrl[:] = q
+    judge = Judge(problem.hand, world, problem.object.loops.loops[loop].points)
+    execution = Execution(world, judge, problem.hand, problem.robot, None)
+    world.let_go()
+    start = execution.save()
+    execution.set_back(start)
+    linking = judge.linking()
+    with execution.locked():
+        for seed in seeds:
+            execution.set_back(start)
+            if not execution.shake(np.random.default_rng(seed)):
+                return False, linking
+    return True, linking
 
 
 def _settings(hand: clasp.Hand, load: clasp.StabilityOptions) -> Clasp:
