@@ -94,8 +94,7 @@ class Grid:
         if self.locked and self.kind != "clasp":
             raise TaskError(f"--locked: {self.kind} plans have no certificate (clasp plans do)")
         given = (self.is_ablation, self.disturb, self.closed_loop, self.prove, self.mutants)
-        given += (self.locked,)
-        if (self.prove or self.mutants) and sum(given) > 1:
+        if (self.prove or self.mutants) and sum((*given, self.locked)) > 1:
             which = "prove" if self.prove else "mutants"
             raise TaskError(f"--{which}: not beside another experiment")
         if self.disturb and self.kind != "fingertip":
