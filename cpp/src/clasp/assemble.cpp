@@ -151,6 +151,23 @@ void test(Query& query, int loop, Clasp& clasp) {
   query.statistics.stability_seconds += query.clock.seconds() - before;
 }
 
+/// Closes the hand at the end of the reach. Returns why the clasp is refused; empty if it is not.
+std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
+  close_centered(query, clasp.reach, clasp.close);
+  const Eigen::VectorXd& q = clasp.close.back();
+  if (search.linking(q).minCoeff() < search.task().options.min_linking)
+    return "clasp: a finger loses the loop while it closes";
+  const geometry::ClaspTarget* held = search.held_target_W(q);
+  if (!held) return "clasp: away from every target";
+  clasp.target_W = *held;
+  test(query, search.task().loop, clasp);
+  if (!query.options.must_be_secure || clasp.stability.secure || clasp.pinch) return "";
+  const double withstands = clasp.stability.withstands;
+  if (withstands == 0 || withstands >= enough(query)) return kNotSecure;
+  query.most_withstood = std::max(query.most_withstood, withstands);
+  return kForcedOpen;
+}
+
 /// Warns of handles that are too thick for the hand, a likely reason for failure.
 void warn_of_thick_handles(const Problem& problem,
                            const std::vector<std::unique_ptr<LoopSearch>>& searches, Plan& plan) {
@@ -168,28 +185,21 @@ void warn_of_thick_handles(const Problem& problem,
 }  // namespace
 
 std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
-  const auto refused = [&](const char* why) {
-    query.refuse(why);
-    return std::nullopt;
-  };
   Clasp clasp;
   clasp.reach = search.path();
-  close_centered(query, clasp.reach, clasp.close);
-  const Eigen::VectorXd& q = clasp.close.back();
-  if (search.linking(q).minCoeff() < search.task().options.min_linking) {
-    return refused("clasp: a finger loses the loop while it closes");
-  }
-  const geometry::ClaspTarget* held = search.held_target_W(q);
-  if (!held) return refused("clasp: away from every target");
-  clasp.target_W = *held;
-  test(query, search.task().loop, clasp);
-  if (query.options.must_be_secure && !clasp.stability.secure && !clasp.pinch) {
-    const double withstands = clasp.stability.withstands;
-    if (withstands == 0 || withstands >= enough(query)) return refused(kNotSecure);
-    query.most_withstood = std::max(query.most_withstood, withstands);
-    return refused(kForcedOpen);
-  }
-  return clasp;
+  const Eigen::VectorXd reached = clasp.reach.back();
+  std::string why = close_and_test(query, search, clasp);
+  if (why.empty()) return clasp;
+  query.refuse(why);
+  const geometry::ClaspTarget* held = query.may_pinch() ? search.held_target_W(reached) : nullptr;
+  if (!held) return std::nullopt;
+  clasp = Clasp();
+  clasp.reach = search.path();
+  if (!square_up(query, *held, clasp.reach)) return std::nullopt;
+  why = close_and_test(query, search, clasp);
+  if (why.empty()) return clasp;
+  query.refuse(why);
+  return std::nullopt;
 }
 
 void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {

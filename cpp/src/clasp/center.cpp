@@ -9,6 +9,7 @@
 #include "graspless/robot/ik.hpp"
 
 #include "clasp/close.hpp"
+#include "clasp/hand/palm.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -17,6 +18,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kRounds = 3;
+constexpr double kPad = 0.015;    // from the tips to the middle of a pad [m]
 constexpr double kEven = 0.0015;  // gaps whose difference is smaller are equal [m]
 
 /// Distance of a finger from the object and the direction in which it touches.
@@ -45,11 +47,10 @@ std::optional<Vector3d> offset_W(Query& query, const VectorXd& q) {
   return (finger->gap - thumb->gap) / 2 * across.normalized();
 }
 
-/// The arm moved so that the hand is displaced in W; nothing if it cannot.
-std::optional<VectorXd> displaced(const Problem& problem, const VectorXd& q, const Vector3d& by_W) {
+/// The arm with the palm at X_WH; nothing if it cannot.
+std::optional<VectorXd> placed(const Problem& problem, const VectorXd& q,
+                               const Eigen::Isometry3d& X_WH) {
   const int frame = problem.robot.frame(problem.hand.frame);
-  Eigen::Isometry3d X_WH = problem.robot.pose(frame, q);
-  X_WH.translation() += by_W;
   try {
     return robot::Ik(problem.robot, frame, problem.robot.group(problem.hand.arm))
         .solve_near(X_WH, q);
@@ -58,7 +59,34 @@ std::optional<VectorXd> displaced(const Problem& problem, const VectorXd& q, con
   }
 }
 
+/// Palm turned about the target so that the handle runs along its `sideways`, and moved so that the
+/// target lies kPad behind the middle of the tips.
+Eigen::Isometry3d squared(const Problem& problem, const VectorXd& q,
+                          const geometry::ClaspTarget& target_W) {
+  const Hand& hand = problem.hand;
+  const Eigen::Isometry3d X_WH = problem.robot.pose(problem.robot.frame(hand.frame), q);
+  const Vector3d sideways = X_WH.linear() * hand.sideways_H;
+  const double sign = sideways.dot(target_W.tangent) < 0 ? -1 : 1;
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(sideways, sign * target_W.tangent);
+  const Vector3d tips = (node_position(problem.robot, hand.fingers.front().nodes.back(), q) +
+                         node_position(problem.robot, hand.thumb.nodes.back(), q)) /
+                        2;
+  const Vector3d forward = turn * (X_WH.linear() * hand.forward_H);
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = turn * X_WH.linear();
+  X.translation() = target_W.point + kPad * forward + turn * (X_WH.translation() - tips);
+  return X;
+}
+
 }  // namespace
+
+bool square_up(Query& query, const geometry::ClaspTarget& target_W, planning::Path& reach) {
+  const auto q =
+      placed(query.problem, reach.back(), squared(query.problem, reach.back(), target_W));
+  if (!q || !query.is_motion_free(reach.back(), *q)) return false;
+  reach.push_back(*q);
+  return true;
+}
 
 void close_centered(Query& query, planning::Path& reach, planning::Path& close) {
   const Problem& problem = query.problem;
@@ -68,7 +96,11 @@ void close_centered(Query& query, planning::Path& reach, planning::Path& close) 
   close = closed_from(reach.back());
   for (int round = 0; query.may_pinch() && round < kRounds; ++round) {
     const auto by_W = offset_W(query, close.back());
-    const auto q = by_W ? displaced(problem, reach.back(), *by_W) : std::nullopt;
+    if (!by_W) return;
+    Eigen::Isometry3d X_WH =
+        problem.robot.pose(problem.robot.frame(problem.hand.frame), reach.back());
+    X_WH.translation() += *by_W;
+    const auto q = placed(problem, reach.back(), X_WH);
     if (!q || !query.is_motion_free(reach.back(), *q)) return;
     reach.push_back(*q);
     close = closed_from(*q);

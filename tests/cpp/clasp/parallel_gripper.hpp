@@ -20,6 +20,13 @@ inline std::string slider(const std::string& name, const std::string& parent,
          " velocity='1' effort='" + effort + "'/>" + mimic + "</joint>";
 }
 
+inline std::string turner(const std::string& name, const std::string& parent,
+                          const std::string& child, const std::string& axis) {
+  return "<joint name='" + name + "' type='revolute'><parent link='" + parent + "'/><child link='" +
+         child + "'/><axis xyz='" + axis + "'/><limit lower='-2' upper='2' velocity='1' " +
+         "effort='50'/></joint><link name='" + child + "'/>";
+}
+
 inline std::string box_link(const std::string& name, const std::string& xyz,
                             const std::string& size) {
   return "<link name='" + name + "'><collision><origin xyz='" + xyz + "'/><geometry><box size='" +
@@ -27,8 +34,8 @@ inline std::string box_link(const std::string& name, const std::string& xyz,
 }
 
 /// Fingers of 80 x 20 x 10 mm that are 60 mm apart when open and touch when closed. The palm hangs
-/// at (0, 0, 1) and looks along +z.
-inline robot::Robot parallel_gripper(const std::string& effort = "50") {
+/// at (0, 0, 1) and looks along +z. With `turns`, the arm has a wrist of three more joints.
+inline robot::Robot parallel_gripper(const std::string& effort = "50", bool turns = false) {
   const std::string far = "lower='-1' upper='1'", near = "lower='0' upper='0.03'";
   const std::string urdf =
       "<robot name='gripper'><link name='world'/><link name='x'/><link name='y'/>" +
@@ -37,14 +44,18 @@ inline robot::Robot parallel_gripper(const std::string& effort = "50") {
       box_link("right", "0 -0.005 0.04", "0.02 0.01 0.08") +
       slider("arm_x", "world", "x", "0 0 1", "1 0 0", far) +
       slider("arm_y", "x", "y", "0 0 0", "0 1 0", far) +
-      slider("arm_z", "y", "palm", "0 0 0", "0 0 1", far) +
+      (turns ? turner("roll", "y", "r", "1 0 0") + turner("pitch", "r", "p", "0 1 0") +
+                   turner("yaw", "p", "w", "0 0 1")
+             : "") +
+      slider("arm_z", turns ? "w" : "y", "palm", "0 0 0", "0 0 1", far) +
       slider("slide_left", "palm", "left", "0 0 0.04", "0 1 0", near, "", effort) +
       slider("slide_right", "palm", "right", "0 0 0.04", "0 -1 0", near,
              "<mimic joint='slide_left'/>") +
       "</robot>";
   const std::string srdf =
-      "<robot name='gripper'><group name='arm'><joint name='arm_x'/><joint name='arm_y'/><joint "
-      "name='arm_z'/></group><group name='hand'><joint name='slide_left'/></group>"
+      "<robot name='gripper'><group name='arm'><joint name='arm_x'/><joint name='arm_y'/>" +
+      std::string(turns ? "<joint name='roll'/><joint name='pitch'/><joint name='yaw'/>" : "") +
+      "<joint name='arm_z'/></group><group name='hand'><joint name='slide_left'/></group>"
       "<group_state name='open' group='hand'><joint name='slide_left' value='0.03'/></group_state>"
       "<group_state name='closed' group='hand'><joint name='slide_left' "
       "value='0'/></group_state></robot>";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/stability/pinch.hpp"
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -10,7 +11,9 @@
 #include "graspless/clasp/clasp.hpp"
 #include "graspless/mechanics/stability.hpp"
 
+#include "clasp/center.hpp"
 #include "clasp/parallel_gripper.hpp"
+#include "clasp/query.hpp"
 #include "clasp/ring_problem.hpp"
 #include "clasp/search/reachability.hpp"
 #include "complaint.hpp"
@@ -168,6 +171,47 @@ TEST(PlanWithAGripper, TouchesBothSidesOfABarBesideTheMiddle) {
     EXPECT_LT(test_pinch(problem, q, 0.5).gap, 0.003);
     EXPECT_TRUE(found.stability.secure || found.pinch);
   }
+}
+
+/// State of a search, and a place of the ring that the gripper meets askew.
+struct Askew {
+  explicit Askew(bool turns) : problem(ring_in_gripper(0.02)), clock(cycles(1)), reach{VectorXd()} {
+    problem.robot = parallel_gripper("50", turns);
+    reach = {problem.q_start = problem.robot.state("open")};
+    const Vector3d lowest = problem.X_WO.translation() - 0.12 * Vector3d::UnitZ();
+    target_W = {lowest, Eigen::AngleAxisd(0.3, Vector3d::UnitZ()) * Vector3d::UnitX()};
+  }
+  Problem problem;
+  Options options;
+  planning::Clock clock;
+  geometry::ClaspTarget target_W;
+  planning::Path reach;
+};
+
+TEST(SquareUp, BringsTheHandleSquareBetweenThePads) {
+  Askew askew(true);
+  Query query(askew.problem, askew.options, askew.clock, 1);
+  const robot::Robot& robot = askew.problem.robot;
+  for (const double sign : {1.0, -1.0}) {  // a tangent has no sense
+    askew.reach = {askew.problem.q_start};
+    askew.target_W.tangent *= sign;
+    ASSERT_TRUE(square_up(query, askew.target_W, askew.reach));
+    ASSERT_EQ(askew.reach.size(), 2);
+    const Eigen::Isometry3d X_WH = robot.pose(robot.frame("palm"), askew.reach.back());
+    EXPECT_NEAR(std::abs(X_WH.linear().col(0).dot(askew.target_W.tangent)), 1, 1e-6);
+    EXPECT_GT(X_WH.linear().col(0).x(), 0.9);  // by the smaller angle
+    const Vector3d tips = X_WH * Vector3d(0, 0, 0.04 + 0.075);
+    const Vector3d pads = askew.target_W.point + 0.015 * X_WH.linear().col(2);
+    EXPECT_LT((tips - pads).norm(), 1e-5);
+    EXPECT_TRUE(query.is_motion_free(askew.reach.front(), askew.reach.back()));
+  }
+}
+
+TEST(SquareUp, LeavesTheReachOfAnArmThatCannotTurn) {
+  Askew askew(false);
+  Query query(askew.problem, askew.options, askew.clock, 1);
+  EXPECT_FALSE(square_up(query, askew.target_W, askew.reach));
+  EXPECT_EQ(askew.reach.size(), 1);
 }
 
 TEST(PlanWithAGripper, WithoutFrictionAPinchIsNoClasp) {
