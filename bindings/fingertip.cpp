@@ -362,11 +362,11 @@ FingerState from_numbers(const FingerNumbers& numbers) {
           numbers.segment<3>(9)};
 }
 
-/// Rows as arrays: their poses [N, 4, 4], their margins [N, 3], their fingers [N, n, 12].
+/// Rows as arrays: their poses [N, 4, 4], their margins [N, 4], their fingers [N, n, 12].
 std::tuple<Array, Array, Array> to_arrays(const Segment& segment) {
   const auto N = static_cast<py::ssize_t>(segment.rows.size());
   const auto n = N == 0 ? 0 : static_cast<py::ssize_t>(segment.rows[0].fingers.size());
-  Array margins({N, py::ssize_t{3}}), fingers({N, n, py::ssize_t{12}});
+  Array margins({N, py::ssize_t{4}}), fingers({N, n, py::ssize_t{12}});
   double* margin = margins.mutable_data();
   double* number = fingers.mutable_data();
   Poses poses;
@@ -376,7 +376,8 @@ std::tuple<Array, Array, Array> to_arrays(const Segment& segment) {
                                   "' must have the same number of fingers");
     }
     poses.push_back(row.X_WO);
-    for (const double z : {row.stability, row.compliant_stability, row.nominal_margin}) {
+    for (const double z :
+         {row.stability, row.compliant_stability, row.nominal_margin, row.withstands}) {
       *margin++ = z;
     }
     for (const FingerState& finger : row.fingers) {
@@ -391,8 +392,8 @@ std::vector<Row> from_arrays(const Array& object_poses, const Array& margins,
                              const Array& fingers) {
   const Poses poses = to_poses(object_poses, "object_poses");
   const auto N = static_cast<py::ssize_t>(poses.size());
-  if (margins.ndim() != 2 || margins.shape(0) != N || margins.shape(1) != 3) {
-    throw std::invalid_argument("margins must have shape (N, 3)");
+  if (margins.ndim() != 2 || margins.shape(0) != N || margins.shape(1) != 4) {
+    throw std::invalid_argument("margins must have shape (N, 4)");
   }
   if (fingers.ndim() != 3 || fingers.shape(0) != N || fingers.shape(2) != 12) {
     throw std::invalid_argument("fingers must have shape (N, n, 12)");
@@ -403,7 +404,8 @@ std::vector<Row> from_arrays(const Array& object_poses, const Array& margins,
             {},
             margins.at(i, 0),
             margins.at(i, 1),
-            margins.at(i, 2)};
+            margins.at(i, 2),
+            margins.at(i, 3)};
     for (py::ssize_t k = 0; k < fingers.shape(1); ++k) {
       row.fingers.push_back(from_numbers(Eigen::Map<const FingerNumbers>(fingers.data(i, k, 0))));
     }
@@ -435,10 +437,13 @@ void bind_rows(py::module_& m) {
               Field{"compliant_stability", &Row::compliant_stability,
                     "Margin by mechanics.compliant_stability [N]."},
               Field{"nominal_margin", &Row::nominal_margin,
-                    "Margin of the nominal forces, as in mechanics.Equilibrium [N]."});
+                    "Margin of the nominal forces, as in mechanics.Equilibrium [N]."},
+              Field{"withstands", &Row::withstands,
+                    "Largest disturbance that the row surely withstands, by mechanics.withstands "
+                    "[N]."});
 
   m.def("_rows", &from_arrays, py::arg("object_poses"), py::arg("margins"), py::arg("fingers"),
-        "Returns rows: poses (N, 4, 4), margins (N, 3), and 12 numbers per finger (N, n, 12).");
+        "Returns rows: poses (N, 4, 4), margins (N, 4), and 12 numbers per finger (N, n, 12).");
   py::class_<Segment>(m, "Segment",
                       "Part of the plan during which no finger changes its place, or one regrasp.")
       .def(py::init([](const std::string& name, const Array& X_WO, const std::vector<Row>& rows,
@@ -498,6 +503,8 @@ void bind_plan(py::module_& m) {
               "Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the "
               "plan is optimal."});
   field(Field{"regrasps", &Plan::regrasps, "Number of regrasps."});
+  field(Field{"withstands", &Plan::withstands,
+              "Largest disturbance that every row surely withstands [N]."});
   field(Field{"segments", &Plan::segments, "Motions and regrasps, in order."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"weakest_segment", &Plan::weakest_segment,

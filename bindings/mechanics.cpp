@@ -8,6 +8,7 @@
 #include "graspless/mechanics/equilibrium.hpp"
 #include "graspless/mechanics/friction_interval.hpp"
 #include "graspless/mechanics/stability.hpp"
+#include "graspless/mechanics/withstands.hpp"
 
 #include "conversions.hpp"
 #include "fields.hpp"
@@ -717,6 +718,56 @@ void bind_equilibrium(py::module_& m) {
       "ValueError\n"
       "    The contact set, the modes, the nominal forces, the stiffness or the directions are "
       "invalid.");
+  m.def(
+      "withstands",
+      [](const ContactSet& set, const std::vector<FingerMode>& modes, const Equilibrium& nominal,
+         const Compliance& compliance, const MaybeArray& points_O, double max_yield,
+         const MaybeArray& directions) {
+        const ContactSet unit = with_unit_normals(set);
+        const Matrix6Xd l = to_directions(directions);
+        const Compliance springs = compliance;
+        Yield yield;
+        if (points_O) yield = {to_points3(*points_O, "points_O"), max_yield};
+        const py::gil_scoped_release release;
+        return withstands(unit, modes, nominal, springs, yield, l);
+      },
+      py::arg("set"), py::arg("modes"), py::arg("nominal"),
+      py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
+      py::arg("points_O") = py::none(), py::arg("max_yield") = 1e-3,
+      py::arg("directions") = py::none(),
+      "Computes the largest disturbance that the contacts surely withstand.\n\n"
+      "Fingers are springs about their nominal forces, so they cannot choose how to share a\n"
+      "disturbance. The environment sticks, or its friction gives way. Not in the paper; see "
+      "docs/internals/withstands.md.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "nominal : Equilibrium\n"
+      "    Nominal forces, for instance from `compliant_equilibrium`.\n"
+      "compliance : Compliance\n"
+      "    Stiffness of the contacts.\n"
+      "points_O : array (N, 3), optional\n"
+      "    Points of the object in O that must not yield by more than `max_yield` [m]. By default\n"
+      "    there are none.\n"
+      "max_yield : float\n"
+      "    Distance by which the springs may let these points move [m].\n"
+      "directions : array (N, 6), optional\n"
+      "    Directions of disturbances in scaled wrench space. By default "
+      "`disturbance_directions`.\n\n"
+      "Returns\n"
+      "-------\n"
+      "float\n"
+      "    Largest disturbance [N] in every direction. 0 if the springs do not hold the object.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the modes, the nominal forces, the stiffness, the points or the "
+      "directions are\n"
+      "    invalid.");
 }
 
 void bind_friction_interval(py::module_& m) {

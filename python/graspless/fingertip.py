@@ -135,6 +135,11 @@ class Segment(_core.Segment):
         """[N] margin of the nominal forces [N]."""
         return self._arrays[1][:, 2]
 
+    @property
+    def withstands(self) -> Matrix:
+        """[N] largest disturbance that each row surely withstands [N]."""
+        return self._arrays[1][:, 3]
+
 
 class JointSegment(_core.JointSegment):
     """Part of a joint motion."""
@@ -169,9 +174,11 @@ class Plan(AnyPlan, _core.Plan):
         segments: tuple[Segment, ...]  # type: ignore[override]
         cost: float | None  # type: ignore[assignment]
         lower_bound: float | None  # type: ignore[assignment]
+        withstands: float | None  # type: ignore[assignment]
     else:
         segments = own_segments(_core.Plan)
         cost = of_found(_core.Plan, "cost", Status.solved, Status.not_realized)
+        withstands = of_found(_core.Plan, "withstands", Status.solved, Status.not_realized)
         lower_bound = property(
             lambda self: _finite(_core.Plan.lower_bound.fget(self)),
             _core.Plan.lower_bound.fset,
@@ -209,7 +216,7 @@ class Plan(AnyPlan, _core.Plan):
         changes["segments"] = [Segment(s.name, s.X_WO, s.rows, s.finger) for s in found.segments]
         changes["lower_bound"] = _finite(found.lower_bound)
         if not found:
-            changes["cost"] = None
+            changes["cost"] = changes["withstands"] = None
         if found.weakest_segment >= 0:
             changes["weakest"] = Weakest(found.weakest_segment, found.weakest_row)
         return super()._of(found, task, **changes)

@@ -44,6 +44,7 @@ from ._core.mechanics import (
     normalized,
     tangent,
     validate,
+    withstands,
     wrench_scale,
 )
 
@@ -84,6 +85,7 @@ __all__ = [
     "stability",
     "tangent",
     "validate",
+    "withstands",
     "wrench_scale",
 ]
 

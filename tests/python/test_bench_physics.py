@@ -10,7 +10,9 @@ import sys
 import types
 from pathlib import Path
 
+import numpy as np
 import pytest
+from scipy.spatial import ConvexHull
 
 import batch_common
 from graspless import TaskError, kinds, simulation
@@ -19,7 +21,7 @@ from graspless.cli import main
 from graspless.simulation import Trial
 from graspless.simulation.slide import conditions
 from graspless.tasks import read_task
-from graspless_bench.physics import claims, locked, report, tables, work
+from graspless_bench.physics import claims, fingertip_shapes, locked, report, tables, work
 from graspless_bench.physics import run as physics
 from tasks_common import changed
 
@@ -45,7 +47,8 @@ def follow(plan, variation, seed, *, record=False):
 
 def disturb(plan):
     return {"segment": 0, "row": 2, "smallest": float("inf"), "z": 4.0, "compliant": 2.0,
-            "ratio": float("inf"), "compliant_ratio": 0.9}  # fmt: skip
+            "ratio": float("inf"), "compliant_ratio": 0.9, "withstands": 1.0,
+            "withstands_ratio": float("inf")}  # fmt: skip
 
 
 def measure_locked(plan, seed):
@@ -211,6 +214,51 @@ def test_disturbances_against_the_index():
     shown, _ = tables.disturbances({"rows": rows})
     lost = next(row for row in shown if "5 mm" in row["name"])
     assert (lost["count"], lost["min"], lost["median"]) == (2, 0.75, 0.75)
+
+
+def test_promises_against_what_broke():
+    def broken(*ratios):
+        found = [
+            {"z": 2.0, "ratio": ratio, "compliant_ratio": ratio, "withstands": 1.0,
+             "withstands_ratio": ratio, "smallest": ratio}
+            for ratio in ratios
+        ]  # fmt: skip
+        return rows_of(disturbed=found)
+
+    rows = [broken(0.95, 1.3, 1.6), broken(2.0, None)]
+    result = {"part": "fingertip_withstands", "rows": rows}
+    found, _ = tables.claims(result)
+    assert [(c["held"], c["asked"]) for c in found] == [(5, 5), (4, 5), (4, 5), (4, 5)]
+    shown, _ = tables.promises(result)
+    assert sum(row["withstands"] for row in shown) == 5
+    counts = {row["name"]: row["withstands"] for row in shown}
+    assert counts["0.9 to 1"] == counts["3 or more, or not broken"] == 1
+    text = tables.below(result)
+    assert text.startswith("1 of 5 tests broke below what the row withstands")
+    assert "is 0.62 of what breaks it" in text  # of 1/0.95, 1/1.3, 1/1.6, 1/2 and 0
+    assert tables.wilson(0, 1000) == pytest.approx(0.0027, abs=1e-4)
+    assert tables.wilson(500, 1000) == pytest.approx(0.526, abs=1e-3)
+
+
+def test_only_rows_of_fingertip_plans_have_a_promise():
+    for kind, flags in (("slide", {}), ("fingertip", {"disturb": True})):
+        with pytest.raises(TaskError, match="only rows of fingertip plans"):
+            physics.Grid(kind, runs=1, withstands=True, **flags).check()
+    assert physics.Grid("fingertip", runs=1, withstands=True).part == "fingertip_withstands"
+
+
+def test_new_shapes_have_the_corners_that_they_should():
+    for k, shape in enumerate(fingertip_shapes.SHAPES):
+        for seed in range(5):
+            vertices = fingertip_shapes.corners(np.random.default_rng([seed, k]), shape)
+            hull = ConvexHull(vertices)
+            assert len(hull.vertices) == len(vertices)
+            assert (vertices[:, 2] >= 0).all()
+            assert np.count_nonzero(vertices[:, 2] == 0) >= 3
+            triangles = np.array(fingertip_shapes.outward(hull))
+            a, b, c = (vertices[triangles[:, i]] for i in range(3))
+            volume = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+            assert volume == pytest.approx(hull.volume)
 
 
 def test_a_share_never_looks_better_than_it_is():

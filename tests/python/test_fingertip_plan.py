@@ -12,6 +12,7 @@ import pytest
 import graspless
 from fingertip_common import ALONG_WALL, PUSH, TUMBLE, changed
 from graspless import TaskError, fingertip, planning, report
+from graspless.plan_files import read_plan
 from graspless.plan_files.fingertip import FingertipPlanFile
 from graspless.tasks import read_task
 from tasks_common import reread, without_clock
@@ -217,6 +218,7 @@ def test_failed_plan_says_what_blocks_and_what_would_help(tmp_path):
     plan = graspless.plan(read_task(weak, "weak.yaml"))
     assert not plan
     assert (plan.status, plan.cost, plan.weakest) == ("unstable", None, None)
+    assert plan.withstands is None
     assert plan.limit
     text = report.as_text(plan)
     assert f"limiting condition: {plan.limit}" in text
@@ -235,7 +237,9 @@ def test_report_names_cost_segments_and_the_weakest_step(tumble):
     k, row = tumble.weakest
     least = tumble.segments[k].stability[row]
     assert least == min(s.stability.min() for s in tumble.segments if s.name != "regrasp")
-    assert f"withstands {least:.3g} N" in text
+    assert f"stability z {least:.3g} N" in text
+    assert f"every row surely withstands {tumble.withstands:.3g} N" in text
+    assert tumble.withstands == min(s.withstands.min() for s in tumble.segments)
     assert len(text.splitlines()) < 10
     printed = report.as_dict(tumble)
     assert printed["cost"] == tumble.cost
@@ -276,3 +280,46 @@ def test_out_of_time_is_a_status():
     plan = graspless.plan(read_task(LONG, "long.yaml"), seconds=0.05)
     assert plan.status == "out_of_time"
     assert graspless.check(plan)
+
+
+def _withstands_more(document):
+    document["segments"][0]["withstands"][1] *= 1.001
+
+
+def _withstands_more_in_all(document):
+    document["withstands"] *= 1.001
+
+
+def _other_forces(document):
+    document["segments"][0]["nominal_forces"][1][0][0] *= 1.05
+
+
+def _smoother_fingers(document):
+    document["task"]["fingers"]["friction"] = 0.6
+
+
+def _heavier(document):
+    document["task"]["object"]["mass"] *= 1.5
+
+
+def _softer(document):
+    document["task"]["options"]["compliance"]["finger_tangential"] = 1e3
+
+
+def _tighter(document):
+    document["task"]["options"]["max_yield"] = 1e-6
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        _withstands_more, _withstands_more_in_all, _other_forces, _smoother_fingers, _heavier,
+        _softer, _tighter,
+    ],
+)  # fmt: skip
+def test_check_sees_a_plan_that_withstands_less_than_it_says(tumble, change):
+    assert graspless.check(tumble) == []
+    document = json.loads(tumble.to_json())
+    change(document)
+    faults = graspless.check(read_plan(json.dumps(document), "changed"))
+    assert any("withstands: " in fault and "promised" in fault for fault in faults), faults

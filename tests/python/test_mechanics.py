@@ -102,7 +102,7 @@ def test_nominal_forces_balance(equilibrium):
     assert nominal.margin > 0
     springs = mechanics.compliant_stability(cuboid(), best.modes, nominal)
     assert 0 < springs < best.stability.z
-    stiff = Compliance(environment_normal=100)
+    stiff = Compliance(environment_normal=5e6)
     assert mechanics.compliant_stability(cuboid(), best.modes, nominal, stiff) != springs
     assert equilibrium(cuboid(fingers=[]), [], []) is None
 
@@ -116,6 +116,27 @@ def test_springs_withstand_more_with_room_where_they_ask_for_it():
         mechanics.compliant_stability(cuboid(), best.modes, nominal) for nominal in (even, asked)
     ]
     assert withstands[1] > 1.2 * withstands[0]
+
+
+def test_what_is_surely_withstood():
+    best = mechanics.best_control_modes(cuboid())
+    nominal = mechanics.compliant_equilibrium(cuboid(), best.modes, best.stability.commanded_forces)
+    corners = np.array(BOTTOM)
+    least = mechanics.withstands(cuboid(), best.modes, nominal)
+    assert 0.1 < least < 1.2 * best.stability.z
+    directions = mechanics.disturbance_directions()
+    of_each = [
+        mechanics.withstands(cuboid(), best.modes, nominal, directions=direction[None])
+        for direction in directions
+    ]
+    assert min(of_each) == pytest.approx(least, rel=1e-6)
+    tight = mechanics.withstands(cuboid(), best.modes, nominal, points_O=corners, max_yield=1e-6)
+    assert tight < least
+    assert tight == pytest.approx(
+        2 * mechanics.withstands(cuboid(), best.modes, nominal, points_O=corners, max_yield=5e-7)
+    )
+    with pytest.raises(ValueError, match=r"yield\.distance must be positive"):
+        mechanics.withstands(cuboid(), best.modes, nominal, points_O=corners, max_yield=0)
 
 
 def test_friction_intervals():

@@ -63,8 +63,8 @@ def cases(rows: list[Row], of: str) -> Iterator[Row]:
                 yield row["proof"] | {"seconds": row["seconds"][0]}
             continue
         if of == DISTURBED:
-            if row["disturbed"] is not None:
-                yield row["disturbed"]
+            found = row["disturbed"] or []
+            yield from found if isinstance(found, list) else [found]
             continue
         for k, failures in enumerate(row["failures"]):
             if (row["of"][k] if "of" in row else VARIED if k else NOMINAL) == of:
@@ -101,7 +101,7 @@ def _holds_but(*failures: str) -> Callable[[Row], bool]:
 
 def _ratio(name: str, least: float, below_z: float = math.inf) -> Callable[[Row], bool | None]:
     def holds(case: Row) -> bool | None:
-        if not case["z"] < below_z:
+        if name not in case or not case["z"] < below_z:  # older files lack some
             return None
         return case[name] is None or bool(case[name] >= least)  # None: nothing broke it
 
@@ -122,6 +122,7 @@ def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> 
 
 _LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
+_WITHSTOOD = _ratio("withstands_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
 _LOST_OPEN = _where_pulled("open_hand_holds")
@@ -218,6 +219,13 @@ CLAIMS: dict[str, list[Claim]] = {
             "breaks at 0.9 z or more, if z < 5 N", DISTURBED, _ratio("ratio", 0.9, 5.0), None, 0.95
         ),
         Claim("breaks at the compliant index or more", DISTURBED, _COMPLIANT, None, 0.99),
+        Claim("breaks at what it withstands or more", DISTURBED, _WITHSTOOD, 0.99),
+    ],
+    "fingertip_withstands": [
+        Claim("holds without a disturbance", DISTURBED, lambda case: case["smallest"] != 0),
+        Claim("breaks at what it withstands or more", DISTURBED, _WITHSTOOD, 0.99),
+        Claim("breaks at z or more", DISTURBED, _ratio("ratio", 1.0)),
+        Claim("breaks at the compliant index or more", DISTURBED, _COMPLIANT),
     ],
     "clasp_locked": [
         Claim("held", locked.CLOSED, lambda case: not case["failures"]),

@@ -55,6 +55,12 @@ def add_parser(experiments: Any) -> None:
         help="fingertip: instead of trials, the smallest wrench that breaks the weakest row (slow)",
     )
     parser.add_argument(
+        "--withstands",
+        action="store_true",
+        help="fingertip: instead of trials, the smallest wrenches that break rows of plans for "
+        "other objects, against the disturbance that the rows withstand",
+    )
+    parser.add_argument(
         "--closed-loop",
         action="store_true",
         help="slide: instead of trials, each condition in open and in closed loop",
@@ -88,13 +94,16 @@ def _run(options: argparse.Namespace) -> int:
 
     from . import report
     from .mutants import PLANS
-    from .run import RUNS, Grid, run
+    from .run import BREAK_RUNS, RUNS, Grid, run
 
-    runs = options.runs or (PLANS if options.mutants else RUNS[options.kind])
+    of_part = PLANS if options.mutants else BREAK_RUNS if options.withstands else None
+    runs = options.runs or of_part or RUNS[options.kind]
     alone = options.disturb or options.closed_loop or options.mutants or options.locked
+    alone = alone or options.withstands
     trials = 1 if alone else options.trials
     trials = trials if options.prove is None else 1 + options.prove
-    proves, others = options.prove is not None, (options.mutants, options.locked)
+    proves = options.prove is not None
+    others = (options.mutants, options.locked, options.withstands)
     flags = options.ablation, options.disturb, options.closed_loop, proves, *others
     grid = Grid(options.kind, runs, trials, options.seed, *flags)
     grid.check()

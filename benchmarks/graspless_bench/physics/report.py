@@ -32,6 +32,7 @@ PARTS = (
     "slide_mutants",
     "fingertip",
     "fingertip_disturb",
+    "fingertip_withstands",
     "fingertip_prove",
     "fingertip_mutants",
     "clasp",
@@ -73,6 +74,7 @@ def as_text(result: Row) -> str:
         "" if result["complete"] else "INTERRUPTED: these are partial results",
         _counts(result["totals"]),
         *(aligned(title, rows, _short(shown)) for title, (rows, shown) in _tables(result).items()),
+        tables.below(result) if result["part"].endswith("_withstands") else "",
         f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
         *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
@@ -114,6 +116,8 @@ def _tables(result: Row) -> dict[str, tables.Table]:
         return asked | {"mutant": tables.broken(result)}
     if result["part"].endswith("_prove"):
         return asked | {"search": tables.proofs(result)}
+    if result["part"].endswith("_withstands"):
+        return asked | {"broke / promised": tables.promises(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
 
 
@@ -126,8 +130,16 @@ def _fields(result: Row) -> dict[str, str]:
     names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
     shown = {"disturbance": "disturbances", "condition": "conditions", "search": "proofs"}
     shown |= {"mutant": "mutants", "score": "scores", "certificate": "certificates"} | names
+    shown |= {"broke / promised": "promises"}
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
-    return dict.fromkeys(shown.values(), "") | fields | {"counts": _counts(result["totals"])}
+    return (
+        dict.fromkeys(shown.values(), "")
+        | fields
+        | {
+            "counts": _counts(result["totals"]),
+            "below": tables.below(result) if result["part"].endswith("_withstands") else "",
+        }
+    )
 
 
 def _counts(totals: Row) -> str:

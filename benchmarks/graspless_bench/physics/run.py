@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from .work import Query
 
 RUNS = {"slide": 200, "fingertip": 54, "clasp": 60}  # plans, unless asked otherwise
+BREAK_RUNS = 200  # plans with rows that are broken
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,9 @@ class Grid:
         Instead of trials: every plan broken on purpose, in `check` and `simulate`.
     locked : bool
         Instead of trials: certificates of clasps against hands with locked motors.
+    withstands : bool
+        Instead of trials: the smallest wrenches that break rows of fingertip plans, for the tasks
+        of `fingertip_shapes`.
     """
 
     kind: str
@@ -65,6 +69,7 @@ class Grid:
     prove: bool = False
     mutants: bool = False
     locked: bool = False
+    withstands: bool = False
 
     @property
     def part(self) -> str:
@@ -76,6 +81,7 @@ class Grid:
             "_prove": self.prove,
             "_mutants": self.mutants,
             "_locked": self.locked,
+            "_withstands": self.withstands,
         }
         return self.kind + "".join(name for name, is_set in flags.items() if is_set)
 
@@ -97,6 +103,9 @@ class Grid:
         if (self.prove or self.mutants) and sum((*given, self.locked)) > 1:
             which = "prove" if self.prove else "mutants"
             raise TaskError(f"--{which}: not beside another experiment")
+        if self.withstands and (self.kind != "fingertip" or self.disturb):
+            what = "--disturb" if self.disturb else self.kind
+            raise TaskError(f"--withstands: {what}: only rows of fingertip plans are tested")
         if self.disturb and self.kind != "fingertip":
             raise TaskError(
                 f"--disturb: {self.kind} plans have no stability margin (fingertip plans do)"
@@ -118,9 +127,15 @@ class Grid:
                 self.prove,
                 self.mutants,
                 self.locked,
+                self.withstands,
             )
 
     def _tasks(self) -> Iterator[Task]:
+        if self.withstands:
+            from .fingertip_shapes import break_tasks
+
+            yield from break_tasks(self.runs, self.seed)
+            return
         module = importlib.import_module(f".{self.kind}_tasks", __package__)
         flags: dict[str, Any] = {"finger_model": "impedance"} if self.is_ablation else {}
         if self.mutants and self.kind == "fingertip":

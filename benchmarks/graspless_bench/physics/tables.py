@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import re
 from collections import Counter
 from typing import TYPE_CHECKING, Any
@@ -24,10 +26,12 @@ LOST = ("crashed", "failed")  # an error, and nothing is known of the plan
 KNOWN = ("solved", *LOST)
 MEANING = "meaning"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
+EDGES = (0, 0.5, 0.7, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, math.inf)  # of broke / promised
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
     "ratio": "smallest disturbance that breaks the motion / z",
     "compliant_ratio": "smallest disturbance that breaks the motion / compliant index",
+    "withstands_ratio": "smallest disturbance that breaks the motion / what the row withstands",
     "lost_ratio": "smallest disturbance that moves a corner by 5 mm / z",
     "smallest": "smallest disturbance that breaks the motion [N]",
     "z": "[N]",
@@ -170,9 +174,58 @@ def disturbances(result: Row) -> Table:
     rows = []
     for name, means in DISTURBANCES.items():
         values = [c[name] for c in cases(result["rows"], DISTURBED) if c.get(name) is not None]
+        if not values:  # older results lack some
+            continue
         rows.append({"name": means if name != "z" else f"z {means}", "count": len(values)})
         rows[-1] |= {q: _quantile(values, fraction) for q, fraction in LOW.items()}
     return rows, DISTURBANCE_COLUMNS
+
+
+def promises(result: Row) -> Table:
+    """Returns the histogram of the smallest disturbance over what z and `withstands` promise."""
+    of = {"withstands": "withstands_ratio", "compliant index": "compliant_ratio", "z": "ratio"}
+    found = {
+        name: [
+            math.inf if case[ratio] is None else case[ratio]
+            for case in cases(result["rows"], DISTURBED)
+        ]
+        for name, ratio in of.items()
+    }
+    rows = []
+    for low, high in itertools.pairwise(EDGES):
+        label = f"{low:g} to {high:g}" if high < math.inf else f"{low:g} or more, or not broken"
+        counts = {
+            name: sum(low <= ratio < high or ratio == high == math.inf for ratio in ratios)
+            for name, ratios in found.items()
+        }
+        rows.append({"name": label} | counts)
+    return rows, [(name, lambda r, name=name: str(r[name])) for name in of]  # type: ignore[misc]
+
+
+def below(result: Row) -> str:
+    """Returns how many tests broke below `withstands`, with Wilson's bound of 95 %, and how large
+    the promise is.
+    """
+    seen = list(cases(result["rows"], DISTURBED))
+    if not seen:
+        return ""
+    over = sum(not (c["withstands_ratio"] is None or c["withstands_ratio"] >= 1) for c in seen)
+    shares = [
+        0.0 if c["smallest"] is None else c["withstands"] / max(c["smallest"], 1e-12) for c in seen
+    ]
+    return (
+        f"{over} of {len(seen)} tests broke below what the row withstands (95 %: fewer than "
+        f"{100 * wilson(over, len(seen)):.2g} %); the median of what it withstands is "
+        f"{np.median(shares):.2g} of what breaks it"
+    )
+
+
+def wilson(count: int, of: int, z: float = 1.645) -> float:
+    """Returns Wilson's upper bound of a share, of one-sided 95 % by default."""
+    share = count / of
+    middle = share + z * z / (2 * of)
+    far = z * math.sqrt(share * (1 - share) / of + z * z / (4 * of * of))
+    return (middle + far) / (1 + z * z / of)
 
 
 def _quantile(values: list[Any], fraction: float, factor: float = 1.0) -> float | None:

@@ -11,6 +11,8 @@ import time
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from graspless.kinds import part
 from graspless.tasks.digest import digest
 
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
     from ..machine import Row
 
 DIGITS = 5  # of a figure in a row
+ROWS = 4  # of a plan that are broken at most
+WEAK, OTHERS = 7, 3  # directions that are tried of each row: those that withstand least, and others
 LOOPS = OPEN, CLOSED = "open", "closed"
 
 
@@ -54,6 +58,8 @@ class Query:
         Instead of trials: what `check` and `simulate` find in the plan broken on purpose.
     locked : bool
         Instead of trials: certificates of a clasp against hands with locked motors.
+    withstands : bool
+        Instead of trials: the smallest wrenches that break ROWS rows of a fingertip plan.
     """
 
     name: str
@@ -66,6 +72,7 @@ class Query:
     prove: bool = False
     mutants: bool = False
     locked: bool = False
+    withstands: bool = False
 
     @property
     def key(self) -> str:
@@ -109,6 +116,8 @@ def _measure(query: Query) -> Row:
         return row | _disturbed(plan)
     if query.locked:
         return row | _rounded(locked.measure(plan, query.seed))
+    if query.withstands:
+        return row | _broken(plan, query.seed)
     return row | (_followed(plan, query) if query.closed_loop else _tried(plan, query))
 
 
@@ -177,6 +186,39 @@ def _disturbed(plan: Plan) -> Row:
 def _rounded(row: Row) -> Row:
     measures = {name: [_figure(v) for v in values] for name, values in row["measures"].items()}
     return row | {"measures": measures, "seconds": [_figure(s) for s in row["seconds"]]}
+
+
+def _broken(plan: Any, seed: int) -> Row:
+    """Breaks the row that withstands least, and others at random; equal rows once."""
+    from dataclasses import replace
+
+    from graspless.simulation.fingertip.breaking import Break, break_test
+
+    from .weak_directions import weak_directions
+
+    start = time.perf_counter()
+    different = {
+        (s, float(z)): (s, r)
+        for s, segment in enumerate(plan.segments)
+        for r, z in enumerate(segment.stability)
+    }
+    rows = list(different.values())
+    least = min(rows, key=lambda at: plan.segments[at[0]].withstands[at[1]])
+    rows.remove(least)
+    random = np.random.default_rng(seed)
+    drawn = random.permutation(len(rows))[: ROWS - 1]
+    others = random.permutation(len(plan.task.options.disturbance_directions))
+    settings = Break()
+    settings = replace(settings, lost_distance=settings.distance)
+    found = []
+    for row in [least, *(rows[i] for i in drawn)]:
+        weak = weak_directions(plan, row, WEAK)
+        tried = [*weak, *(int(i) for i in others if i not in weak)][: WEAK + OTHERS]
+        found.append(break_test(plan, row, settings, tried).as_dict())
+    figures = [
+        {k: _figure(v) if isinstance(v, float) else v for k, v in one.items()} for one in found
+    ]
+    return {"disturbed": figures, "seconds": [_figure(time.perf_counter() - start)]}
 
 
 def _measured(trial: Trial, name: str) -> float | None:

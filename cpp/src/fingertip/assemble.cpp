@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "graspless/mechanics/withstands.hpp"
 #include "graspless/watch.hpp"
 
 #include "fingertip/model/locations.hpp"
@@ -35,7 +36,8 @@ class Assembler {
         locations_(locations),
         instants_(instants),
         evaluator_(evaluator),
-        plan_(plan) {}
+        plan_(plan),
+        yield_{problem_.object.hull(), options_.max_yield} {}
 
   void run(const std::vector<Stage>& stages) {
     const Placement& first = stages.front().placement;
@@ -144,6 +146,8 @@ class Assembler {
       row.nominal_margin = nominal->margin;
       row.compliant_stability = mechanics::compliant_stability(
           set, best.modes, *nominal, options_.compliance, options_.disturbance_directions);
+      row.withstands = mechanics::withstands(set, best.modes, *nominal, options_.compliance, yield_,
+                                             options_.disturbance_directions);
     }
     modes_.resize(slots_.size(), FingerMode::position);
     for (std::size_t i = 0; i < slots_.size(); ++i) {
@@ -173,6 +177,7 @@ class Assembler {
   Instants& instants_;
   Evaluator& evaluator_;
   Plan& plan_;
+  mechanics::Yield yield_;
   std::vector<int> slots_;         // where each finger is
   std::vector<FingerMode> modes_;  // of each finger in the row before
   // Rows of equal mechanics are equal but for the pose.
@@ -181,10 +186,29 @@ class Assembler {
   std::vector<int> last_slots_;
 };
 
+/// Nominal forces follow the object's turns from row to row. Beyond the first and the last row of a
+/// segment they stay as they are in O, where gravity goes on turning: that takes from the margin.
+void subtract_drift(const Problem& problem, Plan& plan) {
+  const double mass = problem.object.mass();
+  const auto drift = [&](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+    return mass * ((a.linear() - b.linear()).transpose() * problem.gravity_W).norm();
+  };
+  for (Segment& segment : plan.segments) {
+    if (segment.finger >= 0) continue;
+    Row &first = segment.rows.front(), &last = segment.rows.back();
+    const double before = drift(first.X_WO, segment.X_WO.front());
+    const double after = drift(last.X_WO, segment.X_WO.back());
+    first.withstands = std::max(0.0, first.withstands - before);
+    last.withstands = std::max(0.0, last.withstands - after);
+  }
+}
+
 void find_weakest(Plan& plan) {
   double least = std::numeric_limits<double>::infinity();
+  plan.withstands = least;
   for (std::size_t s = 0; s < plan.segments.size(); ++s) {
     for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
+      plan.withstands = std::min(plan.withstands, plan.segments[s].rows[r].withstands);
       if (!(plan.segments[s].rows[r].stability < least)) continue;
       least = plan.segments[s].rows[r].stability;
       plan.weakest_segment = static_cast<int>(s);
@@ -212,6 +236,7 @@ void assemble(const std::vector<Stage>& stages, const Locations& locations, Inst
   plan.regrasps = 0;
   plan.segments.clear();
   Assembler(locations, instants, evaluator, plan).run(stages);
+  subtract_drift(instants.problem(), plan);
   find_weakest(plan);
   if (!instants.turns_in_plane()) return;
   plan.warnings.push_back(

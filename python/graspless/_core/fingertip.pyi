@@ -420,7 +420,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, search: Search = Search.fast, locations_per_side: typing.SupportsInt | typing.SupportsIndex = 7, location_spacing: typing.SupportsFloat | typing.SupportsIndex = 0.0, cone_edges: typing.SupportsInt | typing.SupportsIndex = 6, samples_per_arc: typing.SupportsInt | typing.SupportsIndex = 3, min_stability: typing.SupportsFloat | typing.SupportsIndex = 0.5, regrasp_cost: typing.SupportsFloat | typing.SupportsIndex = 100.0, stability_weight: typing.SupportsFloat | typing.SupportsIndex = 0.01, disturbance_directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., compliance: graspless._core.mechanics.Compliance = ..., max_regrasps: typing.SupportsInt | typing.SupportsIndex = 8, threads: typing.SupportsInt | typing.SupportsIndex = 1, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0, explain: bool = True) -> None:
+    def __init__(self, *, search: Search = Search.fast, locations_per_side: typing.SupportsInt | typing.SupportsIndex = 7, location_spacing: typing.SupportsFloat | typing.SupportsIndex = 0.0, cone_edges: typing.SupportsInt | typing.SupportsIndex = 6, samples_per_arc: typing.SupportsInt | typing.SupportsIndex = 3, min_stability: typing.SupportsFloat | typing.SupportsIndex = 0.5, regrasp_cost: typing.SupportsFloat | typing.SupportsIndex = 100.0, stability_weight: typing.SupportsFloat | typing.SupportsIndex = 0.01, disturbance_directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., compliance: graspless._core.mechanics.Compliance = ..., max_yield: typing.SupportsFloat | typing.SupportsIndex = 0.001, max_regrasps: typing.SupportsInt | typing.SupportsIndex = 8, threads: typing.SupportsInt | typing.SupportsIndex = 1, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0, explain: bool = True) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -429,7 +429,7 @@ class Options:
     @property
     def compliance(self) -> graspless._core.mechanics.Compliance:
         """
-        Springs at the contacts, for nominal forces and compliant_stability.
+        Springs at the contacts, for nominal forces, compliant_stability and withstands.
         """
     @compliance.setter
     def compliance(self, arg0: graspless._core.mechanics.Compliance) -> None:
@@ -503,6 +503,16 @@ class Options:
         """
     @max_regrasps.setter
     def max_regrasps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_yield(self) -> float:
+        """
+        Largest distance by which the springs may let a corner of the object yield to a disturbance that `withstands` counts.
+        
+        Unit: m. Range: (0, inf). Default: 0.001.
+        """
+    @max_yield.setter
+    def max_yield(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def min_stability(self) -> float:
@@ -624,7 +634,7 @@ class Row:
     """
     One instant of a plan: a sample of an arc, or a regrasp.
     """
-    def __init__(self, *, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[FingerState] = [], stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, compliant_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, nominal_margin: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+    def __init__(self, *, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[FingerState] = [], stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, compliant_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, nominal_margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, withstands: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -670,6 +680,14 @@ class Row:
         """
     @stability.setter
     def stability(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def withstands(self) -> float:
+        """
+        Largest disturbance that the row surely withstands, by mechanics.withstands [N].
+        """
+    @withstands.setter
+    def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Segment:
     """
@@ -973,6 +991,14 @@ class Plan:
     @weakest_segment.setter
     def weakest_segment(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
+    @property
+    def withstands(self) -> float:
+        """
+        Largest disturbance that every row surely withstands [N].
+        """
+    @withstands.setter
+    def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
 class Carrier:
     """
     Parts of a robot that carry the fingertips.
@@ -1169,7 +1195,7 @@ class Realization:
         ...
 def _rows(object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], margins: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], fingers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[Row]:
     """
-    Returns rows: poses (N, 4, 4), margins (N, 3), and 12 numbers per finger (N, n, 12).
+    Returns rows: poses (N, 4, 4), margins (N, 4), and 12 numbers per finger (N, n, 12).
     """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """

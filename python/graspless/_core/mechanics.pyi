@@ -8,7 +8,7 @@ import graspless._core.planning
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'Surfaces', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'wrench_scale']
+__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'Surfaces', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'withstands', 'wrench_scale']
 class ContactMode(enum.Enum):
     """
     Motion of the object at a contact with the environment, Eq. (1).
@@ -470,7 +470,7 @@ class Compliance:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, environment_normal: typing.SupportsFloat | typing.SupportsIndex = 1.0, environment_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.8, finger_normal: typing.SupportsFloat | typing.SupportsIndex = 0.2, finger_tangential: typing.SupportsFloat | typing.SupportsIndex = 0.2) -> None:
+    def __init__(self, *, environment_normal: typing.SupportsFloat | typing.SupportsIndex = 50000.0, environment_tangential: typing.SupportsFloat | typing.SupportsIndex = 40000.0, finger_normal: typing.SupportsFloat | typing.SupportsIndex = 10000.0, finger_tangential: typing.SupportsFloat | typing.SupportsIndex = 10000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -481,7 +481,7 @@ class Compliance:
         """
         Stiffness of contacts with the environment along the normal.
         
-        Unit: N/m. Range: [1e-09, 1e+09]. Default: 1.0.
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 50000.0.
         """
     @environment_normal.setter
     def environment_normal(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -491,7 +491,7 @@ class Compliance:
         """
         Stiffness of sticking contacts with the environment along the surface.
         
-        Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.8.
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 40000.0.
         """
     @environment_tangential.setter
     def environment_tangential(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -501,7 +501,7 @@ class Compliance:
         """
         Stiffness of fingers in position control along the normal.
         
-        Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.2.
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 10000.0.
         """
     @finger_normal.setter
     def finger_normal(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -511,7 +511,7 @@ class Compliance:
         """
         Stiffness of all fingers along the surface.
         
-        Unit: N/m. Range: [1e-09, 1e+09]. Default: 0.2.
+        Unit: N/m. Range: [1e-09, 1e+09]. Default: 10000.0.
         """
     @finger_tangential.setter
     def finger_tangential(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -979,6 +979,43 @@ def validate(set: ContactSet) -> None:
         a normal is not a unit vector, a sliding contact has no direction along the surface, a cone
         has fewer than three edges, there are more than four fingers, or the scale is singular. The
         message names the field and its value.
+    """
+def withstands(set: ContactSet, modes: collections.abc.Sequence[FingerMode], nominal: Equilibrium, compliance: Compliance = ..., *, points_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, max_yield: typing.SupportsFloat | typing.SupportsIndex = 0.001, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> float:
+    """
+    Computes the largest disturbance that the contacts surely withstand.
+    
+    Fingers are springs about their nominal forces, so they cannot choose how to share a
+    disturbance. The environment sticks, or its friction gives way. Not in the paper; see docs/internals/withstands.md.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    nominal : Equilibrium
+        Nominal forces, for instance from `compliant_equilibrium`.
+    compliance : Compliance
+        Stiffness of the contacts.
+    points_O : array (N, 3), optional
+        Points of the object in O that must not yield by more than `max_yield` [m]. By default
+        there are none.
+    max_yield : float
+        Distance by which the springs may let these points move [m].
+    directions : array (N, 6), optional
+        Directions of disturbances in scaled wrench space. By default `disturbance_directions`.
+    
+    Returns
+    -------
+    float
+        Largest disturbance [N] in every direction. 0 if the springs do not hold the object.
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the modes, the nominal forces, the stiffness, the points or the directions are
+        invalid.
     """
 def wrench_scale(mass: typing.SupportsFloat | typing.SupportsIndex, inertia_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 6]"]:
     """

@@ -33,7 +33,10 @@ def _segment(**columns: Any) -> fingertip.Segment:
         numbers[..., 7] = np.array(columns["modes"]) == "force"
         numbers[..., 8] = columns["commanded_forces"]
         numbers[..., 9:] = columns["nominal_forces"]
-    margins = [columns[name] for name in ("stability", "compliant_stability", "nominal_margin")]
+    margins = [
+        columns[name]
+        for name in ("stability", "compliant_stability", "nominal_margin", "withstands")
+    ]
     rows = core_rows(columns["object_poses"], np.transpose(margins), numbers)
     return fingertip.Segment(columns["name"], columns["X_WO"], rows, columns["finger"])
 
@@ -67,13 +70,16 @@ class Segment(Table):
         description="[N] stability with contacts as springs [N]"
     )
     nominal_margin: list[float] = Field(description="[N] margin of the nominal forces [N]")
+    withstands: list[float] = Field(
+        description="[N] largest disturbance that each row surely withstands [N]"
+    )
 
     def check(self, where: str, fingers: int) -> None:
         """Raises unless there is one of everything a row, and one a finger in each."""
         rows = len(self.object_poses)
         of_rows = (
             "fingers", "normals", "modes", "commanded_forces", "nominal_forces",
-            "stability", "compliant_stability", "nominal_margin",
+            "stability", "compliant_stability", "nominal_margin", "withstands",
         )  # fmt: skip
         for field in of_rows:
             values = getattr(self, field)
@@ -164,6 +170,10 @@ class FingertipPlanFile(PlanFields):
         default=None, description="lower bound on the cost of every plan on this lattice [m]"
     )
     regrasps: int
+    withstands: float | None = Field(
+        default=None,
+        description="largest disturbance that every row surely withstands [N]; null unless solved",
+    )
     weakest: Weakest | None = Field(default=None, description="row of least stability")
     warnings: list[str]
     limit: str = Field(description="limiting condition if not solved, else empty")

@@ -23,6 +23,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "cost": plan.cost,
         "lower_bound": plan.lower_bound,
         "regrasps": plan.regrasps,
+        "withstands": plan.withstands,
         "weakest": None if weakest is None else {"segment": weakest[0], "row": weakest[1]},
         "warnings": list(plan.warnings),
         "limit": plan.limit,
@@ -33,6 +34,7 @@ def details(plan: Plan) -> dict[str, Any]:
                 "rows": len(s),
                 "finger": s.finger,
                 "least_stability": float(s.stability.min()) if len(s) else None,
+                "withstands": float(s.withstands.min()) if len(s) else None,
             }
             for s in plan.segments
         ],
@@ -61,10 +63,11 @@ def lines(plan: Plan) -> list[str]:
         where = f"row {row} of {_name(weak)}" if len(plan.segments) == 1 else _place(k, row, weak)
         z, compliant = weak.stability[row], weak.compliant_stability[row]
         found.append(
-            f"weakest at {where}: withstands {z:.3g} N "
+            f"weakest at {where}: stability z {z:.3g} N "
             f"(at least {plan.task.options.min_stability:.3g} N needed), "
-            f"or {compliant:.3g} N with contacts as springs (compliant index)"
+            f"{compliant:.3g} N with contacts as springs (compliant index)"
         )
+        found.append(f"every row surely withstands {plan.withstands:.3g} N in any direction")
     return found
 
 
@@ -81,8 +84,8 @@ def _segment_line(segment: Segment) -> str:
     number, _, rows = count(len(segment), "rows").partition(" ")
     head = f"{segment.name:10}{number:>5} {rows:5}"
     if segment.name == "regrasp":
-        return f"{head} finger {segment.finger} moves, withstands {segment.stability.min():.3g} N"
-    return f"{head} {_moved(segment)}, withstands {_range(segment.stability)} N, {_modes(segment)}"
+        return f"{head} finger {segment.finger} moves, z {segment.stability.min():.3g} N"
+    return f"{head} {_moved(segment)}, z {_range(segment.stability)} N, {_modes(segment)}"
 
 
 def _joint_line(segment: JointSegment) -> str:

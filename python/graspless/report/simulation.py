@@ -76,7 +76,8 @@ def _figure(value: float | None) -> str:
 def _disturbance(found: dict[str, Any]) -> str:
     where = f"at the weakest row (segment {found['segment']}, row {found['row']})"
     z, compliant = f"z = {found['z']:.3g} N", f"compliant index {found['compliant']:.3g} N"
-    predicted = f"predicted {z}, {compliant}"
+    promised = f"promised {found['withstands']:.3g} N"
+    predicted = f"{promised}; predicted {z}, {compliant}"
     if found["smallest"] is None:
         return f"no disturbance up to {found['tried']:.3g} N moves the object {where}; {predicted}"
     if found["smallest"] == 0:
@@ -84,4 +85,4 @@ def _disturbance(found: dict[str, Any]) -> str:
         far = "" if off is None else f" by {1e3 * off:.2g} mm"
         return f"the object moves{far} without any disturbance {where}; {predicted}"
     moved = f"{found['smallest']:.3g} N moves the object {where}"
-    return f"{moved}: {found['ratio']:.2f} of the predicted {z}; {compliant}"
+    return f"{moved}: {found['ratio']:.2f} of the predicted {z}; {promised}; {compliant}"

@@ -109,10 +109,16 @@ class Break:
     lost_distance: float = 0.005  # the same, if the contacts gave way and did not just bend [m]
     speed: float = 0.004  # of the fastest corner [m/s]; faster sliding weakens the contacts
     load_seconds: float = 0.15  # the object is held while the fingers build up their forces [s]
-    still: float = 0.25  # time at which the object begins to move [s]
+    still: float = 0.25  # time at which the object is let go altogether and begins to move [s]
+    carry_rate: float = 300.0  # of the spring that carries it before [rad/s]: stiff, but stable
+    zero: tuple[float, ...] = (0.3, 0.34)  # times at which the fingers' places are zeroed [s]: what
+    # slides on MuJoCo's floor is lifted by some 0.05 mm, which takes 0.5 N from a stiff finger
     begin: float = 0.4  # time at which the wrench begins to rise [s]
     rise_seconds: float = 0.05  # duration of the rise [s]
     until: float = 0.75  # time at which the test ends [s]
+    rest_window: float = 0.1  # the last two such parts tell whether the object comes to rest [s]
+    goes_on: float = 1.0  # for which a test goes on if the object has not come to rest [s]: a
+    # choice. An excess of 0.1 N moves two damped fingertips by 1 mm in this time
     every: int = 5  # steps between two observations
     sampling: float = 0.01  # interval between sampled poses [s]
     largest: float = 3.0  # largest wrench that is tried, relative to z

@@ -27,6 +27,7 @@ void expect_well_formed(const Problem& problem, const Options& options, const Pl
       EXPECT_GE(row.stability, options.min_stability);
       EXPECT_GT(row.nominal_margin, 0);
       EXPECT_GT(row.compliant_stability, 0);
+      EXPECT_GE(row.withstands, plan.withstands);
       least = std::min(least, row.stability);
       for (std::size_t i = 0; i < row.fingers.size(); ++i) {
         const FingerState& finger = row.fingers[i];
@@ -40,6 +41,7 @@ void expect_well_formed(const Problem& problem, const Options& options, const Pl
     }
   }
   const Segment& weakest = plan.segments.at(static_cast<std::size_t>(plan.weakest_segment));
+  EXPECT_GE(plan.withstands, 0);
   EXPECT_EQ(weakest.rows.at(static_cast<std::size_t>(plan.weakest_row)).stability, least);
 }
 

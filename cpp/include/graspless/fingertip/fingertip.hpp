@@ -74,6 +74,10 @@ struct Row {
   double stability = 0;
   double compliant_stability = 0;  ///< see mechanics::compliant_stability [N]
   double nominal_margin = 0;       ///< mechanics::Equilibrium::margin [N]
+  /// Largest disturbance that the row surely withstands, see mechanics::withstands [N]. At the
+  /// first and the last row of a segment it is less what gravity changes in O up to the segment's
+  /// end, where nominal forces stay as they are.
+  double withstands = 0;
 };
 
 /// Part of a plan during which no finger changes its place, or one regrasp.
@@ -150,6 +154,8 @@ struct Plan {
   /// optimal. For a Goal, it holds for the motions of the object that were considered.
   double lower_bound = 0;
   int regrasps = 0;
+  /// Least Row::withstands: the largest disturbance that the plan surely withstands everywhere [N].
+  double withstands = 0;
   std::vector<Segment> segments;
   std::vector<std::string> warnings;
   /// Segment and row of least stability; -1 without a plan.

@@ -37,6 +37,7 @@ struct Options {
   double stability_weight = 0.01;
   mechanics::Matrix6Xd disturbance_directions = mechanics::disturbance_directions();
   mechanics::Compliance compliance;
+  double max_yield = 1e-3;
   int max_regrasps = 8;
   int threads = 1;
   double max_memory = 4e9;
@@ -80,7 +81,11 @@ constexpr auto fields(const Options&) {
             {},
             "l_i"},
       Field{"compliance", &Options::compliance, "",
-            "Springs at the contacts, for nominal forces and compliant_stability."},
+            "Springs at the contacts, for nominal forces, compliant_stability and withstands."},
+      Field{"max_yield", &Options::max_yield, "m",
+            "Largest distance by which the springs may let a corner of the object yield to a "
+            "disturbance that `withstands` counts.",
+            Range::positive()},
       Field{"max_regrasps", &Options::max_regrasps, "", "Maximum number of regrasps.",
             Range::closed(0, 1000)},
       Field{"threads", &Options::threads, "", "Number of threads.", Range::closed(1, 256)},

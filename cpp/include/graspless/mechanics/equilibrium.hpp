@@ -34,16 +34,17 @@ GRASPLESS_API std::optional<Equilibrium> interior_equilibrium(
     const ContactSet& set, const std::vector<FingerMode>& modes,
     const Eigen::VectorXd& commanded_forces);
 
-/// Stiffness of the springs that model the contacts. Only ratios matter to compliant_stability().
+/// Stiffness of the springs that model the contacts. Only ratios matter to compliant_stability();
+/// withstands() also limits how far the object yields.
 /// Along the surface, a contact of elastic bodies is 2 (1 - nu) / (2 - nu) times as stiff as along
 /// its normal (Mindlin), 0.8 for most materials. A finger is as stiff as its servo, alike in all
-/// directions, and softer than a floor; the default of five times softer is a guess. fields()
-/// describes the members.
+/// directions, and softer than a floor; the defaults are those of the fingers in the simulation and
+/// a floor five times as stiff, which is a guess. fields() describes the members.
 struct Compliance {
-  double environment_normal = 1;
-  double environment_tangential = 0.8;
-  double finger_normal = 0.2;
-  double finger_tangential = 0.2;
+  double environment_normal = 5e4;
+  double environment_tangential = 4e4;
+  double finger_normal = 1e4;
+  double finger_tangential = 1e4;
 };
 
 /// Table of the members: name, unit, text, range and source.

@@ -53,11 +53,19 @@ double stability_at(const Instant& instant, const mechanics::Matrix6Xd& directio
 std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
                                 double tolerance);
 
+// withstands.cpp
+
+/// The largest disturbance that an instant surely withstands: mechanics::withstands() anew.
+double withstands_at(const Instant& instant, const mechanics::Equilibrium& nominal,
+                     const Options& options, const Eigen::Matrix3Xd& corners_O);
+
 /// Results of examining an instant.
 struct Verdict {
   Instant instant;
   double stability = 0;  // the least at the ends of the environment's friction
   double compliant_stability = 0;
+  std::optional<mechanics::Equilibrium> nominal;
+  double withstands = 0;
   bool is_bounded = false;  // Problem (5)
   mechanics::FrictionVerdict over_friction;
 };
@@ -131,6 +139,9 @@ class Examination {
   const Verdict& judged(const Instant& instant);
   Verdict judge(const Instant& instant) const;
   void check_nominal(std::size_t segment, std::size_t row, const Instant& instant);
+  void check_withstands(std::size_t segment, std::size_t row, const Instant& instant,
+                        const Verdict& found);
+  double drift(std::size_t segment, std::size_t row) const;
   mechanics::BodyState state(std::size_t segment, std::size_t row) const;
   bool is_interval() const;
 

@@ -13,7 +13,8 @@
 namespace graspless::fingertip::checking {
 namespace {
 
-constexpr double kRoundStability = 1e-7;  // relative, of stabilities
+constexpr double kRoundStability = 1e-7;   // relative, of stabilities
+constexpr double kRoundWithstands = 1e-6;  // relative, of what springs withstand
 
 bool differs(double a, double b) {
   return !(std::abs(a - b) <= kRoundStability * std::max(1.0, b));
@@ -125,11 +126,12 @@ Verdict Examination::judge(const Instant& instant) const {
         instant.set, instant.modes, instant.commanded_forces, instant.surfaces, fingers,
         options_.min_stability, directions);
   }
-  const auto nominal = mechanics::compliant_equilibrium(
+  verdict.nominal = mechanics::compliant_equilibrium(
       instant.set, instant.modes, instant.commanded_forces, options_.compliance, directions);
-  if (nominal) {
+  if (verdict.nominal) {
     verdict.compliant_stability = mechanics::compliant_stability(
-        instant.set, instant.modes, *nominal, options_.compliance, directions);
+        instant.set, instant.modes, *verdict.nominal, options_.compliance, directions);
+    verdict.withstands = withstands_at(instant, *verdict.nominal, options_, problem_.object.hull());
   }
   return verdict;
 }
@@ -160,6 +162,43 @@ void Examination::check_mechanics(std::size_t s, std::size_t r) {
                            figure(row.compliant_stability));
   }
   check_nominal(s, r, instant);
+  check_withstands(s, r, instant, found);
+}
+
+/// Change of gravity in O between a row at an end of its segment and that end, where nominal forces
+/// stay as they are [N].
+double Examination::drift(std::size_t s, std::size_t r) const {
+  if (is_regrasp(s)) return 0;
+  double most = 0;
+  const auto to = [&](const Eigen::Isometry3d& end) {
+    const Eigen::Matrix3d turned = row_pose(s, r).linear().transpose() - end.linear().transpose();
+    most += problem_.object.mass() * (turned * problem_.gravity_W).norm();
+  };
+  if (r == 0) to(segment(s).X_WO.front());
+  if (r + 1 == segment(s).rows.size()) to(segment(s).X_WO.back());
+  return most;
+}
+
+/// The forces that the row itself feeds forward decide; mostly they are those of the verdict.
+void Examination::check_withstands(std::size_t s, std::size_t r, const Instant& instant,
+                                   const Verdict& found) {
+  const Row& row = segment(s).rows[r];
+  double holds = found.withstands;
+  if (found.nominal) {
+    mechanics::Equilibrium own = *found.nominal;
+    Eigen::Index k = 0;
+    for (const FingerState& finger : row.fingers) {
+      if (finger.touches) own.finger_forces_O.col(k++) = finger.nominal_force_O;
+    }
+    const double off = (own.finger_forces_O - found.nominal->finger_forces_O).norm();
+    if (off > 1e-3 * same_force_) {
+      holds = withstands_at(instant, own, options_, problem_.object.hull());
+    }
+  }
+  holds = std::max(0.0, holds - drift(s, r));
+  if (!(std::abs(row.withstands - holds) <= kRoundWithstands * std::max(1.0, holds))) {
+    fault(place(s, r), "withstands: " + figure(holds) + ", promised " + figure(row.withstands));
+  }
 }
 
 /// Checks the nominal forces: as commanded, within cones and limits, and in balance with some

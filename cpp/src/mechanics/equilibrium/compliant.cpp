@@ -10,8 +10,6 @@
 #include "mechanics/equilibrium/springs.hpp"
 
 namespace graspless::mechanics {
-namespace {
-
 void validate_nominal(const ContactSet& set, const Equilibrium& nominal) {
   const auto contacts = static_cast<Eigen::Index>(set.contacts.size());
   const auto fingers = static_cast<Eigen::Index>(set.fingers.size());
@@ -22,8 +20,6 @@ void validate_nominal(const ContactSet& set, const Equilibrium& nominal) {
     throw std::invalid_argument("nominal forces must be finite");
   }
 }
-
-}  // namespace
 
 double compliant_stability(const ContactSet& set, const std::vector<FingerMode>& modes,
                            const Equilibrium& nominal, const Compliance& compliance,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -128,14 +129,8 @@ Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i) {
   return forces.finger_forces_O.col(contact - contacts);
 }
 
-std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
-                                                 const std::vector<FingerMode>& modes,
-                                                 const Compliance& compliance,
-                                                 const Matrix6Xd& directions) {
-  validate(set);
-  validate_modes(set, modes);
-  planning::require_in_range("compliance.", compliance);
-  validate_directions(directions);
+std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode>& modes,
+                             const Compliance& compliance, const Matrix6Xd& directions) {
   const std::vector<LocatedSpring> all = all_of(set, modes, compliance);
   Matrix6d stiffness = Matrix6d::Zero();
   bool slides = false;
@@ -146,14 +141,27 @@ std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
   if (!holds(stiffness, set.wrench_scale, slides)) return std::nullopt;
 
   // The springs must supply the wrench R^-1/2 l_i, which determines the displacement.
-  const Matrix6Xd moved = -stiffness.partialPivLu().solve(
+  Sprung found;
+  found.moved = -stiffness.partialPivLu().solve(
       Eigen::MatrixXd(set.wrench_scale.partialPivLu().solve(directions)));
-  std::vector<Spring> springs;
   for (const LocatedSpring& at : all) {
-    springs.push_back(at.spring);
-    springs.back().changes = -at.stiffness * at.displaced * moved;
+    found.springs.push_back(at.spring);
+    found.springs.back().changes = -at.stiffness * at.displaced * found.moved;
   }
-  return springs;
+  return found;
+}
+
+std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
+                                                 const std::vector<FingerMode>& modes,
+                                                 const Compliance& compliance,
+                                                 const Matrix6Xd& directions) {
+  validate(set);
+  validate_modes(set, modes);
+  planning::require_in_range("compliance.", compliance);
+  validate_directions(directions);
+  auto found = sprung(set, modes, compliance, directions);
+  if (!found) return std::nullopt;
+  return std::move(found->springs);
 }
 
 }  // namespace graspless::mechanics

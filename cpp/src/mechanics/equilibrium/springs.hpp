@@ -26,8 +26,23 @@ struct Spring {
   static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 };
 
+/// Throws std::invalid_argument unless there is one finite force a contact and one a finger.
+void validate_nominal(const ContactSet& set, const Equilibrium& nominal);
+
 /// Force at contact i; contacts come before fingers.
 Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i);
+
+/// Object on springs under disturbances.
+struct Sprung {
+  std::vector<Spring> springs;  ///< of the contacts, then of the fingers
+  Matrix6Xd moved;              ///< twist of the object about its centre of mass, in O, for each
+};
+
+/// Springs with the changes of their forces when the object has moved until they balance a
+/// disturbance. Nothing if the springs do not hold the object. Arguments are not validated; a
+/// stiffness along the surface may be zero.
+std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode>& modes,
+                             const Compliance& compliance, const Matrix6Xd& directions);
 
 /// Springs of the contacts, then of the fingers, with the changes of their forces when the object
 /// has moved until the springs balance a disturbance. Nothing if the springs do not hold the

@@ -16,11 +16,13 @@ from ...mechanics import wrench_scale
 from ..settings import Break, Fingertip
 from ..variation import Variation
 from .execute import corner_error
-from .script import Script, blended, joined, moving, still
+from .passing import passing
 from .servo import Servo
 from .world import build_world
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ...fingertip import Plan, Segment
     from ...frames import Matrix
 
@@ -45,7 +47,7 @@ class Breaking:
         The greatest factor that was tried [N].
     undisturbed : float
         How far a corner was from its planned place without any wrench, at worst [m].
-    stability, compliant_stability : float
+    stability, compliant_stability, withstands : float
         What the plan says of the row [N].
     """
 
@@ -58,10 +60,12 @@ class Breaking:
     undisturbed: float
     stability: float
     compliant_stability: float
+    withstands: float
 
     def as_dict(self) -> dict[str, Any]:
         """Returns all values and ratios by name; None if nothing broke the motion."""
         z, compliant = self.stability, max(self.compliant_stability, 1e-12)
+        promised = max(self.withstands, 1e-12)
         return {
             "segment": self.segment,
             "row": self.row,
@@ -72,9 +76,11 @@ class Breaking:
             "undisturbed": _finite(self.undisturbed),
             "z": self.stability,
             "compliant": self.compliant_stability,
+            "withstands": self.withstands,
             "ratio": _finite(self.smallest / z),
             "lost_ratio": _finite(self.lost / z),
             "compliant_ratio": _finite(self.smallest / compliant),
+            "withstands_ratio": _finite(self.smallest / promised),
         }
 
 
@@ -88,12 +94,17 @@ def disturb(plan: Plan, row: tuple[int, int] | None = None) -> dict[str, Any]:
 
 
 def break_test(
-    plan: Plan, row: tuple[int, int] | None = None, settings: Break | None = None
+    plan: Plan,
+    row: tuple[int, int] | None = None,
+    settings: Break | None = None,
+    directions: Sequence[int] | None = None,
 ) -> Breaking:
     """Increases wrenches along the directions of the task until a corner is off by 1 and 5 mm.
 
-    The object begins at rest a little before the row, held by the fingers' nominal forces, and
-    moves slowly past it, while the wrench comes and stays. Where friction is an interval, that of
+    The object begins at rest a little before the row. A spring carries it until the fingers have
+    their nominal forces, and then lets go gradually. The object moves slowly past the row, while
+    the wrench comes and stays. Before that, the fingers' places are zeroed once more: they have
+    their nominal forces then, as the plan says. Where friction is an interval, that of
     fingers and planes is its lower end: z never falls as the fingers' and sticking contacts' cones
     grow. Along sliding contacts the least z may be at another coefficient of the planes, which is
     not looked for.
@@ -104,6 +115,9 @@ def break_test(
         One that is solved.
     row : (int, int), optional
         Segment and row; the plan's weakest unless given.
+    settings : Break, optional
+    directions : sequence of int, optional
+        Those of the task's directions that are tried, in this order; all unless given.
 
     Raises
     ------
@@ -116,33 +130,45 @@ def break_test(
     segment = plan.segments[s]
     z = float(segment.stability[i])
     settings = settings or Break()
-    trial = Disturbed(plan, segment, i, settings)
+    trial = Disturbed(plan, segment, i, settings, directions)
     smallest, direction = trial.smallest(z, settings.distance)
     # What moves a corner 5 mm has moved it 1 mm before; but either is known to a fiftieth only, the
     # searches try other factors, and the second may end just below the first.
-    lost = max(smallest, trial.smallest(z, settings.lost_distance)[0])
+    lost = smallest
+    if settings.lost_distance > settings.distance:
+        lost = max(smallest, trial.smallest(z, settings.lost_distance)[0])
     return Breaking(
         s, i, smallest, direction, lost, settings.largest * z, trial.undisturbed,
-        z, float(segment.compliant_stability[i]),
+        z, float(segment.compliant_stability[i]), float(segment.withstands[i]),
     )  # fmt: skip
 
 
 class Disturbed:
     """A row of a moving plan, and the effect of wrenches there."""
 
-    def __init__(self, plan: Plan, segment: Segment, row: int, settings: Break) -> None:
+    def __init__(
+        self,
+        plan: Plan,
+        segment: Segment,
+        row: int,
+        settings: Break,
+        directions: Sequence[int] | None = None,
+    ) -> None:
         problem, self._settings = plan.task.problem, settings
         self._world = build_world(problem, Variation(), Fingertip(), friction_at=min)
         self._world.soften(slides=segment.name in ("slide", "turn"))
         self._script = passing(plan, segment, row, settings).at(
-            np.arange(0, settings.until, self._world.model.opt.timestep)
+            np.arange(0, settings.until + settings.goes_on, self._world.model.opt.timestep)
         )
         limit = problem.fingers.max_normal_force
         self._servo = Servo(self._world, self._script, limit)
         scale = wrench_scale(problem.object.mass, problem.object.inertia)
-        directions = np.asarray(plan.task.options.disturbance_directions)
-        self._wrenches_O = np.linalg.solve(scale, directions.T).T
+        unscaled = np.asarray(plan.task.options.disturbance_directions)
+        self._wrenches_O = np.linalg.solve(scale, unscaled.T).T
+        self._tried = range(len(unscaled)) if directions is None else directions
         self._start = round(settings.begin / self._world.model.opt.timestep)
+        moments = range(self._start, round(settings.until / self._world.model.opt.timestep))
+        self._first = sum(i % settings.every == 0 for i in moments)  # looks of the test proper
         self._state = self._settled()
         self._undisturbed = self._run(np.zeros(6))
 
@@ -150,10 +176,10 @@ class Disturbed:
     def undisturbed(self) -> float:
         """Returns the largest distance of a corner from its plan without any wrench [m]."""
         moments = range(self._start, len(self._script))
-        looked_at = [i for i in moments if i % self._settings.every == 0]
+        looked_at = [i for i in moments if i % self._settings.every == 0][: self._first]
         return max(
             corner_error(self._world.hull, place, self._script.places[i])
-            for i, place in zip(looked_at, self._undisturbed, strict=True)
+            for i, place in zip(looked_at, self._undisturbed, strict=False)
         )
 
     def wrench_O(self, direction: int) -> Matrix:
@@ -162,7 +188,24 @@ class Disturbed:
         return wrench_O
 
     def breaks(self, wrench_O: Matrix, distance: float) -> bool:
-        """True if a wrench about the centre of mass, in O [N, N m], moves a corner so far [m]."""
+        """True if a wrench about the centre of mass, in O [N, N m], moves a corner so far [m].
+
+        Where the object still moves at the end of the test and might go so far, it goes on for
+        longer: the damping of the fingers slows down what nothing holds.
+        """
+        places = self._run(wrench_O, distance, self._first)
+        if len(places) < self._first:
+            return True
+        settings, step = self._settings, self._settings.every * self._world.model.opt.timestep
+        before = max(round(settings.rest_window / step), 1)
+        off, earlier, first = (
+            corner_error(self._world.hull, places[i], self._undisturbed[self._first + i])
+            for i in (-1, -1 - before, -1 - 2 * before)
+        )
+        ratio = np.clip((off - earlier) / max(earlier - first, 1e-12), 0.0, 1.0)
+        windows = np.arange(1, round(settings.goes_on / settings.rest_window) + 1)
+        if off + (off - earlier) * (ratio**windows).sum() < distance:
+            return False
         return len(self._run(wrench_O, distance)) < len(self._undisturbed)
 
     def smallest(self, z: float, distance: float) -> tuple[float, int]:
@@ -173,7 +216,8 @@ class Disturbed:
         if not self.undisturbed < distance:
             return 0.0, -1
         best, direction = self._settings.largest * z, -1
-        for k, wrench_O in enumerate(self._wrenches_O):
+        for k in self._tried:
+            wrench_O = self._wrenches_O[k]
             if not self.breaks(best * wrench_O, distance):
                 continue
             holds = 0.0
@@ -189,11 +233,16 @@ class Disturbed:
     def _settled(self) -> Matrix:
         """Returns the state of the world just before the wrench."""
         world, script = self._world, self._script
-        held = script.places[0]
+        held, settings = script.places[0], self._settings
         world.place(frames.from_row(held.tolist()), script.centers[0])
+        letting_go = settings.still - settings.load_seconds
         for i in range(self._start):
-            if script.times[i] < self._settings.load_seconds:
-                world.object_qpos[:], world.data.qvel[:6] = held, 0
+            time = script.times[i]
+            loaded = min(1.0, time / settings.load_seconds)
+            grip = np.clip((settings.still - time) / letting_go, 0, 1)
+            world.carry(held, 1 - loaded, grip * settings.carry_rate)
+            if any(abs(time - at) < world.model.opt.timestep / 2 for at in settings.zero):
+                self._servo.zero(i)
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
         self._zero_O = self._servo.zero_O
@@ -201,13 +250,17 @@ class Disturbed:
         mujoco.mj_getState(world.model, world.data, state, _WHOLE)
         return state
 
-    def _run(self, wrench_O: Matrix, distance: float | None = None) -> list[Matrix]:
-        """Returns poses of the object every few steps, up to where it moves too far."""
+    def _run(
+        self, wrench_O: Matrix, distance: float | None = None, looks: int | None = None
+    ) -> list[Matrix]:
+        """Returns poses of the object every few steps, up to where it moves too far, or so many."""
         world, settings = self._world, self._settings
         mujoco.mj_setState(world.model, world.data, self._state, _WHOLE)
         self._servo.zero_O = self._zero_O
         places: list[Matrix] = []
         for i in range(self._start, len(self._script)):
+            if len(places) == looks:
+                break
             since = self._script.times[i] - settings.begin
             world.push(min(1.0, since / settings.rise_seconds) * wrench_O)
             self._servo.command(i)
@@ -223,46 +276,7 @@ class Disturbed:
         return places
 
 
-_AWAY = np.array([0.0, 0.0, 10.0])  # [m]
 _WHOLE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
-
-
-def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
-    """Returns a script that loads the fingers and then moves the object slowly past the row."""
-    times = np.arange(0, settings.until - settings.still, settings.sampling)
-    poses = slow_poses(plan, segment, row, times, settings)
-    problem = plan.task.problem
-    rows = np.full(len(times), float(row))
-    move = moving(segment, times, rows, poses, problem.fingers.radius)
-    move.centers[:, ~segment.touches[0]] += _AWAY  # a finger that regrasps: else within the object
-    nothing = still(move, 0, 0.0, "none")
-    nothing.forces[:] = 0
-    load = blended(nothing, move, settings.load_seconds)
-    settle = still(move, 0, settings.still - settings.load_seconds, "settle")
-    return joined([load, settle, move])
-
-
-def slow_poses(plan: Plan, segment: Segment, row: int, times: Matrix, settings: Break) -> Matrix:
-    """Returns poses X_WO [T, 4, 4]: at the row halfway through the wrench, with limited speed."""
-    arcs = len(segment.X_WO) - 1
-    if arcs == 0:
-        return np.repeat(segment.X_WO[:1], len(times), axis=0)
-    at = (row + 0.5) * arcs / len(segment)
-    k = min(int(at), arcs - 1)
-    step = segment.X_WO[k + 1] - segment.X_WO[k]
-    hull = np.asarray(plan.task.problem.object.hull)
-    length = np.linalg.norm(hull @ step[:3, :3].T + step[:3, 3], axis=1).max()
-    along = at + (times - times[-1] + (settings.until - settings.begin) / 2) * (
-        settings.speed / length
-    )
-    along += max(0.0, -along[0]) - max(0.0, along[-1] - arcs)
-    before = np.floor(along).astype(int).clip(0, arcs - 1)
-    return np.array(
-        [
-            frames.between(segment.X_WO[j], segment.X_WO[j + 1], u - j)
-            for j, u in zip(before, along, strict=True)
-        ]
-    )
 
 
 __all__ = ["Break", "Breaking", "Disturbed", "break_test", "disturb"]

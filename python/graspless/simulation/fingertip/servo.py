@@ -98,6 +98,11 @@ class Servo:
             mujoco.mju_subQuat(self._error, script.places[i, 3:], qpos[finger, 3:])
             applied[finger, 3:] = self._turning * self._error
 
+    def zero(self, i: int) -> None:
+        """Takes the present positions of all fingers as their commands of moment i."""
+        off = (self._world.centers - self._centers[i]) @ self._R_WO[i]
+        self._zero_O = np.where(self._script.forces[i].any(axis=1)[:, None], off, 0.0)
+
     def _zero(self, i: int, R_WO: Matrix) -> None:
         """Takes the present positions of fingers as their commands, when it is time to."""
         script = self._script

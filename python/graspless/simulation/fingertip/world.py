@@ -126,6 +126,21 @@ class World:
         R_WO = frames.from_quaternion(self.object_qpos[3:])[:3, :3]
         self.data.xfrc_applied[body] = np.concatenate([R_WO @ wrench_O[:3], R_WO @ wrench_O[3:]])
 
+    def carry(self, place: Matrix, weight: float, rate: float) -> None:
+        """Carries a share of the object's weight, and draws it to a place [7] by a damped spring.
+
+        `rate` is that of the spring's oscillation [rad/s]; 0: no spring.
+        """
+        body, model = self.model.body(OBJECT).id, self.model
+        mass, inertia = float(model.body_mass[body]), float(model.body_inertia[body].max())
+        turn_O = np.zeros(3)
+        mujoco.mju_subQuat(turn_O, place[3:], self.object_qpos[3:])
+        R_WO = frames.from_quaternion(self.object_qpos[3:])[:3, :3]
+        off = place[:3] - self.object_qpos[:3]
+        force = rate**2 * off - 2 * rate * self.data.qvel[:3] - weight * model.opt.gravity
+        torque_O = rate**2 * turn_O - 2 * rate * self.data.qvel[3:6]
+        self.data.xfrc_applied[body] = np.concatenate([mass * force, inertia * R_WO @ torque_O])
+
     def stiffen(self) -> None:
         """Sets the parameters of all contacts to sticking."""
         s = self.settings

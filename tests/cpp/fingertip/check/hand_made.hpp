@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "graspless/fingertip/fingertip.hpp"
 #include "graspless/mechanics/contact_patch.hpp"
+#include "graspless/mechanics/withstands.hpp"
 
 /// Plans made by hand, without any search, for check() to look at.
 namespace graspless::fingertip {
@@ -57,6 +59,9 @@ class Builder {
     row.nominal_margin = nominal->margin;
     row.compliant_stability = mechanics::compliant_stability(
         set, best.modes, *nominal, options_.compliance, options_.disturbance_directions);
+    row.withstands = mechanics::withstands(set, best.modes, *nominal, options_.compliance,
+                                           {problem_.object.hull(), options_.max_yield},
+                                           options_.disturbance_directions);
     Eigen::Index k = 0;
     for (FingerState& finger : row.fingers) {
       if (!finger.touches) continue;
@@ -98,8 +103,10 @@ class Builder {
     plan.status = Status::solved;
     plan.lower_bound = plan.cost;
     double least = std::numeric_limits<double>::infinity();
+    plan.withstands = least;
     for (std::size_t s = 0; s < plan.segments.size(); ++s) {
       for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
+        plan.withstands = std::min(plan.withstands, plan.segments[s].rows[r].withstands);
         if (plan.segments[s].rows[r].stability >= least) continue;
         least = plan.segments[s].rows[r].stability;
         plan.weakest_segment = static_cast<int>(s);

@@ -52,6 +52,34 @@ TEST_F(FingertipCheck, APromiseOfMoreCompliantStability) {
   expect_fault("row 5: compliant stability: ");
 }
 
+TEST_F(FingertipCheck, APromiseToWithstandMore) {
+  ASSERT_GT(row(5).withstands, 0.1);
+  row(5).withstands *= 1.001;
+  expect_fault("row 5: withstands: ");
+}
+
+TEST_F(FingertipCheck, APlanThatPromisesToWithstandMoreThanItsRows) {
+  plan_.withstands *= 1.001;
+  expect_fault("plan: withstands: ");
+}
+
+TEST_F(FingertipCheck, OtherFingersOrToleranceThanPlanned) {
+  const std::string fault = "row 1: withstands: ";
+  const Options planned = options_;
+  options_.compliance.finger_tangential /= 10;
+  expect_fault(fault);
+  options_ = planned;
+  options_.max_yield = 1e-6;
+  expect_fault(fault);
+}
+
+TEST_F(FingertipCheck, WhatARegraspWithstands) {
+  plan_ = with_regrasp();
+  EXPECT_EQ(faults(problem_, plan_, options_), "");
+  row(0, 1).withstands += 0.01;
+  expect_fault("segment 1 (regrasp), row 0: withstands: ");
+}
+
 TEST_F(FingertipCheck, NominalForcesOutOfBalance) {
   row(2).fingers[1].nominal_force_O.y() += 0.01;
   row(2).fingers[0].nominal_force_O.x() -= 0.01;

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "graspless/mechanics/contact.hpp"
+
+namespace graspless::mechanics {
+
+/// Wrenches (in O, about the centre of mass) that the contacts of the environment can supply
+/// together, where that has a closed form with round cones.
+class Support {
+ public:
+  explicit Support(const ContactSet& set);
+  /// True for two contacts that stick to one plane and for three or more, not on a line, that slide
+  /// on it in one direction. The other functions are for these alone.
+  bool is_closed_form() const { return is_edge_ || !facets_.empty(); }
+  /// Largest t up to `most` such that all wrenches from w to w + t change can be supplied. Both are
+  /// taken to lie in the space that the contacts' forces span.
+  double within(const Vector6d& w, const Vector6d& change, double most) const;
+
+ private:
+  void find_facets(const ContactSet& set);
+  bool edge_supplies(const Vector6d& w) const;
+
+  bool is_edge_ = false;
+  // Two sticking contacts.
+  Eigen::Vector3d first_ = Eigen::Vector3d::Zero();  // p_1 - com
+  Eigen::Vector3d along_ = Eigen::Vector3d::Zero();  // p_2 - p_1
+  Eigen::Vector3d n_ = Eigen::Vector3d::Zero();      // normal
+  double friction_ = 0;
+  std::vector<Vector6d> facets_;  // sliding contacts supply w if facet . w >= 0 for all
+};
+
+}  // namespace graspless::mechanics
