@@ -24,9 +24,8 @@ _LONGEST = 1e8  # of a timer [s]
 _left: list[BaseException] = []  # exceptions that keep trees alive until the process ends
 
 
-poll = (
-    planning.poll
-)  # for loops in Python that may be long: raises where the time limit was reached
+# For loops in Python that may be long: raises where the time limit was reached.
+poll = planning.poll
 
 
 class Reading:
