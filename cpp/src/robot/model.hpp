@@ -28,6 +28,7 @@ struct Link {
   Eigen::Vector3d axis_L = Eigen::Vector3d::UnitZ();
   Eigen::Isometry3d X_PJ =
       Eigen::Isometry3d::Identity();  // of the joint; of L itself where it is fixed
+  Eigen::Matrix3d R_JL = Eigen::Matrix3d::Identity();  // at joint value 0: axes are turned onto z
   KDL::Segment segment;  // X_JL as a function of q[joint], multiplier and offset included
 };
 

@@ -180,7 +180,8 @@ void set_motion(Link& link) {
   if (principal < 0) {
     const Eigen::Matrix3d R_LZ = geometry::turn_from_z(link.axis_L).toRotationMatrix();
     link.X_PJ.linear() *= R_LZ;
-    X_tip = to_kdl(R_LZ.transpose());
+    link.R_JL = R_LZ.transpose();
+    X_tip = to_kdl(link.R_JL);
   }
   // KDL defines the tip at joint value 0, which would cancel the joint's offset.
   link.segment = KDL::Segment(link.joint_name, joint, joint.pose(0) * X_tip);

@@ -47,7 +47,7 @@ Ball pass_inwards(const robot::Robot::Model& model, const Links& path, std::size
   for (std::size_t i = path.size(); i-- > n;) {
     const robot::Link& link = model.links[path[i]];
     pass_joint(model, link, ball, bound);
-    ball.center = link.X_PJ * ball.center;
+    ball.center = link.X_PJ * (link.R_JL * ball.center);
   }
   return ball;
 }
@@ -57,7 +57,7 @@ void pass_outwards(const robot::Robot::Model& model, const Links& path, std::siz
                    Eigen::VectorXd& bound) {
   for (std::size_t i = n; i < path.size(); ++i) {
     const robot::Link& link = model.links[path[i]];
-    ball.center = link.X_PJ.inverse() * ball.center;
+    ball.center = link.R_JL.transpose() * (link.X_PJ.inverse() * ball.center);
     pass_joint(model, link, ball, bound);
   }
 }

@@ -78,5 +78,22 @@ TEST(RelativeReach, TurnsTheNearerBody) {
   EXPECT_NEAR(in_world[0], 1 + kRadius, 1e-12);
 }
 
+TEST(RelativeReach, KnowsAxesOfAnyDirection) {
+  const Robot arm = Robot::from_urdf(R"(
+<robot name="arm"><link name="base"/><link name="upper"/><link name="lower"/>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>
+    <axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
+  <joint name="elbow" type="revolute"><parent link="upper"/><child link="lower"/>
+    <origin xyz="1 0 0"/><axis xyz="0.6 0.8 0"/><limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
+</robot>)",
+                                     {});
+  const Carrier lower{arm.frame("lower"), {{1.2, 1.6, 0}, kRadius}};  // on the elbow's axis
+  const VectorXd bound = relative_reach(arm, Carrier{}, lower, true);
+  EXPECT_NEAR(bound[0], std::hypot(2.2, 1.6) + kRadius, 1e-12);
+  EXPECT_NEAR(bound[1], kRadius, 1e-12);
+  const VectorXd back = relative_reach(arm, carrier(arm.frame("base")), lower, false);
+  EXPECT_GE(back[1], kRadius);
+}
+
 }  // namespace
 }  // namespace graspless::scene
