@@ -185,20 +185,18 @@ void warn_of_thick_handles(const Problem& problem,
 }  // namespace
 
 std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
-  Clasp clasp;
-  clasp.reach = search.path();
-  const Eigen::VectorXd reached = clasp.reach.back();
-  std::string why = close_and_test(query, search, clasp);
-  if (why.empty()) return clasp;
-  query.refuse(why);
-  const geometry::ClaspTarget* held = query.may_pinch() ? search.held_target_W(reached) : nullptr;
-  if (!held) return std::nullopt;
-  clasp = Clasp();
-  clasp.reach = search.path();
-  if (!square_up(query, *held, clasp.reach)) return std::nullopt;
-  why = close_and_test(query, search, clasp);
-  if (why.empty()) return clasp;
-  query.refuse(why);
+  for (const bool squared : {false, true}) {
+    Clasp clasp;
+    clasp.reach = search.path();
+    if (squared) {
+      const geometry::ClaspTarget* held = search.held_target_W(clasp.reach.back());
+      if (!held || !square_up(query, *held, clasp.reach)) break;
+    }
+    const std::string why = close_and_test(query, search, clasp);
+    if (why.empty()) return clasp;
+    query.refuse(why);
+    if (!query.may_pinch()) break;
+  }
   return std::nullopt;
 }
 

@@ -47,6 +47,10 @@ std::optional<Vector3d> offset_W(Query& query, const VectorXd& q) {
   return (finger->gap - thumb->gap) / 2 * across.normalized();
 }
 
+Eigen::Isometry3d palm(const Problem& problem, const VectorXd& q) {
+  return problem.robot.pose(problem.robot.frame(problem.hand.frame), q);
+}
+
 /// The arm with the palm at X_WH; nothing if it cannot.
 std::optional<VectorXd> placed(const Problem& problem, const VectorXd& q,
                                const Eigen::Isometry3d& X_WH) {
@@ -64,7 +68,7 @@ std::optional<VectorXd> placed(const Problem& problem, const VectorXd& q,
 Eigen::Isometry3d squared(const Problem& problem, const VectorXd& q,
                           const geometry::ClaspTarget& target_W) {
   const Hand& hand = problem.hand;
-  const Eigen::Isometry3d X_WH = problem.robot.pose(problem.robot.frame(hand.frame), q);
+  const Eigen::Isometry3d X_WH = palm(problem, q);
   const Vector3d sideways = X_WH.linear() * hand.sideways_H;
   const double sign = sideways.dot(target_W.tangent) < 0 ? -1 : 1;
   const auto turn = Eigen::Quaterniond::FromTwoVectors(sideways, sign * target_W.tangent);
@@ -97,10 +101,8 @@ void close_centered(Query& query, planning::Path& reach, planning::Path& close) 
   for (int round = 0; query.may_pinch() && round < kRounds; ++round) {
     const auto by_W = offset_W(query, close.back());
     if (!by_W) return;
-    Eigen::Isometry3d X_WH =
-        problem.robot.pose(problem.robot.frame(problem.hand.frame), reach.back());
-    X_WH.translation() += *by_W;
-    const auto q = placed(problem, reach.back(), X_WH);
+    const auto q =
+        placed(problem, reach.back(), Eigen::Translation3d(*by_W) * palm(problem, reach.back()));
     if (!q || !query.is_motion_free(reach.back(), *q)) return;
     reach.push_back(*q);
     close = closed_from(*q);

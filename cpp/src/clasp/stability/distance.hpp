@@ -50,6 +50,18 @@ class Gap {
   robot::Poses X_LW_;
 };
 
+/// Triangle, and a ball around it.
+struct Facet {
+  explicit Facet(const Eigen::Matrix3d& corners)
+      : corners(corners),
+        center(corners.rowwise().mean()),
+        size((corners.colwise() - center).colwise().norm().maxCoeff()) {}
+
+  Eigen::Matrix3d corners;
+  Eigen::Vector3d center;
+  double size;  ///< radius of the ball [m]
+};
+
 /// Calls visit(p) for points on a triangle, at most `spacing` apart [m].
 template <typename Visit>
 void visit_points(const Eigen::Matrix3d& corners, double spacing, Visit visit) {

@@ -122,21 +122,19 @@ std::vector<LoadTester::Pair> LoadTester::pairs(const Posture& hand, double reac
   std::vector<std::pair<std::size_t, double>> near;  // bodies of a triangle, with their distances
   for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
     poll();
-    const Eigen::Matrix3d corners = p_W(Eigen::all, surface.triangles.col(i));
-    const Vector3d center = corners.rowwise().mean();
-    const double size = (corners.colwise() - center).colwise().norm().maxCoeff();
-    if ((center - hand.center_W).norm() > reach + size) continue;
+    const Facet facet(p_W(Eigen::all, surface.triangles.col(i)));
+    if ((facet.center - hand.center_W).norm() > reach + facet.size) continue;
     near.clear();
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      const Vector3d center_L = in_link(center, bodies_[k]);
-      if (bodies_[k].at_least(center_L) > kReach + size) continue;
-      const double distance = bodies_[k].distance(center_L, kReach + size);
-      if (distance <= kReach + size) near.emplace_back(k, distance);
+      const Vector3d center_L = in_link(facet.center, bodies_[k]);
+      if (bodies_[k].at_least(center_L) > kReach + facet.size) continue;
+      const double distance = bodies_[k].distance(center_L, kReach + facet.size);
+      if (distance <= kReach + facet.size) near.emplace_back(k, distance);
     }
     if (near.empty()) continue;
-    visit_points(corners, kSpacing, [&](const Vector3d& p) {
+    visit_points(facet.corners, kSpacing, [&](const Vector3d& p) {
       if ((p - hand.center_W).norm() > reach) return;
-      for (const auto& [body, distance] : near) add(p, body, distance - (p - center).norm());
+      for (const auto& [body, distance] : near) add(p, body, distance - (p - facet.center).norm());
     });
   }
   std::vector<Pair> found;

@@ -150,12 +150,12 @@ std::array<std::vector<Touch>, 2> PinchTester::touches(const Eigen::VectorXd& q)
 std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses& X_WL,
                                            const Vector3d& middle_W) const {
   const Gap gap(side, X_WL);
-  const std::vector<Facet> facets = facets_near(gap, middle_W);
+  const std::vector<NearFacet> facets = facets_near(gap, middle_W);
   double most = std::numeric_limits<double>::infinity();  // of gaps that may be the least
-  for (const Facet& facet : facets) most = std::min(most, facet.gap + facet.size);
+  for (const NearFacet& facet : facets) most = std::min(most, facet.gap + facet.size);
   double nearest = std::numeric_limits<double>::infinity();
   std::vector<Touch> found;
-  for (const Facet& facet : facets) {
+  for (const NearFacet& facet : facets) {
     poll();
     if (facet.gap - facet.size > most + kBand) continue;
     visit_points(facet.corners, kTriangle, [&](const Vector3d& p) {
@@ -179,21 +179,19 @@ std::vector<Touch> PinchTester::touches_of(const Side& side, const robot::Poses&
 
 /// Triangles of the object within reach of the tips, without those that are surely farther from
 /// the finger than others.
-std::vector<PinchTester::Facet> PinchTester::facets_near(const Gap& gap,
-                                                         const Vector3d& middle_W) const {
+std::vector<PinchTester::NearFacet> PinchTester::facets_near(const Gap& gap,
+                                                             const Vector3d& middle_W) const {
   const geometry::Mesh& surface = problem_.object.surface();
   const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
-  std::vector<Facet> facets;
+  std::vector<NearFacet> facets;
   double most = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
-    Facet facet{p_W(Eigen::all, surface.triangles.col(i)), {}, 0, 0};
-    facet.center = facet.corners.rowwise().mean();
-    facet.size = (facet.corners.colwise() - facet.center).colwise().norm().maxCoeff();
+    const Facet facet(p_W(Eigen::all, surface.triangles.col(i)));
     if ((facet.center - middle_W).norm() > reach_ + facet.size) continue;
     poll();
-    facet.gap = gap.at(facet.center, most + kBand + facet.size);
-    most = std::min(most, facet.gap + facet.size);
-    if (std::isfinite(facet.gap)) facets.push_back(facet);
+    const double distance = gap.at(facet.center, most + kBand + facet.size);
+    most = std::min(most, distance + facet.size);
+    if (std::isfinite(distance)) facets.push_back({facet, distance});
   }
   return facets;
 }

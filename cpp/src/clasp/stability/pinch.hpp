@@ -40,19 +40,16 @@ class PinchTester {
   /// Shapes of the links of a finger.
   using Side = std::vector<Body>;
 
-  /// Triangle of the object's surface in W.
-  struct Facet {
-    Eigen::Matrix3d corners;
-    Eigen::Vector3d center;
-    double size;  // radius of a ball about the centre [m]
-    double gap;   // distance of the centre from a finger [m]
+  /// Triangle of the object's surface in W, and the distance of its centre from a finger [m].
+  struct NearFacet : Facet {
+    double gap;
   };
 
   Side side(const Finger& finger, const Finger& other) const;
   double press(const std::array<std::vector<Touch>, 2>& touches, const Eigen::VectorXd& q) const;
   std::vector<Touch> touches_of(const Side& side, const robot::Poses& X_WL,
                                 const Eigen::Vector3d& middle_W) const;
-  std::vector<Facet> facets_near(const Gap& gap, const Eigen::Vector3d& middle_W) const;
+  std::vector<NearFacet> facets_near(const Gap& gap, const Eigen::Vector3d& middle_W) const;
 
   Problem problem_;
   std::array<Side, 2> sides_;
