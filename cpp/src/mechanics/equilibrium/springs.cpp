@@ -130,7 +130,7 @@ Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i) {
 }
 
 std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode>& modes,
-                             const Compliance& compliance, const Matrix6Xd& directions) {
+                             const Compliance& compliance, const Matrix6Xd& wrenches) {
   const std::vector<LocatedSpring> all = all_of(set, modes, compliance);
   Matrix6d stiffness = Matrix6d::Zero();
   bool slides = false;
@@ -140,10 +140,9 @@ std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode
   }
   if (!holds(stiffness, set.wrench_scale, slides)) return std::nullopt;
 
-  // The springs must supply the wrench R^-1/2 l_i, which determines the displacement.
+  // The springs must supply the wrench, which determines the displacement.
   Sprung found;
-  found.moved = -stiffness.partialPivLu().solve(
-      Eigen::MatrixXd(set.wrench_scale.partialPivLu().solve(directions)));
+  found.moved = -stiffness.partialPivLu().solve(Eigen::MatrixXd(wrenches));
   for (const LocatedSpring& at : all) {
     found.springs.push_back(at.spring);
     found.springs.back().changes = -at.stiffness * at.displaced * found.moved;
@@ -159,7 +158,7 @@ std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
   validate_modes(set, modes);
   planning::require_in_range("compliance.", compliance);
   validate_directions(directions);
-  auto found = sprung(set, modes, compliance, directions);
+  auto found = sprung(set, modes, compliance, set.wrench_scale.partialPivLu().solve(directions));
   if (!found) return std::nullopt;
   return std::move(found->springs);
 }

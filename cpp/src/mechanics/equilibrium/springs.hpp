@@ -38,11 +38,11 @@ struct Sprung {
   Matrix6Xd moved;              ///< twist of the object about its centre of mass, in O, for each
 };
 
-/// Springs with the changes of their forces when the object has moved until they balance a
-/// disturbance. Nothing if the springs do not hold the object. Arguments are not validated; a
-/// stiffness along the surface may be zero.
+/// Springs with the changes of their forces when the object has moved until they balance
+/// disturbances, `wrenches` about the centre of mass in O: R^-1/2 l_i. Nothing if the springs do
+/// not hold the object. Arguments are not validated; a stiffness along the surface may be zero.
 std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode>& modes,
-                             const Compliance& compliance, const Matrix6Xd& directions);
+                             const Compliance& compliance, const Matrix6Xd& wrenches);
 
 /// Springs of the contacts, then of the fingers, with the changes of their forces when the object
 /// has moved until the springs balance a disturbance. Nothing if the springs do not hold the

@@ -18,9 +18,10 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kRigid = 1e5;  // stiffness of a rigid environment, relative to the largest given
-constexpr double kGiven =
-    0.1;  // of friction that has given way, relative to a finger along the surface
+// Stiffness of a rigid environment, relative to the largest given.
+constexpr double kRigid = 1e5;
+// Stiffness of friction that has given way, relative to a finger along the surface.
+constexpr double kGiven = 0.1;
 
 void validate_yield(const Yield& yield) {
   if (!yield.points_O.allFinite()) throw std::invalid_argument("yield.points_O must be finite");
@@ -41,7 +42,6 @@ class Law {
         modes_(modes),
         nominal_(nominal),
         yield_(yield),
-        directions_(directions),
         demands_(set.wrench_scale.partialPivLu().solve(directions)),
         support_(set),
         supplied_(-set.known_wrench_O) {
@@ -53,7 +53,7 @@ class Law {
 
   /// Largest t up to `most` with these springs; any t <= `enough` if it is not more than that.
   double largest(const Compliance& compliance, double most, double enough) const {
-    const auto found = sprung(set_, modes_, compliance, directions_);
+    const auto found = sprung(set_, modes_, compliance, demands_);
     if (!found) return 0;
     double t = within_yield(found->moved, most);
     const std::size_t contacts = set_.contacts.size();
@@ -86,7 +86,7 @@ class Law {
 
   double within_support(const std::vector<Spring>& springs, double t) const {
     const std::size_t contacts = set_.contacts.size();
-    for (Eigen::Index d = 0; d < directions_.cols() && t > 0; ++d) {
+    for (Eigen::Index d = 0; d < demands_.cols() && t > 0; ++d) {
       Vector6d change = demands_.col(d);
       for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
         change -= wrench_at(set_, set_.fingers[j].p_OC, springs[contacts + j].changes.col(d));
@@ -100,7 +100,6 @@ class Law {
   const std::vector<FingerMode>& modes_;
   const Equilibrium& nominal_;
   const Yield& yield_;
-  const Matrix6Xd& directions_;
   Matrix6Xd demands_;  // R^-1/2 l_i
   Support support_;
   Vector6d supplied_;  // wrench of the environment without a disturbance
