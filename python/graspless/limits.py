@@ -19,13 +19,16 @@ from .errors import OutOfTimeError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_LONGEST = 1e8  # of a timer [s]
+LONGEST = 1e8  # of a timer [s]
 
 _left: list[BaseException] = []  # exceptions that keep trees alive until the process ends
 
-
 # For loops in Python that may be long: raises where the time limit was reached.
 poll = planning.poll
+
+
+def _of_timer(seconds: float) -> float:
+    return min(LONGEST, max(1e-6, seconds))
 
 
 class Reading:
@@ -42,7 +45,7 @@ class Reading:
         """Starts the timers for the seconds that are left, or stops them."""
         left: float | None = None
         if not self.is_paused and self.seconds is not None and 0 < self.seconds < math.inf:
-            left = min(_LONGEST, max(1e-6, self.seconds - (time.monotonic() - self.began)))
+            left = _of_timer(self.seconds - (time.monotonic() - self.began))
         planning.set_deadline(left)
         if self.has_alarm:
             signal.setitimer(signal.ITIMER_REAL, left or 0.0)
@@ -102,6 +105,16 @@ def reading(seconds: float | None = None, alarm: bool = False) -> Iterator[Readi
         if clock.has_alarm:
             signal.signal(signal.SIGALRM, before)
         _current.reading = outer
+
+
+@contextlib.contextmanager
+def within(seconds: float) -> Iterator[None]:
+    """Makes `poll` raise planning.OutOfTime in the block when the seconds are over."""
+    planning.set_deadline(_of_timer(seconds))
+    try:
+        yield
+    finally:
+        planning.set_deadline(None)
 
 
 def limit_reading(seconds: float) -> None:

@@ -12,6 +12,7 @@ from functools import lru_cache
 from itertools import islice, takewhile
 from typing import TYPE_CHECKING, Any
 
+from .. import limits
 from .._core import planning
 from ..errors import TaskError
 
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
     from ..simulation import Variation
 
     Execute = Callable[[Plan, "Trials", float], None]
-
-_LONGEST = 1e8  # of a timer [s]
 
 
 @dataclass
@@ -131,7 +130,7 @@ def _results(
             running[pool.submit(_work, (time.time() + left, text, variation))] = k
         if not running:
             return
-        done, _ = futures.wait(running, min(_LONGEST, left), futures.FIRST_COMPLETED)
+        done, _ = futures.wait(running, min(limits.LONGEST, left), futures.FIRST_COMPLETED)
         if not done:
             raise planning.OutOfTime
         for future in done:
@@ -154,11 +153,8 @@ def _within(left: float, plan: Any, variation: Variation) -> list[str]:
     """Returns the failures of a trial, which has `left` seconds."""
     from ..simulation import simulation_kind
 
-    planning.set_deadline(min(_LONGEST, max(1e-6, left)))
-    try:
+    with limits.within(left):
         return list(simulation_kind(plan.kind).run(plan, variation).failures)
-    finally:
-        planning.set_deadline(None)
 
 
 @lru_cache(maxsize=1)

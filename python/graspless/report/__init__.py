@@ -98,7 +98,7 @@ def verdict(plan: Plan, faults: list[str]) -> str:
     rows = sum(map(len, plan.segments))
     segments = count(len(plan.segments), "segments")
     held = f"holds: {segments}, {count(rows, 'rows')}; an independent replay found no fault"
-    return "\n".join(filter(None, [held, proofs.verdict(plan)]))
+    return held if plan.proof is None else f"{held}\n{plan.proof}"
 
 
 def count(number: float, things: str) -> str:
