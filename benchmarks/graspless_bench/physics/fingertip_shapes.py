@@ -13,7 +13,7 @@ from scipy.spatial import ConvexHull
 from graspless import plan as make_plan
 from graspless.tasks import task_from_dict
 
-from .fingertip_tasks import _about, _slide, _tumble
+from .fingertip_tasks import _slide, _tumble, contacts, options
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -58,20 +58,9 @@ def draw(random: Generator, shape: str) -> dict[str, Any]:
             "triangles": outward(hull),
             "mass": mass,
         },
-        "fingers": {
-            "count": int(random.choice([1, 2, 3, 4], p=[0.15, 0.5, 0.25, 0.1])),
-            "radius": float(random.uniform(0.006, 0.012)),
-            "max_normal_force": float(random.uniform(0.6, 2.0) * 9.8 * mass),
-            "friction": _about(random.uniform(0.5, 1.0)),
-        },
-        "friction": _about(random.uniform(0.3, 0.8)),
+        **contacts(random, mass, [0.15, 0.5, 0.25, 0.1]),
         "motion": {"sequence": [motion]},
-        "options": {
-            "locations_per_side": 4,
-            "min_stability": 0.05 * 9.8 * mass,
-            "regrasp_cost": 1.0,
-            "explain": False,
-        },
+        "options": options(mass, 4),
         "budget": {"seconds": 10.0},
     }
 

@@ -98,22 +98,34 @@ def draw(random: Generator) -> dict[str, Any]:
     return {
         "kind": "fingertip",
         "object": {"name": "block", "box": [float(side) for side in size], "mass": mass},
+        **contacts(random, mass, [0.15, 0.7, 0.15]),
+        "walls": walls if straight else [],
+        "motion": {"sequence": steps},
+        "options": options(mass, 5),
+        "budget": {"seconds": 30.0},
+    }
+
+
+def contacts(random: Generator, mass: float, shares: list[float]) -> dict[str, Any]:
+    """Returns random fingers and friction; `shares` are the chances of 1, 2, ... fingers."""
+    return {
         "fingers": {
-            "count": int(random.choice([1, 2, 3], p=[0.15, 0.7, 0.15])),
+            "count": int(random.choice(np.arange(len(shares)) + 1, p=shares)),
             "radius": float(random.uniform(0.006, 0.012)),
             "max_normal_force": float(random.uniform(0.6, 2.0) * 9.8 * mass),
             "friction": _about(random.uniform(0.5, 1.0)),
         },
         "friction": _about(random.uniform(0.3, 0.8)),
-        "walls": walls if straight else [],
-        "motion": {"sequence": steps},
-        "options": {
-            "locations_per_side": 5,
-            "min_stability": 0.05 * 9.8 * mass,
-            "regrasp_cost": 1.0,
-            "explain": False,
-        },
-        "budget": {"seconds": 30.0},
+    }
+
+
+def options(mass: float, locations_per_side: int) -> dict[str, Any]:
+    """Returns the options of the search in a random task."""
+    return {
+        "locations_per_side": locations_per_side,
+        "min_stability": 0.05 * 9.8 * mass,
+        "regrasp_cost": 1.0,
+        "explain": False,
     }
 
 

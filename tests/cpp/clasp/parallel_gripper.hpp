@@ -33,6 +33,21 @@ inline std::string box_link(const std::string& name, const std::string& xyz,
          size + "'/></geometry></collision></link>";
 }
 
+/// Reads a robot whose hand is `slide_left`, from 0 (closed) to 0.03 (open). `wrist`: joints of the
+/// arm besides its three sliders.
+inline robot::Robot with_slider_hand(const std::string& urdf, const std::string& wrist = "") {
+  const std::string name = urdf.substr(0, urdf.find('>') + 1);  // its tag
+  const std::string srdf =
+      name + "<group name='arm'><joint name='arm_x'/><joint name='arm_y'/>" + wrist +
+      "<joint name='arm_z'/></group><group name='hand'><joint name='slide_left'/></group>"
+      "<group_state name='open' group='hand'><joint name='slide_left' value='0.03'/></group_state>"
+      "<group_state name='closed' group='hand'><joint name='slide_left' "
+      "value='0'/></group_state></robot>";
+  robot::Robot::Options options;
+  options.srdf = srdf;
+  return robot::Robot::from_urdf(urdf, options);
+}
+
 /// Fingers of 80 x 20 x 10 mm that are 60 mm apart when open and touch when closed. The palm hangs
 /// at (0, 0, 1) and looks along +z. With `turns`, the arm has a wrist of three more joints.
 inline robot::Robot parallel_gripper(const std::string& effort = "50", bool turns = false) {
@@ -52,16 +67,8 @@ inline robot::Robot parallel_gripper(const std::string& effort = "50", bool turn
       slider("slide_right", "palm", "right", "0 0 0.04", "0 -1 0", near,
              "<mimic joint='slide_left'/>") +
       "</robot>";
-  const std::string srdf =
-      "<robot name='gripper'><group name='arm'><joint name='arm_x'/><joint name='arm_y'/>" +
-      std::string(turns ? "<joint name='roll'/><joint name='pitch'/><joint name='yaw'/>" : "") +
-      "<joint name='arm_z'/></group><group name='hand'><joint name='slide_left'/></group>"
-      "<group_state name='open' group='hand'><joint name='slide_left' value='0.03'/></group_state>"
-      "<group_state name='closed' group='hand'><joint name='slide_left' "
-      "value='0'/></group_state></robot>";
-  robot::Robot::Options options;
-  options.srdf = srdf;
-  return robot::Robot::from_urdf(urdf, options);
+  return with_slider_hand(
+      urdf, turns ? "<joint name='roll'/><joint name='pitch'/><joint name='yaw'/>" : "");
 }
 
 /// Its curves, with corners on the fingers only.

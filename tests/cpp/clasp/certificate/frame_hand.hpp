@@ -48,15 +48,7 @@ inline robot::Robot frame_robot() {
       slider("slide_right", "palm", "right", "0 0 0", "0 -1 0", near,
              "<mimic joint='slide_left'/>") +
       "</robot>";
-  const std::string srdf =
-      "<robot name='frame'><group name='arm'><joint name='arm_x'/><joint name='arm_y'/><joint "
-      "name='arm_z'/></group><group name='hand'><joint name='slide_left'/></group>"
-      "<group_state name='open' group='hand'><joint name='slide_left' value='0.03'/></group_state>"
-      "<group_state name='closed' group='hand'><joint name='slide_left' "
-      "value='0'/></group_state></robot>";
-  robot::Robot::Options options;
-  options.srdf = srdf;
-  return robot::Robot::from_urdf(urdf, options);
+  return with_slider_hand(urdf);
 }
 
 inline Hand frame_hand() {
