@@ -50,7 +50,7 @@ nitpicky = True
 # words of docstrings that stand for a type.
 nitpick_ignore_regex = [
     ("cpp:identifier", r"(Eigen|ompl|std|robot|collision)(::.*)?"),
-    ("cpp:identifier", r"(Obstacle|FrictionInterval|FingerMode|\w+6d|Model|Data)(::\w+)?"),
+    ("cpp:identifier", r"(Obstacle|FrictionInterval|FingerMode|\w+6d|Model|Data|Core)(::\w+)?"),
     ("py:.*", r"(?!graspless\.).*"),
     (
         "py:class",

@@ -172,6 +172,7 @@ def require_mujoco() -> None:
 __all__ = [
     "Recording",
     "Simulation",
+    "SimulationKind",
     "Spread",
     "Trial",
     "Variation",
