@@ -105,6 +105,8 @@ void bind_carry(py::module_ m) {
       "Plans a motion of the arm that carries the object along a straight path to its "
       "goal.\n\nFinding no plan is a status, not an error.",
       "Checks a plan against its problem by an independent replay.");
+  bind_certify<Problem, Options, Plan>(
+      m, "nothing touches that may not, and the object keeps to its straight path.");
 }
 
 }  // namespace graspless::bindings

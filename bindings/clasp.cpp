@@ -483,6 +483,7 @@ void bind_planner(py::module_& m) {
       "(Stork, Pokorny, Kragic 2013, Section IV). Failure to find a plan is a status.",
       "Replays a plan without the code of the search, and returns its faults: joint limits,\n"
       "collisions, linking by the double integral, closing until contact, and the stability test.");
+  bind_certify<Problem, Options, Plan>(m, "nothing touches.");
   m.def(
       "test_stability",
       [](const Problem& problem, const Array& q, int loop, const StabilityOptions& options) {

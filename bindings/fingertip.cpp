@@ -648,6 +648,23 @@ void bind_planner(py::module_& m) {
       py::arg("realization"), default_realize,
       "Checks joint paths against problem and plan: limits, steps, fingertips, collisions.\n\n"
       "Returns one fault per entry; an empty list if the paths are valid.");
+  m.def(
+      "certify_realization",
+      [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
+         const Carrier& carrier, const Realization& realization, const RealizeOptions& options) {
+        const Plan plan_now = plan;
+        const Carrier carrier_now = carrier;
+        const Realization realization_now = realization;
+        const RealizeOptions options_now = options;
+        const py::gil_scoped_release release;
+        return certify(problem, plan_now, robot, carrier_now, realization_now, options_now);
+      },
+      py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"),
+      py::arg("realization"), default_realize,
+      "Proves what check_realization() samples between the rows: nothing touches that may not, and "
+      "the fingertips keep their tolerances.\n\n"
+      "Returns a scene.EdgeCertificate. Raises ValueError if the paths were not found or are "
+      "malformed.");
 }
 
 }  // namespace

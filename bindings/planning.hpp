@@ -90,4 +90,23 @@ void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
           .c_str());
 }
 
+/// Binds certify(), which the planners of joint paths have; `proven` says what it proves.
+template <class Problem, class Options, class Plan>
+void bind_certify(pybind11::module_& m, const std::string& proven) {
+  namespace py = pybind11;
+  m.def(
+      "certify",
+      [](const Problem& problem, const Plan& plan, const Options& options) {
+        const Plan plan_now = plan;
+        const Options options_now = options;
+        const py::gil_scoped_release release;
+        return certify(problem, plan_now, options_now);
+      },
+      py::arg("problem"), py::arg("plan"), py::arg_v("options", Options{}, "Options()"),
+      ("Proves what check() samples between the rows: " + proven +
+       "\n\nReturns a scene.EdgeCertificate. Raises ValueError if the plan is not solved or "
+       "malformed.")
+          .c_str());
+}
+
 }  // namespace graspless::bindings

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/scene/scene.hpp"
 
+#include "graspless/scene/certificate.hpp"
 #include "graspless/scene/link_contacts.hpp"
 
 #include "conversions.hpp"
+#include "fields.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -104,9 +106,48 @@ void bind_queries(py::class_<Scene>& cls) {
           "(num_frames, 4, 4) link poses in the world at the configuration checked last.");
 }
 
+void bind_edge_certificate(py::module_& m) {
+  using scene::EdgeCertificate, scene::Doubt;
+  bind_choices<scene::Verdict>(m, "Verdict", "Reasons why an edge is not proven.");
+  py::class_<Doubt>(m, "Doubt", "An edge of a plan that is not proven. str() is one sentence.")
+      .def_readonly("segment", &Doubt::segment, "Name of the segment.")
+      .def_readonly("row", &Doubt::row,
+                    "The edge leads to this row from the one before; 0: from the last row of the "
+                    "segment before.")
+      .def_readonly("t", &Doubt::t, "Place on the edge: 0 at the row before, 1 at `row`.")
+      .def_readonly("verdict", &Doubt::verdict, "Refuted or undecided.")
+      .def_readonly("condition", &Doubt::condition,
+                    "Pair of bodies that touches, or quantity that leaves its band.")
+      .def_readonly(
+          "amount", &Doubt::amount,
+          "Refuted: depth of the collision, or how far the quantity is outside its band. "
+          "Undecided: the distance that is proven for a pair, or how far the bounds reach "
+          "out of the band.")
+      .def_readonly("unit", &Doubt::unit, "Unit of `amount`: m or rad.")
+      .def("__str__", &Doubt::text)
+      .def("__repr__", [](const Doubt& self) { return "<Doubt '" + self.text() + "'>"; });
+  py::class_<EdgeCertificate>(
+      m, "EdgeCertificate",
+      "Result of a proof over the edges of a plan: straight motions in joint space from row to "
+      "row. True if every edge is proven.")
+      .def(py::init<>(), "A certificate of no edges.")
+      .def(
+          "__bool__", [](const EdgeCertificate& self) { return static_cast<bool>(self); },
+          "True if every edge is proven.")
+      .def_readonly("num_edges", &EdgeCertificate::num_edges, "Number of edges.")
+      .def_property_readonly("num_certified", &EdgeCertificate::num_certified,
+                             "Number of edges without a doubt.")
+      .def_readonly("doubts", &EdgeCertificate::doubts, "Doubts in the order of the edges.")
+      .def("__repr__", [](const EdgeCertificate& self) {
+        return "<EdgeCertificate of " + std::to_string(self.num_certified()) + " of " +
+               std::to_string(self.num_edges) + " edges>";
+      });
+}
+
 }  // namespace
 
 void bind_scene(py::module_ m) {
+  bind_edge_certificate(m);
   py::class_<Scene> cls(
       m, "Scene",
       "A robot among obstacles and objects. Not thread-safe: give each thread a copy.\n\n"

@@ -318,6 +318,9 @@ void bind_slide(py::module_ m) {
       "Plans the motion: approach, press, slide, lift, reach, grasp and close (Hang et al. 2019, "
       "Section IV-C).\n\nFinding no plan is a status, not an error.",
       "Checks a plan against its problem by an independent replay.");
+  bind_certify<Problem, Options, Plan>(m,
+                                       "nothing touches that may not, and the fingertip, its "
+                                       "contact and the hand keep their bands.");
   bind_resume(m);
 }
 

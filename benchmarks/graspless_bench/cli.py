@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .clasp.command import add_parser as _add_clasp
+from .edges import add_parser as _add_edges
 from .fingertip.command import add_parser as _add_fingertip
 from .ik import add_parser as _add_ik
 from .physics.command import add_parser as _add_physics
@@ -24,5 +25,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_fingertip(experiments)
     _add_clasp(experiments)
     _add_ik(experiments)
+    _add_edges(experiments)
     _add_physics(experiments)
     _add_robots(experiments)

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
         slide,
         view,
     )
-    from ._api import check, plan
+    from ._api import certify, check, plan
     from ._plan import Plan
     from .batches import batch
     from .errors import TaskError
@@ -55,6 +55,7 @@ __all__ = [
     "batch",
     "carry",
     "chain",
+    "certify",
     "check",
     "clasp",
     "collision",
@@ -77,6 +78,7 @@ __all__ = [
 _HOMES = {
     "batch": "batches",
     "Plan": "_plan",
+    "certify": "_api",
     "check": "_api",
     "export": "formats",
     "load_plan": "plan_files",

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from . import carry, clasp, fingertip, planning, slide
     from ._plan import Plan
+    from .scene import EdgeCertificate
     from .tasks import PlanT
 
 
@@ -177,24 +178,70 @@ def as_task(task: Any) -> Task[Any, Any, Any]:
     return load_task(require_path("task", task, "a graspless.Task, a Problem, a dict"))
 
 
-def check(plan: Plan | str | Path) -> list[str]:
+def check(plan: Plan | str | Path, *, certify: bool = False) -> list[str]:
     """Replays a plan against its own task, with none of the search's code.
 
     Parameters
     ----------
     plan : Plan, str or Path
         A plan, or the path of its file.
+    certify : bool, optional
+        If the replay finds no fault, also proves what it samples: see `certify`.
 
     Returns
     -------
     list of str
-        Faults by segment and row; empty if the plan holds. One that was changed after the trials
-        of its `proof` has a fault.
+        Faults by segment and row; empty if the plan holds and, with `certify`, every edge is
+        certified. One that was changed after the trials of its `proof` has a fault.
     """
+    return checked(plan, certify)[0]
+
+
+def checked(
+    plan: Plan | str | Path, with_certificate: bool
+) -> tuple[list[str], tuple[int, int] | None]:
+    """Returns the result of check(), and the numbers of certified edges and of all."""
     given: Any = as_plan(plan)
     if not given:
         status = f"the plan's status is {given.status}, not solved"
-        return [f"nothing to check: {status}; reason: {given.reason}"]
+        return [f"nothing to check: {status}; reason: {given.reason}"], None
     faults: list[str] = given._faults()
     changed = proof.fault_of(given)
-    return faults if changed is None else [*faults, changed]
+    if changed is not None:
+        faults.append(changed)
+    if faults or not with_certificate:
+        return faults, None
+    parts = given._certificates()
+    doubts = [f"{words}{doubt}" for words, part in parts for doubt in part.doubts]
+    proven = sum(part.num_certified for _, part in parts)
+    return doubts, (proven, sum(part.num_edges for _, part in parts))
+
+
+def certify(plan: Plan | str | Path) -> list[EdgeCertificate]:
+    """Proves that a plan holds between its rows, too, where `check` only samples.
+
+    An edge is the straight motion in joint space from one row to the next. It is proven if bounds
+    on the motion of every pair of bodies, and on every quantity that must stay in a band, leave no
+    room for a fault at any time. Edges are divided down to motions of 1e-6 m. An edge that is not
+    proven is either refuted, with a configuration that is at fault, or undecided.
+
+    Parameters
+    ----------
+    plan : Plan, str or Path
+        A plan that `check` finds no fault in, or the path of its file.
+
+    Returns
+    -------
+    list of scene.EdgeCertificate
+        One for a slide, clasp or carry plan, and for a fingertip plan with a robot; none for a
+        fingertip plan without; those of all stages for a chain.
+
+    Raises
+    ------
+    ValueError
+        The plan is not solved or malformed.
+    """
+    given: Any = as_plan(plan)
+    if not given:
+        raise ValueError(f"plan: its status is {given.status}; only solved plans are certified")
+    return [part for _, part in given._certificates()]

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
     from . import planning
     from .proving import Proof
+    from .scene import EdgeCertificate
     from .tasks import Task
 
 Self = TypeVar("Self", bound="AnyPlan")
@@ -188,6 +189,11 @@ class AnyPlan:
         """Returns the faults of a solved plan."""
         return list(self._planner.check(self.task.problem, self, self.task.options))
 
+    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
+        """Returns the certificates of a solved plan, each with the words before its doubts."""
+        task = self.task
+        return [("", self._planner.certify(task.problem, self, task.options))]
+
 
 def of_found(base: Any, name: str, *statuses: Any) -> Any:
     """Returns an attribute of the core's plan as one that is None unless the status is given."""
@@ -240,5 +246,6 @@ if TYPE_CHECKING:
         def show(self) -> None: ...
         def _fields(self) -> dict[str, Any]: ...
         def _faults(self) -> list[str]: ...
+        def _certificates(self) -> list[tuple[str, EdgeCertificate]]: ...
 else:
     Plan = AnyPlan

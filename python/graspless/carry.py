@@ -13,6 +13,7 @@ from ._core.carry import (
     Segment,
     Statistics,
     Status,
+    certify,
     check,
     validate,
 )
@@ -68,6 +69,7 @@ __all__ = [
     "Segment",
     "Statistics",
     "Status",
+    "certify",
     "check",
     "plan",
     "validate",

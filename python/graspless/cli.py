@@ -198,6 +198,12 @@ def _add_check(parser: argparse.ArgumentParser) -> None:
         "is 1 if the plan fails its check."
     )
     parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
+    parser.add_argument(
+        "--certify",
+        action="store_true",
+        help="also prove that nothing touches and every band is kept between the rows; "
+        "what is not proven is a fault",
+    )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.set_defaults(run=_check)
 
@@ -309,12 +315,16 @@ def _check(options: argparse.Namespace) -> int:
     from . import _api, report
 
     plan = given_plan(options.plan)
-    faults = _api.check(plan)
+    faults, edges = _api.checked(plan, options.certify)
     if options.json:
-        proof = {} if plan.proof is None else {"proof": asdict(plan.proof)}
-        print(json.dumps({"holds": not faults, "faults": faults, **proof}))
+        result: dict[str, Any] = {"holds": not faults, "faults": faults}
+        if edges is not None:
+            result |= {"certified_edges": edges[0], "edges": edges[1]}
+        if plan.proof is not None:
+            result["proof"] = asdict(plan.proof)
+        print(json.dumps(result))
     else:
-        print(report.verdict(plan, faults))
+        print(report.verdict(plan, faults, edges))
     return NOT_FOUND if faults else FOUND
 
 

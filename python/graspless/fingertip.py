@@ -43,6 +43,7 @@ from ._core.fingertip import (
     Search,
     Statistics,
     Status,
+    certify_realization,
     check,
     check_realization,
     join,
@@ -63,6 +64,7 @@ if TYPE_CHECKING:
     from . import tasks
     from .frames import Matrix
     from .planning import Budget
+    from .scene import EdgeCertificate
 
     Task = tasks.Task[Problem, Options, "Plan"]
 
@@ -248,6 +250,16 @@ class Plan(AnyPlan, _core.Plan):
             task.problem, self, arm.robot, arm.carrier, self.realization, arm.options
         )
 
+    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
+        """Returns the certificate of the joint paths; without a robot there are none."""
+        arm, paths = self.task.arm, self.realization
+        if arm is None or paths is None:
+            return []
+        found = certify_realization(
+            self.task.problem, self, arm.robot, arm.carrier, paths, arm.options
+        )
+        return [("", found)]
+
 
 def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
@@ -302,6 +314,7 @@ __all__ = [
     "Statistics",
     "Status",
     "Weakest",
+    "certify_realization",
     "check",
     "check_realization",
     "join",

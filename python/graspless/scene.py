@@ -3,12 +3,18 @@
 """A robot among obstacles and objects, and its collision checks."""
 
 from ._core.scene import (
+    Doubt,
+    EdgeCertificate,
     Scene,
+    Verdict,
     sample_contacts,
 )
 
 __all__ = [
+    "EdgeCertificate",
+    "Doubt",
     "Scene",
+    "Verdict",
     "sample_contacts",
 ]
 

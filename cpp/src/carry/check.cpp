@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "graspless/carry/carry.hpp"
 
-#include "scene/replay.hpp"
+#include "scene/bands.hpp"
+#include "scene/edges.hpp"
 #include "scene/rows.hpp"
 
 namespace graspless::carry {
@@ -34,11 +37,22 @@ class Examination {
         plan_(plan),
         options_(options),
         frame_(problem.robot.frame(problem.frame)),
+        X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * problem.object.X_WB),
         replay_(problem.robot) {
     object_ = replay_.add(problem.object.name,
                           collision::Solid(problem.object.shapes, problem.object.name), false);
     exclude_hand();
     add_obstacles();
+  }
+
+  /// Proves what lies between the rows.
+  scene::EdgeCertificate certify() {
+    if (!has_shape()) throw std::invalid_argument("plan: cannot be certified; " + faults_.front());
+    scene::EdgeCertificateMaker certificate;
+    auto doubts = prove_straight();
+    for (auto& doubt : prove_free()) doubts.push_back(std::move(doubt));
+    certificate.add(carried().name, carried().positions, std::move(doubts));
+    return certificate.take();
   }
 
   Faults run() {
@@ -130,11 +144,7 @@ class Examination {
     }
   }
 
-  Isometry3d object_at(const VectorXd& q) const {
-    const robot::Robot& robot = problem_.robot;
-    return robot.pose(frame_, q) * robot.pose(frame_, problem_.q_start).inverse() *
-           problem_.object.X_WB;
-  }
+  Isometry3d object_at(const VectorXd& q) const { return problem_.robot.pose(frame_, q) * X_FO_; }
 
   void check_object_poses() {
     for (std::size_t row = 0; row < carried().positions.size(); ++row) {
@@ -151,36 +161,90 @@ class Examination {
                          const Isometry3d X_WO = object_at(q);
                          replay_.world().set_pose(object_, X_WO);
                          const auto touching = replay_.touching(q);
-                         const std::string off = deviation(X_WO);
+                         const std::string off = fault_of(deviation(X_WO));
                          if (touching.empty() && off.empty()) return;
                          faulty_row = row;
                          fault(row, touching.empty() ? off : "collision " + touching.front());
                        });
   }
 
-  /// Describes how a pose of the object leaves the straight path; empty if it does not.
-  std::string deviation(const Isometry3d& X_WO) const {
+  std::vector<scene::Doubt> prove_free() {
+    scene::Companion object;
+    object.body = object_;
+    object.carrier = {frame_, {X_FO_.translation(), replay_.world().radius(object_)}};
+    object.place = [&](std::size_t, double, const robot::Poses& X_WL) {
+      replay_.world().set_pose(object_, X_WL[static_cast<std::size_t>(frame_)] * X_FO_);
+    };
+    return scene::EdgeProver(carried().name, carried().positions, replay_, object).run();
+  }
+
+  /// Bounds deviation() on each edge: its distance is a convex function of the object's place, and
+  /// its angle changes by at most the turns of the object and of the pose on the straight path.
+  std::vector<scene::Doubt> prove_straight() const {
+    const robot::Robot& robot = problem_.robot;
+    const double length =
+        (problem_.X_WO_goal.translation() - problem_.object.X_WB.translation()).norm();
+    const double turn = angle_between(problem_.object.X_WB.linear(), problem_.X_WO_goal.linear());
+    std::vector<scene::Doubt> doubts;
+    for (std::size_t edge = 0; edge + 1 < carried().positions.size(); ++edge) {
+      const VectorXd& from = carried().positions[edge];
+      const VectorXd step = carried().positions[edge + 1] - from;
+      const scene::FrameRates rates = scene::frame_rates(robot, frame_, step, X_FO_.translation());
+      const auto slack = [&](double t0, const Isometry3d& first, double t1,
+                             const Isometry3d& last) {
+        const double width = t1 - t0, bend = rates.curvature * width * width;
+        const Deviation a = deviation(first), b = deviation(last);
+        const double path = (last.translation() - first.translation()).norm() + bend / 2;
+        const double turned =
+            rates.turn * width + (is_turn() ? rates.turn * width : turn * path / length);
+        scene::Slack slack;
+        slack.add(options_.tolerance + kSame - std::max(a.distance, b.distance) - bend / 8 -
+                      (is_turn() && width > 0 ? length : 0),
+                  "distance of the object from its straight path");
+        slack.add(options_.angle_tolerance + kSame - (a.angle + b.angle + turned) / 2,
+                  "turn of the object off its straight path", "rad");
+        return slack;
+      };
+      const auto doubt = scene::find_doubt(
+          carried().name, edge, [&](double t) { return object_at(from + t * step); }, slack);
+      if (doubt) doubts.push_back(*doubt);
+    }
+    return doubts;
+  }
+
+  /// The object's distance [m] and angle [rad] from its straight path.
+  struct Deviation {
+    double distance, angle;
+  };
+
+  bool is_turn() const {
+    return (problem_.X_WO_goal.translation() - problem_.object.X_WB.translation()).norm() <= 1e-6;
+  }
+
+  Deviation deviation(const Isometry3d& X_WO) const {
     const Isometry3d &start = problem_.object.X_WB, &goal = problem_.X_WO_goal;
     const Vector3d a = start.translation(), b = goal.translation(), p = X_WO.translation();
     const Quaterniond from(start.linear()), to(goal.linear()), now(X_WO.linear());
-    const bool is_turn = (b - a).norm() <= 1e-6;
     double s =
-        is_turn ? fraction_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm();
+        is_turn() ? fraction_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm();
     s = std::clamp(s, 0.0, 1.0);
-    std::ostringstream text;
-    const double off = (p - a - s * (b - a)).norm();
-    if (off > options_.tolerance + kSame) {
-      text << "the object is " << off << " m off its straight path";
-      return text.str();
-    }
     const Quaterniond wanted = from.slerp(s, to);
-    const double twist = is_turn ? 0 : twist_about((b - a).normalized(), now * wanted.conjugate());
+    const double twist =
+        is_turn() ? 0 : twist_about((b - a).normalized(), now * wanted.conjugate());
     const double kept = std::clamp(twist, -options_.max_twist, options_.max_twist);
-    const Eigen::AngleAxisd turned(is_turn ? 0 : kept,
-                                   is_turn ? Vector3d::UnitX() : Vector3d((b - a).normalized()));
-    const double left = now.angularDistance(Quaterniond(turned) * wanted);
-    if (left > options_.angle_tolerance + kSame)
-      text << "the object is turned by " << left << " rad off its straight path";
+    const Eigen::AngleAxisd turned(is_turn() ? 0 : kept,
+                                   is_turn() ? Vector3d::UnitX() : Vector3d((b - a).normalized()));
+    return {(p - a - s * (b - a)).norm(), now.angularDistance(Quaterniond(turned) * wanted)};
+  }
+
+  /// Describes how a pose of the object leaves the straight path; empty if it does not.
+  std::string fault_of(const Deviation& off) const {
+    std::ostringstream text;
+    if (off.distance > options_.tolerance + kSame) {
+      text << "the object is " << off.distance << " m off its straight path";
+    } else if (off.angle > options_.angle_tolerance + kSame) {
+      text << "the object is turned by " << off.angle << " rad off its straight path";
+    }
     return text.str();
   }
 
@@ -210,6 +274,7 @@ class Examination {
   const Plan& plan_;
   const Options& options_;
   int frame_;
+  Isometry3d X_FO_;  // the object in the frame that holds it
   scene::Replay replay_;
   int object_ = -1;
   Faults faults_;
@@ -221,6 +286,12 @@ std::vector<std::string> check(const Problem& problem, const Plan& plan, const O
   validate(problem);
   validate(options);
   return Examination(problem, plan, options).run();
+}
+
+scene::EdgeCertificate certify(const Problem& problem, const Plan& plan, const Options& options) {
+  validate(problem);
+  validate(options);
+  return Examination(problem, plan, options).certify();
 }
 
 }  // namespace graspless::carry

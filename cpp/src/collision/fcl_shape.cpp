@@ -71,8 +71,10 @@ Geometry make_surface(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& 
 CollisionShape make_shape(std::function<Geometry()> geometry, HullTree hulls, const Core& core,
                           const Eigen::Vector3d& middle = Eigen::Vector3d::Zero()) {
   return {std::make_shared<const FclGeometry>(std::move(geometry)),
-          std::make_shared<const HullTree>(std::move(hulls)), core,
-          Eigen::Isometry3d(Eigen::Translation3d(middle))};
+          std::make_shared<const HullTree>(std::move(hulls)),
+          core,
+          Eigen::Isometry3d(Eigen::Translation3d(middle)),
+          {}};
 }
 
 CollisionShape make_convex(const geometry::Mesh& hull, bool is_of_mesh) {
@@ -80,8 +82,11 @@ CollisionShape make_convex(const geometry::Mesh& hull, bool is_of_mesh) {
   const Eigen::Matrix3Xd centred = hull.vertices.colwise() - middle;
   HullTree hulls = convex_tree(centred);
   hulls.is_of_mesh = is_of_mesh;
-  return make_shape([centred, faces = hull.triangles] { return make_hull(centred, faces); },
-                    std::move(hulls), box_core(centred), middle);
+  CollisionShape shape =
+      make_shape([centred, faces = hull.triangles] { return make_hull(centred, faces); },
+                 std::move(hulls), box_core(centred), middle);
+  shape.point = centred.col(0);
+  return shape;
 }
 
 /// Prepares a surface; `hull`: corners of its convex hull.
@@ -90,8 +95,11 @@ CollisionShape make_surface(const geometry::Mesh& mesh, const Eigen::Matrix3Xd& 
   const Eigen::Matrix3Xd centred = mesh.vertices.colwise() - middle;
   HullTree hulls = surface_tree(centred, mesh.triangles, hull.colwise() - middle);
   hulls.is_of_mesh = true;
-  return make_shape([centred, faces = mesh.triangles] { return make_surface(centred, faces); },
-                    std::move(hulls), box_core(centred), middle);
+  CollisionShape shape =
+      make_shape([centred, faces = mesh.triangles] { return make_surface(centred, faces); },
+                 std::move(hulls), box_core(centred), middle);
+  shape.enclosure = std::make_shared<const Enclosure>(geometry::Mesh{centred, mesh.triangles});
+  return shape;
 }
 
 /// False if the vertices of a mesh lie in a plane.

@@ -15,6 +15,7 @@
 #include "graspless/geometry/shape.hpp"
 
 #include "collision/bounds.hpp"
+#include "collision/enclosure.hpp"
 #include "collision/hulls.hpp"
 
 namespace fcl {
@@ -44,6 +45,8 @@ struct CollisionShape {
   std::shared_ptr<const HullTree> hulls;
   Core core;
   Eigen::Isometry3d X_BC = Eigen::Isometry3d::Identity();  ///< the core's frame in the body
+  std::shared_ptr<const Enclosure> enclosure;              ///< of a surface, in the core's frame
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of any other shape, in the core's frame
 };
 
 /// Throws std::invalid_argument that names `what` if geometry::validate rejects the shape or the

@@ -136,7 +136,7 @@ std::optional<std::pair<int, int>> World::first_collision() {
   poll();
   ++impl_->checks;
   for (const Pair& pair : impl_->pairs) {
-    if (impl_->touch(pair)) return std::make_pair(pair.a, pair.b);
+    if (impl_->touch(pair) || impl_->swallows(pair)) return std::make_pair(pair.a, pair.b);
   }
   return std::nullopt;
 }
@@ -145,15 +145,21 @@ std::vector<std::pair<int, int>> World::all_collisions() {
   poll();
   std::vector<std::pair<int, int>> touching;
   for (const Pair& pair : impl_->pairs) {
-    if (impl_->touch_by_fcl(pair)) touching.emplace_back(pair.a, pair.b);
+    if (impl_->touch_by_fcl(pair) || impl_->swallows(pair)) touching.emplace_back(pair.a, pair.b);
   }
   return touching;
 }
 
 bool World::touches(int pair) { return impl_->touch(impl_->pairs[pair]); }
 
+bool World::swallows(int pair) const { return impl_->swallows(impl_->pairs[pair]); }
+
 double World::distance_bound(int pair, double enough) const {
-  return impl_->bound(impl_->pairs[pair], enough);
+  return impl_->bound(impl_->pairs[pair], enough, false);
+}
+
+double World::proven_distance(int pair, double enough) const {
+  return impl_->bound(impl_->pairs[pair], enough, true);
 }
 
 const std::vector<double>& World::distance_bounds() {

@@ -108,7 +108,31 @@ bool World::Impl::touch_by_fcl(const Pair& pair) {
                               Witnesses&) { return fcl_touch(a, at_a, b, at_b, pair.shift_W); });
 }
 
-double World::Impl::bound(const Pair& pair, double enough) const {
+/// True if a shape of either body lies within a closed surface of the other. The bodies must not
+/// touch, so that one point tells where a connected shape lies.
+bool World::Impl::swallows(const Pair& pair) const {
+  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
+  const auto contains = [](const CollisionShape& outer, const CollisionShape& inner,
+                           const Eigen::Isometry3d& X_OI) {
+    const auto has = [&](const Eigen::Vector3d& p_O) {
+      return (p_O.cwiseAbs().array() <= outer.core.half.array()).all() &&
+             outer.enclosure->contains(p_O);
+    };
+    if (!inner.enclosure) return has(X_OI * inner.point);
+    for (const auto& p_I : inner.enclosure->vertex_of_each_part().colwise()) {
+      if (has(X_OI * p_I)) return true;
+    }
+    return false;
+  };
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
+                              Witnesses&) {
+    if (!a.enclosure && !b.enclosure) return false;
+    const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
+    return (a.enclosure && contains(a, b, X_AB)) || (b.enclosure && contains(b, a, X_AB.inverse()));
+  });
+}
+
+double World::Impl::bound(const Pair& pair, double enough, bool tight) const {
   const WorldBox &box_a = boxes[pair.a], &box_b = boxes[pair.b];
   const double gap = box_gap(box_b.middle + pair.shift_W - box_a.middle, box_a.half + box_b.half);
   if (gap >= enough) return gap;
@@ -117,8 +141,8 @@ double World::Impl::bound(const Pair& pair, double enough) const {
                        Witnesses& witnesses) {
     const double wanted = std::min(enough, least);
     double bound = shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W);
-    const bool has_mesh = a.hulls->is_of_mesh || b.hulls->is_of_mesh;
-    if (bound < wanted && has_mesh && !(bound > 0 && kFar * bound < wanted)) {
+    const bool has_hulls = tight || a.hulls->is_of_mesh || b.hulls->is_of_mesh;
+    if (bound < wanted && has_hulls && !(bound > 0 && kFar * bound < wanted)) {
       const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
       bound = std::max(bound, separation(*a.hulls, *b.hulls, X_AB, wanted, witnesses));
     }

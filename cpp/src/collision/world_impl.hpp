@@ -62,7 +62,9 @@ struct World::Impl {
                  const Placement& at_b, const Eigen::Vector3d& shift_W);
   bool touch(const Pair& pair);
   bool touch_by_fcl(const Pair& pair);
-  double bound(const Pair& pair, double enough) const;
+  bool swallows(const Pair& pair) const;
+  /// With `tight`, the hulls of all shapes are used, not only those of meshes.
+  double bound(const Pair& pair, double enough, bool tight) const;
 };
 
 }  // namespace graspless::collision

@@ -146,9 +146,12 @@ void Examination::check_joints() {
 }
 
 void Examination::fault(std::size_t row, const std::string& what) {
-  faults_.push_back("joint segment " + std::to_string(segment_) + " (" +
-                    realization_.segments[segment_].name + "), row " + std::to_string(row) + ": " +
-                    what);
+  faults_.push_back(segment_name() + ", row " + std::to_string(row) + ": " + what);
+}
+
+std::string Examination::segment_name() const {
+  return "joint segment " + std::to_string(segment_) + " (" + realization_.segments[segment_].name +
+         ")";
 }
 
 }  // namespace graspless::realize

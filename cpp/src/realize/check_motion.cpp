@@ -121,6 +121,12 @@ void Examination::check_instant(std::size_t row, const Eigen::VectorXd& q,
                                 const Eigen::Isometry3d& X_WO, const Phase& phase) {
   robot_.forward(q, X_WL_);
   check_tips(row, X_WO, phase);
+  for (const std::string& pair : replay_.touching(X_WL_, X_WO, allowances(phase)))
+    fault(row, pair + " touch");
+}
+
+/// Links that may reach into the object: those of fingers that hold or move straight on or off.
+std::vector<Replay::Allowed> Examination::allowances(const Phase& phase) const {
   const double depth = contact_allowance(options_.position_tolerance);
   std::vector<Replay::Allowed> allowed;
   for (std::size_t i = 0; i < phase.places.size(); ++i) {
@@ -128,8 +134,7 @@ void Examination::check_instant(std::size_t row, const Eigen::VectorXd& q,
     for (const std::string& link : links_of_finger_[i])
       allowed.push_back({link, -phase.places[i].n_O, depth});
   }
-  for (const std::string& pair : replay_.touching(X_WL_, X_WO, allowed))
-    fault(row, pair + " touch");
+  return allowed;
 }
 
 /// Checks that fingers that hold are at their places, and that those that move are on the line
@@ -203,6 +208,11 @@ Replay::Replay(const Problem& problem, const robot::Robot& robot) : replay_(robo
 
 std::vector<std::string> Replay::touching(const robot::Poses& X_WL, const Eigen::Isometry3d& X_WO,
                                           const std::vector<Allowed>& allowed) {
+  place(X_WO, allowed);
+  return replay_.touching(X_WL);
+}
+
+void Replay::place(const Eigen::Isometry3d& X_WO, const std::vector<Allowed>& allowed) {
   collision::World& world = replay_.world();
   world.set_pose(object_, X_WO);
   for (int body = 0; body < replay_.num_links(); ++body)
@@ -211,7 +221,6 @@ std::vector<std::string> Replay::touching(const robot::Poses& X_WL, const Eigen:
     const int body = replay_.body_of(contact.link);
     if (body >= 0) world.allow_contact(body, object_, X_WO.linear() * contact.out_O, contact.depth);
   }
-  return replay_.touching(X_WL);
 }
 
 }  // namespace graspless::realize

@@ -12,6 +12,7 @@
 #include "graspless/robot/robot.hpp"
 
 #include "realize/validate.hpp"
+#include "scene/bands.hpp"
 #include "scene/replay.hpp"
 
 namespace graspless::realize {
@@ -30,6 +31,10 @@ class Replay {
   /// "a - b" for every pair that touches at these poses.
   std::vector<std::string> touching(const robot::Poses& X_WL, const Eigen::Isometry3d& X_WO,
                                     const std::vector<Allowed>& allowed);
+  /// Places the object, and sets the allowances, which turn with it.
+  void place(const Eigen::Isometry3d& X_WO, const std::vector<Allowed>& allowed);
+  int object() const { return object_; }  ///< index of the object in the world
+  scene::Replay& bodies() { return replay_; }
 
  private:
   scene::Replay replay_;
@@ -54,6 +59,8 @@ class Examination {
               const Carrier& carrier, const Realization& realization,
               const RealizeOptions& options);
   std::vector<std::string> run();
+  /// Proves what lies between the rows. Throws std::invalid_argument if these are no joint paths.
+  scene::EdgeCertificate certify();
 
  private:
   void expect_phases();
@@ -69,6 +76,14 @@ class Examination {
   void check_tips(std::size_t row, const Eigen::Isometry3d& X_WO, const Phase& phase);
   void check_scrub(const JointSegment& segment, const Phase& phase);
   void check_ends(const JointSegment& segment, const Phase& phase);
+  std::vector<Replay::Allowed> allowances(const Phase& phase) const;
+  std::vector<scene::Doubt> prove_free(const JointSegment& segment, const Phase& phase);
+  std::vector<scene::Doubt> prove_tips(const JointSegment& segment, const Phase& phase);
+  std::vector<double> tip_bends(const JointSegment& segment, std::size_t edge,
+                                const Eigen::VectorXd& step);
+  void add_tip(const Phase& phase, std::size_t finger, const Eigen::Vector3d& first,
+               const Eigen::Vector3d& last, double off, scene::Slack& slack) const;
+  std::string segment_name() const;
   Eigen::Vector3d tip_O(std::size_t finger, const Eigen::Isometry3d& X_WO) const;
   Eigen::Vector3d center_O(std::size_t finger, const Phase& phase) const;
 

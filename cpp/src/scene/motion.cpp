@@ -89,6 +89,34 @@ Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, cons
   return moved_a.cwiseMin(moved_back_a) + moved_b.cwiseMin(moved_back_b);
 }
 
+// The second derivative by two joints, of which `k` is nearer to the link, is
+// axis_j x (axis_k x (p - o_k)): at most the lever arm of k. A sliding joint k takes the place of
+// its lever arm, and a sliding joint j moves nothing but the origin.
+FrameRates frame_rates(const robot::Robot& robot, int link, const Eigen::VectorXd& step,
+                       const Eigen::Vector3d& p_L) {
+  const auto& model = robot.model();
+  FrameRates rates;
+  for (const int other : model.paths[link]) {
+    const robot::Link& on_path = model.links[other];
+    if (on_path.joint < 0 || on_path.prismatic) continue;
+    rates.turn += std::abs(on_path.multiplier * step[on_path.joint]);
+  }
+  Ball ball{p_L, 0};
+  double inner = rates.turn;  // of the joints between the root and the current one
+  for (std::size_t i = model.paths[link].size(); i-- > 0;) {
+    const robot::Link& on_path = model.links[model.paths[link][i]];
+    Eigen::VectorXd lever = Eigen::VectorXd::Zero(robot.dof());
+    pass_joint(model, on_path, ball, lever);
+    ball.center = on_path.X_PJ * (on_path.R_JL * ball.center);
+    if (on_path.joint < 0) continue;
+    const double rate = std::abs(step[on_path.joint]);  // `lever` includes the multiplier
+    const double turn = on_path.prismatic ? 0 : rate * std::abs(on_path.multiplier);
+    inner -= turn;
+    rates.curvature += rate * lever[on_path.joint] * (turn + 2 * std::max(0.0, inner));
+  }
+  return rates;
+}
+
 int num_steps(const robot::Robot& robot, const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
               double resolution) {
   if (!(resolution > 0)) {

@@ -26,6 +26,17 @@ struct Carrier {
 Eigen::VectorXd relative_reach(const robot::Robot& robot, const Carrier& a, const Carrier& b,
                                bool in_world);
 
+/// Bounds on the motion of a link along q(t) = q1 + t (q2 - q1), over all configurations.
+struct FrameRates {
+  double turn = 0;       ///< angular speed [rad]
+  double curvature = 0;  ///< second derivative of a point's position [m]
+};
+
+/// Returns the bounds for a motion by `step` = q2 - q1 and a point of the link, in the link's
+/// frame. The second derivative of a direction fixed in the link is at most the square of `turn`.
+FrameRates frame_rates(const robot::Robot& robot, int link, const Eigen::VectorXd& step,
+                       const Eigen::Vector3d& p_L = Eigen::Vector3d::Zero());
+
 /// Safety margin on distances of a stretch that counts as free, larger than rounding and FCL's
 /// errors [m].
 constexpr double kMargin = 1e-7;

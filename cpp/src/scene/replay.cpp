@@ -61,10 +61,14 @@ std::vector<std::string> Replay::touching(const Eigen::VectorXd& q) {
   return touching(X_WL);
 }
 
-std::vector<std::string> Replay::touching(const robot::Poses& X_WL) {
+void Replay::place(const robot::Poses& X_WL) {
   for (std::size_t body = 0; body < link_of_body_.size(); ++body) {
     world_.set_pose(static_cast<int>(body), X_WL[static_cast<std::size_t>(link_of_body_[body])]);
   }
+}
+
+std::vector<std::string> Replay::touching(const robot::Poses& X_WL) {
+  place(X_WL);
   std::vector<std::string> names;
   for (const auto& [a, b] : world_.all_collisions())
     names.push_back(world_.name(a) + " - " + world_.name(b));

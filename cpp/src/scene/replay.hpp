@@ -30,6 +30,11 @@ class Replay {
   }  ///< the first bodies of the world
   /// Index in the world of a link's body; -1 for a link without shapes.
   int body_of(const std::string& link) const;
+  int link_of(int body) const { return link_of_body_[static_cast<std::size_t>(body)]; }
+  const robot::Robot& robot() const { return robot_; }
+
+  /// Moves the links' bodies.
+  void place(const robot::Poses& X_WL);
 
   /// Returns the names of touching pairs, "a - b", with the robot at q and the other bodies at
   /// their current poses.

@@ -209,12 +209,7 @@ void Examination::check_hand_open() {
 }
 
 void Examination::check_collisions(const Segment& segment) {
-  const bool pressing = segment.name == "retreat" || segment.name == "press" ||
-                        segment.name == "slide" || segment.name == "lift";
-  Replay world(problem_, depths_.max,
-               pressing                  ? Contacts::press
-               : segment.name == "close" ? Contacts::close
-                                         : Contacts::none);
+  Replay world = strict_.with(contacts_of(segment.name));
   const bool slides = segment.name == "slide";
   const Finger start = finger(segment.positions[0]);
   std::size_t faulty_row = segment.positions.size();  // one fault per row is enough

@@ -9,17 +9,8 @@
 
 #include "slide/contact.hpp"
 #include "slide/examination.hpp"
-#include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
-namespace {
-
-constexpr double kRound = 1e-9;
-// Allowed movement of the contact while the finger presses or lifts [m]. It may exceed a margin
-// that the slide only just keeps by as much.
-constexpr double kStray = 5e-4;
-
-}  // namespace
 
 DepthBand allowed_depths(const Hand& hand, const Options& options) {
   DepthBand depths{0, 0};
@@ -33,15 +24,14 @@ DepthBand allowed_depths(const Hand& hand, const Options& options) {
   return depths;
 }
 
-Examination::Finger Examination::finger(const Eigen::VectorXd& q) const {
-  const Eigen::Isometry3d X_SF =
-      X_SW_ * problem_.robot.pose(problem_.robot.frame(problem_.hand.fingertip), q);
+ReplayedFinger Examination::finger(const Eigen::Isometry3d& X_WF) const {
+  const Eigen::Isometry3d X_SF = X_SW_ * X_WF;
   const Eigen::Matrix3d R = X_SF.linear();
   Finger f;
   f.depth = problem_.object.thickness() - X_SF.translation().z();
   f.pitch = std::atan2(-R(2, 2), R.col(2).head<2>().norm());
   f.roll = std::asin(std::clamp(R(2, 0), -1.0, 1.0));
-  f.other_finger_up = R(2, 1) > 0;
+  f.other_finger_up = R(2, 1);
   f.commanded = X_SF.translation().head<2>();
   f.heading = Eigen::Vector2d(R(1, 0), -R(0, 0)).normalized();  // across the line contact X_F
   f.effective = f.commanded;
@@ -95,17 +85,20 @@ void Examination::check_pressing(const Segment& segment) {
 /// move.
 void Examination::check_retreat(const Segment& segment) {
   const Finger pressed = finger(segment.positions.front());
-  const Eigen::Isometry3d X_OS = (X_SW_ * segment.object_poses.front()).inverse();
-  const Eigen::Vector3d contact_O =
-      X_OS * Eigen::Vector3d(pressed.effective.x(), pressed.effective.y(), 0);
-  const bool on_object =
-      signed_depth(problem_.object.outline().vertices(), contact_O.head<2>()) > kRound;
+  const bool on_object = is_on_object(segment, pressed);
   scene::replay_rows(problem_.robot, segment.positions,
                      [&](std::size_t row, const Eigen::VectorXd& q) {
                        const Finger now = finger(q);
                        check_depth(segment, row, now);
                        if (on_object && now.depth > 0) check_still(segment, row, now, pressed);
                      });
+}
+
+bool Examination::is_on_object(const Segment& segment, const Finger& pressed) const {
+  const Eigen::Isometry3d X_OS = (X_SW_ * segment.object_poses.front()).inverse();
+  const Eigen::Vector3d contact_O =
+      X_OS * Eigen::Vector3d(pressed.effective.x(), pressed.effective.y(), 0);
+  return signed_depth(problem_.object.outline().vertices(), contact_O.head<2>()) > kRound;
 }
 
 void Examination::check_depth(const Segment& segment, std::size_t row, const Finger& now) {
@@ -116,11 +109,11 @@ void Examination::check_depth(const Segment& segment, std::size_t row, const Fin
 
 void Examination::check_still(const Segment& segment, std::size_t row, const Finger& now,
                               const Finger& pressed) {
-  constexpr double kTurn = 1e-3;  // [rad]
   const double moved = (now.effective - pressed.effective).norm();
   if (!(moved <= kStray)) fault(segment, row, "the contact moves by " + figure(moved) + " m");
   const double turned = (now.heading - pressed.heading).norm();
-  if (!(turned <= kTurn)) fault(segment, row, "the contact turns by " + figure(turned) + " rad");
+  if (!(turned <= kStrayTurn))
+    fault(segment, row, "the contact turns by " + figure(turned) + " rad");
 }
 
 /// The fingertip must be clear of the object where the press begins and where the lift ends.
@@ -202,11 +195,11 @@ void Examination::check_touching_row(const Segment& segment, std::size_t row, co
   }
   const FingerModel model = problem_.hand.finger_model;
   const bool yields = model == FingerModel::flexure || model == FingerModel::impedance;
-  const double sink = finger_below(problem_, now.bent) + (yields ? 0 : now.depth);
+  const double sink = profile_.below(now.bent) + (yields ? 0 : now.depth);
   if (!(sink <= allowed_sink(problem_.hand) + kHeightTolerance)) {
     fault(segment, row, "the finger is " + figure(sink) + " m below the object's top face");
   }
-  if (!now.other_finger_up) fault(segment, row, "the other finger points down");
+  if (!(now.other_finger_up > 0)) fault(segment, row, "the other finger points down");
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
   if (signed_depth(Q, now.commanded) < -kStray)
     fault(segment, row, "the fingertip leaves the support");

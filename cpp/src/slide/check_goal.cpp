@@ -183,19 +183,17 @@ void Examination::check_closing() {
     }
     before = t;
   }
-  Replay strict(problem_, depths_.max, Contacts::none);
   const Eigen::Isometry3d& X_WO = close.object_poses.back();
-  if (strict.touching(close.positions.back(), X_WO).empty()) {
+  if (strict_.touching(close.positions.back(), X_WO).empty()) {
     fault("close", "no finger touches the object at the end");
   }
   const double just_before = travel > 0 ? std::max(0.0, before - kPrecision / travel) : 0;
-  if (!strict.touching(open + just_before * stroke, X_WO).empty()) {
+  if (!strict_.touching(open + just_before * stroke, X_WO).empty()) {
     fault("close", "the hand closes further after it has touched the object");
   }
 }
 
 void Examination::check_straight(const Segment& grasp) {
-  constexpr double kSideways = 0.003, kTurn = 0.03;  // [m], [rad]
   const robot::Robot& robot = problem_.robot;
   const int H = robot.frame(problem_.hand.grasp_frame);
   double back = 0;
@@ -203,7 +201,7 @@ void Examination::check_straight(const Segment& grasp) {
                      [&](std::size_t row, const Eigen::VectorXd& q) {
                        const Eigen::Isometry3d X_HH = plan_.X_WH_grasp.inverse() * robot.pose(H, q);
                        if (X_HH.translation().head<2>().norm() > kSideways ||
-                           Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) {
+                           Eigen::AngleAxisd(X_HH.linear()).angle() > kTurned) {
                          fault(grasp, row, "the hand does not approach in a straight line");
                        }
                        back = std::max(back, -X_HH.translation().z());

@@ -11,13 +11,21 @@
 
 #include "scene/rows.hpp"
 #include "slide/contact.hpp"
+#include "slide/finger_span.hpp"
+#include "slide/hand_frames.hpp"
+#include "slide/replay.hpp"
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
 /// again from the paper and docs/internals/slide.md, so that a mistake in the search does not
 /// repeat itself here. Only the risks of friction come from the functions that warn of them.
 namespace graspless::slide {
 
-constexpr double kSame = 1e-6;  // [m, rad]
+constexpr double kSame = 1e-6;   // [m, rad]
+constexpr double kRound = 1e-9;  // of a band's ends [m, rad]
+// Allowed movement and turn of the contact while the finger presses or lifts [m, rad]. The movement
+// may exceed a margin that the slide only just keeps by as much.
+constexpr double kStray = 5e-4, kStrayTurn = 1e-3;
+constexpr double kSideways = 0.003, kTurned = 0.03;  // of the hand off its straight approach
 
 using Faults = std::vector<std::string>;
 
@@ -39,18 +47,23 @@ class Examination {
         plan_(plan),
         options_(options),
         depths_(allowed_depths(problem.hand, options)),
-        X_SW_(problem.support.X_WS().inverse()) {}
+        X_SW_(problem.support.X_WS().inverse()),
+        fingertip_(problem.robot.frame(problem.hand.fingertip)),
+        profile_(problem),
+        strict_(problem, depths_.max) {}
 
   Faults run();
+  /// Proves what lies between the rows. Throws std::invalid_argument if the plan is not one.
+  scene::EdgeCertificate certify();
+
+  using Finger = ReplayedFinger;
+  Finger finger(const Eigen::VectorXd& q) const {
+    return finger(problem_.robot.pose(fingertip_, q));
+  }
+  Finger finger(const Eigen::Isometry3d& X_WF) const;
 
  private:
-  /// The finger relative to the support, computed from the pose of its frame alone.
-  struct Finger {
-    double depth, pitch, roll;
-    double bent;  // pitch after the finger has yielded
-    bool other_finger_up;
-    Eigen::Vector2d commanded, effective, heading;
-  };
+  friend class BandProver;
 
   void fault(const std::string& where, const std::string& what) {
     faults_.push_back(where + ": " + what);
@@ -72,6 +85,7 @@ class Examination {
   void check_depth(const Segment& segment, std::size_t row, const Finger& now);
   void check_still(const Segment& segment, std::size_t row, const Finger& now,
                    const Finger& pressed);
+  bool is_on_object(const Segment& segment, const Finger& pressed) const;
   double rim_margin() const;
   void check_slide();
   void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);
@@ -96,7 +110,7 @@ class Examination {
   void check_closing();
   void check_warnings();
   void check_straight(const Segment& grasp);
-  Finger finger(const Eigen::VectorXd& q) const;
+  std::vector<scene::Doubt> prove_free(const Segment& segment) const;
   Eigen::Isometry3d followed(const Eigen::Isometry3d& X_WO_start, const Finger& start,
                              const Finger& now) const;
 
@@ -105,6 +119,9 @@ class Examination {
   const Options& options_;
   DepthBand depths_;
   Eigen::Isometry3d X_SW_;
+  int fingertip_;
+  FingerProfile profile_;
+  Replay strict_;  // in which nothing may touch
   Faults faults_;
 };
 

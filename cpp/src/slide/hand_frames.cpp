@@ -100,19 +100,35 @@ std::pair<double, double> interval(const Problem& problem, const Eigen::VectorXd
 
 }  // namespace
 
-double finger_below(const Problem& problem, double pitch) {
+FingerProfile::FingerProfile(const Problem& problem) {
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
   robot.forward(robot.state(problem.hand.open), X_WL);
   const auto F = static_cast<std::size_t>(robot.frame(problem.hand.fingertip));
-  const Vector3d down_F(0, -std::cos(pitch), std::sin(pitch));
-  double below = -std::numeric_limits<double>::infinity();
   for (const robot::LinkShape& shape : robot.shapes()) {
     const auto link = static_cast<std::size_t>(shape.link);
     if (!contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
-    below = std::max(below, extent(shape, X_WL[F].inverse() * X_WL[link], down_F));
+    shapes_.push_back(shape.placed);
+    shapes_.back().X_BG = X_WL[F].inverse() * X_WL[link] * shape.placed.X_BG;
   }
+}
+
+double FingerProfile::below(double pitch) const {
+  const Vector3d down_F(0, -std::cos(pitch), std::sin(pitch));
+  double below = -std::numeric_limits<double>::infinity();
+  for (const auto& placed : shapes_) below = std::max(below, geometry::extent(placed, down_F));
   return below;
+}
+
+// Between two directions less than pi apart, the farthest point of a set along any direction is at
+// most (sin(b) h1 + sin(a) h2) / sin(a + b) away, with the angles a and b to both and their h.
+double FingerProfile::below(double min_pitch, double max_pitch) const {
+  const double most = std::max(below(min_pitch), below(max_pitch));
+  return most <= 0 ? most : most / std::cos((max_pitch - min_pitch) / 2);
+}
+
+double finger_below(const Problem& problem, double pitch) {
+  return FingerProfile(problem).below(pitch);
 }
 
 void check_closing(const Problem& problem) {

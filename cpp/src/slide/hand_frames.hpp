@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "graspless/slide/options.hpp"
 #include "graspless/slide/problem.hpp"
@@ -17,7 +18,20 @@ void check_hand_frames(const Problem& problem);
 /// object is thick.
 void check_closing(const Problem& problem);
 
-/// Depth of the sliding finger's shapes below the origin of F at a pitch, with the hand open [m].
+/// The sliding finger's shapes, with the hand open, seen from its frame F.
+class FingerProfile {
+ public:
+  explicit FingerProfile(const Problem& problem);
+  /// Depth of the shapes below the origin of F at a pitch [m].
+  double below(double pitch) const;
+  /// Upper bound on below() for all pitches between two, up to a right angle apart [m].
+  double below(double min_pitch, double max_pitch) const;
+
+ private:
+  std::vector<geometry::PlacedShape> shapes_;  // in F
+};
+
+/// FingerProfile::below() for a single pitch.
 double finger_below(const Problem& problem, double pitch);
 
 /// Depth of the sliding finger's shapes below the object's top face after it has yielded, for a tip

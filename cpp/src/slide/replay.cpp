@@ -9,11 +9,23 @@
 #include "slide/hand_frames.hpp"
 
 namespace graspless::slide {
-Replay::Replay(const Problem& problem, double max_depth, Contacts contacts)
-    : problem_(problem), replay_(problem.robot) {
+
+Contacts contacts_of(const std::string& name) {
+  if (name == "close") return Contacts::close;
+  const bool presses = name == "retreat" || name == "press" || name == "slide" || name == "lift";
+  return presses ? Contacts::press : Contacts::none;
+}
+
+Replay::Replay(const Problem& problem, double max_depth)
+    : problem_(problem), max_depth_(max_depth), replay_(problem.robot) {
   add_surroundings();
-  if (contacts == Contacts::press) allow_press(max_depth);
-  if (contacts == Contacts::close) ignore_fingers();
+}
+
+Replay Replay::with(Contacts contacts) const {
+  Replay copy = *this;
+  if (contacts == Contacts::press) copy.allow_press();
+  if (contacts == Contacts::close) copy.ignore_fingers();
+  return copy;
 }
 
 void Replay::add_surroundings() {
@@ -26,9 +38,9 @@ void Replay::add_surroundings() {
   }
 }
 
-void Replay::allow_press(double max_depth) {
+void Replay::allow_press() {
   constexpr double kRoundOff = 1e-4;
-  const double deepest = max_depth + allowed_sink(problem_.hand) + kHeightTolerance + kRoundOff;
+  const double deepest = max_depth_ + allowed_sink(problem_.hand) + kHeightTolerance + kRoundOff;
   const Eigen::Vector3d normal_W = problem_.support.normal_W();
   for (const std::string& link : problem_.hand.sliding_finger) {
     const int body = replay_.body_of(link);

@@ -17,20 +17,31 @@ enum class Contacts {
   close,  ///< the fingers touch the object
 };
 
+/// Contacts that the segment of a name may have.
+Contacts contacts_of(const std::string& name);
+
 class Replay {
  public:
-  /// `max_depth` of the commanded fingertip below the top face [m].
-  Replay(const Problem& problem, double max_depth, Contacts contacts);
+  /// `max_depth` of the commanded fingertip below the top face [m]. Nothing may touch.
+  Replay(const Problem& problem, double max_depth);
+
+  /// Returns a copy in which some contacts are allowed.
+  Replay with(Contacts contacts) const;
 
   /// Names of touching pairs, "a - b", with the robot at q and the object at X_WO.
   std::vector<std::string> touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO);
 
+  void move_object(const Eigen::Isometry3d& X_WO) { replay_.world().set_pose(object_, X_WO); }
+  int object() const { return object_; }  ///< index of the object in the world
+  scene::Replay& bodies() { return replay_; }
+
  private:
   void add_surroundings();
-  void allow_press(double max_depth);
+  void allow_press();
   void ignore_fingers();
 
   const Problem& problem_;
+  double max_depth_;
   scene::Replay replay_;
   int support_ = 0, object_ = 0;
 };

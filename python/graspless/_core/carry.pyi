@@ -6,11 +6,12 @@ import collections.abc
 import graspless._core.collision
 import graspless._core.planning
 import graspless._core.robot
+import graspless._core.scene
 import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Options', 'Plan', 'Problem', 'Segment', 'Statistics', 'Status', 'check', 'plan', 'validate']
+__all__: list[str] = ['Options', 'Plan', 'Problem', 'Segment', 'Statistics', 'Status', 'certify', 'check', 'plan', 'validate']
 class Problem:
     """
     Task of the planner: carry a held object along a straight path to another pose.
@@ -309,6 +310,12 @@ class Plan:
     @status.setter
     def status(self, arg0: Status) -> None:
         ...
+def certify(problem: Problem, plan: Plan, options: Options = ...) -> graspless._core.scene.EdgeCertificate:
+    """
+    Proves what check() samples between the rows: nothing touches that may not, and the object keeps to its straight path.
+    
+    Returns a scene.EdgeCertificate. Raises ValueError if the plan is not solved or malformed.
+    """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
     Checks a plan against its problem by an independent replay.

@@ -7,11 +7,12 @@ import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.planning
 import graspless._core.robot
+import graspless._core.scene
 import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Certificate', 'CertificateOptions', 'CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'certificate', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
+__all__: list[str] = ['Certificate', 'CertificateOptions', 'CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'certificate', 'certify', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
 class CurveNode:
     """
     A corner of a finger curve, fixed to a link.
@@ -1045,6 +1046,12 @@ def certificate(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, nu
     ------
     ValueError
         If the problem, the loop, the configuration or an option is invalid.
+    """
+def certify(problem: Problem, plan: Plan, options: Options = ...) -> graspless._core.scene.EdgeCertificate:
+    """
+    Proves what check() samples between the rows: nothing touches.
+    
+    Returns a scene.EdgeCertificate. Raises ValueError if the plan is not solved or malformed.
     """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """

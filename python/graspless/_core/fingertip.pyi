@@ -8,12 +8,13 @@ import graspless._core.geometry
 import graspless._core.mechanics
 import graspless._core.planning
 import graspless._core.robot
+import graspless._core.scene
 import graspless._core.slide
 import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'check', 'check_realization', 'join', 'plan', 'realize', 'slide_path', 'turn_path', 'validate']
+__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'certify_realization', 'check', 'check_realization', 'join', 'plan', 'realize', 'slide_path', 'turn_path', 'validate']
 class Face:
     """
     Planar face of an object.
@@ -1196,6 +1197,12 @@ class Realization:
 def _rows(object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], margins: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], fingers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[Row]:
     """
     Returns rows: poses (N, 4, 4), margins (N, 4), and 12 numbers per finger (N, n, 12).
+    """
+def certify_realization(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, realization: Realization, options: RealizeOptions = ...) -> graspless._core.scene.EdgeCertificate:
+    """
+    Proves what check_realization() samples between the rows: nothing touches that may not, and the fingertips keep their tolerances.
+    
+    Returns a scene.EdgeCertificate. Raises ValueError if the paths were not found or are malformed.
     """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """

@@ -6,10 +6,89 @@ import collections.abc
 import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.robot
+import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Scene', 'sample_contacts']
+__all__: list[str] = ['Doubt', 'EdgeCertificate', 'Scene', 'Verdict', 'sample_contacts']
+class Verdict(graspless._named.Named):
+    """
+    Reasons why an edge is not proven.
+    """
+    refuted = ...
+    undecided = ...
+class Doubt:
+    """
+    An edge of a plan that is not proven. str() is one sentence.
+    """
+    def __repr__(self) -> str:
+        ...
+    def __str__(self) -> str:
+        ...
+    @property
+    def amount(self) -> float:
+        """
+        Refuted: depth of the collision, or how far the quantity is outside its band. Undecided: the distance that is proven for a pair, or how far the bounds reach out of the band.
+        """
+    @property
+    def condition(self) -> str:
+        """
+        Pair of bodies that touches, or quantity that leaves its band.
+        """
+    @property
+    def row(self) -> int:
+        """
+        The edge leads to this row from the one before; 0: from the last row of the segment before.
+        """
+    @property
+    def segment(self) -> str:
+        """
+        Name of the segment.
+        """
+    @property
+    def t(self) -> float:
+        """
+        Place on the edge: 0 at the row before, 1 at `row`.
+        """
+    @property
+    def unit(self) -> str:
+        """
+        Unit of `amount`: m or rad.
+        """
+    @property
+    def verdict(self) -> Verdict:
+        """
+        Refuted or undecided.
+        """
+class EdgeCertificate:
+    """
+    Result of a proof over the edges of a plan: straight motions in joint space from row to row. True if every edge is proven.
+    """
+    def __bool__(self) -> bool:
+        """
+        True if every edge is proven.
+        """
+    def __init__(self) -> None:
+        """
+        A certificate of no edges.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def doubts(self) -> list[Doubt]:
+        """
+        Doubts in the order of the edges.
+        """
+    @property
+    def num_certified(self) -> int:
+        """
+        Number of edges without a doubt.
+        """
+    @property
+    def num_edges(self) -> int:
+        """
+        Number of edges.
+        """
 class Scene:
     """
     A robot among obstacles and objects. Not thread-safe: give each thread a copy.

@@ -7,11 +7,12 @@ import graspless._core.collision
 import graspless._core.geometry
 import graspless._core.planning
 import graspless._core.robot
+import graspless._core.scene
 import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'check', 'depth_band', 'plan', 'restart', 'resume', 'turning', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'certify', 'check', 'depth_band', 'plan', 'restart', 'resume', 'turning', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -806,6 +807,12 @@ def center_of_mass(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
     Returns the centre of mass, (3,) [m], of point masses at points, (N, 3) [m], with masses (N,).
     
     Raises ValueError unless the masses are not negative and have a positive sum.
+    """
+def certify(problem: Problem, plan: Plan, options: Options = ...) -> graspless._core.scene.EdgeCertificate:
+    """
+    Proves what check() samples between the rows: nothing touches that may not, and the fingertip, its contact and the hand keep their bands.
+    
+    Returns a scene.EdgeCertificate. Raises ValueError if the plan is not solved or malformed.
     """
 def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """

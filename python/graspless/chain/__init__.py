@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from .. import planning, tasks
     from .._plan import Plan as StagePlan
     from ..frames import Matrix
+    from ..scene import EdgeCertificate
 
     Task = tasks.Task[Problem, Options, "Plan"]
 
@@ -152,6 +153,14 @@ class Plan(AnyPlan):
             own = stage._faults() if stage else [f"not solved: {stage.reason}"]
             faults += [f"stage {k} '{name}': {fault}" for fault in own]
         return faults + check_joins(self)
+
+    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
+        """Returns the certificates of all stages."""
+        return [
+            (f"stage {k} '{name}': {words}", found)
+            for k, (name, stage) in enumerate(zip(self.names, self.stages, strict=True))
+            for words, found in stage._certificates()
+        ]
 
 
 def _plain(fields: Any) -> dict[str, Any]:

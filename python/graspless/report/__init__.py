@@ -82,7 +82,7 @@ def as_text(plan: Plan) -> str:
     return "\n".join(lines)
 
 
-def verdict(plan: Plan, faults: list[str]) -> str:
+def verdict(plan: Plan, faults: list[str], edges: tuple[int, int] | None = None) -> str:
     """Returns the verdict of `graspless check`.
 
     Parameters
@@ -90,14 +90,22 @@ def verdict(plan: Plan, faults: list[str]) -> str:
     plan : Plan
     faults : list of str
         Result of `graspless.check(plan)`.
+    edges : tuple of int, optional
+        Number of certified edges, and of all.
     """
     if faults:
-        return "\n".join(["does not hold:" if plan else "not solved:", *_shortened(faults)])
+        if edges is not None:
+            head = f"is not certified, {edges[0]} of {edges[1]} edges are certified:"
+        else:
+            head = "does not hold:" if plan else "not solved:"
+        return "\n".join([head, *_shortened(faults)])
     if not plan:
         return "nothing to check: not solved"
     rows = sum(map(len, plan.segments))
     segments = count(len(plan.segments), "segments")
-    held = f"holds: {segments}, {count(rows, 'rows')}; an independent replay found no fault"
+    certified = "" if edges is None else f", and all {edges[1]} edges between rows are certified"
+    found = f"an independent replay found no fault{certified}"
+    held = f"holds: {segments}, {count(rows, 'rows')}; {found}"
     return held if plan.proof is None else f"{held}\n{plan.proof}"
 
 

@@ -95,5 +95,29 @@ TEST(RelativeReach, KnowsAxesOfAnyDirection) {
   EXPECT_GE(back[1], kRadius);
 }
 
+TEST(FrameRates, BoundTurnAndCurvature) {
+  std::mt19937_64 rng(5);
+  for (const Robot& robot : {robot::wam(), robot::kr5(), robot::oddity()}) {
+    const auto links = static_cast<int>(robot.frame_names().size());
+    for (int sample = 0; sample < 1000; ++sample) {
+      const int link = std::uniform_int_distribution<int>(0, links - 1)(rng);
+      const Eigen::Vector3d p_L = 0.1 * Eigen::Vector3d::Random();
+      const VectorXd q = random_configuration(robot, rng);
+      const VectorXd step = 0.1 * (random_configuration(robot, rng) - q);
+      const FrameRates rates = frame_rates(robot, link, step, p_L);
+      constexpr double h = 1e-3;
+      const Eigen::Isometry3d X[] = {robot.pose(link, q - h * step), robot.pose(link, q),
+                                     robot.pose(link, q + h * step)};
+      const Eigen::Vector3d bend = (X[0] * p_L - 2 * (X[1] * p_L) + X[2] * p_L) / (h * h);
+      EXPECT_LE(bend.norm(), rates.curvature * (1 + 1e-3) + 1e-8)
+          << robot.frame_names()[link] << ", q " << q.transpose() << ", step " << step.transpose();
+      const Eigen::Matrix3d turn = X[0].linear().transpose() * X[2].linear();
+      EXPECT_LE(Eigen::AngleAxisd(turn).angle() / (2 * h), rates.turn * (1 + 1e-3) + 1e-6);
+      const Eigen::Matrix3d bent = (X[0].linear() - 2 * X[1].linear() + X[2].linear()) / (h * h);
+      EXPECT_LE(bent.colwise().norm().maxCoeff(), rates.turn * rates.turn * (1 + 1e-3) + 1e-8);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graspless::scene

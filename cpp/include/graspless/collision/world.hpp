@@ -22,8 +22,8 @@ namespace graspless::collision {
 /// FCL's boolean test; for one arm this is faster than a broad phase. FCL's signed distance is
 /// never called, because it aborts on flush shapes (docs/architecture.md). Results are exact,
 /// except for shapes within 1e-6 m of touching, where either result is possible. A mesh is tested
-/// as a surface, or as a solid if it is closed and convex. Not thread-safe: give each thread a copy
-/// (copies share shapes).
+/// as a surface; what lies inside a closed one touches it, too. Not thread-safe: give each thread a
+/// copy (copies share shapes).
 class GRASPLESS_API World {
  public:
   World();
@@ -76,7 +76,13 @@ class GRASPLESS_API World {
   /// Same as collides() and distance_bounds(), for one pair. A bound of at least `enough` [m] is
   /// not improved further.
   bool touches(int pair);
+  /// True if a body of a pair that does not touch lies within a closed mesh of the other.
+  /// collides() and its like count this as touching, touches() does not.
+  bool swallows(int pair) const;
   double distance_bound(int pair, double enough = std::numeric_limits<double>::infinity()) const;
+  /// Same as distance_bound(), but slower and closer to the distance: from the convex hulls of all
+  /// shapes, not of meshes alone.
+  double proven_distance(int pair, double enough) const;
 
   /// Number of configurations tested so far by collides() and first_collision().
   int num_checks() const;

@@ -10,6 +10,7 @@
 #include "graspless/planning/budget.hpp"
 #include "graspless/planning/fields.hpp"
 #include "graspless/robot/robot.hpp"
+#include "graspless/scene/certificate.hpp"
 
 namespace graspless::fingertip {
 
@@ -97,6 +98,14 @@ GRASPLESS_API Realization realize(const Problem& problem, const Plan& plan,
 /// tolerance of the plan's, collisions by FCL, and the object's poses. Returns one fault per entry;
 /// empty if the paths are valid.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                             const robot::Robot& robot, const Carrier& carrier,
+                                             const Realization& realization,
+                                             const RealizeOptions& options = {});
+
+/// Proves what check() samples: on every edge of the joint paths, for every t, nothing touches that
+/// may not, and the fingertips keep their tolerances. The object moves on a screw from row to row.
+/// See slide::certify(). Throws std::invalid_argument if the paths were not found or are malformed.
+GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
                                              const robot::Robot& robot, const Carrier& carrier,
                                              const Realization& realization,
                                              const RealizeOptions& options = {});

@@ -11,6 +11,7 @@
 
 #include "graspless/export.hpp"
 #include "graspless/planning/budget.hpp"
+#include "graspless/scene/certificate.hpp"
 #include "graspless/slide/options.hpp"
 #include "graspless/slide/problem.hpp"
 
@@ -139,6 +140,14 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 /// Checks a plan against its problem by an independent replay at joint steps of 0.01 rad. Returns
 /// one fault per entry, with segment and row; empty if the plan is valid.
 GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                             const Options& options = {});
+
+/// Proves what check() samples: on every edge of a plan, for every t, nothing touches that may not,
+/// and the fingertip, its contact and the hand keep the bands that check() tests. Bounds on the
+/// motion of every pair of bodies and of every quantity decide, and edges are divided where they do
+/// not, down to scene::kFinest. It says nothing of conditions on rows, which check() tests. Throws
+/// std::invalid_argument if the plan is not solved or malformed.
+GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 
 }  // namespace graspless::slide

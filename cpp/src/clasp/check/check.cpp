@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "graspless/watch.hpp"
 
 #include "clasp/check/checker.hpp"
+#include "scene/edges.hpp"
 #include "scene/rows.hpp"
 
 namespace graspless::clasp {
@@ -108,6 +110,16 @@ void PlanChecker::check_collisions(const Segment& segment) {
                      });
 }
 
+scene::EdgeCertificate PlanChecker::certify() {
+  if (!is_complete()) throw std::invalid_argument("plan: cannot be certified; " + faults_.front());
+  scene::EdgeCertificateMaker certificate;
+  for (const Segment& segment : plan_.segments) {
+    certificate.add(segment.name, segment.positions,
+                    scene::EdgeProver(segment.name, segment.positions, replay_, {}).run());
+  }
+  return certificate.take();
+}
+
 /// In the last segment only the hand moves, and only towards its closed state.
 void PlanChecker::check_hand_closes() {
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(problem_.robot.dof());
@@ -186,6 +198,12 @@ std::vector<std::string> check(const Problem& problem, const Plan& plan, const O
   validate(problem);
   validate(options);
   return PlanChecker(problem, plan, options).run();
+}
+
+scene::EdgeCertificate certify(const Problem& problem, const Plan& plan, const Options& options) {
+  validate(problem);
+  validate(options);
+  return PlanChecker(problem, plan, options).certify();
 }
 
 }  // namespace graspless::clasp

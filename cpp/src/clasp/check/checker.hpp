@@ -35,6 +35,8 @@ class PlanChecker {
   PlanChecker(const Problem& problem, const Plan& plan, const Options& options);
 
   Faults run();
+  /// Proves what lies between the rows. Throws std::invalid_argument if the plan is not one.
+  scene::EdgeCertificate certify();
 
  private:
   template <typename... Parts>
