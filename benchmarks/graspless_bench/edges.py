@@ -99,7 +99,9 @@ def touches(bodies: scene.Scene, edge: Edge, step: float) -> bool:
     return any(bodies.collision(q) is not None for q in edge.samples(step))
 
 
-def measure_clutter(trial: Trial, plan: Any, rng: np.random.Generator, counts: Counter[str]) -> None:
+def measure_clutter(
+    trial: Trial, plan: Any, rng: np.random.Generator, counts: Counter[str]
+) -> None:
     """Counts the edges beside a ball that samples let through and the certificate does not."""
     problem = cluttered(trial.make_problem(), plan, rng)
     found = slide.certify(problem, plan, trial.make_options())

@@ -13,7 +13,8 @@ namespace graspless::geometry {
 namespace {
 
 std::string off_file(const std::string& text) {
-  const std::string path = ::testing::TempDir() + "graspless_read_off_test.off";
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = ::testing::TempDir() + "graspless_" + test->name() + ".off";
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

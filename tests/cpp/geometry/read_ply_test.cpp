@@ -15,7 +15,8 @@ namespace graspless::geometry {
 namespace {
 
 std::string ply_file(const std::string& text) {
-  const std::string path = ::testing::TempDir() + "graspless_read_ply_test.ply";
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = ::testing::TempDir() + "graspless_" + test->name() + ".ply";
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
