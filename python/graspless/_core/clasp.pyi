@@ -815,7 +815,7 @@ class Statistics:
     @property
     def control_steps(self) -> int:
         """
-        Steps of TS-CONTROL.
+        TS-CONTROL steps.
         
         Paper: Algorithm 4.
         """

@@ -610,7 +610,7 @@ class Statistics:
     @property
     def refusals(self) -> dict[str, int]:
         """
-        Number of rejected roots and pairs by reason, such as "start: reach", "goal: collision" or "pair: overhang".
+        Rejected roots and pairs by reason: "start: reach", "pair: overhang".
         """
     @refusals.setter
     def refusals(self, arg0: collections.abc.Mapping[str, typing.SupportsInt | typing.SupportsIndex]) -> None:

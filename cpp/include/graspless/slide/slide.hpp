@@ -112,8 +112,7 @@ constexpr auto fields(const Statistics&) {
       Field{"ik_calls", &Statistics::ik_calls, "", "Calls of the inverse kinematics."},
       Field{"pairs", &Statistics::pairs, "", "Start-goal pairs validated."},
       Field{"refusals", &Statistics::refusals, "",
-            "Number of rejected roots and pairs by reason, such as \"start: reach\", \"goal: "
-            "collision\" or \"pair: overhang\"."});
+            "Rejected roots and pairs by reason: \"start: reach\", \"pair: overhang\"."});
 }
 
 /// Result of plan(), resume() or restart(): a motion, or the reason why there is none.
@@ -143,10 +142,8 @@ GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan&
                                              const Options& options = {});
 
 /// Proves what check() samples: on every edge of a plan, for every t, nothing touches that may not,
-/// and the fingertip, its contact and the hand keep the bands that check() tests. Bounds on the
-/// motion of every pair of bodies and of every quantity decide, and edges are divided where they do
-/// not, down to scene::kFinest. It says nothing of conditions on rows, which check() tests. Throws
-/// std::invalid_argument if the plan is not solved or malformed.
+/// and all bands of check() are kept. Edges are divided down to scene::kFinest where bounds on the
+/// motion decide nothing. Throws std::invalid_argument if the plan is not solved or malformed.
 GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
                                              const Options& options = {});
 
