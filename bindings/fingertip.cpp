@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/fingertip/fingertip.hpp"
 
+#include "graspless/fingertip/resume.hpp"
 #include "graspless/realize/realize.hpp"
 
 #include "conversions.hpp"
@@ -232,7 +233,9 @@ void bind_surroundings(py::module_& m) {
       Field{"friction", &Fingers::friction,
             "Coefficient of friction between fingertip and object: a number, or (lower, upper)."},
       Field{"max_span", &Fingers::max_span,
-            "Largest distance between the centres of two fingertips [m]."});
+            "Largest distance between the centres of two fingertips [m]."},
+      Field{"start", &Fingers::start,
+            "Contact point of each finger at the start, (3,) in O [m]; empty: anywhere."});
 }
 
 void bind_motion(py::module_& m) {
@@ -582,6 +585,26 @@ void bind_realization(py::module_& m) {
       "True if there are joint paths.");
 }
 
+void bind_resume(py::module_& m) {
+  m.def(
+      "resume",
+      [](const Problem& problem, const Plan& plan, int segment, const Array& X_WO,
+         const Options& options, const StoppableBudget& budget) {
+        const Eigen::Isometry3d X = to_pose(X_WO, "X_WO");
+        Rest rest = run_interruptibly(
+            budget, [&problem, plan, segment, X, options](const planning::Budget& b) {
+              return resume(problem, plan, segment, X, options, b);
+            });
+        return std::make_pair(std::move(rest.problem), std::move(rest.plan));
+      },
+      py::arg("problem"), py::arg("plan"), py::arg("segment"), py::arg("X_WO"), py::arg("options"),
+      py::arg("budget"),
+      "Plans the rest of a plan from a measured pose of the object, with the fingers where they "
+      "are.\n\nReturns the rest as a problem of its own, and its plan. A state from which the plan "
+      "does not go on is a status.\n\nRaises ValueError on a bad problem, plan, segment, pose or "
+      "options.");
+}
+
 void bind_planner(py::module_& m) {
   const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
   bind_front_door<Problem, Options, Plan>(
@@ -681,6 +704,7 @@ void bind_fingertip(py::module_ m) {
   bind_plan(m);
   bind_realization(m);
   bind_planner(m);
+  bind_resume(m);
 }
 
 }  // namespace graspless::bindings

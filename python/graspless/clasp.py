@@ -163,6 +163,63 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     return Plan._planned(problem, options, budget)
 
 
+def resume(
+    problem: Problem | Plan,
+    q: ArrayLike,
+    X_WO: ArrayLike,
+    *,
+    options: Options | None = None,
+    budget: Budget | None = None,
+) -> Plan:
+    """Plans a clasp anew while the hand is on its way, before it has closed.
+
+    The task of the new plan is that of the old one with another start: the hand at `q`, the object
+    at `X_WO`. Any loop and target that the problem allows may be clasped. The hand opens first if
+    it can.
+
+    Parameters
+    ----------
+    problem : Problem or Plan
+        The problem; or the plan that was interrupted, whose problem, options and budget are taken.
+    q : (dof,) array
+        Joints of arm and hand [rad or m].
+    X_WO : (4, 4) array
+        Measured pose of the object in the world.
+    options : Options, optional
+        Settings of the search.
+    budget : planning.Budget, optional
+        Time and randomness.
+
+    Returns
+    -------
+    Plan
+        False unless solved. Its status is start_in_collision if the hand touches something.
+
+    Raises
+    ------
+    ValueError
+        A bad problem or options; `q` of the wrong size or outside the joint limits; a pose that is
+        not rigid.
+    """
+    if isinstance(problem, Plan):
+        task = problem.task
+        options = task.options if options is None else options
+        budget = task.budget if budget is None else budget
+        problem = task.problem
+    now = Problem(
+        problem.robot,
+        problem.hand,
+        problem.object,
+        X_WO,
+        q,
+        problem.obstacles,
+        problem.loops,
+        problem.marks,
+        problem.pull_W,
+    )
+    return plan(now, options, budget)
+
+
 __all__ = [
     "Certificate",
     "CertificateOptions",
@@ -187,6 +244,7 @@ __all__ = [
     "hand_from_yaml",
     "hand_from_yaml_file",
     "plan",
+    "resume",
     "sample_object",
     "sample_object_names",
     "test_pinch",

@@ -59,7 +59,7 @@ from .collision import Obstacle
 Motion = Path | Lattice | Goal
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from . import tasks
     from .frames import Matrix
@@ -287,6 +287,63 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     return Plan._planned(problem, options, budget)
 
 
+def resume(
+    plan: Plan,
+    segment: int,
+    X_WO: ArrayLike,
+    *,
+    options: Options | None = None,
+    budget: Budget | None = None,
+) -> Plan:
+    """Plans the rest of a plan from a measured pose of the object, with the fingers where they are.
+
+    The task of the rest is one of its own: `check`, plan files and `resume` take it as any other.
+    It begins at the nearest pose of the segment, moved along the floor and turned about its normal
+    as measured, with `fingers.start` as in the segment; in a regrasp, as after it. From there the
+    object goes on through the poses of the plan. If a wall keeps the object from where it was
+    measured, the rest begins at the pose itself, with a warning.
+
+    A state from which the plan does not go on is a status with a reason, never an exception:
+
+    - off_path: the object is more than 20 mm or 10 degrees from all poses of the segment.
+    - at_goal: the object is at the last pose of the plan.
+    - those of `plan`, such as unstable: the fingers cannot bring the object back to its path.
+
+    Parameters
+    ----------
+    plan : Plan
+        Solved plan of the fingertips, without a robot.
+    segment : int
+        Index of the segment that is under way.
+    X_WO : (4, 4) array
+        Measured pose of the object in the world.
+    options : Options, optional
+        Settings of the search; by default those of the plan.
+    budget : planning.Budget, optional
+        Time and randomness; by default those of the plan.
+
+    Returns
+    -------
+    Plan
+        False unless solved.
+
+    Raises
+    ------
+    ValueError
+        The plan is not solved or has joint paths of a robot, there is no such segment, or the pose
+        is not rigid.
+    """
+    from .tasks import Task
+
+    task = plan.task
+    if task.arm is not None:
+        raise ValueError("plan: has joint paths of a robot; only plans of fingertips are resumed")
+    options = task.options if options is None else options
+    budget = task.budget if budget is None else budget
+    problem, found = _core.resume(task.problem, plan, segment, X_WO, options, budget)
+    return Plan._of(found, Task.of(problem, options, budget))
+
+
 __all__ = [
     "Carrier",
     "Compliance",
@@ -320,6 +377,7 @@ __all__ = [
     "join",
     "plan",
     "realize",
+    "resume",
     "slide_path",
     "turn_path",
     "validate",

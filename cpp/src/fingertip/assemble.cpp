@@ -41,7 +41,8 @@ class Assembler {
 
   void run(const std::vector<Stage>& stages) {
     const Placement& first = stages.front().placement;
-    slots_.assign(first.begin(), first.begin() + num_fingers(first));
+    slots_ = locations_.start();  // finger by finger, where it is given
+    if (slots_.empty()) slots_.assign(first.begin(), first.begin() + num_fingers(first));
     for (std::size_t i = 0; i < stages.size(); ++i) {
       if (i > 0) regrasp(stages, i);
       displace(stages[i]);

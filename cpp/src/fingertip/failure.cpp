@@ -76,6 +76,17 @@ void blame_geometry_of_lattice(const PoseGraph& graph, Plan& plan) {
   }
 }
 
+/// What is wrong with the fingers' places at the start; empty: nothing.
+std::string fault_of_start(const PoseGraph& graph) {
+  const std::vector<int>& start = graph.locations.start();
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (graph.is_clear(graph.start(), start[i])) continue;
+    return "fingers.start[" + std::to_string(i) +
+           "]: there the fingertip is not clear of floor, walls and obstacles";
+  }
+  return "";
+}
+
 void blame_incomplete_search(const PoseGraph& graph, const Route& route, planning::Clock& clock,
                              Plan& plan) {
   if (clock.was_interrupted() || clock.is_out_of_memory()) return blame_clock(clock, plan);
@@ -138,7 +149,14 @@ void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock
                                   : "no route through the lattice keeps the object stable by "
                                     "min_stability = ") +
       std::to_string(graph.options.min_stability) + " N all the way";
-  graph.is_path() ? blame_geometry_of_path(graph, plan) : blame_geometry_of_lattice(graph, plan);
+  if (!graph.locations.start().empty()) plan.reason += ", from fingers.start on";
+  const std::string fault = fault_of_start(graph);
+  if (!fault.empty()) {
+    plan.status = Status::no_location;
+    plan.reason = fault;
+  } else {
+    graph.is_path() ? blame_geometry_of_path(graph, plan) : blame_geometry_of_lattice(graph, plan);
+  }
 }
 
 std::optional<Blocked> find_blocked(const Problem& problem, const Options& options) {

@@ -52,6 +52,39 @@ void check_fingers(const Fingers& fingers) {
           "must be at least two radii (infinity: any)");
 }
 
+/// Refuses fingers at the start that are not on the object, or too near each other.
+void check_start(const Problem& problem) {
+  const std::vector<Eigen::Vector3d>& start = problem.fingers.start;
+  if (start.empty()) return;
+  require(static_cast<int>(start.size()) == problem.fingers.count, "fingers.start",
+          static_cast<double>(start.size()),
+          "must hold a place for each of " + std::to_string(problem.fingers.count) + " fingers");
+  if (std::holds_alternative<Goal>(problem.motion)) {
+    throw std::invalid_argument("fingers.start needs a Path or a Lattice, not a Goal");
+  }
+  std::vector<Location> places;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const std::string field = "fingers.start[" + std::to_string(i) + "]";
+    if (!start[i].allFinite()) throw std::invalid_argument(field + " must be finite");
+    const auto place = location_at(problem.object, problem.fingers.radius, start[i]);
+    if (!place) {
+      throw std::invalid_argument(field +
+                                  " must lie on the object's surface to within 0.1 mm, "
+                                  "where the sphere touches it nowhere else");
+    }
+    places.push_back(*place);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = (places[i].center_O - places[j].center_O).norm();
+      const double slack = 1e-6 * problem.object.size();
+      require(distance >= 2 * problem.fingers.radius - slack &&
+                  distance <= problem.fingers.max_span + slack,
+              field, distance,
+              "must be two radii to fingers.max_span from fingers.start[" + std::to_string(j) +
+                  "], centre to centre");
+    }
+  }
+}
+
 void check_planes(const std::vector<Plane>& planes) {
   if (planes.empty()) {
     throw std::invalid_argument("planes must hold the floor at least, but is empty");
@@ -247,6 +280,7 @@ void validate(const Problem& problem) {
   check_number_of_intervals(problem);
   collision::require_obstacles(problem.obstacles);
   check_weight(problem);
+  check_start(problem);
   check_motion(problem);
 }
 

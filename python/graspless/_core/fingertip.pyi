@@ -14,7 +14,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'certify_realization', 'check', 'check_realization', 'join', 'plan', 'realize', 'slide_path', 'turn_path', 'validate']
+__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'certify_realization', 'check', 'check_realization', 'join', 'plan', 'realize', 'resume', 'slide_path', 'turn_path', 'validate']
 class Face:
     """
     Planar face of an object.
@@ -193,7 +193,7 @@ class Fingers:
     """
     Fingertips: equal spheres in one-point contact that neither slide nor roll.
     """
-    def __init__(self, *, count: typing.SupportsInt | typing.SupportsIndex = 2, radius: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_normal_force: typing.SupportsFloat | typing.SupportsIndex = 10.0, friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.7, 0.7), max_span: typing.SupportsFloat | typing.SupportsIndex = ...) -> None:
+    def __init__(self, *, count: typing.SupportsInt | typing.SupportsIndex = 2, radius: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_normal_force: typing.SupportsFloat | typing.SupportsIndex = 10.0, friction: typing.SupportsFloat | typing.SupportsIndex | tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] = (0.7, 0.7), max_span: typing.SupportsFloat | typing.SupportsIndex = ..., start: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]] = []) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -238,6 +238,14 @@ class Fingers:
         """
     @radius.setter
     def radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def start(self) -> tuple[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"], ...]:
+        """
+        Contact point of each finger at the start, (3,) in O [m]; empty: anywhere.
+        """
+    @start.setter
+    def start(self, arg1: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"]]) -> None:
         ...
 class Path:
     """
@@ -875,9 +883,11 @@ class Status(graspless._named.Named):
     """
     Outcome of a query.
     """
+    at_goal = ...
     interrupted = ...
     no_location = ...
     not_realized = ...
+    off_path = ...
     out_of_memory = ...
     out_of_time = ...
     solved = ...
@@ -1259,6 +1269,14 @@ def realize(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, ca
     ------
     ValueError
         A frame is unknown, the home lies outside the joint limits, or the plan is not solved.
+    """
+def resume(problem: Problem, plan: Plan, segment: typing.SupportsInt | typing.SupportsIndex, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: Options, budget: graspless._core.planning.Budget) -> tuple[Problem, Plan]:
+    """
+    Plans the rest of a plan from a measured pose of the object, with the fingers where they are.
+    
+    Returns the rest as a problem of its own, and its plan. A state from which the plan does not go on is a status.
+    
+    Raises ValueError on a bad problem, plan, segment, pose or options.
     """
 def slide_path(X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], translation_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], segments: typing.SupportsInt | typing.SupportsIndex) -> Path:
     """

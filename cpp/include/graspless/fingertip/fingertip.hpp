@@ -23,7 +23,8 @@ using mechanics::FingerMode;
 /// Validates both. Called by plan() and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
 
-/// plan() ends with all but not_realized, which is for callers of realize().
+/// plan() ends with all but not_realized, which is for callers of realize(), and the last two,
+/// which are for resume().
 enum class Status {
   solved,
   no_location,
@@ -31,7 +32,9 @@ enum class Status {
   out_of_time,
   interrupted,
   not_realized,
-  out_of_memory
+  out_of_memory,
+  off_path,
+  at_goal
 };
 
 /// Table of the values: name and text.
@@ -50,7 +53,10 @@ constexpr auto choices(Status) {
       Choice{Status::not_realized, "not_realized",
              "The fingertips have a plan, but the robot of the task cannot carry it out."},
       Choice{Status::out_of_memory, "out_of_memory",
-             "The search would need more memory than options.max_memory."}};
+             "The search would need more memory than options.max_memory."},
+      Choice{Status::off_path, "off_path",
+             "The object of a plan to resume is too far from the poses of its segment."},
+      Choice{Status::at_goal, "at_goal", "The object of a plan to resume is where it should be."}};
 }
 GRASPLESS_API std::string to_string(Status status);
 

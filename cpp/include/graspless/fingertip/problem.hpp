@@ -42,7 +42,12 @@ struct Fingers {
   FrictionInterval friction = {0.7, 0.7};  ///< between fingertip and object
   /// Largest distance between the centres of two fingertips [m], which the hand's opening sets.
   double max_span = std::numeric_limits<double>::infinity();
+  /// Contact point of each finger at the start, in O [m]: on the object's surface to
+  /// kStartTolerance. Empty: the planner chooses. Not for a Goal.
+  std::vector<Eigen::Vector3d> start = {};
 };
+
+constexpr double kStartTolerance = 1e-4;  // of Fingers::start [m]
 
 /// Motion with one degree of freedom: the object passes through poses in order. It moves along a
 /// screw (constant twist) from each pose to the next.

@@ -56,6 +56,7 @@ Faults Examination::run() {
   if (!has_shape()) return faults_;
   check_chain();
   check_fingers();
+  check_start();
   attempt("plan", [&] { check_clearances(); });
   for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
     for (std::size_t r = 0; r < segment(s).rows.size(); ++r) {

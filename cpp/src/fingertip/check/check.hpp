@@ -121,6 +121,7 @@ class Examination {
 
   // fingers.cpp: where the fingers are, and what they and the object must not touch
   void check_fingers();
+  void check_start();
   void check_contact(std::size_t segment, std::size_t row, std::size_t finger);
   Eigen::Vector3d center(const FingerState& finger) const;  // of the sphere, in O
   void check_clearances();

@@ -88,6 +88,17 @@ void Examination::check_fingers() {
   }
 }
 
+/// Compares the first row with fingers.start.
+void Examination::check_start() {
+  const std::vector<Eigen::Vector3d>& start = problem_.fingers.start;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const FingerState& finger = segment(0).rows.front().fingers[i];
+    if (finger.touches && (finger.p_OC - start[i]).norm() <= kStartTolerance) continue;
+    fault(place(0, 0),
+          "finger " + std::to_string(i) + " does not start where fingers.start has it");
+  }
+}
+
 void Examination::check_contact(std::size_t s, std::size_t r, std::size_t i) {
   const FingerState& finger = segment(s).rows[r].fingers[i];
   const std::string who = "finger " + std::to_string(i);

@@ -142,6 +142,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
   rest_.assign(X_WO_.size(), kUnknown);
   free_.assign(X_WO_.size(), -1);
   make_clearance_table();
+  keep_to_start();
 }
 
 double PoseGraph::memory_needed(const Lattice& lattice, double num_locations) {

@@ -145,6 +145,24 @@ class Taken {
   std::map<Key, std::vector<Location>> cells_;
 };
 
+constexpr double kSamePlace = 1e-9;  // by the object's size
+
+/// Index of each finger's location at the start. One that is not among the locations is added.
+std::vector<int> add_start(const Object& object, const Fingers& fingers,
+                           std::vector<Location>& all) {
+  std::vector<int> start;
+  for (const Eigen::Vector3d& p_O : fingers.start) {
+    const Location at = location_at(object, fingers.radius, p_O).value();  // by validate()
+    const auto is_it = [&](const Location& other) {
+      return other.face == at.face && (other.p_OC - at.p_OC).norm() <= kSamePlace * object.size();
+    };
+    const auto found = std::find_if(all.begin(), all.end(), is_it);
+    start.push_back(static_cast<int>(found - all.begin()));
+    if (found == all.end()) all.push_back(at);
+  }
+  return start;
+}
+
 constexpr double kTouchSlack = 1e-9;  // by the object's size
 
 int add_obstacles(collision::World& world, const std::vector<Obstacle>& obstacles, int moving) {
@@ -182,6 +200,7 @@ Placement without(const Placement& placement, int location) {
 
 Locations::Locations(const Object& object, const Fingers& fingers, const Options& options)
     : all_(reachable(grid_locations(object, fingers.radius, options), object, fingers.radius)),
+      start_(add_start(object, fingers, all_)),
       wrenches_(wrenches_of(all_, object, fingers, options)) {
   const double apart = 2 * fingers.radius - kSlack * object.size();
   const double span = fingers.max_span + kSlack * object.size();
@@ -225,6 +244,25 @@ std::vector<Location> grid_locations(const Object& object, double radius, const 
     }
   }
   return all;
+}
+
+std::optional<Location> location_at(const Object& object, double radius,
+                                    const Eigen::Vector3d& p_O) {
+  std::optional<Location> nearest;
+  double least = kStartTolerance;
+  for (std::size_t f = 0; f < object.faces().size(); ++f) {
+    poll();
+    const Face& face = object.faces()[f];
+    const double height = face.n_O.dot(p_O) - face.offset;
+    if (!(std::abs(height) <= least)) continue;
+    if (!is_inside(in_face(face, p_O), face, object.mesh(), kEdge * object.size())) continue;
+    const Eigen::Vector3d on_face = p_O - height * face.n_O;
+    least = std::abs(height);
+    nearest =
+        Location{on_face, face.n_O, face.first_O, on_face - radius * face.n_O, static_cast<int>(f)};
+  }
+  if (!nearest || reachable({*nearest}, object, radius).empty()) return std::nullopt;
+  return nearest;
 }
 
 Clearance::Clearance(const Problem& problem) : problem_(problem) {

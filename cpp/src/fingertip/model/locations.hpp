@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -37,6 +38,10 @@ Placement without(const Placement& placement, int location);  // the kept finger
 std::vector<Location> grid_locations(const Object& object, double radius, const Options& options);
 /// How many grid_locations() would look at: no fewer than it returns.
 double num_grid_points(const Object& object, const Options& options);
+/// The location on the surface within kStartTolerance of a point; empty: there is none, or the
+/// sphere would touch the object elsewhere, too.
+std::optional<Location> location_at(const Object& object, double radius,
+                                    const Eigen::Vector3d& p_O);
 
 /// The lattice of locations on the object's surface at which the sphere does not touch the object
 /// elsewhere.
@@ -49,11 +54,14 @@ class Locations {
   const mechanics::FingerWrenches& wrenches(int i) const {
     return wrenches_[static_cast<std::size_t>(i)];
   }
+  /// Where each finger starts; empty: anywhere.
+  const std::vector<int>& start() const { return start_; }
   // The spheres do not overlap (touching is allowed), and are no farther apart than fingers reach.
   bool are_apart(int a, int b) const;
 
  private:
   std::vector<Location> all_;
+  std::vector<int> start_;
   std::vector<mechanics::FingerWrenches> wrenches_;
   double min_distance2_ = 0, max_distance2_ = 0;
 };

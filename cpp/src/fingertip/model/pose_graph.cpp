@@ -85,6 +85,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& 
   }
   free_.assign(X_WO_.size(), 1);  // or validate() would have refused the path
   make_clearance_table();
+  keep_to_start();
 }
 
 void PoseGraph::make_clearance_table() {
@@ -94,6 +95,14 @@ void PoseGraph::make_clearance_table() {
   while (clear_.size() < count) {
     poll();
     clear_.resize(std::min(count, clear_.size() + kPart), -1);
+  }
+}
+
+/// Where the fingers are given at the start, no other location can be used there.
+void PoseGraph::keep_to_start() {
+  const std::vector<int>& start = locations.start();
+  for (int l = 0; !start.empty() && l < locations.size(); ++l) {
+    if (std::find(start.begin(), start.end(), l) == start.end()) block(start_, l);
   }
 }
 

@@ -95,6 +95,7 @@ class PoseGraph {
   std::size_t arc(int pose, int move) const { return ix(pose) * ix(num_moves_) + ix(move); }
   void add_motion(const mechanics::Vector6d& twist_O);
   void make_clearance_table();
+  void keep_to_start();
   int find_kind(int pose, int move) const;
   int add_kind(const std::vector<mechanics::BodyState>& states) const;
 

@@ -101,6 +101,7 @@ def build_fingers(fingers: model.Fingers) -> fingertip.Fingers:
     span = {} if fingers.max_span is None else {"max_span": fingers.max_span}
     return fingertip.Fingers(
         **span,
+        start=fingers.start,
         count=fingers.count,
         radius=fingers.radius,
         max_normal_force=fingers.max_normal_force,

@@ -109,6 +109,11 @@ class Fingers(Fields):
         default=0.7,
         description="coefficient of friction between fingertip and object, or [lower, upper]",
     )
+    start: list[Point3] = Field(
+        default=[],
+        description="contact point of each finger at the start, in the object's frame [m]; "
+        "none: the planner chooses",
+    )
 
 
 class Floor(Fields):
