@@ -65,6 +65,7 @@ std::string insecure(const Query& query) {
   const robot::Robot& robot = query.problem.robot;
   const StabilityOptions& load = query.options.stability;
   std::ostringstream out;
+  out.precision(3);
   out << "clasps were found, but the object came free of ";
   if (query.most_withstood == 0 && query.best_pinch.press == 0) {
     out << "all " << query.statistics.stability_tests << " in the stability test";
@@ -92,21 +93,21 @@ std::string insecure(const Query& query) {
 }
 
 std::string reason(const Query& query, const Plan& plan) {
+  const std::int64_t count = plan.statistics.cycles;
+  const std::string cycles = std::to_string(count) + (count == 1 ? " cycle" : " cycles");
   std::ostringstream out;
   switch (plan.status) {
     case Status::solved:
-      out << "loop " << plan.loop << (plan.pinch ? " pinched after " : " clasped after ")
-          << plan.statistics.cycles << " cycles";
+      out << "loop " << plan.loop << (plan.pinch ? " pinched after " : " clasped after ") << cycles;
       break;
     case Status::interrupted:
-      out << "interrupted after " << plan.statistics.cycles << " cycles";
+      out << "interrupted after " << cycles;
       break;
     case Status::not_secure:
       out << insecure(query);
       break;
     default:
-      out << "no motion to a clasp found in " << plan.statistics.cycles << " cycles"
-          << most_frequent(plan.statistics.refusals);
+      out << "no motion to a clasp found in " << cycles << most_frequent(plan.statistics.refusals);
   }
   return out.str();
 }
