@@ -84,6 +84,14 @@ Eigen::Vector3d to_vector3(const Array& values, const std::string& name) {
   return to_vector(values, name, 3);
 }
 
+Eigen::Matrix3d to_matrix3(const Array& rows, const std::string& name) {
+  if (rows.ndim() != 2 || rows.shape(0) != 3 || rows.shape(1) != 3) {
+    refuse_shape(rows, name, "(3, 3)");
+  }
+  require_finite(rows, name);
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.data());
+}
+
 Eigen::Matrix2Xd to_points2(const Array& rows, const std::string& name) {
   return to_columns<2>(rows, name);
 }

@@ -39,6 +39,7 @@ using Poses = std::vector<Eigen::Isometry3d>;
 Eigen::VectorXd to_vector(const Array& values, const std::string& name, Eigen::Index size = -1);
 Eigen::Vector2d to_vector2(const Array& values, const std::string& name);
 Eigen::Vector3d to_vector3(const Array& values, const std::string& name);
+Eigen::Matrix3d to_matrix3(const Array& rows, const std::string& name);
 Eigen::Matrix2Xd to_points2(const Array& rows, const std::string& name);
 Eigen::Matrix3Xd to_points3(const Array& rows, const std::string& name);
 Eigen::Matrix3Xi to_triangles(const Indices& rows, const std::string& name);

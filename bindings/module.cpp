@@ -15,6 +15,7 @@ void bind_slide(py::module_ m);
 void bind_fingertip(py::module_ m);
 void bind_clasp(py::module_ m);
 void bind_carry(py::module_ m);
+void bind_perception(py::module_ m);
 }  // namespace graspless::bindings
 
 // Table of contents, in dependency order: a signature names only classes already bound.
@@ -37,4 +38,6 @@ PYBIND11_MODULE(_core, m) {
   bind_clasp(m.def_submodule(
       "clasp", "Put a hand through a hole of an object and close it (Stork, Pokorny, Kragic)."));
   bind_carry(m.def_submodule("carry", "Carry a held object along a straight path."));
+  bind_perception(m.def_submodule(
+      "perception", "Depth images: tables and objects in them, and images of known scenes."));
 }

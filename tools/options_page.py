@@ -9,7 +9,7 @@ import math
 import pathlib
 from typing import Any
 
-from graspless import carry, clasp, fingertip, planning, slide
+from graspless import carry, clasp, fingertip, perception, planning, slide
 
 PAGE = pathlib.Path(__file__).parents[1] / "docs" / "reference" / "options.md"
 
@@ -38,6 +38,7 @@ SECTIONS = [
         ["Options", "Compliance", "RealizeOptions", "Statistics"],
     ),
     ("Carry", "Straight paths of a held object.", carry, ["Options", "Statistics"]),
+    ("Perception", "Supports and objects in depth images.", perception, ["Options"]),
 ]
 
 
@@ -47,7 +48,8 @@ def text() -> str:
     for title, source, room, structs in SECTIONS:
         parts.append(f"## {title}\n\n{source}\n")
         parts += [_struct(getattr(room, name)) for name in structs]
-        enums = [getattr(room, name, None) for name in ("FingerModel", "Search", "Status")]
+        names = ("FingerModel", "Search", "Status", "EdgeLabel")
+        enums = [getattr(room, name, None) for name in names]
         parts += [_choices(found) for found in enums if found is not None]
     return "\n".join(parts)
 

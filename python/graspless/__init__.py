@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         fingertip,
         geometry,
         mechanics,
+        perception,
         planning,
         robot,
         scene,
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from .batches import batch
     from .errors import TaskError
     from .formats import export
+    from .perception import perceive
     from .plan_files import load_plan
     from .simulation import simulate
     from .tasks import Task, load_task
@@ -65,6 +67,8 @@ __all__ = [
     "load_plan",
     "load_task",
     "mechanics",
+    "perceive",
+    "perception",
     "plan",
     "planning",
     "robot",
@@ -82,6 +86,7 @@ _HOMES = {
     "check": "_api",
     "export": "formats",
     "load_plan": "plan_files",
+    "perceive": "perception",
     "plan": "_api",
     "simulate": "simulation",
     "Trajectory": "timing",

@@ -18,6 +18,7 @@ ALLOWED = {
     "scene": {"geometry", "robot", "collision"},
     "slide": {"geometry", "robot", "collision", "mechanics", "planning", "scene"},
     "clasp": {"geometry", "robot", "collision", "mechanics", "planning", "scene"},
+    "perception": {"geometry"},
     "carry": {"geometry", "robot", "collision", "planning", "scene"},
     "fingertip": {"geometry", "collision", "mechanics", "planning"},
     "realize": {"geometry", "robot", "collision", "mechanics", "planning", "scene", "fingertip"},

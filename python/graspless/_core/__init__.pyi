@@ -12,4 +12,5 @@ from . import slide
 from . import fingertip
 from . import clasp
 from . import carry
-__all__: list[str] = ['carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'planning', 'robot', 'scene', 'slide']
+from . import perception
+__all__: list[str] = ['carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'perception', 'planning', 'robot', 'scene', 'slide']

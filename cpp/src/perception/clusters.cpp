@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perception/clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/watch.hpp"
+
+namespace graspless::perception {
+namespace {
+
+constexpr double kSpacing = 2;         // side of a cell, in pixels projected onto the plane
+constexpr double kFinestCell = 0.003;  // [m]
+constexpr int kMostAlong = 600;        // cells
+constexpr double kLeastInside = 0.3;   // least share of an object's cells that lie over the region
+constexpr int kFewest = 12;            // pixels of an object
+constexpr int kHalf = 2;               // of the window that smooths heights [pixels]
+
+/// Mean height of the pixels around one that belong to the same surface.
+float smoothed(const Sighting& from, const NoiseModel& noise, int u, int v) {
+  const DepthImage& depth = from.sight->depth;
+  const float z = depth(v, u);
+  const auto step = static_cast<float>(largest_step(*from.sight, noise, static_cast<double>(z)));
+  float sum = 0, count = 0;
+  for (int y = std::max(v - kHalf, 0); y <= std::min(v + kHalf, from.sight->height() - 1); ++y) {
+    for (int x = std::max(u - kHalf, 0); x <= std::min(u + kHalf, from.sight->width() - 1); ++x) {
+      const bool is_same =
+          std::abs(depth(y, x) - z) < step && from.heights.level(y, x) == Level::above;
+      sum += is_same ? from.heights.height(y, x) : 0;
+      count += is_same ? 1 : 0;
+    }
+  }
+  return count > 0 ? sum / count : from.heights.height(v, u);
+}
+
+/// Raw height of a pixel [m].
+float raw_height(const Sighting& from, int u, int v) {
+  const double z = static_cast<double>(from.sight->depth(v, u));
+  return static_cast<float>(z * from.heights.across.dot(Eigen::RowVector3d(u, v, 1)) +
+                            from.heights.camera);
+}
+
+/// All free pixels of a view that lie above the plane, near the region.
+void collect(const Sighting& from, int view, const Region& region, const NoiseModel& noise,
+             const Options& options, const Claims& claims, std::vector<Pixel>& pixels) {
+  const Sight& sight = *from.sight;
+  const Rays rays(from, region.X_WS);
+  const Raster& mask = region.inside;
+  const auto highest = static_cast<float>(options.max_height);
+  for (int v = 0; v < sight.height(); ++v) {
+    poll();
+    for (int u = 0; u < sight.width(); ++u) {
+      if (from.heights.level(v, u) != Level::above) continue;
+      if (from.heights.height(v, u) > highest || claims[static_cast<std::size_t>(view)](v, u)) {
+        continue;
+      }
+      const double z = static_cast<double>(sight.depth(v, u));
+      const Eigen::Vector3d p = rays.at_depth(u, v, z);
+      if (!mask.has(mask.column(p.x()), mask.row(p.y()))) continue;
+      const float height = smoothed(from, noise, u, v);
+      // The smoother height also gives a smoother place on the ray.
+      const Eigen::Vector3d placed = rays.at_height(u, v, static_cast<double>(height));
+      pixels.push_back(
+          {view, u, v, height, raw_height(from, u, v), placed.head<2>().cast<float>()});
+    }
+  }
+}
+
+double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>& sightings,
+                  const Region& region) {
+  const Pixel& pixel = pixels[pixels.size() / 2];
+  const Rays rays(sightings[static_cast<std::size_t>(pixel.view)], region.X_WS);
+  const auto at = [&](int dv) {
+    return rays.at_height(pixel.u, pixel.v + dv, static_cast<double>(pixel.height));
+  };
+  return (at(1) - at(0)).head<2>().norm();
+}
+
+}  // namespace
+
+Rays::Rays(const Sighting& from, const Eigen::Isometry3d& X_WS)
+    : across_(from.heights.across), camera_(from.heights.camera) {
+  const Eigen::Isometry3d X_SC = X_WS.inverse() * from.sight->X_WC;
+  origin_ = X_SC.translation();
+  directions_ = X_SC.linear() * from.sight->K.inverse();
+  to_pixels_ = from.sight->K * X_SC.linear().transpose();
+}
+
+std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sighting>& sightings,
+                                   const NoiseModel& noise, const Options& options,
+                                   Claims& claims) {
+  std::vector<Pixel> pixels;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    collect(sightings[i], static_cast<int>(i), region, noise, options, claims, pixels);
+  }
+  if (pixels.empty()) return {};
+  Eigen::AlignedBox2d box;
+  for (const Pixel& pixel : pixels) box.extend(pixel.p.cast<double>());
+  const double cell = std::max(kFinestCell, kSpacing * spacing_of(pixels, sightings, region));
+  Raster occupied = cover(box, cell, kMostAlong);
+  const auto index = [&](const Pixel& pixel) {
+    return occupied.index(occupied.column(static_cast<double>(pixel.p.x())),
+                          occupied.row(static_cast<double>(pixel.p.y())));
+  };
+  for (const Pixel& pixel : pixels) occupied.values[index(pixel)] = 1;
+  const Pieces pieces = pieces_of(occupied, true);
+  std::vector<Cluster> clusters(pieces.size.size());
+  std::vector<std::size_t> over(pieces.size.size(), 0);
+  for (const Pixel& pixel : pixels) {
+    const auto label = static_cast<std::size_t>(pieces.label[index(pixel)]);
+    clusters[label].pixels.push_back(pixel);
+    const Eigen::Vector2d p = pixel.p.cast<double>();
+    over[label] += region.inside.at(region.inside.column(p.x()), region.inside.row(p.y()));
+  }
+  std::vector<Cluster> kept;
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    Cluster& cluster = clusters[k];
+    if (static_cast<int>(cluster.pixels.size()) < kFewest) continue;
+    if (static_cast<double>(over[k]) < kLeastInside * static_cast<double>(cluster.pixels.size())) {
+      continue;
+    }
+    for (const Pixel& pixel : cluster.pixels) {
+      claims[static_cast<std::size_t>(pixel.view)](pixel.v, pixel.u) = true;
+    }
+    const Pixel& middle = cluster.pixels[cluster.pixels.size() / 2];
+    const Sight& sight = *sightings[static_cast<std::size_t>(middle.view)].sight;
+    cluster.footprint = static_cast<double>(sight.depth(middle.v, middle.u)) / sight.K(0, 0);
+    kept.push_back(std::move(cluster));
+  }
+  return kept;
+}
+
+}  // namespace graspless::perception

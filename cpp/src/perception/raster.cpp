@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "perception/raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "graspless/watch.hpp"
+
+namespace graspless::perception {
+namespace {
+
+/// Sets the fourth cell where two cells touch at a corner only; true if there was one.
+bool join_corners(Raster& mask) {
+  bool is_changed = false;
+  for (int y = 0; y + 1 < mask.ny; ++y) {
+    for (int x = 0; x + 1 < mask.nx; ++x) {
+      const bool a = mask.at(x, y), b = mask.at(x + 1, y);
+      const bool c = mask.at(x, y + 1), d = mask.at(x + 1, y + 1);
+      if (a == d && b == c && a != b) {
+        mask.values[a ? mask.index(x + 1, y) : mask.index(x, y)] = 1;
+        is_changed = true;
+      }
+    }
+  }
+  return is_changed;
+}
+
+}  // namespace
+
+Raster cover(const Eigen::AlignedBox2d& box, double cell, int most) {
+  const double longest = box.sizes().maxCoeff();
+  const double side = std::max(cell, longest / (most - 2));
+  const auto count = [&](double size) { return static_cast<int>(std::ceil(size / side)) + 2; };
+  return {box.min() - Eigen::Vector2d::Constant(side), side, count(box.sizes().x()),
+          count(box.sizes().y())};
+}
+
+Pieces pieces_of(const Raster& mask, bool is_diagonal) {
+  Pieces pieces{std::vector<int>(mask.values.size(), -1), {}};
+  std::vector<int> parent;  // of provisional labels
+  const auto root = [&](int label) {
+    while (parent[static_cast<std::size_t>(label)] != label) {
+      label = parent[static_cast<std::size_t>(label)];
+    }
+    return label;
+  };
+  const auto join = [&](int& label, int other) {
+    if (other < 0 || other == label) return;
+    if (label < 0) {
+      label = other;
+      return;
+    }
+    const int a = root(label), b = root(other);
+    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  };
+  for (int y = 0; y < mask.ny; ++y) {
+    poll();
+    for (int x = 0; x < mask.nx; ++x) {
+      const std::size_t i = mask.index(x, y);
+      if (!mask.values[i]) continue;
+      const auto before = i - static_cast<std::size_t>(mask.nx);
+      int label = x > 0 ? pieces.label[i - 1] : -1;
+      if (y > 0) join(label, pieces.label[before]);
+      if (is_diagonal && y > 0 && x > 0) join(label, pieces.label[before - 1]);
+      if (is_diagonal && y > 0 && x + 1 < mask.nx) join(label, pieces.label[before + 1]);
+      if (label < 0) {
+        label = static_cast<int>(parent.size());
+        parent.push_back(label);
+      }
+      pieces.label[i] = label;
+    }
+  }
+  std::vector<int> final_label(parent.size(), -1);
+  for (std::size_t k = 0; k < parent.size(); ++k) {
+    const auto top = static_cast<std::size_t>(root(static_cast<int>(k)));
+    if (final_label[top] < 0) {
+      final_label[top] = static_cast<int>(pieces.size.size());
+      pieces.size.push_back(0);
+    }
+    final_label[k] = final_label[top];
+  }
+  for (int& label : pieces.label) {
+    if (label < 0) continue;
+    label = final_label[static_cast<std::size_t>(label)];
+    ++pieces.size[static_cast<std::size_t>(label)];
+  }
+  return pieces;
+}
+
+void fill_holes(Raster& mask) {
+  Raster rest = mask;
+  for (std::uint8_t& value : rest.values) value = !value;
+  const Pieces pieces = pieces_of(rest, false);
+  std::vector<bool> is_open(pieces.size.size(), false);
+  const auto open = [&](int x, int y) {
+    const int label = pieces.label[mask.index(x, y)];
+    if (label >= 0) is_open[static_cast<std::size_t>(label)] = true;
+  };
+  for (int x = 0; x < mask.nx; ++x) {
+    open(x, 0);
+    open(x, mask.ny - 1);
+  }
+  for (int y = 0; y < mask.ny; ++y) {
+    open(0, y);
+    open(mask.nx - 1, y);
+  }
+  for (std::size_t i = 0; i < mask.values.size(); ++i) {
+    const int label = pieces.label[i];
+    if (label >= 0 && !is_open[static_cast<std::size_t>(label)]) mask.values[i] = 1;
+  }
+}
+
+void close_gaps(Raster& mask) {
+  const auto spread = [&](std::uint8_t what) {
+    const Raster given = mask;
+    const auto is = [&](int x, int y) {
+      return given.has(x, y) && (given.values[given.index(x, y)] != 0) == (what != 0);
+    };
+    for (int y = 0; y < mask.ny; ++y) {
+      for (int x = 0; x < mask.nx; ++x) {
+        if (is(x - 1, y) || is(x + 1, y) || is(x, y - 1) || is(x, y + 1)) {
+          mask.values[mask.index(x, y)] = what;
+        }
+      }
+    }
+  };
+  spread(1);
+  spread(0);
+}
+
+void vote(Raster& mask) {
+  constexpr int kHalf = 2, kMajority = 13;
+  std::vector<int> sums(mask.values.size(), 0);  // of five cells in a row
+  const Raster given = mask;
+  for (int y = 0; y < mask.ny; ++y) {
+    for (int x = kHalf; x + kHalf < mask.nx; ++x) {
+      const std::uint8_t* first = &given.values[mask.index(x - kHalf, y)];
+      sums[mask.index(x, y)] = first[0] + first[1] + first[2] + first[3] + first[4];
+    }
+  }
+  for (int y = kHalf; y + kHalf < mask.ny; ++y) {
+    poll();
+    for (int x = 0; x < mask.nx; ++x) {
+      int sum = 0;
+      for (int k = -kHalf; k <= kHalf; ++k) sum += sums[mask.index(x, y + k)];
+      mask.values[mask.index(x, y)] = sum >= kMajority;
+    }
+  }
+}
+
+void keep_largest(Raster& mask) {
+  const auto select = [&] {
+    const Pieces pieces = pieces_of(mask, false);
+    const auto largest = std::max_element(pieces.size.begin(), pieces.size.end());
+    const int label = static_cast<int>(largest - pieces.size.begin());
+    for (std::size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = pieces.label[i] == label;
+  };
+  if (std::none_of(mask.values.begin(), mask.values.end(), [](auto v) { return v; })) return;
+  select();
+  do fill_holes(mask);
+  while (join_corners(mask));
+}
+
+std::vector<Step> boundary_of(const Raster& mask) {
+  std::vector<Step> steps;
+  const auto first = std::find(mask.values.begin(), mask.values.end(), 1);
+  if (first == mask.values.end()) return steps;
+  const auto start = static_cast<std::size_t>(first - mask.values.begin());
+  const int x0 = static_cast<int>(start % static_cast<std::size_t>(mask.nx));
+  const int y0 = static_cast<int>(start / static_cast<std::size_t>(mask.nx));
+  int x = x0, y = y0, dx = 1, dy = 0;  // along the lower side of the lowest row
+  // The cell beside the step from the corner (x, y); side 1: on its left, -1: on its right.
+  const auto column = [&](int side) { return x + (dx - side * dy - 1) / 2; };
+  const auto row = [&](int side) { return y + (dy + side * dx - 1) / 2; };
+  do {
+    poll();
+    steps.push_back({x, y, column(1), row(1), dy, -dx});
+    x += dx;
+    y += dy;
+    const auto cell_ahead = [&](int side) { return mask.at(column(side), row(side)) != 0; };
+    if (cell_ahead(-1)) {
+      const int turned = dx;  // right
+      dx = dy;
+      dy = -turned;
+    } else if (!cell_ahead(1)) {
+      const int turned = dx;  // left
+      dx = -dy;
+      dy = turned;
+    }
+  } while (x != x0 || y != y0 || dx != 1);
+  return steps;
+}
+
+}  // namespace graspless::perception

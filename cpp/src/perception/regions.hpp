@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Connected pieces of a plane, and what the rays saw at every place of it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "perception/contour.hpp"
+#include "perception/heights.hpp"
+
+namespace graspless::perception {
+
+/// What is known of a cell of a plane. Of several views, the largest counts.
+enum class Ground : std::uint8_t { outside, unknown, hidden, passed, seen };
+
+/// A view with its heights over a plane.
+struct Sighting {
+  const Sight* sight;
+  Heights heights;
+};
+
+/// A connected piece of a plane.
+struct Region {
+  Eigen::Isometry3d X_WS;
+  Raster ground;  ///< values of Ground
+  Raster inside;  ///< 1: in the piece, or enclosed by it
+  LabelledPolygon outline;
+  double area;  ///< of the cells that were seen [m^2]
+};
+
+/// Projects the cells of the plane into all views, and returns the pieces of at least the options'
+/// area, from the largest to the smallest.
+std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& sightings,
+                               const Options& options);
+
+}  // namespace graspless::perception

@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Depth images from point clouds, and from several frames of a still camera."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._core.perception import Camera, View
+from .rendering import look_at
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+
+    from ..frames import Matrix
+
+_WIDEST = math.radians(120)  # field of view of the image of a cloud
+_MOST, _FEWEST = 640, 64  # pixels along its side
+
+
+def average(depths: Sequence[ArrayLike]) -> Matrix:
+    """Averages depth images of a still scene from a camera that does not move.
+
+    Parameters
+    ----------
+    depths : sequence of array [H, W]
+        Depths [m]. 0 or not finite: no measurement.
+
+    Returns
+    -------
+    array [H, W]
+        Mean of the measurements of each pixel that are within 1 % and 10 mm of their median, so
+        that a pixel that jumps between two surfaces takes one of them. 0 where fewer than half of
+        the images have a measurement.
+
+    Raises
+    ------
+    ValueError
+        There is no image, or they differ in size.
+    """
+    images = [np.asarray(depth, dtype=float) for depth in depths]
+    if not images:
+        raise ValueError("depths must have at least one image, not 0")
+    if len({image.shape for image in images}) > 1 or images[0].ndim != 2:
+        shapes = ", ".join(str(shape) for shape in sorted({image.shape for image in images}))
+        raise ValueError(f"depths must be images of one size (H, W), not {shapes}")
+    stack = np.stack(images)
+    is_seen = np.isfinite(stack) & (stack > 0)
+    stack = np.where(is_seen, stack, np.nan)
+    few = is_seen.sum(axis=0) < (len(images) + 1) // 2
+    stack[:, few] = 0.0
+    middle = np.nanpercentile(stack, 50, axis=0, method="lower")
+    near = np.abs(stack - middle) <= np.maximum(0.01, 0.01 * middle)
+    return np.asarray(np.nanmean(np.where(near, stack, np.nan), axis=0))
+
+
+def view_of_organized(points: ArrayLike, X_WC: ArrayLike) -> View:
+    """Returns the depth image of an organised cloud, with the camera that its points imply.
+
+    Parameters
+    ----------
+    points : array [H, W, 3]
+        One point per pixel in the optical frame C: x right, y down, z forward [m]. Not finite, or
+        z = 0: no measurement.
+    X_WC : array [4, 4]
+        Pose of the optical frame in the world.
+
+    Raises
+    ------
+    ValueError
+        The points are not those of a pinhole camera.
+    """
+    grid = np.asarray(points, dtype=float)
+    if grid.ndim != 3 or grid.shape[2] != 3:
+        raise ValueError(f"points has shape {grid.shape}; it must have shape (H, W, 3)")
+    is_seen = np.isfinite(grid).all(axis=2) & (grid[..., 2] > 0)
+    if np.count_nonzero(is_seen) < 100:
+        raise ValueError(
+            f"points has {np.count_nonzero(is_seen)} points with z > 0; at least 100 needed"
+        )
+    rows, columns = np.nonzero(is_seen)
+    seen = grid[is_seen]
+    K = np.eye(3)
+    for axis, pixels in ((0, columns), (1, rows)):
+        slope = seen[:, axis] / seen[:, 2]
+        (focal, center), residual, rank, _ = np.linalg.lstsq(
+            np.column_stack([slope, np.ones(len(slope))]), pixels, rcond=None
+        )
+        off = float(np.sqrt(residual[0] / len(slope))) if len(residual) else math.inf
+        if rank < 2 or off > 0.5:
+            raise ValueError(
+                f"points are not those of a pinhole camera: they are {off:.2g} pixels off in "
+                f"{'xy'[axis]}; they must be in the optical frame, row by row"
+            )
+        K[axis, axis], K[axis, 2] = focal, center
+    return View(np.where(is_seen, grid[..., 2], 0.0), K, np.asarray(X_WC, dtype=float))
+
+
+def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
+    """Returns the depth image of a plain cloud, as seen from where the camera was.
+
+    A pixel of the image is about as large as the spacing of the points.
+
+    Parameters
+    ----------
+    points : array [N, 3]
+        Points in the world [m].
+    viewpoint : array [3]
+        Position of the camera in the world [m]. Without it nobody knows what the points hide.
+
+    Raises
+    ------
+    ValueError
+        There are fewer than 100 points, one is not finite, or they surround the viewpoint.
+    """
+    cloud, eye = np.asarray(points, dtype=float), np.asarray(viewpoint, dtype=float)
+    if cloud.ndim != 2 or cloud.shape[1] != 3 or len(cloud) < 100:
+        raise ValueError(f"points has shape {cloud.shape}; it must have shape (N, 3), N >= 100")
+    if not np.isfinite(cloud).all():
+        raise ValueError("points has values that are not finite")
+    if eye.shape != (3,) or not np.isfinite(eye).all():
+        raise ValueError(f"viewpoint is {eye}; it must be three finite coordinates [m]")
+    X_WC = look_at(eye, (cloud.min(axis=0) + cloud.max(axis=0)) / 2)
+    p_CP = (cloud - eye) @ X_WC[:3, :3]
+    slopes = np.abs(p_CP[:, :2] / np.maximum(p_CP[:, 2:], 1e-9)).max(axis=0)
+    if p_CP[:, 2].min() <= 0 or slopes.max() > math.tan(_WIDEST / 2):
+        raise ValueError(
+            f"viewpoint {eye} is among the points; they must lie within 60 degrees of one direction"
+        )
+    # As many pixels as points, over the rectangle that they fill.
+    side = np.sqrt(4 * slopes[0] * slopes[1] / len(cloud))
+    size = [int(np.clip(2 * slope / side, _FEWEST, _MOST)) for slope in slopes]
+    camera = Camera(size[0], size[1], 2 * math.atan(slopes[0] * 1.02))
+    K = camera.K.copy()
+    K[1, 1] = size[1] / (2 * slopes[1] * 1.02)
+    depth = np.full((size[1], size[0]), np.inf)
+    uv = np.rint(p_CP[:, :2] / p_CP[:, 2:] * [K[0, 0], K[1, 1]] + K[:2, 2]).astype(int)
+    uv = np.clip(uv, 0, np.array(size) - 1)
+    np.minimum.at(depth, (uv[:, 1], uv[:, 0]), p_CP[:, 2])
+    return View(np.where(np.isfinite(depth), depth, 0.0), K, X_WC)
+
+
+__all__ = ["average", "view_of_cloud", "view_of_organized"]

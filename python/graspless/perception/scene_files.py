@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene files: YAML for people, with the points of the objects in an .npz file beside it."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from .. import files, frames
+from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
+from ..errors import TaskError, explain
+from ..tasks.shapes import Fields, NotNegative, Point3, Points2, Pose, Positive, pose_matrix
+from ..tasks.source import Source, read_yaml
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+
+Label = Literal["real", "image_border", "occluded"]
+MOST = 400_000_000  # bytes of the points in a file
+
+
+class SupportFields(Fields):
+    """A support, with what is beyond each edge."""
+
+    name: str
+    pose: Pose = Field(description="pose of S in the world, z out of the plane")
+    polygon: Points2 = Field(description="corners in S, counter-clockwise [m]")
+    edges: list[Label] = Field(description="label of the edge from each corner to the next")
+    height_error: NotNegative = Field(description="standard error of the height [m]")
+    angle_error: NotNegative = Field(description="standard error of the tilt [rad]")
+    noise: NotNegative = Field(description="standard deviation of the depth [m]")
+    least_thickness: NotNegative = Field(
+        description="least thickness of an object that would have been seen [m]"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> SupportFields:
+        if len(self.edges) != len(self.polygon):
+            raise ValueError(
+                f"edges has {len(self.edges)} labels, the polygon {len(self.polygon)} corners"
+            )
+        return self
+
+
+class ObjectFields(Fields):
+    """An object on a support."""
+
+    name: str
+    support: str = Field(description="name of the support")
+    pose: Pose = Field(description="pose of O in the world: its origin is on the support")
+    outline: Points2 = Field(description="corners in O, counter-clockwise [m]")
+    thickness: Positive = Field(description="height of the top above the support [m]")
+    thickness_error: NotNegative = Field(description="standard error of the thickness [m]")
+    is_flat: bool = Field(description="true if all of the top is equally high")
+    position_error: NotNegative = Field(description="standard error along the support [m]")
+    yaw_error: NotNegative = Field(description="standard error of the direction of x [rad]")
+    touches_border: bool = Field(description="true if the image cuts the object off")
+    warnings: list[str] = []
+
+
+class UnseenFields(Fields):
+    """Space that no ray reached: a convex hull."""
+
+    behind: str = Field(description="object that hides it; empty: a patch without depth")
+    vertices: Annotated[list[Point3], Field(min_length=4)] = Field(
+        description="corners in the world [m]"
+    )
+
+
+class SceneFields(Fields):
+    """A scene file."""
+
+    kind: Literal["scene"]
+    status: Literal["found", "no_depth", "not_metres", "no_support", "camera_below"]
+    reason: str
+    warnings: list[str] = []
+    supports: list[SupportFields] = []
+    objects: list[ObjectFields] = []
+    unseen: list[UnseenFields] = []
+    points: str | None = Field(
+        default=None, description=".npz file beside this one: the points of each object in O [m]"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> SceneFields:
+        known = {support.name for support in self.supports}
+        for thing in self.objects:
+            if thing.support not in known:
+                names = ", ".join(sorted(known)) or "none"
+                raise ValueError(
+                    f"{thing.name} lies on {thing.support}, which is no support (one of: {names})"
+                )
+        if self.objects and self.points is None:
+            raise ValueError("points must be given: the .npz file with the objects' points")
+        return self
+
+
+def save_scene(scene: Scene, path: str | Path) -> None:
+    """Writes a scene file, and the points of its objects to an .npz file beside it.
+
+    Parameters
+    ----------
+    scene : Scene
+    path : str or Path
+        .yaml file to write. The other file has the same name with the ending .npz.
+
+    Raises
+    ------
+    TaskError
+        A file cannot be written.
+    """
+    import yaml
+
+    path = Path(path)
+    document: dict[str, Any] = {
+        "kind": "scene",
+        "status": scene.status.name,
+        "reason": scene.reason,
+        "warnings": list(scene.warnings),
+        "supports": [_support(support) for support in scene.supports],
+        "objects": [_object(thing) for thing in scene.objects],
+        "unseen": [
+            {"behind": space.behind, "vertices": _rounded(space.vertices)} for space in scene.unseen
+        ],
+    }
+    if scene.objects:
+        packed = io.BytesIO()
+        clouds: dict[str, Any] = {
+            thing.name: thing.points.astype(np.float32) for thing in scene.objects
+        }
+        np.savez_compressed(packed, **clouds)
+        files.write(path.with_suffix(".npz"), packed.getvalue())
+        document["points"] = path.with_suffix(".npz").name
+    files.write(path, yaml.safe_dump(document, sort_keys=False, default_flow_style=None, width=110))
+
+
+def load_scene(path: str | Path) -> Scene:
+    """Reads a scene file.
+
+    Raises
+    ------
+    TaskError
+        A file is missing or not valid; names file, line, field and value.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise TaskError(f"{path}: no such file")
+    source = read_yaml(path)
+    fields: SceneFields = source.validate(SceneFields)
+    clouds = _clouds(fields, source, path.parent)
+    try:
+        return Scene(
+            status=Status.__members__[fields.status],
+            reason=fields.reason,
+            supports=[_built_support(support) for support in fields.supports],
+            objects=[_built_object(thing, clouds[thing.name]) for thing in fields.objects],
+            unseen=[
+                Unseen(behind=space.behind, vertices=np.array(space.vertices))
+                for space in fields.unseen
+            ],
+            warnings=fields.warnings,
+        )
+    except ValueError as error:
+        raise TaskError(f"{path}: {error}") from None
+
+
+def _support(support: Support) -> dict[str, Any]:
+    return {
+        "name": support.name,
+        "pose": _pose(support.X_WS),
+        "polygon": _rounded(support.polygon),
+        "edges": [label.name for label in support.edges],
+        **_figures(support, "height_error", "angle_error", "noise", "least_thickness"),
+    }
+
+
+def _object(thing: Object) -> dict[str, Any]:
+    return {
+        "name": thing.name,
+        "support": thing.support,
+        "pose": _pose(thing.X_WO),
+        "outline": _rounded(thing.outline),
+        **_figures(thing, "thickness", "thickness_error"),
+        "is_flat": thing.is_flat,
+        **_figures(thing, "position_error", "yaw_error"),
+        "touches_border": thing.touches_border,
+        "warnings": list(thing.warnings),
+    }
+
+
+def _figures(owner: Support | Object, *names: str) -> dict[str, float]:
+    return {name: float(f"{getattr(owner, name):.4g}") for name in names}
+
+
+def _rounded(points: Matrix) -> list[list[float]]:
+    """Returns coordinates in steps of 10 micrometres, far below what a camera resolves."""
+    return [[round(float(value), 5) for value in row] for row in points]
+
+
+def _pose(X: Matrix) -> dict[str, Any]:
+    row = [float(value) for value in frames.to_row(X)]
+    return {"position": row[:3], "quaternion": row[3:]}
+
+
+def _built_support(fields: SupportFields) -> Support:
+    values = fields.model_dump(exclude={"pose", "polygon", "edges"})
+    return Support(
+        polygon=np.array(fields.polygon),
+        edges=[EdgeLabel.__members__[label] for label in fields.edges],
+        X_WS=pose_matrix(fields.pose),
+        **values,
+    )
+
+
+def _built_object(fields: ObjectFields, points: Matrix) -> Object:
+    values = fields.model_dump(exclude={"pose", "outline"})
+    return Object(
+        outline=np.array(fields.outline), X_WO=pose_matrix(fields.pose), points=points, **values
+    )
+
+
+def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, Matrix]:
+    """Reads the points of all objects."""
+    if fields.points is None:
+        return {}
+    path = directory / fields.points
+    if not path.is_file():
+        raise source.error(("points",), "no such file")
+    try:
+        with zipfile.ZipFile(path) as archive:
+            size = sum(entry.file_size for entry in archive.infolist())
+        if size > MOST:
+            raise ValueError(f"states {size} bytes; at most {MOST}")
+        with np.load(path, allow_pickle=False) as packed:
+            clouds = {name: np.asarray(packed[name], dtype=float) for name in packed.files}
+    except Exception as error:  # numpy and zipfile raise whatever they stumble over
+        raise source.error(("points",), f"cannot be read: {explain(error)}") from None
+    for thing in fields.objects:
+        if thing.name not in clouds:
+            raise source.error(("points",), f"has no array '{thing.name}'")
+    return clouds
+
+
+__all__ = ["SceneFields", "load_scene", "save_scene"]

@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "complaint.hpp"
+#include "perception/scenes.hpp"
+
+namespace graspless::perception {
+namespace {
+
+const Eigen::Vector3d kCard(0.12, 0.08, 0.003);
+const Eigen::Vector3d kBox(0.06, 0.08, 0.1);
+
+std::map<EdgeLabel, double> lengths_of(const Support& support) {
+  std::map<EdgeLabel, double> lengths;
+  for (int i = 0; i < support.polygon.size(); ++i) {
+    const auto edge = support.polygon.edge(i);
+    lengths[support.edges[static_cast<std::size_t>(i)]] += (edge.b - edge.a).norm();
+  }
+  return lengths;
+}
+
+/// Distance of a point of a support from the boundary of the true table, in the plane [m].
+double distance_to_table(const Support& support, const Eigen::Vector2d& p_S) {
+  const Eigen::Vector3d p = support.X_WS * Eigen::Vector3d(p_S.x(), p_S.y(), 0);
+  Eigen::Matrix2Xd corners(2, 4);
+  corners << -0.35, 0.35, 0.35, -0.35, -0.3, -0.3, 0.3, 0.3;
+  return std::abs(geometry::Polygon(corners).depth(p.head<2>()));
+}
+
+void expect_real_edges_are_true(const Support& support) {
+  for (int i = 0; i < support.polygon.size(); ++i) {
+    if (support.edges[static_cast<std::size_t>(i)] != EdgeLabel::real) continue;
+    const auto edge = support.polygon.edge(i);
+    for (const double t : {0.1, 0.5, 0.9}) {
+      EXPECT_LT(distance_to_table(support, edge.a + t * (edge.b - edge.a)), 0.008);
+    }
+  }
+}
+
+TEST(Perceive, FindsTheTableItsEdgesAndWhatLiesOnIt) {
+  const Scene scene = perceive(
+      {view_of({floor(), table(), on_table(kCard, -0.1, 0.1), on_table(kBox, 0.1, -0.1)}, eye())});
+  ASSERT_TRUE(scene) << scene.reason;
+  const Support* support = table_in(scene);
+  ASSERT_NE(support, nullptr);
+  EXPECT_NEAR(support->X_WS.translation().z(), 0.4, 4e-4);
+  EXPECT_LT(std::acos(support->X_WS.linear()(2, 2)), 2e-3);
+  EXPECT_NEAR(support->polygon.area(), 0.7 * 0.6, 0.01);
+  EXPECT_NEAR(lengths_of(*support)[EdgeLabel::real], 2.6, 0.1);
+  expect_real_edges_are_true(*support);
+  ASSERT_EQ(scene.objects.size(), 2u);
+  const Object &card = scene.objects[0], &box = scene.objects[1];
+  EXPECT_EQ(card.name, "object_0");
+  EXPECT_TRUE(card.is_flat);
+  EXPECT_NEAR(card.thickness, 0.003, 5e-4);
+  EXPECT_NEAR(card.outline.area(), 0.12 * 0.08, 0.1 * 0.12 * 0.08);
+  EXPECT_LT((card.X_WO.translation() - Eigen::Vector3d(-0.1, 0.1, 0.4)).norm(), 0.003);
+  EXPECT_NEAR(box.thickness, 0.1, 0.0015);
+  EXPECT_LT((box.X_WO.translation() - Eigen::Vector3d(0.1, -0.1, 0.4)).norm(), 0.005);
+}
+
+TEST(Perceive, ThicknessIsWithinItsStandardErrors) {
+  double squares = 0;
+  constexpr int kTrials = 12;
+  const View clean = view_of({floor(), table(), on_table({0.1, 0.1, 0.008}, 0, 0)}, eye(), 0);
+  for (int i = 0; i < kTrials; ++i) {
+    const Scene scene = perceive({with_noise(clean, 1, static_cast<std::uint64_t>(i))});
+    ASSERT_EQ(scene.objects.size(), 1u);
+    const Object& plate = scene.objects[0];
+    squares += std::pow((plate.thickness - 0.008) / plate.thickness_error, 2) / kTrials;
+    EXPECT_LT(plate.thickness_error, 0.0007);
+  }
+  EXPECT_LT(std::sqrt(squares), 2);
+}
+
+TEST(Perceive, MovesWithTheWorld) {
+  const std::vector<Body> bodies{floor(), table(), on_table(kCard, -0.1, 0.1)};
+  View view = view_of(bodies, eye());
+  const Scene before = perceive({view});
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = Eigen::AngleAxisd(2.1, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  X.translation() << 3, -1, 0.5;
+  view.X_WC = X * view.X_WC;
+  const Scene after = perceive({view});
+  ASSERT_EQ(before.objects.size(), 1u);
+  ASSERT_EQ(after.objects.size(), 1u);
+  EXPECT_LT((after.objects[0].X_WO.translation() - X * before.objects[0].X_WO.translation()).norm(),
+            1e-3);
+  EXPECT_NEAR(after.objects[0].thickness, before.objects[0].thickness, 1e-4);
+  EXPECT_NEAR(table_in(before)->polygon.area(), after.supports[1].polygon.area(), 2e-3);
+}
+
+TEST(Perceive, TheSameSeedGivesTheSameScene) {
+  const View view = view_of({floor(), table(), on_table(kCard, 0, 0)}, eye());
+  const Scene a = perceive({view}), b = perceive({view});
+  ASSERT_EQ(a.objects.size(), b.objects.size());
+  EXPECT_EQ(a.objects[0].outline.vertices(), b.objects[0].outline.vertices());
+  EXPECT_EQ(a.supports[0].polygon.vertices(), b.supports[0].polygon.vertices());
+}
+
+TEST(Perceive, AnEdgeOutsideTheImageIsNotReal) {
+  // The camera sees only the table's far part: the near edge is outside the image.
+  const Scene scene =
+      perceive({view_of({floor(), table()}, look_at({-0.5, 0, 0.9}, {0.1, 0, 0.4}))});
+  const Support* support = table_in(scene);
+  ASSERT_NE(support, nullptr);
+  auto lengths = lengths_of(*support);
+  EXPECT_GT(lengths[EdgeLabel::image_border], 0.5);
+  EXPECT_GT(lengths[EdgeLabel::real], 1);
+  expect_real_edges_are_true(*support);
+  // Without any edge in the image none is real, and a warning says so.
+  const Scene near = perceive({view_of({floor(), table()}, look_at({-0.2, 0, 0.75}, {0, 0, 0.4}))});
+  ASSERT_NE(table_in(near), nullptr);
+  EXPECT_EQ(lengths_of(*table_in(near)).count(EdgeLabel::real), 0u);
+  ASSERT_EQ(near.warnings.size(), 1u);
+  EXPECT_NE(near.warnings[0].find("no real edge"), std::string::npos);
+}
+
+TEST(Perceive, AnEdgeBehindSomethingIsOccluded) {
+  // A wall stands on the floor between the camera and the right half of the far edge, and a second
+  // one against the left side.
+  const Body wall = box_at({0.04, 0.3, 0.7}, {0.37, -0.15, 0.35});
+  const Scene scene = perceive({view_of({floor(), table(), wall}, eye())});
+  const Support* support = table_in(scene);
+  ASSERT_NE(support, nullptr);
+  auto lengths = lengths_of(*support);
+  EXPECT_NEAR(lengths[EdgeLabel::occluded], 0.3, 0.06);
+  EXPECT_NEAR(lengths[EdgeLabel::real], 2.3, 0.1);
+  expect_real_edges_are_true(*support);
+}
+
+TEST(Perceive, TellsTheLeastThicknessThatItCouldSee) {
+  const auto found = [](double thickness, double noise) {
+    const Scene scene = perceive(
+        {view_of({floor(), table(), on_table({0.12, 0.08, thickness}, 0, 0)}, eye(), noise)});
+    return scene.objects.size();
+  };
+  const Scene quiet = perceive({view_of({floor(), table()}, eye(), 0.5)});
+  const Scene loud = perceive({view_of({floor(), table()}, eye(), 3)});
+  EXPECT_LT(table_in(quiet)->least_thickness, 0.0025);
+  EXPECT_GT(table_in(loud)->least_thickness, 0.003);
+  EXPECT_TRUE(quiet.objects.empty());
+  EXPECT_TRUE(loud.objects.empty());
+  EXPECT_EQ(found(1.2 * table_in(quiet)->least_thickness, 0.5), 1u);
+  EXPECT_EQ(found(1.2 * table_in(loud)->least_thickness, 3), 1u);
+  EXPECT_EQ(found(0.1 * table_in(loud)->least_thickness, 3), 0u);
+  EXPECT_NEAR(table_in(quiet)->noise / table_in(loud)->noise, 0.5 / 3, 0.02);
+}
+
+TEST(Perceive, FindsShelvesTiltedTablesAndTwoTablesOfOneHeight) {
+  const Scene shelf =
+      perceive({view_of({floor(), table(), box_at({0.3, 0.6, 0.02}, {0.3, 0, 0.7}),
+                         on_table(kCard, -0.2, 0.1), box_at({0.1, 0.1, 0.05}, {0.3, 0, 0.735})},
+                        look_at({-0.6, 0, 1.4}, {0.1, 0, 0.4}))});
+  ASSERT_EQ(shelf.supports.size(), 3u);
+  ASSERT_EQ(shelf.objects.size(), 2u);
+  EXPECT_NE(shelf.objects[0].support, shelf.objects[1].support);
+
+  Body tilted = table();
+  tilted.X_WB.linear() = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const Scene slope = perceive({view_of({floor(), tilted}, eye())});
+  ASSERT_TRUE(slope);
+  const bool is_found = std::any_of(
+      slope.supports.begin(), slope.supports.end(),
+      [](const auto& s) { return std::abs(std::acos(s.X_WS.linear()(2, 2)) - 0.3) < 3e-3; });
+  EXPECT_TRUE(is_found);
+
+  const Scene two = perceive({view_of({floor(), box_at({0.5, 0.3, 0.04}, {0, 0.22, 0.38}),
+                                       box_at({0.5, 0.3, 0.04}, {0, -0.22, 0.38})},
+                                      eye())});
+  int tables = 0;
+  for (const Support& support : two.supports) {
+    tables += std::abs(support.X_WS.translation().z() - 0.4) < 0.01;
+  }
+  EXPECT_EQ(tables, 2);
+}
+
+TEST(Perceive, TwoViewsSeeMoreThanOne) {
+  const std::vector<Body> bodies{floor(), table(), on_table(kBox, 0, 0)};
+  const View front = view_of(bodies, eye());
+  const View back = view_of(bodies, look_at({0.7, 0.1, 1.05}, {0, 0, 0.4}), 1, 2);
+  const Scene one = perceive({front}), both = perceive({front, back});
+  ASSERT_EQ(one.objects.size(), 1u);
+  ASSERT_EQ(both.objects.size(), 1u);
+  const auto volume = [](const Scene& scene) { return scene.unseen.size(); };
+  EXPECT_GT(volume(one), 0u);
+  EXPECT_LT(volume(both), volume(one));
+  EXPECT_NEAR(both.objects[0].outline.area(), 0.06 * 0.08, 0.2 * 0.06 * 0.08);
+}
+
+TEST(Perceive, UnseenSpaceIsBehindTheObjectAndHoldsNoPointThatWasSeen) {
+  const std::vector<Body> bodies{floor(), table(), on_table(kBox, 0, 0)};
+  const Scene scene = perceive({view_of(bodies, eye(), 0)});
+  ASSERT_FALSE(scene.unseen.empty());
+  for (const Unseen& unseen : scene.unseen) {
+    EXPECT_EQ(unseen.behind, "object_0");
+    EXPECT_GT(unseen.shape.vertices.row(0).minCoeff(), 0.02);  // the camera is at negative x
+    // The middle of a wedge is hidden: the box is in front of it.
+    const Eigen::Vector3d middle = unseen.shape.vertices.rowwise().mean();
+    const Eigen::Vector3d uvw = Camera{}.K * (eye().inverse() * middle);
+    const Rendering seen = render(bodies, eye());
+    const float z = seen.depth(static_cast<int>(uvw.y() / uvw.z() + 0.5),
+                               static_cast<int>(uvw.x() / uvw.z() + 0.5));
+    EXPECT_LT(static_cast<double>(z), uvw.z());
+  }
+}
+
+TEST(Perceive, BadDepthsAreAStatusWithAReason) {
+  const View good = view_of({floor(), table()}, eye());
+  const auto status_of = [](const View& view) {
+    const Scene scene = perceive({view});
+    EXPECT_FALSE(scene.reason.empty());
+    return scene.status;
+  };
+  View bad = good;
+  bad.depth *= 1000;
+  EXPECT_EQ(status_of(bad), Status::not_metres);
+  bad.depth.setZero();
+  EXPECT_EQ(status_of(bad), Status::no_depth);
+  bad.depth.setConstant(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(status_of(bad), Status::no_depth);
+  bad.depth.setConstant(std::numeric_limits<float>::infinity());
+  EXPECT_EQ(status_of(bad), Status::no_depth);
+  bad.depth.setConstant(-1);
+  EXPECT_EQ(status_of(bad), Status::no_depth);
+  bad = good;  // a wall
+  bad.X_WC = look_at({-1, 0, 0.5}, {0, 0, 0.5});
+  bad.depth.setConstant(1);
+  EXPECT_EQ(status_of(bad), Status::no_support);
+  bad = good;  // z up instead of down: the table hangs over the camera
+  bad.X_WC.linear() = good.X_WC.linear() * Eigen::Vector3d(1, -1, -1).asDiagonal();
+  EXPECT_EQ(status_of(bad), Status::camera_below);
+  std::mt19937_64 rng(3);
+  for (Eigen::Index i = 0; i < bad.depth.size(); ++i) {
+    bad.depth.data()[i] = 0.3f + static_cast<float>(rng() % 1000) / 500;
+  }
+  EXPECT_EQ(status_of(bad), Status::no_support);
+}
+
+TEST(Perceive, WarnsOfWhatMayBeWrong) {
+  const auto warned = [](const Scene& scene, const std::string& words) {
+    for (const auto& text : scene.warnings) {
+      if (text.find(words) != std::string::npos) return true;
+    }
+    for (const Object& object : scene.objects) {
+      for (const auto& text : object.warnings) {
+        if (text.find(words) != std::string::npos) return true;
+      }
+    }
+    return false;
+  };
+  const std::vector<Body> bodies{floor(), table(), on_table(kBox, 0, 0)};
+  const View good = view_of(bodies, eye());
+  const Scene fine = perceive({good});
+  EXPECT_TRUE(fine.warnings.empty());
+  ASSERT_EQ(fine.objects.size(), 1u);
+  EXPECT_TRUE(fine.objects[0].warnings.empty());
+  EXPECT_TRUE(warned(perceive({view_of(bodies, eye(), 4)}), "times as noisy"));
+  View wrong = good;  // the K of another lens
+  wrong.K(1, 1) *= 1.4;
+  EXPECT_TRUE(warned(perceive({wrong}), "if it is level, X_WC or K is wrong"));
+  View glass = good;
+  glass.depth.block(300, 250, 40, 40).setZero();
+  const Scene unseen = perceive({glass});
+  EXPECT_TRUE(warned(unseen, "as under glass"));
+  EXPECT_TRUE(std::any_of(unseen.unseen.begin(), unseen.unseen.end(),
+                          [](const Unseen& u) { return u.behind.empty(); }));
+  const Scene cut = perceive({view_of(bodies, look_at({-0.5, 0.36, 0.9}, {0, 0.36, 0.4}))});
+  EXPECT_TRUE(warned(cut, "cuts it off"));
+  const Scene stacked = perceive({view_of(
+      {floor(), table(), on_table({0.2, 0.2, 0.03}, 0, 0), box_at({0.1, 0.1, 0.04}, {0, 0, 0.45})},
+      eye())});
+  EXPECT_TRUE(warned(stacked, "one on top of another"));
+}
+
+TEST(Perceive, LargeImagesAreThinnedAndSaySo) {
+  const Camera camera = camera_with_view(1600, 1200, 1.0471975511965976);
+  const std::vector<Body> bodies{floor(), table(), on_table(kBox, 0, 0)};
+  const View large{render(bodies, eye(), camera).depth, camera.K, eye()};
+  const Scene scene = perceive({large});
+  ASSERT_EQ(scene.objects.size(), 1u);
+  EXPECT_NEAR(scene.objects[0].thickness, 0.1, 0.001);
+  EXPECT_LT((scene.objects[0].X_WO.translation() - Eigen::Vector3d(0, 0, 0.4)).norm(), 0.006);
+  ASSERT_FALSE(scene.warnings.empty());
+  EXPECT_NE(scene.warnings[0].find("one of 3 rows"), std::string::npos);
+}
+
+TEST(Perceive, RefusesACallersMistakesByName) {
+  const View good = view_of({table()}, eye());
+  expect_refused([&] { perceive({}); }, "views must have at least one view");
+  View bad = good;
+  bad.K(0, 0) = -1;
+  expect_refused([&] { perceive({bad}); }, "K's horizontal focal length is -1");
+  expect_refused([&] { perceive({good, bad}); }, "views[1]: K's");
+  bad = good;
+  bad.K(0, 2) = 960;
+  expect_refused([&] { perceive({bad}); }, "another resolution");
+  bad = good;
+  bad.X_WC.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([&] { perceive({bad}); }, "X_WC");
+  bad = good;
+  bad.depth.resize(4, 4);
+  expect_refused([&] { perceive({bad}); }, "width is 4");
+  Options options;
+  options.min_thickness = 0;
+  expect_refused([&] { perceive({good}, options); }, "options.min_thickness");
+}
+
+}  // namespace
+}  // namespace graspless::perception
