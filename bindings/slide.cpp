@@ -4,6 +4,7 @@
 
 #include "graspless/slide/resume.hpp"
 #include "graspless/slide/torsion.hpp"
+#include "graspless/slide/tube.hpp"
 
 #include "conversions.hpp"
 #include "fields.hpp"
@@ -207,6 +208,23 @@ void bind_turning(py::module_& m) {
   m.def("turning", &turning, py::arg("problem"), py::arg("plan"),
         "Returns how fast a plan's slide turns, and how fast the pad's friction can turn the "
         "object.\n\nModel: ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996).");
+  m.def("tube", &tube, py::arg("problem"), py::arg("plan"),
+        py::arg_v("options", Options{}, "Options()"),
+        "Returns where the object can be during a plan's slide: a Tube.\n\n"
+        "Model: its motion under ellipsoidal limit surfaces of pad and support (Howe, Cutkosky "
+        "1996) is integrated for the friction, press, mass and centre of mass that the spreads of "
+        "the options allow. Empty if there is no slide.");
+}
+
+void bind_tube(py::module_& m) {
+  py::class_<Tube> tube_class(
+      m, "Tube",
+      "Bounds on where the object can be, relative to the plan, at each row of the slide.");
+  bind_fields(tube_class, "Sets any field by keyword; the others are empty.",
+              Field{"position", &Tube::position,
+                    "Largest distances of the object's origin from its planned position [m]."},
+              Field{"angle", &Tube::angle,
+                    "Largest angles of the object from its planned orientation [rad]."});
 }
 
 void bind_interruption(py::module_& m) {
@@ -283,6 +301,8 @@ void bind_plan(py::module_& m) {
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(
       Field{"overhang", &Plan::overhang, "Length of the object beyond the edge at the goal [m]."});
+  field(Field{"tube", &Plan::tube,
+              "Bounds on where the object can be at each row of the slide; empty: not stated."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def_property(
@@ -311,6 +331,7 @@ void bind_slide(py::module_ m) {
   bind_statistics_struct<Statistics>(m);
   bind_choices<Status>(m, "Status", "Outcome of a query.");
   bind_interruption(m);
+  bind_tube(m);
   bind_plan(m);
   bind_turning(m);
   bind_front_door<Problem, Options, Plan>(

@@ -138,7 +138,7 @@ bool PairProblem::is_valid(const Eigen::VectorXd& arm) {
 slide::Plan PairProblem::completed(const Path& path) {
   slide::Plan plan;
   plan.joint_names = impl_->problem.robot.joint_names();
-  slide::assemble(impl_->query, impl_->motions, path, plan);
+  slide::assemble(impl_->query, impl_->motions, slide::slid_along(impl_->query, path), plan);
   plan.reason = slide::to_string(plan.status);
   return plan;
 }

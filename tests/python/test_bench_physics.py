@@ -146,6 +146,23 @@ def test_tables_count_what_they_say():
     assert error["varied"] == pytest.approx({"median": 9, "95 %": 20, "max": 20})
 
 
+def test_tubes_are_held_against_the_trials():
+    tube = {"position": 0.008, "angle": 0.1}
+    rows = [
+        rows_of(((), 0.004, 0.01), ((), 0.004, 0.02), (("fell",), None, None), tube=tube),
+        rows_of(((), 0.009, 0.01), ((), 0.002, 0.08), tube=tube),
+        rows_of(((), 0.5, 0.5), ((), 0.5, 0.5)),  # of a file without tubes
+    ]
+    claims = tables.claims({"part": "slide", "rows": rows})[0]
+    found = {c["of"]: (c["held"], c["asked"]) for c in claims if "tube" in c["name"]}
+    assert found == {"nominal": (1, 2), "varied": (2, 3)}
+    totals = tables.totals(rows)
+    assert totals["tube_width"] == pytest.approx({"position": 2.0, "angle": 1.25})
+    assert "tubes are 2.00 (position) and 1.25 (angle) times" in report._counts(totals)
+    assert tables.totals(rows[2:])["tube_width"] is None
+    assert "tubes" not in report._counts(tables.totals(rows[2:]))
+
+
 def test_where_nothing_varied_there_is_no_count_of_it():
     result = {"part": "slide", "rows": [rows_of(((), 0.0, 0.0))], "failures": FAILURES}
     rows, shown = tables.failures(result)

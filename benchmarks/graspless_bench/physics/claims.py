@@ -69,7 +69,8 @@ def cases(rows: list[Row], of: str) -> Iterator[Row]:
         for k, failures in enumerate(row["failures"]):
             if (row["of"][k] if "of" in row else VARIED if k else NOMINAL) == of:
                 figures = {name: values[k] for name, values in row["measures"].items()}
-                yield {"failures": failures, "seconds": row["seconds"][k], **figures}
+                known = {"failures": failures, "seconds": row["seconds"][k]}
+                yield known | {"tube": row.get("tube")} | figures  # older files have no tube
 
 
 def _at_most(limits: dict[str, float], *failures: str) -> Callable[[Row], bool]:
@@ -113,6 +114,21 @@ def _arrives(of: str, limit: float, must: float | None = None, goal: float | Non
     holds = _at_most({"position_error": limit / 1000, "angle_error": limit * DEGREE}, "fell")
     what = f"within {limit:g} mm and {limit:g} deg of the planned pose after the slide, not fallen"
     return Claim(what, of, holds, must, goal)
+
+
+def used_of_tube(case: Row) -> tuple[float, float] | None:
+    """Returns position and angle error over the bounds of the plan; None without either."""
+    tube, position, angle = case.get("tube"), case.get("position_error"), case.get("angle_error")
+    if tube is None or position is None or angle is None:
+        return None
+    return position / tube["position"], angle / tube["angle"]
+
+
+def _in_tube(case: Row) -> bool | None:
+    if case.get("tube") is None:
+        return None
+    used = used_of_tube(case)  # None: the object fell
+    return used is not None and max(used) <= 1
 
 
 def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> Claim:
@@ -194,6 +210,8 @@ CLAIMS: dict[str, list[Claim]] = {
         Claim("lifted", NOMINAL, _LIFTED, 0.90, 0.99),
         _arrives(VARIED, 10, 0.85, 0.95),
         Claim("lifted", VARIED, _LIFTED, 0.80, 0.95),
+        Claim("within the plan's tube after the slide", NOMINAL, _in_tube),
+        Claim("within the plan's tube after the slide", VARIED, _in_tube, 0.99),
         Claim("simulated within 20 s", NOMINAL, _at_most({"seconds": 20}), 1.0),
         Claim("simulated within 5 s", NOMINAL, _at_most({"seconds": 5}), None, 1.0),
     ],

@@ -158,6 +158,9 @@ def _counts(totals: Row) -> str:
         parts.append(f"{totals['disturbed']} disturbed")
     if totals.get("broken"):
         parts.append(f"{totals['broken']} mutants")
+    if (width := totals.get("tube_width")) is not None:
+        wide = f"{width['position']:.2f} (position) and {width['angle']:.2f} (angle) times as wide"
+        parts.append(f"tubes are {wide} as 99 % of the varied trials need")
     if totals["median_seconds"] is not None:
         slow = f"at most {totals['max_seconds']:.3g} s"
         what = "a search with its simulations" if totals.get("searched") else "a simulation"

@@ -37,6 +37,7 @@ def physics_task(start: Start, finger_model: str = "flexure") -> Task:
 
     x, y, yaw = start.draw_pose()
     depth = Trial.range
+    is_papers = finger_model != "flexure"  # which knows no friction
     document = {
         "kind": "slide",
         "robot": {"urdf": "wam_t42", "home": HOME},
@@ -48,7 +49,8 @@ def physics_task(start: Start, finger_model: str = "flexure") -> Task:
             "pose": {"x": x, "y": y, "yaw": yaw},
         },
         "support": {"polygon": [list(corner) for corner in TABLES[start.table]]},
-        "options": {"min_depth": MIN_DEPTH, "max_depth": MIN_DEPTH + depth},
+        "options": {"min_depth": MIN_DEPTH, "max_depth": MIN_DEPTH + depth}
+        | ({"refuse_lag": False} if is_papers else {}),
         "budget": {"seed": start.draw_seed()},
     }
     return read_task(yaml.safe_dump(document), start.name)

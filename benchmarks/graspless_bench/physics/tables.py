@@ -12,7 +12,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .claims import BROKEN, CLAIMS, DISTURBED, NOMINAL, PROVEN, VARIED, cases, is_proven
+from .claims import (
+    BROKEN,
+    CLAIMS,
+    DISTURBED,
+    NOMINAL,
+    PROVEN,
+    VARIED,
+    cases,
+    is_proven,
+    used_of_tube,
+)
 from .mutants import mutants
 
 if TYPE_CHECKING:
@@ -56,9 +66,19 @@ def totals(rows: list[Row]) -> Row:
         "disturbed": sum(1 for _ in cases(rows, DISTURBED)),
         "broken": sum(1 for _ in cases(rows, BROKEN)),
         "searched": sum(1 for _ in cases(rows, PROVEN)),
+        "tube_width": _tube_width(varied),
         "median_seconds": _quantile(seconds, 0.5),
         "max_seconds": _quantile(seconds, 1.0),
     }
+
+
+def _tube_width(varied: list[Row]) -> dict[str, float] | None:
+    """Returns how many times as wide as 99 % of the trials need the tubes of the plans are."""
+    used = [share for case in varied if (share := used_of_tube(case)) is not None]
+    if not used:
+        return None
+    position, angle = (1 / np.quantile(part, 0.99, method="higher") for part in np.transpose(used))
+    return {"position": float(position), "angle": float(angle)}
 
 
 def claims(result: Row) -> Table:

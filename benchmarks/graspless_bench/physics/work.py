@@ -104,6 +104,7 @@ def _measure(query: Query) -> Row:
         "plan_seconds": _figure(plan.statistics.seconds),
         "faults": faults[:3],
         "warnings": list(plan.warnings),
+        "tube": _tube(plan),
     }
     if not plan or faults:
         return row
@@ -132,11 +133,20 @@ def unknown(query: Query, status: str, reason: str) -> Row:
         "plan_seconds": None,
         "faults": [],
         "warnings": [],
+        "tube": None,
         "failures": [],
         "measures": {},
         "seconds": [],
         "disturbed": None,
     }
+
+
+def _tube(plan: Any) -> Row | None:
+    """Returns a slide's own bounds on the pose of the object at its end; None for other kinds."""
+    tube = getattr(plan, "tube", None)
+    if not tube or not tube.position:
+        return None
+    return {"position": _figure(tube.position[-1]), "angle": _figure(tube.angle[-1])}
 
 
 def _tried(plan: Plan, query: Query) -> Row:

@@ -124,6 +124,7 @@ class Trial:
             options.com_margin = 0.001  # exactly on the edge must not count as inside
             options.tip_margin = 0
             options.rim_margin = 0
+            options.refuse_lag = False  # the paper knows no friction
         return options
 
     def make_budget(self, seconds: float) -> planning.Budget:

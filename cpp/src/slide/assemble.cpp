@@ -34,23 +34,26 @@ Path with_home(const Query& query, Path approach) {
   return approach;
 }
 
-void append_slide(Query& query, const Path& slide, Plan& plan) {
+}  // namespace
+
+Slid slid_along(Query& query, const Path& slide) {
   const ContactSpace::Carried carried = query.carried_from(slide.front());
-  Segment segment{"slide", {}, {}};
+  Slid slid{{"slide", {}, {}}, {}, {}};
   const Path rows = planning::subdivided(with_hand_open(query, slide), kRowStep,
                                          query.problem.robot.step_weights());
   for (const Eigen::VectorXd& q : rows) {
     poll();
-    segment.positions.push_back(q);
-    segment.object_poses.push_back(query.X_WS *
-                                   spatial(query.contact.carry(carried, query.arm.part(q))));
+    const Tip tip = query.contact.tip_at(query.arm.part(q));
+    const Planar contact = effective_tip(query.problem.hand, tip, query.top, query.options.pitch);
+    const Planar X_SO = object_pose(contact, carried.tip_start, carried.object_start);
+    slid.segment.positions.push_back(q);
+    slid.segment.object_poses.push_back(query.X_WS * spatial(X_SO));
+    slid.pressed.push_back(pressed_row(query.problem, tip, X_SO));
   }
-  plan.segments.push_back(std::move(segment));
+  return slid;
 }
 
-}  // namespace
-
-void assemble(Query& query, const Motions& motions, const Path& slide, Plan& plan) {
+void assemble(const Query& query, const Motions& motions, const Slid& slide, Plan& plan) {
   const Approach& approach = motions.approach();
   const Handling& handling = motions.handling();
   const Eigen::Isometry3d X_WO_start = query.X_WS * spatial(query.object_start);
@@ -60,7 +63,7 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
            X_WO_start);
     append(query, plan, "press", with_hand_open(query, approach.press), X_WO_start);
   }
-  append_slide(query, slide, plan);
+  plan.segments.push_back(slide.segment);
   append(query, plan, "lift", with_hand_open(query, handling.lift), X_WO_goal);
   append(query, plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);
   append(query, plan, "grasp", with_hand_open(query, handling.grasp), X_WO_goal);
@@ -69,7 +72,8 @@ void assemble(Query& query, const Motions& motions, const Path& slide, Plan& pla
   plan.X_WO_goal = X_WO_goal;
   plan.X_WH_grasp = handling.X_WH;
   plan.overhang = handling.placement.overhang;
-  for (const Warning& warning : warnings(query.problem, plan)) {
+  plan.tube = slide.tube;
+  for (const Warning& warning : warnings(query.problem, slide.pressed)) {
     plan.warnings.push_back(warning.text());
   }
 }

@@ -57,6 +57,7 @@ Faults Examination::run() {
   check_pair();
   check_grasp();
   check_closing();
+  check_tube();
   check_warnings();
   return faults_;
 }
@@ -232,7 +233,7 @@ void Examination::check_warnings() {
     return std::any_of(plan_.warnings.begin(), plan_.warnings.end(),
                        [&](const std::string& text) { return text.rfind(warning.risk, 0) == 0; });
   };
-  for (const Warning& warning : warnings(problem_, plan_, kClearly)) {
+  for (const Warning& warning : warnings(problem_, pressed_rows(problem_, plan_), kClearly)) {
     if (!has(warning)) fault("warnings", "the plan lacks this one: " + warning.text());
   }
 }

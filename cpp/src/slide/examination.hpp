@@ -17,7 +17,8 @@
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
 /// again from the paper and docs/internals/slide.md, so that a mistake in the search does not
-/// repeat itself here. Only the risks of friction come from the functions that warn of them.
+/// repeat itself here. Only the risks of friction come from the functions that warn of them, and
+/// the tube from the one that integrates it.
 namespace graspless::slide {
 
 constexpr double kSame = 1e-6;   // [m, rad]
@@ -108,6 +109,8 @@ class Examination {
   void check_pair();
   void check_grasp();
   void check_closing();
+  void check_tube();
+  void check_ends(const std::vector<Planar>& ends);
   void check_warnings();
   void check_straight(const Segment& grasp);
   std::vector<scene::Doubt> prove_free(const Segment& segment) const;

@@ -70,12 +70,7 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
   return true;
 }
 
-bool Motions::is_graspable(const Planar& object_S) {
-  const Placement place = placement(query_.problem, query_.options, object_S);
-  if (place.overhang < query_.options.min_overhang || !place.com_inside) {
-    query_.refuse("goal: overhang");  // for example at a corner, where another edge is nearer
-    return false;
-  }
+bool Motions::is_graspable(const Planar& object_S, const Placement& place) {
   place_object(object_S);
   drawn_ = {object_S, grasp_configurations(place, 1)};
   return !drawn_.grasps.empty();

@@ -44,7 +44,7 @@ class GRASPLESS_API Motions {
   /// from the goal to the grasp.
   bool is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd& goal);
   /// True if a collision-free configuration exists that grasps the object at this pose.
-  bool is_graspable(const Planar& object_S);
+  bool is_graspable(const Planar& object_S, const Placement& place);
 
   /// Returns the motion that takes a pressing finger off the object, to options.lift_height above
   /// it; nothing if it collides or leaves the arm's reach.

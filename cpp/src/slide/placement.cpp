@@ -15,6 +15,7 @@ namespace {
 using Points = std::vector<Eigen::Vector2d>;
 
 constexpr Eigen::Index kPolled = 256;  // points between two polls
+constexpr double kSurely = 1 - 1e-6;   // of a square distance
 
 geometry::Polygon::Edge draw_edge(const geometry::Polygon& Q, std::mt19937_64& rng) {
   std::vector<double> lengths;
@@ -90,8 +91,12 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   Placement result;
   Points out;  // P_out
   const Eigen::Matrix2Xd& points = problem.object.points();
+  const Eigen::Vector2d com = problem.object.com().head<2>();
+  const double depth = Q.depth(object_S * com);  // a disc around it is on the support
+  const double surely = depth > 0 ? kSurely * depth * depth : 0;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     if (i % kPolled == 0) poll();
+    if ((points.col(i) - com).squaredNorm() < surely) continue;
     const Eigen::Vector2d p = object_S * Eigen::Vector2d(points.col(i));
     if (!Q.contains(p)) out.push_back(p);
   }

@@ -19,21 +19,22 @@
 namespace graspless::slide {
 
 namespace ob = ompl::base;
+using planning::Path;
 
 namespace {
 
 constexpr int kShortcutRounds = 30;
 
 /// True if a path is much longer than the straight line between its ends: it came from a tree.
-bool is_detour(const planning::Path& path) {
+bool is_detour(const Path& path) {
   return planning::length(path) > 1.2 * (path.back() - path.front()).norm();
 }
 
 /// Shortens the slide along motions that keep the contact constraint.
-planning::Path shortened(Query& query, planning::Path path) {
+Path shortened(Query& query, Path path) {
   const ContactSpace::Carried carried = query.carried_from(path.front());
-  const planning::Connect connect =
-      [&](const Eigen::VectorXd& from, const Eigen::VectorXd& to) -> std::optional<planning::Path> {
+  const planning::Connect connect = [&](const Eigen::VectorXd& from,
+                                        const Eigen::VectorXd& to) -> std::optional<Path> {
     if (query.clock.is_out()) return std::nullopt;
     return query.contact.connect(from, to, carried);
   };
@@ -64,9 +65,9 @@ void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan
   const ob::PlannerStatus status = search.planner->solve(  // Algorithm 1
       ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
-    planning::Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
-    if (is_detour(slide)) slide = shortened(query, std::move(slide));
-    assemble(query, motions, slide, plan);
+    Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
+    if (is_detour(slide)) query.is_lag_small(slid_along(query, shortened(query, slide)));
+    assemble(query, motions, query.slid, plan);  // the shortened one, if its lag is small
   } else {
     plan.status = status_of(status, query, *search.planner);
   }
@@ -76,7 +77,7 @@ void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan
 
 Plan searched(Query& query) {
   Plan plan;
-  if (!is_home_free(query, plan)) return plan;
+  if (!is_home_free(query, plan) || !can_drag(query, plan)) return plan;
   Motions motions(query);  // IsPairValid(), Section IV-C.1
   const ob::SpaceInformationPtr si = make_space(query);
   const auto starts = std::make_shared<StartRegion>(si, query);         // C_s, Eq. (3)
@@ -91,6 +92,7 @@ Plan searched_from(Query& query, const Interruption& at) {
   plan.resumed = at;
   const std::optional<Eigen::VectorXd> start = find_pressed_start(query, at, plan);
   if (!start) return plan;
+  query.refuses_lag = false;
   Motions motions(query);
   motions.begin_at(*start);
   const ob::SpaceInformationPtr si = make_space(query);

@@ -134,13 +134,25 @@ Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outl
                double thickness, const Eigen::Vector2d& com)
     : name_(std::move(name)),
       outline_(std::move(outline)),
-      top_(std::make_shared<Top>(
-          Top{depths_within(outline_, points), outermost_of(points), std::move(points)})),
+      top_(std::make_shared<Top>(top_of(outline_, std::move(points)))),
       spacing_(std::sqrt(outline_.area() / static_cast<double>(top_->points.cols()))),
       thickness_(thickness),
       com_(com.x(), com.y(), thickness / 2),
       shapes_(prisms(outline_, 0, thickness)),
       solid_(shapes_, "object '" + name_ + "'") {}
+
+Object::Top Object::top_of(const geometry::Polygon& outline, Eigen::Matrix2Xd points) {
+  const Eigen::Vector2d middle = points.rowwise().mean();
+  const Eigen::VectorXd distances = (points.colwise() - middle).colwise().norm();
+  const double variance = distances.squaredNorm() / static_cast<double>(distances.size());
+  const double ratio = variance > 0 ? distances.mean() / std::sqrt(variance) : 1;
+  return {depths_within(outline, points),
+          outermost_of(points),
+          std::move(points),
+          middle,
+          variance,
+          ratio};
+}
 
 Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline,
                             double thickness, double spacing) {

@@ -19,6 +19,7 @@ Query::Query(const Problem& problem, const Options& options, planning::Clock& cl
       options(options),
       clock(clock),
       rng(seed),
+      refuses_lag(options.refuse_lag),
       arm(problem),
       tip_ik(make_ik(problem, problem.hand.fingertip, arm)),
       grasp_ik(make_ik(problem, problem.hand.grasp_frame, arm)),
@@ -43,6 +44,41 @@ void Query::refuse_press(const std::string& when, const Eigen::VectorXd& arm_par
   if (!contact.touching()) return refuse(when + "contact");
   refuse_collision(when, contact.scene(), *contact.touching(), arm.full(arm_part),
                    problem.hand.fingertip);
+}
+
+bool Query::is_lag_small(Slid slide) {
+  Course found = course(problem, options, slide.pressed);
+  const Planar& goal = slide.pressed.back().X_SO;
+  const auto grasp = [&] { return placement(problem, options, goal).out_center; };
+  if (!allows_lag("pair", found.ends, goal, grasp)) return false;
+  slide.tube = std::move(found.tube);
+  slid = std::move(slide);
+  return true;
+}
+
+bool Query::is_lag_likely_small(const ContactSpace::Carried& carried, double depth,
+                                const Placement& place, const Planar& object_goal) {
+  if (!refuses_lag) return true;
+  const Planar tip_goal = object_goal * carried.object_start.inverse() * carried.tip_start;
+  const Planar end =
+      weakest_end(problem, options, {carried.tip_start, tip_goal, carried.object_start, depth});
+  return allows_lag("goal", {end}, object_goal, [&] { return place.out_center; });
+}
+
+bool Query::allows_lag(const std::string& what, const std::vector<Planar>& ends, const Planar& goal,
+                       const std::function<Eigen::Vector2d()>& grasp) {
+  constexpr double kNothing = 1e-9;  // [m, rad]
+  if (!refuses_lag) return true;
+  const Lag lag = largest_lag(ends, goal);
+  if (lag.position < kNothing && lag.angle < kNothing) return true;
+  const std::optional<std::string> broken = broken_by_lag(problem, goal, grasp(), ends);
+  if (!broken) return true;
+  const std::string why = what + ": friction may leave " + *broken;
+  refuse(why);
+  ++num_lags;
+  const auto [known, is_new] = lags.insert({why, lag});
+  if (!is_new && lag.position < known->second.position) known->second = lag;
+  return false;
 }
 
 Eigen::Isometry3d Query::pressed_tip(const Planar& contact, double depth, double pitch) const {

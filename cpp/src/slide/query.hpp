@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -10,6 +11,7 @@
 #include "graspless/robot/ik.hpp"
 
 #include "slide/contact_space.hpp"
+#include "slide/course.hpp"
 #include "slide/placement.hpp"
 #include "slide/rows.hpp"
 
@@ -24,6 +26,13 @@ struct Collision {
   std::string frame;
 };
 
+/// A slide, and where friction takes the object.
+struct Slid {
+  Segment segment;
+  std::vector<PressedRow> pressed;
+  Tube tube;
+};
+
 /// Working state of one plan(): the problem, its budget, and the solvers and scenes made from it.
 struct GRASPLESS_API Query {
   Query(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed);
@@ -33,6 +42,12 @@ struct GRASPLESS_API Query {
   planning::Clock& clock;
   std::mt19937_64 rng;
   Statistics statistics;
+  Slid slid;  ///< the last one whose lag was found small
+  /// True if friction refuses slides. One that is resumed is not refused: who measured the object
+  /// can measure it again, and resume again.
+  bool refuses_lag;
+  int num_lags = 0;                             ///< rejections by friction
+  std::map<std::string, Lag> lags;              ///< the smallest of each reason in the statistics
   std::map<std::string, Collision> collisions;  ///< the first of each reason in the statistics
 
   Arm arm;
@@ -54,6 +69,17 @@ struct GRASPLESS_API Query {
                         const Eigen::VectorXd& q, const std::string& frame);
   /// Counts a configuration of the arm for which contact.is_valid() has just returned false.
   void refuse_press(const std::string& when, const Eigen::VectorXd& arm_part);
+
+  /// True if friction lets the object follow a slide well enough to be grasped; it is kept then.
+  /// Otherwise counts the rejection, and keeps the smallest lag of its kind.
+  bool is_lag_small(Slid slide);
+  /// Estimates the same for a finger that moves and turns the object evenly to the goal, at
+  /// constant depth and pitch. Counts a rejection.
+  bool is_lag_likely_small(const ContactSpace::Carried& carried, double depth,
+                           const Placement& place, const Planar& object_goal);
+  /// Tests the ends of a slide. `grasp` returns the middle of the planned grasp, in S.
+  bool allows_lag(const std::string& what, const std::vector<Planar>& ends, const Planar& goal,
+                  const std::function<Eigen::Vector2d()>& grasp);
 
   /// True if the straight motion of all joints is free of collision, at the steps at which check()
   /// replays it.

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "graspless/slide/tube.hpp"
+
 #include "collision/overlap.hpp"
 #include "slide/hand_frames.hpp"
 
@@ -47,8 +49,20 @@ std::string finger_lengths(const Query& query, const Collision& collision) {
   return "";
 }
 
-/// Depth and pose of the first collision of a kind; empty for other rejections.
+/// The smallest lag of a kind; empty for other rejections.
+std::string smallest_lag(const Query& query, const std::string& why) {
+  constexpr double kDegree = 0.017453292519943295;  // [rad]
+  const auto found = query.lags.find(why);
+  if (found == query.lags.end()) return "";
+  const Lag& lag = found->second;
+  return ", at best " + in_mm(lag.position) + " and " +
+         std::to_string(std::lround(lag.angle / kDegree)) + " deg off";
+}
+
+/// Depth and pose of the first collision of a kind, or the smallest lag; empty for other
+/// rejections.
 std::string example(Query& query, const std::string& why) {
+  if (query.lags.count(why) > 0) return smallest_lag(query, why);
   const auto found = query.collisions.find(why);
   if (found == query.collisions.end()) return "";
   const Collision& collision = found->second;
@@ -63,7 +77,8 @@ std::string example(Query& query, const std::string& why) {
 using Counted = std::pair<std::int64_t, std::string>;
 
 /// The most frequent rejections; with `pairs_first`, two of start-goal pairs come before others.
-/// One that is a collision is added if there is one, because it tells what to move.
+/// One that is a collision is added if there is one, because it tells what to move, and one that is
+/// a lag, because no other place of the robot helps against it.
 std::vector<Counted> frequent(const Query& query, bool pairs_first) {
   constexpr std::ptrdiff_t kPairs = 2;
   std::vector<Counted> all;
@@ -75,13 +90,16 @@ std::vector<Counted> frequent(const Query& query, bool pairs_first) {
     });
     if (others - all.begin() > kPairs) all.erase(all.begin() + kPairs, others);
   }
-  const auto collides = [&](const Counted& counted) {
-    return query.collisions.count(counted.second) > 0;
-  };
   const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(kReasons, all.size()));
-  const auto collision = std::find_if(all.begin(), all.end(), collides);
   std::vector<Counted> found(all.begin(), end);
-  if (collision >= end && collision != all.end()) found.push_back(*collision);
+  const auto add_one_of = [&](const auto& kind) {
+    const auto first = std::find_if(all.begin(), all.end(), [&](const Counted& counted) {
+      return kind.count(counted.second) > 0;
+    });
+    if (first >= end && first != all.end()) found.push_back(*first);
+  };
+  add_one_of(query.collisions);
+  add_one_of(query.lags);
   return found;
 }
 
@@ -124,6 +142,22 @@ bool is_home_free(Query& query, Plan& plan) {
   return false;
 }
 
+bool can_drag(const Query& query, Plan& plan) {
+  const Problem& problem = query.problem;
+  const double least = least_drag(problem, query.options);
+  if (!query.options.refuse_lag || least < 1) return true;
+  plan.status = Status::cannot_drag;
+  std::ostringstream out;
+  out << std::setprecision(3) << "the slide may need " << least
+      << " times the friction that the pad has, wherever the finger presses (object.mass "
+      << problem.object.mass() << " kg, support.friction " << problem.support.friction()
+      << ", hand.pad_friction " << problem.hand.pad_friction
+      << "; options.friction_spread allows either friction to differ by "
+      << std::lround(100 * query.options.friction_spread) << " %)";
+  plan.reason = out.str();
+  return false;
+}
+
 std::string reason(Query& query, const Plan& plan) {
   if (plan.status == Status::solved) return "solved";  // depths of collisions are not wanted
   const bool pairs = plan.status == Status::no_valid_pair;
@@ -138,6 +172,7 @@ std::string reason(Query& query, const Plan& plan) {
     case Status::start_in_collision:
     case Status::off_support:
     case Status::contact_lost:
+    case Status::cannot_drag:
       return plan.reason;
     case Status::no_start_root:
       return "no configuration was found that presses on the object" + refused;

@@ -16,6 +16,9 @@ std::string in_mm(double length);
 /// status and reason.
 bool is_home_free(Query& query, Plan& plan);
 
+/// True if the pad can drag the object somewhere. Otherwise sets the plan's status and reason.
+bool can_drag(const Query& query, Plan& plan);
+
 /// Describes the plan's status in one sentence, from its statistics.
 std::string reason(Query& query, const Plan& plan);
 

@@ -24,6 +24,9 @@ constexpr Eigen::Index kPolledPoints = 256;  // between two polls
 // Draws in a row whose nearest configurations are refused, after which the others are tried too.
 constexpr int kPatience = 100;
 
+// Rejections by friction, after which contacts near the centre of mass are preferred.
+constexpr int kLagPatience = 30;
+
 // Draws of the goal and of the edge of a slide that goes on, before those of other edges.
 constexpr int kFormer = 8, kFormerEdge = 24;
 
@@ -75,6 +78,14 @@ double draw_depth(Query& query) {
   return query.uniform(min, max);
 }
 
+/// Returns how the object sticks out at a goal; nothing if not as the options ask.
+std::optional<Placement> placed(Query& query, const Planar& object_S) {
+  const Placement place = placement(query.problem, query.options, object_S);
+  if (place.overhang >= query.options.min_overhang && place.com_inside) return place;
+  query.refuse("goal: overhang");  // for example at a corner, where another edge is nearer
+  return std::nullopt;
+}
+
 }  // namespace
 
 StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
@@ -82,11 +93,29 @@ StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
       query_(query),
       inside_(inside_points(query.problem.object, query.options)) {}
 
+/// Draws a contact point, uniformly. Where friction is the bottleneck, more of them near the centre
+/// of mass.
+std::int32_t StartRegion::draw_point() const {
+  const double share = query_.uniform(0, 1);
+  const auto nth = [](const auto& points, double t) {
+    return points[static_cast<std::size_t>(t * static_cast<double>(points.size()))];
+  };
+  if (query_.num_lags < kLagPatience) return nth(inside_, share);
+  if (nearest_.empty()) {
+    const Object& object = query_.problem.object;
+    const auto far = [&](std::int32_t i) {
+      return (object.points().col(i) - object.com().head<2>()).squaredNorm();
+    };
+    nearest_ = inside_;
+    std::stable_sort(nearest_.begin(), nearest_.end(),
+                     [&](std::int32_t a, std::int32_t b) { return far(a) < far(b); });
+  }
+  return nth(nearest_, share * share * share);
+}
+
 // Eq. (3): a contact anywhere on the object's top face, any yaw, pitch beta_0, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
-  const auto i =
-      static_cast<std::size_t>(query_.uniform(0, 1) * static_cast<double>(inside_.size()));
-  const Eigen::Vector2d p_OP = query_.problem.object.points().col(inside_[i]);
+  const Eigen::Vector2d p_OP = query_.problem.object.points().col(draw_point());
   const Planar contact = contact_at(query_.object_start * p_OP, query_.uniform(0, 2 * kPi));
   if (!query_.problem.support.polygon().contains(contact.translation())) {
     query_.refuse("start: off the support");
@@ -169,7 +198,9 @@ bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) con
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
       query_.refuse_press("goal: ", *arm);
-    } else if (motions_.is_graspable(*object_S)) {
+    } else if (const auto place = placed(query_, *object_S);
+               place && query_.is_lag_likely_small(carried, depth, *place, *object_S) &&
+               motions_.is_graspable(*object_S, *place)) {
       vector(goal, query_.arm.dof()) = *arm;
       return true;
     }

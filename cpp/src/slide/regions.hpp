@@ -22,9 +22,13 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
   bool try_sample(ompl::base::State* state) const override;
 
  private:
+  std::int32_t draw_point() const;
+
   Query& query_;
   std::vector<std::int32_t> inside_;  ///< contact points far enough inside the outline
-  mutable int refused_ = 0;           ///< draws in a row whose nearest configuration is not valid
+  mutable std::vector<std::int32_t>
+      nearest_;              ///< the same, the nearest to the centre of mass first
+  mutable int refused_ = 0;  ///< draws in a row whose nearest configuration is not valid
 };
 
 class GRASPLESS_API GoalRegion : public planning::SampleableRegion {

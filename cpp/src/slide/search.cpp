@@ -4,6 +4,8 @@
 
 #include "graspless/planning/vector_states.hpp"
 
+#include "slide/assemble.hpp"
+
 namespace graspless::slide {
 
 namespace ob = ompl::base;
@@ -14,6 +16,12 @@ namespace {
 // Joint step of checks while trees grow [rad]; a path that is found is checked again at
 // options.resolution.
 constexpr double kCoarse = 0.05;
+
+planning::Path to_path(const std::vector<ob::State*>& states, int n) {
+  planning::Path path;
+  for (const ob::State* state : states) path.emplace_back(vector(state, n));
+  return path;
+}
 
 }  // namespace
 
@@ -67,7 +75,7 @@ SlideSearch make_search(Query& query, const ob::SpaceInformationPtr& si,
         return false;
       }
     }
-    return true;
+    return query.is_lag_small(slid_along(query, to_path(path, n)));
   });
   return s;
 }

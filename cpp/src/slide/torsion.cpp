@@ -9,66 +9,18 @@
 
 #include "graspless/watch.hpp"
 
-#include "slide/contact.hpp"
+#include "slide/pressed.hpp"
 
 namespace graspless::slide {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kMinStep = 1e-5;  // a shorter step has no direction [m]
-
-/// One row of the slide: how the finger presses, and the point about which the object turns.
-struct PressedRow {
-  Tip tip;               ///< commanded fingertip
-  double depth;          ///< of the tip below the top face [m]
-  Eigen::Vector2d p_SM;  ///< centre of mass [m]
-  Eigen::Vector2d p_SC;  ///< centre of pressure, for a finger without drag [m]
-  double yaw;            ///< of the object [rad]
-  double radius;         ///< mean distance of the object's points to the centre of pressure [m]
-};
-
-double weight(const Problem& problem) { return problem.object.mass() * kGravity; }
-
-PressedRow pressed_row(const Problem& problem, const Eigen::VectorXd& q,
-                       const Eigen::Isometry3d& X_WO) {
-  const robot::Robot& robot = problem.robot;
-  const Eigen::Isometry3d X_SW = problem.support.X_WS().inverse();
-  const Tip pressing = tip(X_SW * robot.pose(robot.frame(problem.hand.fingertip), q));
-  const Planar X_SO = planar(X_SW * X_WO);
-  const double depth = problem.object.thickness() - pressing.height;
-  const double press = press_force(problem.hand, depth, pressing.pitch);
-  const Eigen::Vector2d p_SM = X_SO * problem.object.com().head<2>().eval();
-  const Eigen::Vector2d p_SC =
-      (press * pressing.position + weight(problem) * p_SM) / (press + weight(problem));
-  const Eigen::Vector2d p_OC = X_SO.inverse() * p_SC;
-  const double radius = (problem.object.points().colwise() - p_OC).colwise().norm().mean();
-  return {pressing, depth, p_SM, p_SC, std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0)),
-          radius};
-}
-
-/// The rows of the plan's slide; empty if it has none.
-std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan) {
-  const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
-                                  [](const Segment& segment) { return segment.name == "slide"; });
-  std::vector<PressedRow> found;
-  if (slide == plan.segments.end()) return found;
-  for (std::size_t row = 0; row < slide->positions.size(); ++row) {
-    poll();
-    found.push_back(pressed_row(problem, slide->positions[row], slide->object_poses[row]));
-  }
-  return found;
-}
 
 /// Normal force [N] while the object moves by `step` [m].
 double press_on(const Problem& problem, const PressedRow& at, const Eigen::Vector2d& step) {
   const double along = step.norm() < kMinStep ? 0 : at.tip.heading.dot(step.normalized());
   return dragging_force(problem.hand, at.depth, at.tip.pitch, along, problem.support.friction(),
                         weight(problem));
-}
-
-/// mu_s (N + m g) / (mu_p N); also defined for an infinite press N.
-double drag_ratio(const Problem& problem, double press) {
-  return problem.support.friction() / problem.hand.pad_friction * (1 + weight(problem) / press);
 }
 
 }  // namespace
@@ -102,7 +54,10 @@ double max_turn_per_length(const Problem& problem, double radius, double press) 
 }
 
 double drag_load(const Problem& problem, const Plan& plan) {
-  const std::vector<PressedRow> rows = pressed_rows(problem, plan);
+  return drag_load(problem, pressed_rows(problem, plan));
+}
+
+double drag_load(const Problem& problem, const std::vector<PressedRow>& rows) {
   double largest = 0;
   for (std::size_t row = 1; row < rows.size(); ++row) {
     poll();
@@ -121,11 +76,15 @@ double drag_load(const Problem& problem, const Plan& plan) {
 }
 
 Trailing trailing(const Problem& problem, const Plan& plan) {
+  return trailing(problem, pressed_rows(problem, plan));
+}
+
+Trailing trailing(const Problem& problem, const std::vector<PressedRow>& rows) {
   Trailing found;
   if (problem.hand.finger_model != FingerModel::impedance) return found;
   const double K = problem.hand.wrist_stiffness, mu_s = problem.support.friction(),
                mu_p = problem.hand.pad_friction;
-  for (const PressedRow& row : pressed_rows(problem, plan)) {
+  for (const PressedRow& row : rows) {
     const double press = press_force(problem.hand, row.depth, row.tip.pitch);
     found.left = mu_s * (press + weight(problem)) / K;
     found.sliding = std::max(found.sliding, found.left);
@@ -136,9 +95,12 @@ Trailing trailing(const Problem& problem, const Plan& plan) {
 }
 
 Turning turning(const Problem& problem, const Plan& plan) {
+  return turning(problem, pressed_rows(problem, plan));
+}
+
+Turning turning(const Problem& problem, const std::vector<PressedRow>& rows) {
   Turning found;
   found.allowed_turn_rate = std::numeric_limits<double>::infinity();
-  const std::vector<PressedRow> rows = pressed_rows(problem, plan);
   for (std::size_t row = 1; row < rows.size(); ++row) {
     poll();
     const PressedRow &before = rows[row - 1], &now = rows[row];

@@ -7,17 +7,17 @@
 #include <optional>
 #include <sstream>
 
-#include "graspless/slide/torsion.hpp"
-
 #include "slide/refusals.hpp"
 
 namespace graspless::slide {
 namespace {
 
+using Rows = std::vector<PressedRow>;
+
 /// The pad's friction is too small to drag the object.
-std::optional<Warning> of_drag(const Problem& problem, const Plan& plan, double beyond) {
+std::optional<Warning> of_drag(const Problem& problem, const Rows& rows, double beyond) {
   constexpr double kLargest = 10;  // beyond it the exact number says nothing more
-  const double load = drag_load(problem, plan);
+  const double load = drag_load(problem, rows);
   if (load <= beyond) return std::nullopt;
   std::ostringstream out;
   out << std::setprecision(3) << ": the slide needs " << (load < kLargest ? "" : "more than ")
@@ -32,10 +32,10 @@ std::optional<Warning> of_drag(const Problem& problem, const Plan& plan, double 
 
 /// Eq. (2) lets the object turn with the finger; the pad's friction limits how fast. The object may
 /// lag behind.
-std::optional<Warning> of_torsion(const Problem& problem, const Plan& plan, double beyond) {
+std::optional<Warning> of_torsion(const Problem& problem, const Rows& rows, double beyond) {
   constexpr double kDegree = 0.017453292519943295;  // [rad]
   constexpr double kSmallLag = 2;                   // not worth a warning [deg]
-  const Turning slide = turning(problem, plan);
+  const Turning slide = turning(problem, rows);
   const double lag = slide.lag / kDegree;
   if (lag < kSmallLag * beyond) return std::nullopt;
   std::ostringstream out;
@@ -47,9 +47,9 @@ std::optional<Warning> of_torsion(const Problem& problem, const Plan& plan, doub
 }
 
 /// The object ends behind the plan, because the wrist gives way to friction.
-std::optional<Warning> of_trailing(const Problem& problem, const Plan& plan, double beyond) {
+std::optional<Warning> of_trailing(const Problem& problem, const Rows& rows, double beyond) {
   constexpr double kSmallTrail = 2e-3;  // not worth a warning [m]
-  const Trailing slide = trailing(problem, plan);
+  const Trailing slide = trailing(problem, rows);
   if (slide.left < kSmallTrail * beyond) return std::nullopt;
   return Warning{"the wrist gives way to the friction of the support",
                  ": the object trails " + in_mm(slide.sliding) +
@@ -60,12 +60,13 @@ std::optional<Warning> of_trailing(const Problem& problem, const Plan& plan, dou
 
 }  // namespace
 
-std::vector<Warning> warnings(const Problem& problem, const Plan& plan, double beyond) {
-  if (const auto drag = of_drag(problem, plan, beyond))
+std::vector<Warning> warnings(const Problem& problem, const std::vector<PressedRow>& rows,
+                              double beyond) {
+  if (const auto drag = of_drag(problem, rows, beyond))
     return {*drag};  // then the others mean nothing
   std::vector<Warning> found;
   for (const auto& warning :
-       {of_torsion(problem, plan, beyond), of_trailing(problem, plan, beyond)}) {
+       {of_torsion(problem, rows, beyond), of_trailing(problem, rows, beyond)}) {
     if (warning) found.push_back(*warning);
   }
   return found;

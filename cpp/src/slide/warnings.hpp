@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "graspless/slide/slide.hpp"
+#include "slide/pressed.hpp"
 
 namespace graspless::slide {
 
@@ -15,8 +15,9 @@ struct Warning {
   std::string text() const { return risk + rest; }
 };
 
-/// Returns the risks of a plan's slide that follow from friction, where they exceed the smallest
+/// Returns the risks of a slide that follow from friction, where they exceed the smallest
 /// ones that are worth a warning by the factor `beyond`. See torsion.hpp.
-std::vector<Warning> warnings(const Problem& problem, const Plan& plan, double beyond = 1);
+std::vector<Warning> warnings(const Problem& problem, const std::vector<PressedRow>& rows,
+                              double beyond = 1);
 
 }  // namespace graspless::slide

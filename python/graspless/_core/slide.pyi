@@ -12,7 +12,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Turning', 'center_of_mass', 'certify', 'check', 'depth_band', 'plan', 'restart', 'resume', 'turning', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Tube', 'Turning', 'center_of_mass', 'certify', 'check', 'depth_band', 'plan', 'restart', 'resume', 'tube', 'turning', 'validate']
 class Object:
     """
     A thin flat object. Its frame O has z up, the underside in the plane z = 0.
@@ -347,11 +347,21 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, max_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, max_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, refuse_lag: bool = True, friction_spread: typing.SupportsFloat | typing.SupportsIndex = 0.3, mass_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, com_spread: typing.SupportsFloat | typing.SupportsIndex = 0.005, thickness_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, height_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, flexure_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, position_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, angle_spread: typing.SupportsFloat | typing.SupportsIndex = 0.0349, tracking_spread: typing.SupportsFloat | typing.SupportsIndex = 0.001, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
     def __repr__(self) -> str:
+        ...
+    @property
+    def angle_spread(self) -> float:
+        """
+        Uncertainty of the object's orientation at the start.
+        
+        Unit: rad. Range: [0, inf). Default: 0.0349.
+        """
+    @angle_spread.setter
+    def angle_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def com_margin(self) -> float:
@@ -364,6 +374,36 @@ class Options:
     def com_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def com_spread(self) -> float:
+        """
+        Uncertainty of the object's centre of mass.
+        
+        Unit: m. Range: [0, inf). Default: 0.005.
+        """
+    @com_spread.setter
+    def com_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def flexure_spread(self) -> float:
+        """
+        Uncertainty of hand.flexure_length and hand.flexure_stiffness, each: a fraction of it.
+        
+        Range: [0, 1). Default: 0.2.
+        """
+    @flexure_spread.setter
+    def flexure_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def friction_spread(self) -> float:
+        """
+        Uncertainty of hand.pad_friction and of support.friction, each: a fraction of it.
+        
+        Range: [0, 1). Default: 0.3.
+        """
+    @friction_spread.setter
+    def friction_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def grasp_approach(self) -> float:
         """
         Length of the hand's straight final motion.
@@ -374,6 +414,16 @@ class Options:
     def grasp_approach(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def height_spread(self) -> float:
+        """
+        Uncertainty of the height of the support.
+        
+        Unit: m. Range: [0, inf). Default: 0.003.
+        """
+    @height_spread.setter
+    def height_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def lift_height(self) -> float:
         """
         Clearance above the object before the hand moves around to grasp it.
@@ -382,6 +432,16 @@ class Options:
         """
     @lift_height.setter
     def lift_height(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def mass_spread(self) -> float:
+        """
+        Uncertainty of the object's mass: a fraction of it.
+        
+        Range: [0, 1). Default: 0.2.
+        """
+    @mass_spread.setter
+    def mass_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_depth(self) -> float | None:
@@ -444,6 +504,16 @@ class Options:
     def pitch_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def position_spread(self) -> float:
+        """
+        Uncertainty of the object's position at the start.
+        
+        Unit: m. Range: [0, inf). Default: 0.003.
+        """
+    @position_spread.setter
+    def position_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def range(self) -> float:
         """
         Longest step of ConstrainedExtend, as the Euclidean norm over the joints.
@@ -452,6 +522,16 @@ class Options:
         """
     @range.setter
     def range(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def refuse_lag(self) -> bool:
+        """
+        Refuse slides in which the object may lag so far behind the finger, by the friction of pad and support, that the hand does not grasp it or the support does not hold it.
+        
+        Default: True.
+        """
+    @refuse_lag.setter
+    def refuse_lag(self, arg0: bool) -> None:
         ...
     @property
     def resolution(self) -> float:
@@ -492,6 +572,16 @@ class Options:
     def search(self, arg0: Search) -> None:
         ...
     @property
+    def thickness_spread(self) -> float:
+        """
+        Uncertainty of the object's thickness: a fraction of it.
+        
+        Range: [0, 1). Default: 0.2.
+        """
+    @thickness_spread.setter
+    def thickness_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def tip_margin(self) -> float:
         """
         Least distance of the fingertip's contact from the edge, on the support.
@@ -500,6 +590,16 @@ class Options:
         """
     @tip_margin.setter
     def tip_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def tracking_spread(self) -> float:
+        """
+        Error with which the arm follows the plan while it presses.
+        
+        Unit: m. Range: [0, inf). Default: 0.001.
+        """
+    @tracking_spread.setter
+    def tracking_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 class Segment:
     """
@@ -639,6 +739,7 @@ class Status(graspless._named.Named):
     """
     Outcome of a query.
     """
+    cannot_drag = ...
     contact_lost = ...
     interrupted = ...
     no_goal_root = ...
@@ -674,6 +775,32 @@ class Interruption:
         """
         (dof,) commanded joints [rad or m].
         """
+class Tube:
+    """
+    Bounds on where the object can be, relative to the plan, at each row of the slide.
+    """
+    def __init__(self, *, position: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [], angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = []) -> None:
+        """
+        Sets any field by keyword; the others are empty.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def angle(self) -> tuple[float, ...]:
+        """
+        Largest angles of the object from its planned orientation [rad].
+        """
+    @angle.setter
+    def angle(self, arg1: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None:
+        ...
+    @property
+    def position(self) -> tuple[float, ...]:
+        """
+        Largest distances of the object's origin from its planned position [m].
+        """
+    @position.setter
+    def position(self, arg1: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None:
+        ...
 class Plan:
     """
     Result of a query. False unless it is solved.
@@ -759,6 +886,14 @@ class Plan:
         """
     @status.setter
     def status(self, arg0: Status) -> None:
+        ...
+    @property
+    def tube(self) -> Tube:
+        """
+        Bounds on where the object can be at each row of the slide; empty: not stated.
+        """
+    @tube.setter
+    def tube(self, arg0: Tube) -> None:
         ...
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -849,6 +984,12 @@ def resume(problem: Problem, at: Interruption, options: Options = ..., budget: g
     A state from which no slide can go on is a status: off_support, contact_lost or start_in_collision.
     
     Raises ValueError on a bad problem, options or interruption.
+    """
+def tube(problem: Problem, plan: Plan, options: Options = ...) -> Tube:
+    """
+    Returns where the object can be during a plan's slide: a Tube.
+    
+    Model: its motion under ellipsoidal limit surfaces of pad and support (Howe, Cutkosky 1996) is integrated for the friction, press, mass and centre of mass that the spreads of the options allow. Empty if there is no slide.
     """
 def turning(problem: Problem, plan: Plan) -> Turning:
     """

@@ -42,6 +42,23 @@ class Interruption(Table):
     )
 
 
+class Tube(Table):
+    """Bounds on where the object can be, relative to the plan."""
+
+    MAKE: ClassVar = slide.Tube
+
+    position: list[float] = Field(
+        default=[],
+        description="[N] largest distance of the object from its planned position, "
+        "at each row of the slide, m",
+    )
+    angle: list[float] = Field(
+        default=[],
+        description="[N] largest angle of the object from its planned orientation, "
+        "at each row of the slide, rad",
+    )
+
+
 class SlidePlanFile(PlanFields):
     """A plan with its whole task."""
 
@@ -56,6 +73,9 @@ class SlidePlanFile(PlanFields):
         description="where the plan goes on; without it, it begins at the task's home",
     )
     segments: list[Segment]
+    tube: Tube = Field(
+        default=Tube(), description="where the object can be during the slide; empty: not stated"
+    )
     warnings: list[str] = Field(
         default=[], description="risks that the plan carries, one sentence each"
     )

@@ -19,6 +19,7 @@ def details(plan: Plan) -> dict[str, Any]:
     """Returns the fields of `--json` that only this kind has."""
     return {
         "overhang": plan.overhang if plan else None,
+        "tube": {"position": list(plan.tube.position), "angle": list(plan.tube.angle)},
         "warnings": list(plan.warnings),
         "segments": [
             {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
@@ -30,12 +31,19 @@ def details(plan: Plan) -> dict[str, Any]:
 def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, the slide's distance and overhang, and the warnings."""
     found = [*(segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
+    if plan.tube.position:
+        found.append(_tube_line(plan))
     return [*found, *(f"warning: {warning}" for warning in plan.warnings)]
 
 
 def lines_not_found(plan: Plan) -> list[str]:
     """Returns why start and goal contacts and their pairs were rejected."""
     return refused(plan)
+
+
+def _tube_line(plan: Plan) -> str:
+    position, angle = 1000 * plan.tube.position[-1], math.degrees(plan.tube.angle[-1])
+    return f"after the slide, it may be {position:.1f} mm and {angle:.1f} deg off this plan"
 
 
 def _slide_line(plan: Plan) -> str:

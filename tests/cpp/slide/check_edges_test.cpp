@@ -27,6 +27,7 @@ Problem random_problem(int i) {
 
 /// The plan with one edge instead of each of its edges: rows at joint steps of 1e-4 rad.
 Plan densely(const Problem& problem, Plan plan, std::size_t every) {
+  plan.tube = {};  // its rows are others
   for (Segment& segment : plan.segments) {
     Segment dense{segment.name, {segment.positions[0]}, {segment.object_poses[0]}};
     for (std::size_t row = 1; row < segment.positions.size(); ++row) {

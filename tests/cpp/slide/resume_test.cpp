@@ -8,6 +8,7 @@
 
 #include "complaint.hpp"
 #include "paths.hpp"
+#include "slide/contact.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -41,7 +42,9 @@ Interruption at_row(const Plan& plan, std::size_t row) {
 }
 
 /// The middle of the slide.
-Interruption midway() { return at_row(whole(), slide_of(whole()).positions.size() / 2); }
+Interruption midway(const Plan& plan = whole()) {
+  return at_row(plan, slide_of(plan).positions.size() / 2);
+}
 
 Eigen::Isometry3d shifted(const Eigen::Isometry3d& X_WO, double x, double y, double z = 0) {
   return Eigen::Translation3d(x, y, z) * X_WO;
@@ -104,23 +107,45 @@ TEST(Resume, TakesAnotherGoalWhereTheFormerOneIsBlocked) {
   EXPECT_GT(other_edge, 0);
 }
 
+/// Distance from the contact to the outline of an object that lies flat about its measured centre
+/// of mass; negative beside it.
+double inside_of_outline(const Problem& problem, const Interruption& at) {
+  const Hand& hand = problem.hand;
+  const Eigen::Isometry3d X_WF = problem.robot.pose(problem.robot.frame(hand.fingertip), at.q);
+  const Planar contact =
+      effective_tip(hand, tip(X_WF), problem.object.thickness(), Options{}.pitch);
+  const Eigen::Vector3d com_O = problem.object.com(), com_W = at.X_WO * com_O;
+  const double yaw = std::atan2(at.X_WO.linear()(1, 0), at.X_WO.linear()(0, 0));
+  const Eigen::Vector2d p_OC =
+      com_O.head<2>() + Eigen::Rotation2Dd(-yaw) * (contact.translation() - com_W.head<2>()).eval();
+  return problem.object.outline().depth(p_OC);
+}
+
 TEST(Resume, FollowsTheMeasuredObject) {
   std::mt19937_64 rng(4);
   std::uniform_real_distribution<double> offset(-0.01, 0.01), yaw(-10 * kDegree, 10 * kDegree);
-  std::uniform_int_distribution<std::size_t> row(0, slide_of(whole()).positions.size() - 1);
   const Problem problem = simple_problem();
-  int solved = 0;
-  constexpr int kCases = 60;
+  int solved = 0, lost = 0;
+  constexpr int kPlans = 4, kCases = 60;
+  std::vector<Plan> plans;
+  for (int i = 0; i < kPlans; ++i) {
+    plans.push_back(plan(problem, {}, seeded(static_cast<std::uint64_t>(i) + 1)));
+    ASSERT_TRUE(plans.back()) << plans.back().reason;
+  }
   for (int i = 0; i < kCases; ++i) {
-    Interruption at = at_row(whole(), row(rng));
+    const Plan& whole = plans[static_cast<std::size_t>(i % kPlans)];
+    std::uniform_int_distribution<std::size_t> row(0, slide_of(whole).positions.size() - 1);
+    Interruption at = at_row(whole, row(rng));
     at.X_WO = turned(shifted(at.X_WO, offset(rng), offset(rng), offset(rng) / 2), yaw(rng),
                      Eigen::Vector3d::UnitZ());
     at.X_WO = turned(at.X_WO, yaw(rng) / 2, Eigen::Vector3d::UnitX());
     const Plan rest = resume(problem, at, {}, seeded(i));
-    if (!rest) {
+    if (inside_of_outline(problem, at) < Options{}.rim_margin) {
       EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
+      ++lost;
       continue;
     }
+    ASSERT_TRUE(rest) << rest.reason;
     ++solved;
     EXPECT_EQ(listed(check(problem, rest)), "") << i;
     const Eigen::Isometry3d& first = rest.segments.front().object_poses.front();
@@ -128,7 +153,8 @@ TEST(Resume, FollowsTheMeasuredObject) {
     EXPECT_LT((first * com - at.X_WO * com).head<2>().norm(), 1e-9);
     EXPECT_NEAR(first.translation().z(), 0, 1e-12);
   }
-  EXPECT_GT(solved, kCases * 8 / 10);
+  EXPECT_GT(solved, kCases * 7 / 10);
+  EXPECT_GT(lost, 0);
 }
 
 TEST(Resume, TakesMeasuredJointsToTheNearestThatPress) {
@@ -367,12 +393,24 @@ TEST(Resume, IsTheSameForTheSameSeed) {
   }
 }
 
+// With one start, Algorithm 1 finds a plan with about every second seed before its roots are spent.
 TEST(Resume, WorksWithAlgorithmOneAsWritten) {
+  constexpr std::uint64_t kPlans = 4, kSeeds = 6;
   Options options;
   options.search = Search::paper;
-  const Plan rest = resume(simple_problem(), midway(), options, seeded(2, 60));
-  ASSERT_TRUE(rest) << rest.reason;
-  EXPECT_EQ(listed(check(simple_problem(), rest, options)), "");
+  const Problem problem = simple_problem();
+  for (std::uint64_t i = 1; i <= kPlans; ++i) {
+    const Plan first = plan(problem, {}, seeded(i));
+    ASSERT_TRUE(first) << first.reason;
+    Plan rest;
+    for (std::uint64_t seed = 1; !rest && seed <= kSeeds; ++seed) {
+      planning::Budget budget = seeded(seed, 60);
+      budget.iterations = 2000;
+      rest = resume(problem, midway(first), options, budget);
+    }
+    ASSERT_TRUE(rest) << rest.reason;
+    EXPECT_EQ(listed(check(problem, rest, options)), "");
+  }
 }
 
 TEST(Resume, CheckFindsWhatWasEdited) {

@@ -215,6 +215,13 @@ TEST(Torsion, AWristThatGivesWayTrailsAsASpringBehindFriction) {
   }
 }
 
+/// Options of a search that knows no friction.
+Options warned_only() {
+  Options options;
+  options.refuse_lag = false;
+  return options;
+}
+
 TEST(Torsion, AnObjectThatEndsShortOfThePlanIsWarnedOf) {
   Problem problem = with(0.3, 0.032);
   problem.hand.finger_model = FingerModel::impedance;
@@ -222,7 +229,7 @@ TEST(Torsion, AnObjectThatEndsShortOfThePlanIsWarnedOf) {
   problem.hand.press_force = 40;
   for (const double mass : {0.05, 0.8}) {
     problem.object = problem.object.with_mass(mass);
-    Options options;
+    Options options = warned_only();
     options.max_depth = 40.0 / 600 / 2;
     const Plan plan = slide::plan(problem, options);
     ASSERT_TRUE(plan) << plan.reason;
@@ -234,7 +241,7 @@ TEST(Torsion, AnObjectThatEndsShortOfThePlanIsWarnedOf) {
 
 TEST(Torsion, APadThatCannotDragTheObjectIsWarnedOf) {
   const Problem problem = with(3, 0.03);
-  const Plan plan = slide::plan(problem);
+  const Plan plan = slide::plan(problem, warned_only());
   ASSERT_TRUE(plan);
   ASSERT_EQ(plan.warnings.size(), 1u);
   EXPECT_NE(plan.warnings.front().find("cannot drag"), std::string::npos);
@@ -248,7 +255,7 @@ TEST(Torsion, AnObjectTooHeavyForThePadIsWarnedOf) {
       problem.object = problem.object.with_mass(mass);
       planning::Budget budget;
       budget.seed = seed;
-      const Plan plan = slide::plan(problem, {}, budget);
+      const Plan plan = slide::plan(problem, warned_only(), budget);
       ASSERT_TRUE(plan);
       const bool heavy = drag_load(problem, plan) > 1;
       const bool told =
@@ -267,7 +274,7 @@ TEST(Torsion, APlanThatTurnsFastIsWarnedOf) {
     Problem problem = with(0.8, 0.008);
     planning::Budget budget;
     budget.seed = seed;
-    const Plan plan = slide::plan(problem, {}, budget);
+    const Plan plan = slide::plan(problem, warned_only(), budget);
     ASSERT_TRUE(plan);
     const bool lags = turning(problem, plan).lag > 2 * M_PI / 180;
     EXPECT_EQ(plan.warnings.size(), lags || drag_load(problem, plan) > 1 ? 1u : 0u);

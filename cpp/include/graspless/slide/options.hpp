@@ -23,6 +23,9 @@ constexpr auto choices(Search) {
 
 constexpr double kMaxDepth = 0.1;  ///< upper end of the range of depths [m]
 
+/// Range of the uncertainty of a positive quantity, as a fraction of it.
+constexpr auto kFraction = planning::Range::right_open(0, 1);
+
 /// Options of the search; fields() describes them. Defaults are the paper's where it gives one.
 struct Options {
   Search search = Search::fast;
@@ -37,6 +40,16 @@ struct Options {
   double rim_margin = 0.005;
   double lift_height = 0.08;
   double grasp_approach = 0.06;
+  bool refuse_lag = true;
+  double friction_spread = 0.3;
+  double mass_spread = 0.2;
+  double com_spread = 0.005;
+  double thickness_spread = 0.2;
+  double height_spread = 0.003;
+  double flexure_spread = 0.2;
+  double position_spread = 0.003;
+  double angle_spread = 0.0349;
+  double tracking_spread = 0.001;
   double range = 0.1;
   double resolution = 0.01;
   double max_memory = 4e9;
@@ -84,6 +97,31 @@ constexpr auto fields(const Options&) {
             Range::left_open(0, 1)},
       Field{"grasp_approach", &Options::grasp_approach, "m",
             "Length of the hand's straight final motion.", Range::left_open(0, 1)},
+      Field{
+          "refuse_lag", &Options::refuse_lag, "",
+          "Refuse slides in which the object may lag so far behind the finger, by the friction of "
+          "pad and support, that the hand does not grasp it or the support does not hold it."},
+      Field{"friction_spread", &Options::friction_spread, "",
+            "Uncertainty of hand.pad_friction and of support.friction, each: a fraction of it.",
+            kFraction},
+      Field{"mass_spread", &Options::mass_spread, "",
+            "Uncertainty of the object's mass: a fraction of it.", kFraction},
+      Field{"com_spread", &Options::com_spread, "m", "Uncertainty of the object's centre of mass.",
+            Range::not_negative()},
+      Field{"thickness_spread", &Options::thickness_spread, "",
+            "Uncertainty of the object's thickness: a fraction of it.", kFraction},
+      Field{"height_spread", &Options::height_spread, "m",
+            "Uncertainty of the height of the support.", Range::not_negative()},
+      Field{
+          "flexure_spread", &Options::flexure_spread, "",
+          "Uncertainty of hand.flexure_length and hand.flexure_stiffness, each: a fraction of it.",
+          kFraction},
+      Field{"position_spread", &Options::position_spread, "m",
+            "Uncertainty of the object's position at the start.", Range::not_negative()},
+      Field{"angle_spread", &Options::angle_spread, "rad",
+            "Uncertainty of the object's orientation at the start.", Range::not_negative()},
+      Field{"tracking_spread", &Options::tracking_spread, "m",
+            "Error with which the arm follows the plan while it presses.", Range::not_negative()},
       Field{"range", &Options::range, "rad",
             "Longest step of ConstrainedExtend, as the Euclidean norm over the joints.",
             Range::left_open(0, 1)},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -45,6 +46,11 @@ class GRASPLESS_API Object {
   /// Subset of points() that contains the farthest point in every direction: of neighbours with the
   /// same x, the first and the last along y.
   const Eigen::Matrix2Xd& outermost() const { return top_->outermost; }
+  /// Mean distance of points() from a point in O [m]: that of a body whose mean and root mean
+  /// square distances have the same ratio from everywhere, which is within 3 % for plates.
+  double mean_distance(const Eigen::Vector2d& p_O) const {
+    return top_->ratio * std::sqrt(top_->variance + (p_O - top_->middle).squaredNorm());
+  }
   /// Distance between neighbouring points(): the square root of the outline's area per point [m].
   double spacing() const { return spacing_; }
   double thickness() const { return thickness_; }
@@ -69,7 +75,10 @@ class GRASPLESS_API Object {
   struct Top {
     Eigen::VectorXd depths;
     Eigen::Matrix2Xd outermost, points;
+    Eigen::Vector2d middle;  // mean of the points [m]
+    double variance, ratio;  // mean square distance from it [m^2]; mean distance over its root
   };
+  static Top top_of(const geometry::Polygon& outline, Eigen::Matrix2Xd points);
   std::string name_;
   geometry::Polygon outline_;
   std::shared_ptr<const Top> top_;

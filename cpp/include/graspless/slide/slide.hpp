@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -14,6 +13,8 @@
 #include "graspless/scene/certificate.hpp"
 #include "graspless/slide/options.hpp"
 #include "graspless/slide/problem.hpp"
+#include "graspless/slide/status.hpp"
+#include "graspless/slide/tube.hpp"
 
 namespace graspless::slide {
 
@@ -29,44 +30,6 @@ GRASPLESS_API DepthBand depth_band(const Hand& hand, const Options& options);
 /// frame: they reach the contact within 3 mm, and do not reach below it by more than 5 mm, or 8 mm
 /// for a finger that yields. Called by plan() and check().
 GRASPLESS_API void validate(const Problem& problem, const Options& options);
-
-enum class Status {
-  solved,
-  start_in_collision,
-  off_support,
-  contact_lost,
-  no_start_root,
-  no_goal_root,
-  no_valid_pair,
-  not_connected,
-  interrupted,
-  out_of_memory,
-};
-
-/// Table of the values: name and text.
-constexpr auto choices(Status) {
-  using planning::Choice;
-  return std::array{
-      Choice{Status::solved, "solved", "A plan was found."},
-      Choice{Status::start_in_collision, "start_in_collision",
-             "The robot touches something in its home configuration, or where it resumes a slide."},
-      Choice{Status::off_support, "off_support",
-             "The object of a slide to resume does not lie flat on the support."},
-      Choice{Status::contact_lost, "contact_lost",
-             "The finger of a slide to resume does not press on the object."},
-      Choice{Status::no_start_root, "no_start_root",
-             "No configuration that presses on the object was found."},
-      Choice{Status::no_goal_root, "no_goal_root",
-             "No configuration that presses near an edge was found."},
-      Choice{Status::no_valid_pair, "no_valid_pair",
-             "Starts and goals were found, but no pair of them was valid."},
-      Choice{Status::not_connected, "not_connected",
-             "No valid pair was connected within the budget."},
-      Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
-      Choice{Status::out_of_memory, "out_of_memory",
-             "The search would need more memory than options.max_memory."}};
-}
-GRASPLESS_API std::string to_string(Status status);
 
 /// State in which a slide was interrupted: the finger presses on the object.
 struct Interruption {
@@ -125,6 +88,7 @@ struct Plan {
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g
   double overhang = 0;                                           ///< u at the goal [m]
+  Tube tube;                          ///< of the slide; a plan without values claims no bounds
   std::vector<std::string> warnings;  ///< risks that the plan carries, one sentence each
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Part of check(): where friction may leave the object.
+#include <algorithm>
+
+#include "slide/course.hpp"
+#include "slide/examination.hpp"
+
+namespace graspless::slide {
+namespace {
+
+// Rounding of a plan file, which the integration amplifies [m, rad], and as a fraction.
+constexpr double kRounded = 1e-4, kRelative = 0.01;
+
+/// Row whose claimed bound is farthest below the true one; the number of rows if all are wide
+/// enough.
+std::size_t narrowest(const std::vector<double>& claimed, const std::vector<double>& needed) {
+  std::size_t found = needed.size();
+  double worst = 0;
+  for (std::size_t row = 0; row < needed.size(); ++row) {
+    const double lacks = (1 - kRelative) * needed[row] - kRounded - claimed[row];
+    if (lacks <= worst) continue;  // infinite bounds lack nothing
+    worst = lacks;
+    found = row;
+  }
+  return found;
+}
+
+}  // namespace
+
+/// The plan's tube must not be narrower than the one that follows from its rows. A plan without
+/// values claims nothing.
+void Examination::check_tube() {
+  const Segment& slide = segment("slide");
+  const Course found = course(problem_, options_, pressed_rows(problem_, slide));
+  const bool is_resumed = plan_.resumed && !has("retreat");
+  if (options_.refuse_lag && !is_resumed) check_ends(found.ends);
+  const Tube& claimed = plan_.tube;
+  if (claimed.position.empty() && claimed.angle.empty()) return;
+  const auto is_bound = [](double value) { return value >= 0; };
+  for (const std::vector<double>* values : {&claimed.position, &claimed.angle}) {
+    if (values->size() != slide.positions.size() ||
+        !std::all_of(values->begin(), values->end(), is_bound)) {
+      fault("tube", "must have a bound of at least 0 for each row of the slide");
+      return;
+    }
+  }
+  const std::size_t moved = narrowest(claimed.position, found.tube.position);
+  if (moved < slide.positions.size()) {
+    fault("tube row " + std::to_string(moved),
+          "the object may be " + figure(found.tube.position[moved]) + " m off, not " +
+              figure(claimed.position[moved]) + " m at most");
+  }
+  const std::size_t turned = narrowest(claimed.angle, found.tube.angle);
+  if (turned < slide.positions.size()) {
+    fault("tube row " + std::to_string(turned),
+          "the object may be " + figure(found.tube.angle[turned]) + " rad off, not " +
+              figure(claimed.angle[turned]) + " rad at most");
+  }
+}
+
+/// Wherever friction leaves the object, the support must hold it and the hand must reach it.
+void Examination::check_ends(const std::vector<Planar>& ends) {
+  const Protrusion planned = protrusion();
+  if (!planned.any) return;  // check_pair() finds that
+  const Eigen::Matrix3d R_WS = problem_.support.X_WS().linear();
+  const Eigen::Vector3d down_S = -R_WS.transpose().col(2);
+  const Eigen::Vector3d planned_O = (X_SW_ * plan_.X_WO_goal).inverse() *
+                                    Eigen::Vector3d(planned.center.x(), planned.center.y(), 0);
+  const double planned_depth =
+      signed_depth(problem_.object.outline().vertices(), planned_O.head<2>());
+  const double least = std::min(0.0, planned_depth - kGraspGive);
+  for (const Planar& X_SO : ends) {
+    const Eigen::Vector3d& com_O = problem_.object.com();
+    const Eigen::Vector2d foot =
+        X_SO * Eigen::Vector2d(com_O.head<2>()) + down_S.head<2>() * (com_O.z() / -down_S.z());
+    if (!(signed_depth(problem_.support.polygon().vertices(), foot) >= -kRounded)) {
+      fault("tube", "friction may leave the center of mass off the support");
+    }
+    const Eigen::Vector2d grasp_O = X_SO.inverse() * planned.center;
+    if (!(signed_depth(problem_.object.outline().vertices(), grasp_O) >= least - kRounded)) {
+      fault("tube", "friction may leave the object out of the hand");
+    }
+  }
+}
+
+}  // namespace graspless::slide

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slide/placement.hpp"
+#include "slide/pressed.hpp"
+
+/// Where friction takes the object: the integration behind tube.hpp.
+namespace graspless::slide {
+
+/// Result of the integration of one slide.
+struct Course {
+  Tube tube;
+  std::vector<Planar> ends;  ///< pose of the object in S after the slide, in each world
+};
+
+Course course(const Problem& problem, const Options& options, const std::vector<PressedRow>& rows);
+
+/// Slide in which the pad moves and turns evenly, at constant depth and the pitch beta_0.
+struct EvenSlide {
+  Planar tip_start, tip_goal;  ///< effective tips
+  Planar object_start;
+  double depth;  ///< [m]
+};
+
+/// Estimates where the object ends in the world with the weakest pad.
+Planar weakest_end(const Problem& problem, const Options& options, const EvenSlide& slide);
+
+/// Largest deviations of a slide's ends from its plan.
+struct Lag {
+  double position = 0, angle = 0;  ///< [m, rad]
+};
+Lag largest_lag(const std::vector<Planar>& ends, const Planar& object_goal);
+
+/// Tolerance of a grasp whose middle is at the rim of the object, or beside it by round-off [m].
+inline constexpr double kGraspGive = 0.002;
+
+/// Returns the condition that friction breaks at one of the ends: the centre of mass must be on the
+/// support, and the middle of the planned grasp (in S) on the object. Nothing if both hold. The
+/// margins of the plan (com_margin, min_overhang) are for the other errors.
+std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& object_goal,
+                                         const Eigen::Vector2d& grasp,
+                                         const std::vector<Planar>& ends);
+
+}  // namespace graspless::slide

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slide/pressed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/watch.hpp"
+
+namespace graspless::slide {
+
+double weight(const Problem& problem) {
+  constexpr double kGravity = 9.81;  // [m/s^2]
+  return problem.object.mass() * kGravity;
+}
+
+double drag_ratio(const Problem& problem, double press) {
+  return problem.support.friction() / problem.hand.pad_friction * (1 + weight(problem) / press);
+}
+
+PressedRow pressed_row(const Problem& problem, const Tip& tip, const Planar& X_SO) {
+  const double depth = problem.object.thickness() - tip.height;
+  const double press = press_force(problem.hand, depth, tip.pitch);
+  const Eigen::Vector2d p_SM = X_SO * problem.object.com().head<2>().eval();
+  const Eigen::Vector2d p_SC =
+      (press * tip.position + weight(problem) * p_SM) / (press + weight(problem));
+  const double yaw = std::atan2(X_SO.linear()(1, 0), X_SO.linear()(0, 0));
+  const Eigen::Vector2d p_OC = X_SO.inverse() * p_SC;
+  const double radius = (problem.object.points().colwise() - p_OC).colwise().norm().mean();
+  return {tip, depth, X_SO, p_SM, p_SC, yaw, radius};
+}
+
+std::vector<PressedRow> pressed_rows(const Problem& problem, const Segment& slide) {
+  const robot::Robot& robot = problem.robot;
+  const int F = robot.frame(problem.hand.fingertip);
+  const Eigen::Isometry3d X_SW = problem.support.X_WS().inverse();
+  std::vector<PressedRow> found;
+  found.reserve(slide.positions.size());
+  for (std::size_t row = 0; row < slide.positions.size(); ++row) {
+    poll();
+    found.push_back(pressed_row(problem, tip(X_SW * robot.pose(F, slide.positions[row])),
+                                planar(X_SW * slide.object_poses[row])));
+  }
+  return found;
+}
+
+std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan) {
+  const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
+                                  [](const Segment& segment) { return segment.name == "slide"; });
+  if (slide == plan.segments.end()) return {};
+  return pressed_rows(problem, *slide);
+}
+
+}  // namespace graspless::slide

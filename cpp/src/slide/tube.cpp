@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/tube.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "graspless/slide/torsion.hpp"
+#include "graspless/watch.hpp"
+
+#include "slide/course.hpp"
+#include "slide/drag.hpp"
+#include "slide/pad.hpp"
+
+namespace graspless::slide {
+namespace {
+
+constexpr double kBothWorst = 0.7;  // share of each of two errors that are worst at once
+
+constexpr double kStride = 0.01;      // step of the integration [m]
+constexpr double kLongStride = 0.03;  // where an estimate is enough
+constexpr double kTurnStride = 10;    // turn of a step, relative to its length [rad/m]
+constexpr int kMostSteps = 1000;      // between two rows
+constexpr std::size_t kWeakest = 1;   // of the worlds
+constexpr double kFelt = 0.05;  // smallest shift of the pressure that matters, over that of the pad
+constexpr double kArmLever = 0.05;  // over which an error of the tip turns the pad [m]
+
+/// World in which a slide is followed: how much weaker the pad is than in the task, as a share of
+/// the spread, and where the centre of mass is.
+struct World {
+  double weakness;
+  Eigen::Vector2d com_O;
+  Planar X_SO;
+};
+
+/// Returns the object's twist at the pad for that of the pad.
+Eigen::Vector3d twist_in(const Problem& problem, const World& world, const PadPoint& pad,
+                         const Eigen::Vector3d& twist) {
+  const Eigen::Vector2d p_TC =
+      (world.X_SO * world.com_O - pad.position) * (pad.weight / (1 + pad.weight));
+  const Eigen::Vector2d p_OC = world.X_SO.inverse() * (pad.position + p_TC);
+  const double radius = pad.radius * problem.object.mean_distance(p_OC);
+  const double ratio = problem.support.friction() / problem.hand.pad_friction * (1 + pad.weight) *
+                       std::exp(world.weakness * pad.weakness);
+  return dragged({ratio, radius, problem.hand.pad_width / 4}, p_TC, twist);
+}
+
+/// Moves an object by a twist at its point `at`.
+Planar moved(const Planar& X_SO, const Eigen::Vector2d& at, const Eigen::Vector3d& twist) {
+  const Eigen::Rotation2Dd turn(twist.z());
+  Planar X = X_SO;
+  X.translation() = at + twist.head<2>() + turn * (X_SO.translation() - at).eval();
+  X.linear() = turn.toRotationMatrix() * X_SO.linear();
+  return X;
+}
+
+/// Moves the object of a world along with the pad: at once if the pad holds it at both ends of the
+/// leg, or else in steps by the midpoint rule.
+void follow(const Problem& problem, const Leg& leg, double stride, World& world) {
+  const PadPoint start = leg.at(0);
+  if (twist_in(problem, world, start, leg.twist()) == leg.twist()) {
+    World there = world;
+    there.X_SO = moved(world.X_SO, start.position, leg.twist());
+    if (twist_in(problem, there, leg.at(1), leg.twist()) == leg.twist()) {
+      world = there;
+      return;
+    }
+  }
+  const double length =
+      std::max(leg.twist().head<2>().norm(), std::abs(leg.twist().z()) / kTurnStride);
+  const double strides = std::min(std::ceil(length / stride), 1.0 * kMostSteps);
+  const int steps = std::max(1, static_cast<int>(strides));
+  const Eigen::Vector3d step = leg.twist() / steps;
+  for (int i = 0; i < steps; ++i) {
+    poll();
+    const PadPoint from = leg.at(1.0 * i / steps), middle = leg.at((i + 0.5) / steps);
+    World half = world;
+    half.X_SO = moved(world.X_SO, from.position, twist_in(problem, world, from, step) / 2);
+    const Eigen::Vector3d twist = twist_in(problem, half, middle, step);
+    world.X_SO = moved(world.X_SO, middle.position - twist.head<2>() / 2, twist);
+  }
+}
+
+std::vector<World> worlds_of(const Problem& problem, const Options& options,
+                             const std::vector<PressedRow>& rows) {
+  const Planar& X_SO = rows.front().X_SO;
+  const Eigen::Vector2d com = problem.object.com().head<2>();
+  const Eigen::Vector2d way = rows.back().p_SM - rows.front().p_SM;
+  const double length = way.norm();
+  const Eigen::Vector2d ahead =
+      X_SO.linear().transpose() *
+      (length > 0 ? Eigen::Vector2d(way / length) : Eigen::Vector2d::UnitX());
+  const Eigen::Vector2d aside =
+      kBothWorst * options.com_spread * Eigen::Vector2d(-ahead.y(), ahead.x());
+  std::vector<World> worlds{{0, com, X_SO}, {1, com, X_SO}};  // the second is kWeakest
+  const double press = press_force(problem.hand, rows.front().depth, rows.front().tip.pitch);
+  const double share = weight(problem) / (weight(problem) + press);
+  if (share * aside.norm() > kFelt * problem.hand.pad_width / 4) {
+    worlds.push_back({kBothWorst, com + aside, X_SO});
+    worlds.push_back({kBothWorst, com - aside, X_SO});
+  }
+  return worlds;
+}
+
+double turn_between(const Planar& a, const Planar& b) {
+  const Eigen::Matrix2d R = a.linear().transpose() * b.linear();
+  return std::atan2(R(1, 0), R(0, 0));
+}
+
+/// The errors without slip: the wrist's trailing adds to the others.
+double trailing_at(const Problem& problem, const PressedRow& row) {
+  if (problem.hand.finger_model != FingerModel::impedance) return 0;
+  const double N = press_force(problem.hand, row.depth, row.tip.pitch);
+  return problem.support.friction() * (N + weight(problem)) / problem.hand.wrist_stiffness;
+}
+
+void add_row(const Problem& problem, const Options& options, const PressedRow& row,
+             double shift_spread, const std::vector<World>& worlds, Tube& tube) {
+  double position = 0, angle = 0;
+  for (const World& world : worlds) {
+    position = std::max(position, (world.X_SO.translation() - row.X_SO.translation()).norm());
+    angle = std::max(angle, std::abs(turn_between(world.X_SO, row.X_SO)));
+  }
+  tube.position.push_back(
+      position + trailing_at(problem, row) +
+      combined({options.position_spread, shift_spread, options.tracking_spread}));
+  tube.angle.push_back(angle +
+                       combined({options.angle_spread, options.tracking_spread / kArmLever}));
+}
+
+}  // namespace
+
+Course course(const Problem& problem, const Options& options, const std::vector<PressedRow>& rows) {
+  Course found;
+  if (rows.empty()) return found;
+  const Pads pads(problem, options);
+  std::vector<World> worlds = worlds_of(problem, options, rows);
+  std::optional<Pad> before;
+  for (const PressedRow& row : rows) {
+    const Pad now = pads.at(row);
+    if (before) {
+      const Leg leg(problem, *before, now);
+      for (World& world : worlds) follow(problem, leg, kStride, world);
+    }
+    add_row(problem, options, row, now.shift_spread, worlds, found.tube);
+    before = now;
+  }
+  for (const World& world : worlds) found.ends.push_back(world.X_SO);
+  return found;
+}
+
+Planar weakest_end(const Problem& problem, const Options& options, const EvenSlide& slide) {
+  constexpr double kMostTurn = 0.5;  // of a leg [rad]
+  const double turn = turn_between(slide.tip_start, slide.tip_goal);
+  const int legs = 1 + static_cast<int>(std::abs(turn) / kMostTurn);
+  World world{1, problem.object.com().head<2>(), slide.object_start};
+  Pad before = Pads(problem, options).at(slide.tip_start, slide.depth, options.pitch);
+  for (int i = 1; i <= legs; ++i) {
+    const double t = 1.0 * i / legs;
+    Pad now = before;
+    now.position = (1 - t) * slide.tip_start.translation() + t * slide.tip_goal.translation();
+    now.heading = Eigen::Rotation2Dd(t * turn) * slide.tip_start.linear().col(0).eval();
+    now.yaw = before.yaw + turn / legs;
+    follow(problem, Leg(problem, before, now), kLongStride, world);
+    before = now;
+  }
+  return world.X_SO;
+}
+
+Lag largest_lag(const std::vector<Planar>& ends, const Planar& object_goal) {
+  Lag found;
+  for (const Planar& end : ends) {
+    found.position =
+        std::max(found.position, (end.translation() - object_goal.translation()).norm());
+    found.angle = std::max(found.angle, std::abs(turn_between(end, object_goal)));
+  }
+  return found;
+}
+
+std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& object_goal,
+                                         const Eigen::Vector2d& grasp,
+                                         const std::vector<Planar>& ends) {
+  const auto depth_at = [&](const Planar& X_SO) {
+    return problem.object.outline().depth(X_SO.inverse() * grasp);
+  };
+  const double least = std::min(0.0, depth_at(object_goal) - kGraspGive);
+  for (const Planar& end : ends) {
+    if (!is_com_inside(problem, end, 0)) return "the center of mass off the support";
+    if (depth_at(end) < least) return "the object out of the hand";
+  }
+  return std::nullopt;
+}
+
+Tube tube(const Problem& problem, const Plan& plan, const Options& options) {
+  return course(problem, options, pressed_rows(problem, plan)).tube;
+}
+
+double least_drag(const Problem& problem, const Options& options) {
+  const double depth = depth_band(problem.hand, options).max;
+  const double pitch = options.pitch + options.pitch_tolerance;
+  const Pad pad = Pads(problem, options).at(Planar::Identity(), depth, pitch);
+  const double N =
+      dragging_force(problem.hand, depth, pitch, 1, problem.support.friction(), weight(problem));
+  return drag_ratio(problem, N) * std::exp(pad.weakness);
+}
+
+}  // namespace graspless::slide
