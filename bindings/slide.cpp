@@ -100,18 +100,22 @@ void bind_support(py::module_& m) {
   py::class_<Support>(
       m, "Support",
       "A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.")
-      .def(
-          py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width,
-                      double friction) {
-            return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width,
-                           friction);
-          }),
-          py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04, py::arg("band_width") = 0.06,
-          py::arg("friction") = 0.3,
-          "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by at most 60 "
-          "degrees.\n"
-          "slab: thickness of the table top [m]. band_width: width of the band along the edges "
-          "where slides may end [m]. friction: coefficient of friction between object and support.")
+      .def(py::init([](const Outline& polygon, const Array& X_WS, double slab, double band_width,
+                       double friction, const std::optional<std::vector<int>>& usable_edges) {
+             return Support(to_polygon(polygon, "polygon"), to_pose(X_WS, "X_WS"), slab, band_width,
+                            friction, usable_edges);
+           }),
+           py::arg("polygon"), py::arg("X_WS"), py::arg("slab") = 0.04,
+           py::arg("band_width") = 0.06, py::arg("friction") = 0.3,
+           py::arg("usable_edges") = py::none(),
+           "polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by at most 60 "
+           "degrees.\n"
+           "slab: thickness of the table top [m]. band_width: width of the band along the edges "
+           "where slides may end [m]. friction: coefficient of friction between object and "
+           "support.\n"
+           "usable_edges: indices of the polygon's edges over which objects may stick out; by "
+           "default "
+           "all. Edge i runs from vertex i to the next, counter-clockwise.")
       .def_property_readonly(
           "polygon", [](const Support& self) { return self.polygon(); },
           "Polygon of the surface in S [m]: Q of the paper.")
@@ -124,6 +128,16 @@ void bind_support(py::module_& m) {
       .def_property_readonly("slab", &Support::slab, "Thickness of the table top [m].")
       .def_property_readonly("friction", &Support::friction,
                              "Coefficient of friction between object and support.")
+      .def_property_readonly(
+          "usable_edges",
+          [](const Support& self) {
+            py::list edges;
+            for (int i = 0; i < self.polygon().size(); ++i) {
+              if (self.is_usable(i)) edges.append(i);
+            }
+            return py::typing::Tuple<int, py::ellipsis>(py::tuple(edges));
+          },
+          "Indices of the polygon's edges over which objects may stick out.")
       .def_property_readonly("normal_W", &Support::normal_W,
                              "(3,) unit normal in the world, out of the surface.")
       .def_property_readonly("shapes", &Support::shapes, "PlacedShapes in S, below z = 0.")

@@ -248,6 +248,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "batch": ("plan many tasks in parallel", _of(".batches.cli")),
     "robot": ("propose, check and join descriptions of robots", _of("._robot_cli")),
     "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
+    "see": ("find tables and objects in depth images", _of(".perception.cli")),
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),
 }

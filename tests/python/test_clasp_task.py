@@ -105,7 +105,7 @@ FAULTS = [
     (("urdf: kr5_sdh", "urdf: kr5_sdh, home: asleep"), 2, r"robot.home: asleep: .*open"),
     ((SAMPLE, "sample: trunk"), 5, r"object.sample: trunk: .*lawn_mower"),
     ((SAMPLE, "samples: purse"), 5, r"object.samples: unknown field; did you mean 'sample'"),
-    ((f"  {SAMPLE}\n", ""), 3, r"object: exactly one of cloud, mesh, sample must be given"),
+    ((f"  {SAMPLE}\n", ""), 3, r"object: exactly one of cloud, mesh, sample, scene must be given"),
     ((SAMPLE, f"{SAMPLE}\n  cloud: a.ply"), 3, r"object: .*not cloud and sample"),
     ((SAMPLE, f"{SAMPLE}\n  points: [[0, 0, 0]]"), 3, r"object: .*not sample and points"),
     ((SAMPLE, f"{SAMPLE}\n  unit: mm"), 3, r"object: unit is for files"),

@@ -143,7 +143,7 @@ Eigen::Vector2d meet(const Line& a, const Line& b, const Eigen::Vector2d& at, do
   if (std::abs(sine) < 0.2) return between;
   const Eigen::Vector2d d = b.point - a.point;
   const Eigen::Vector2d p = a.point + a.along * (d.x() * b.along.y() - d.y() * b.along.x()) / sine;
-  return (p - at).norm() < 4 * tolerance ? p : between;
+  return (p - at).norm() < 1.5 * tolerance ? p : between;
 }
 
 std::optional<geometry::Polygon> polygon_of(const std::vector<Eigen::Vector2d>& points) {

@@ -43,6 +43,25 @@ Points nearly_closest(const Points& points, const Eigen::Vector2d& to) {
   return found;
 }
 
+/// The edge nearest to a point outside. Beyond a corner both edges are equally near: the one whose
+/// line is farther away.
+geometry::Polygon::Edge edge_beside(const geometry::Polygon& Q, const Eigen::Vector2d& p) {
+  geometry::Polygon::Edge found{};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < Q.size(); ++i) {
+    const auto edge = Q.edge(i);
+    const Eigen::Vector2d along = edge.b - edge.a;
+    const double t = std::clamp((p - edge.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (p - edge.a - t * along).norm();
+    const double beyond = edge.inward.dot(edge.a - p);
+    const bool tie = std::abs(distance - nearest) <= 1e-9;
+    if (tie ? beyond <= found.inward.dot(found.a - p) : distance > nearest) continue;
+    nearest = distance;
+    found = edge;
+  }
+  return found;
+}
+
 /// Points of the largest group whose neighbours are at most `distance` [m] apart, by relabelling.
 Points largest_group(const Points& points, double distance) {
   std::vector<std::size_t> label(points.size());
@@ -88,6 +107,13 @@ Examination::Protrusion Examination::protrusion() const {
   Protrusion result;
   result.any = !out.empty();
   if (!result.any) return result;
+  for (const auto& p : out) {
+    poll();
+    if (problem_.support.has_unusable_edges() &&
+        !problem_.support.is_usable(edge_beside(Q, p).index)) {
+      result.is_over_unusable_edge = true;
+    }
+  }
   result.center = mean(out);
   if (!is_held_at(result.center, out, X_SO)) {
     out = largest_group(out, kNeighbours * problem_.object.spacing());
@@ -97,23 +123,7 @@ Examination::Protrusion Examination::protrusion() const {
       result.center = closest(nearly_closest(out, result.center), hand.head<2>());
     }
   }
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < Q.size(); ++i) {
-    const auto edge = Q.edge(i);
-    const Eigen::Vector2d along = edge.b - edge.a;
-    const double t =
-        std::clamp((result.center - edge.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const double distance = (result.center - edge.a - t * along).norm();
-    // Beyond a corner both edges are equally near: take the one whose line is farther away.
-    const double beyond = edge.inward.dot(edge.a - result.center);
-    const bool tie = std::abs(distance - nearest) <= 1e-9;
-    if (tie ? beyond <= result.edge.inward.dot(result.edge.a - result.center)
-            : distance > nearest) {
-      continue;
-    }
-    nearest = distance;
-    result.edge = edge;
-  }
+  result.edge = edge_beside(Q, result.center);
   for (const auto& p : out) {
     result.overhang = std::max(result.overhang, result.edge.inward.dot(result.edge.a - p));
   }
@@ -125,6 +135,9 @@ void Examination::check_pair() {
   const Protrusion out = protrusion();
   if (!out.any || !(out.overhang >= options_.min_overhang - 1e-9)) {
     fault("goal", "the object sticks out by only " + figure(out.overhang) + " m");
+  }
+  if (out.is_over_unusable_edge) {
+    fault("goal", "the object sticks out over an edge of the support that is not usable");
   }
   if (!(std::abs(out.overhang - plan_.overhang) <= kSame)) {
     fault("goal", "the overhang is not what the plan says: it is " + figure(out.overhang) + " m");

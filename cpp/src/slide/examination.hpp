@@ -96,6 +96,7 @@ class Examination {
     double overhang = 0;
     Eigen::Vector2d center;
     geometry::Polygon::Edge edge{};
+    bool is_over_unusable_edge = false;
   };
   Protrusion protrusion() const;
   bool is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,

@@ -41,7 +41,7 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
   handling.object_goal = query_.contact.carry(carried, goal);
   handling.placement = placement(query_.problem, query_.options, handling.object_goal);
   if (handling.placement.overhang < query_.options.min_overhang) {  // condition 1
-    query_.refuse("pair: overhang");
+    query_.refuse("pair: " + handling.placement.fault);
     return false;
   }
   if (!handling.placement.com_inside) {  // condition 2

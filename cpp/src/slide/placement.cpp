@@ -17,9 +17,12 @@ using Points = std::vector<Eigen::Vector2d>;
 constexpr Eigen::Index kPolled = 256;  // points between two polls
 constexpr double kSurely = 1 - 1e-6;   // of a square distance
 
-geometry::Polygon::Edge draw_edge(const geometry::Polygon& Q, std::mt19937_64& rng) {
+geometry::Polygon::Edge draw_edge(const Support& support, std::mt19937_64& rng) {
+  const geometry::Polygon& Q = support.polygon();
   std::vector<double> lengths;
-  for (int i = 0; i < Q.size(); ++i) lengths.push_back((Q.edge(i).b - Q.edge(i).a).norm());
+  for (int i = 0; i < Q.size(); ++i) {
+    lengths.push_back(support.is_usable(i) ? (Q.edge(i).b - Q.edge(i).a).norm() : 0);
+  }
   return Q.edge(std::discrete_distribution<int>(lengths.begin(), lengths.end())(rng));
 }
 
@@ -102,6 +105,10 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   }
   result.sticks_out = !out.empty();
   if (!result.sticks_out) return result;
+  const bool is_over_usable_edges = !problem.support.has_unusable_edges() ||
+                                    std::all_of(out.begin(), out.end(), [&](const auto& p) {
+                                      return problem.support.is_usable(Q.nearest_edge(p).index);
+                                    });
   result.out_center = center_of(out);
   if (!is_on_object(problem.object, object_S, out, result.out_center)) {
     out = largest_part(out, kLink * problem.object.spacing());
@@ -113,6 +120,10 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   result.edge = Q.nearest_edge(result.out_center);
   for (const auto& p : out) {
     result.overhang = std::max(result.overhang, -result.edge.inward.dot(p - result.edge.a));
+  }
+  if (!is_over_usable_edges) {
+    result.overhang = 0;
+    result.fault = "edge not usable";
   }
   result.com_inside = is_com_inside(problem, object_S, options.com_margin);
   return result;
@@ -133,7 +144,7 @@ Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
 
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
                                           std::mt19937_64& rng) {
-  return draw_graspable_pose(problem, options, draw_edge(problem.support.polygon(), rng), rng);
+  return draw_graspable_pose(problem, options, draw_edge(problem.support, rng), rng);
 }
 
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <random>
+#include <string>
 
 #include "graspless/slide/slide.hpp"
 
@@ -16,13 +17,14 @@ namespace graspless::slide {
 /// Position of the object relative to the support's edge.
 struct Placement {
   bool sticks_out = false;  ///< true if P_out is not empty
-  double overhang =
-      0;  ///< u: largest distance of P_out, or of its part, from the line of `edge` [m]
+  double overhang = 0;  ///< u: largest distance of P_out, or of its part, from the line of `edge`
+                        ///< [m]; 0 if a point of P_out is nearest to an edge that is not usable
   /// Geometric centre of P_out, in S [m]. If that is not on the object, as with several parts or a
   /// ring: of the largest part, or its point nearest to that part's centre.
   Eigen::Vector2d out_center;
   geometry::Polygon::Edge edge{};  ///< the edge nearest to out_center
   bool com_inside = false;         ///< the centre of mass is at least com_margin inside Q
+  std::string fault = "overhang";  ///< what is wrong if the overhang is too small
 };
 
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S);

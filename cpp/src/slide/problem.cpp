@@ -128,6 +128,25 @@ std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, doub
   return shapes;
 }
 
+/// One flag for each of `count` edges.
+std::vector<bool> usable(const std::optional<std::vector<int>>& edges, int count) {
+  if (!edges) return std::vector<bool>(static_cast<std::size_t>(count), true);
+  if (edges->empty()) {
+    throw std::invalid_argument("support usable_edges is empty; it must name at least one edge");
+  }
+  std::vector<bool> flags(static_cast<std::size_t>(count), false);
+  for (const int edge : *edges) {
+    const bool is_known = edge >= 0 && edge < count;
+    if (!is_known || flags[static_cast<std::size_t>(edge)]) {
+      throw std::invalid_argument(
+          "support usable_edges has " + std::to_string(edge) +
+          (is_known ? " twice" : "; edges are numbered from 0 to " + std::to_string(count - 1)));
+    }
+    flags[static_cast<std::size_t>(edge)] = true;
+  }
+  return flags;
+}
+
 }  // namespace
 
 Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline,
@@ -217,11 +236,13 @@ Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::Vect
 }
 
 Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab,
-                 double band_width, double friction)
+                 double band_width, double friction,
+                 const std::optional<std::vector<int>>& usable_edges)
     : goal_band_(polygon, band_width),
       X_WS_(X_WS),
       slab_(length("support slab", slab)),
       friction_(slide::friction("support friction", friction)),
+      is_usable_(usable(usable_edges, polygon.size())),
       shapes_(prisms(polygon, -slab, 0)),
       solid_(shapes_, "support") {
   const Eigen::Matrix3d R = X_WS.linear();
@@ -234,6 +255,10 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
     throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad; at most " +
                                 std::to_string(kMaxTilt) + " rad (60 degrees) is allowed");
   }
+}
+
+bool Support::has_unusable_edges() const {
+  return std::find(is_usable_.begin(), is_usable_.end(), false) != is_usable_.end();
 }
 
 }  // namespace graspless::slide

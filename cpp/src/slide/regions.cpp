@@ -82,7 +82,7 @@ double draw_depth(Query& query) {
 std::optional<Placement> placed(Query& query, const Planar& object_S) {
   const Placement place = placement(query.problem, query.options, object_S);
   if (place.overhang >= query.options.min_overhang && place.com_inside) return place;
-  query.refuse("goal: overhang");  // for example at a corner, where another edge is nearer
+  query.refuse("goal: " + place.fault);  // for example at a corner, where another edge is nearer
   return std::nullopt;
 }
 
@@ -165,6 +165,12 @@ bool GoalRegion::try_sample(ob::State* state) const {
       query_.problem.support.goal_band().sample(query_.rng, query_.options.tip_margin);
   if (!point) {
     query_.refuse("goal: no room near the edges");
+    return false;
+  }
+  const Support& support = query_.problem.support;
+  if (support.has_unusable_edges() &&
+      !support.is_usable(support.polygon().nearest_edge(*point).index)) {
+    query_.refuse("goal: edge not usable");
     return false;
   }
   const Planar contact = contact_at(*point, query_.uniform(0, 2 * kPi));

@@ -88,10 +88,11 @@ class Support:
     """
     A flat surface to slide on: a polygon in the plane z = 0 of its frame S, z up.
     """
-    def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06, friction: typing.SupportsFloat | typing.SupportsIndex = 0.3) -> None:
+    def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06, friction: typing.SupportsFloat | typing.SupportsIndex = 0.3, usable_edges: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None = None) -> None:
         """
         polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by at most 60 degrees.
         slab: thickness of the table top [m]. band_width: width of the band along the edges where slides may end [m]. friction: coefficient of friction between object and support.
+        usable_edges: indices of the polygon's edges over which objects may stick out; by default all. Edge i runs from vertex i to the next, counter-clockwise.
         """
     def __repr__(self) -> str:
         ...
@@ -129,6 +130,11 @@ class Support:
     def slab(self) -> float:
         """
         Thickness of the table top [m].
+        """
+    @property
+    def usable_edges(self) -> tuple[int, ...]:
+        """
+        Indices of the polygon's edges over which objects may stick out.
         """
 class FingerModel(graspless._named.Named):
     """

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .. import geometry
     from .._plan import Plan
     from ..inspection import Proposal
+    from ..perception import Scene
     from ..simulation import Recording
 
 
@@ -95,6 +96,30 @@ def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) 
         from .loops import draw
 
         picture = draw(points, loops)
+    files.write(path, picture)
+
+
+def write_scene_png(scene: Scene, path: str | Path) -> None:
+    """Draws a scene from above: supports with their edges by label, objects, and unseen space.
+
+    Parameters
+    ----------
+    scene : perception.Scene
+    path : str or Path
+        .png file to write.
+
+    Raises
+    ------
+    TaskError
+        The file cannot be written, has another ending, or a package of `graspless[view]` is
+        missing.
+    """
+    check_png(path)
+    files.check_writable(path)
+    with _told():
+        from .perceived import draw
+
+        picture = draw(scene)
     files.write(path, picture)
 
 
@@ -187,7 +212,15 @@ def _told() -> Iterator[None]:
         raise missing(error, "view", " to draw") from None
 
 
-__all__ = ["figure", "serve", "show", "write_html", "write_loops_png", "write_png"]
+__all__ = [
+    "figure",
+    "serve",
+    "show",
+    "write_html",
+    "write_loops_png",
+    "write_png",
+    "write_scene_png",
+]
 
 
 def __dir__() -> list[str]:

@@ -44,6 +44,9 @@ def resolve(named: CarryTask, source: Source, directory: Path) -> tuple[CarryTas
         update["obstacles"] = resolve_obstacles(named.obstacles, source, directory)
         meshes |= obstacle_meshes(update["obstacles"])
     thing = named.object
+    for kind in ("slide", "clasp"):
+        if thing is not None and getattr(getattr(thing, kind), "scene", None) is not None:
+            raise source.error(("object", kind, "scene"), "a carry takes outlines or points")
     if thing is not None and thing.slide is not None and thing.slide.cloud is not None:
         raise source.error(("object", "slide", "cloud"), "a carry takes outlines or points")
     if thing is not None and thing.clasp is not None:

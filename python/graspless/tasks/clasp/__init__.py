@@ -4,8 +4,11 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any
 
+from .. import scenes
+from ..documents import rows_of
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
 from ..meshes import checksums
@@ -13,6 +16,7 @@ from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
 from ..robot_files import resolve_robot
 from ..robots import require_text, robot_meshes
+from ..shapes import Pose
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
@@ -34,6 +38,7 @@ def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTas
     """Returns the fields with the content of robot, hand and points, and absolute paths of
     meshes; and the source of the hand's fields.
     """
+    named = _with_scene(named, source, directory)
     robot, urdf = resolve_robot(named.robot, source, directory)
     given, hand_source = resolve_hand(named.hand, urdf, source, directory)
     robot, hand, note = with_proposal(robot, given, Hand, source)
@@ -47,6 +52,28 @@ def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTas
         "files": checksums(obstacle_meshes(obstacles) | robot_meshes(robot)),
     }
     return named.model_copy(update=update), hand_source
+
+
+def _with_scene(fields: ClaspTask, source: Source, directory: Path) -> ClaspTask:
+    """Returns the task with the points, the pose and the obstacles of its scene."""
+    if fields.object.scene is None:
+        return fields
+    scene = scenes.load(fields.object.scene, source, ("object", "scene"), directory)
+    thing = scenes.named(scene.objects, fields.object.name, source, ("object", "name"))
+    for warning in thing.warnings:
+        warnings.warn(source.message(("object", "name"), warning), stacklevel=4)
+    update = {
+        "scene": None,
+        "points": rows_of(thing.points),
+        "pose": Pose(**pose_fields(thing.X_WO)),
+    }
+    seen = scenes.obstacles(scene, thing, fields.object.respect, has_support=True)
+    return fields.model_copy(
+        update={
+            "object": fields.object.model_copy(update=update),
+            "obstacles": [*fields.obstacles, *seen],
+        }
+    )
 
 
 def require_resolved(fields: ClaspTask, source: Source) -> None:

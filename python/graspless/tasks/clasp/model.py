@@ -17,6 +17,7 @@ from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
+from ..scenes import RESPECT, Respect
 from ..shapes import Fields, MeshFile, NotNegative, Point3, Pose, Positive
 from .hand import Hand
 
@@ -60,6 +61,11 @@ class Object(Fields):
     name: str = "object"
     cloud: str | None = Field(default=None, description="point cloud: a .ply, .pcd or .xyz file")
     mesh: MeshFile | None = Field(default=None, description="mesh on which points are sampled")
+    scene: str | None = Field(
+        default=None,
+        description="scene file of `graspless see`, whose object with this name it is",
+    )
+    respect: Respect = Field(default="objects", description=RESPECT, exclude=True)
     sample: str | None = Field(
         default=None, description="object that comes with graspless, on which points are sampled"
     )
@@ -85,9 +91,13 @@ class Object(Fields):
     @model_validator(mode="after")
     def _check(self) -> Object:
         if isinstance(self.points, list):
-            self.one_of("cloud", "mesh", "sample", "points")
+            self.one_of("cloud", "mesh", "sample", "points", "scene")
         else:
-            self.one_of("cloud", "mesh", "sample")
+            self.one_of("cloud", "mesh", "sample", "scene")
+        if self.scene is not None:
+            self._check_scene()
+        elif "respect" in self.model_fields_set:
+            raise ValueError("respect is for objects of a scene")
         if self.cloud is not None and self.points is not None:
             raise ValueError(
                 "points is the number of samples of a mesh; a cloud has its own points"
@@ -95,6 +105,16 @@ class Object(Fields):
         if self.unit != "m" and self.cloud is None and self.mesh is None:
             raise ValueError("unit is for files: cloud or mesh")
         return self
+
+    def _check_scene(self) -> None:
+        if "pose" in self.model_fields_set:
+            raise ValueError("pose must not be given: the scene says where it is")
+        if "name" not in self.model_fields_set:
+            raise ValueError("name must be given: that of the object in the scene")
+        if self.points is not None:
+            raise ValueError(
+                "points is the number of samples of a mesh; a scene has its own points"
+            )
 
 
 class Clasp(Fields):

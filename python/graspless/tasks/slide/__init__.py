@@ -30,8 +30,9 @@ Fields = SlideTask
 def require_resolved(fields: SlideTask, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
     require_text(fields.robot, source)
-    if fields.object.cloud is not None:
-        raise source.error(("object", "cloud"), "must be part of the plan file")
+    for name in ("cloud", "scene"):
+        if getattr(fields.object, name) is not None:
+            raise source.error(("object", name), "must be part of the plan file")
     if isinstance(fields.hand, str):
         raise source.error(("hand",), "must be part of the plan file")
 
@@ -75,10 +76,18 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
             "polygon": plain(support.polygon.vertices),
             "pose": pose_fields(support.X_WS),
             "band_width": support.goal_band.width,
+            **_usable_edges(support),
             **struct_fields(support, ["slab", "friction"]),
         },
         "obstacles": obstacle_fields(problem.obstacles),
     }
+
+
+def _usable_edges(support: slide.Support) -> dict[str, Any]:
+    """Returns the field of a support that has edges that are not usable."""
+    if len(support.usable_edges) == len(support.polygon.vertices):
+        return {}
+    return {"usable_edges": list(support.usable_edges)}
 
 
 def _outline(thing: slide.Object) -> dict[str, Any]:

@@ -131,9 +131,20 @@ def build_object(thing: model.Object, source: Source) -> slide.Object:
 def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:
     given = support.model_dump(include={"slab", "band_width", "friction"}, exclude_none=True)
     with at(source, "support", _outline_field(support, source, "support")):
-        polygon = geometry.Polygon(outline(support), "the support")
+        corners = outline(support)
+        polygon = geometry.Polygon(corners, "the support")
+    if support.usable_edges is not None:
+        given["usable_edges"] = _edges_of(polygon, corners, support.usable_edges)
     with at(source, "support"):
         return slide.Support(polygon, X_WS, **given)
+
+
+def _edges_of(polygon: geometry.Polygon, corners: frames.Matrix, edges: list[int]) -> list[int]:
+    """Returns the indices that edges of a file have in the polygon, which may run the other way."""
+    if np.array_equal(polygon.vertices[0], corners[0]):
+        return edges
+    count = len(corners)
+    return [(count - 2 - edge) % count if edge < count else edge for edge in edges]
 
 
 def outline(shape: model.Object | model.Support) -> frames.Matrix:

@@ -19,6 +19,7 @@ from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
+from ..scenes import RESPECT, Respect
 from ..shapes import (
     Circle,
     Fields,
@@ -68,6 +69,12 @@ class Object(Fields):
     circle: Circle | None = None
     cloud: str | None = Field(default=None, description="point cloud: a .ply, .pcd or .xyz file")
     points: list[Point3] | None = Field(default=None, description="the points themselves, in O [m]")
+    scene: str | None = Field(
+        default=None,
+        description="scene file of `graspless see`, whose object with this name it is; gives the "
+        "support too",
+    )
+    respect: Respect = Field(default="objects", description=RESPECT, exclude=True)
     frame: Literal["object", "world"] = Field(
         default="object", description="frame of the cloud's file"
     )
@@ -88,9 +95,14 @@ class Object(Fields):
 
     @model_validator(mode="after")
     def _check(self) -> Object:
-        self.one_of("polygon", "rectangle", "circle", "cloud", "points")
+        self.one_of("polygon", "rectangle", "circle", "cloud", "points", "scene")
         self.one_of("com", "masses", needed=False)
         has_points = self.cloud is not None or self.points is not None
+        if self.scene is not None:
+            self._check_scene()
+            return self
+        if "respect" in self.model_fields_set:
+            raise ValueError("respect is for objects of a scene")
         if not has_points and self.thickness is None:
             raise ValueError("thickness must be given with an outline [m]")
         if self.cloud is not None and self.frame == "world":
@@ -102,6 +114,12 @@ class Object(Fields):
             raise ValueError("spacing is for outlines: a cloud's points are the contact points")
         return self
 
+    def _check_scene(self) -> None:
+        if self.pose is not None:
+            raise ValueError("pose must not be given: the scene says where it is")
+        if "name" not in self.model_fields_set:
+            raise ValueError("name must be given: that of the object in the scene")
+
 
 class Support(Fields):
     """Surface to slide on."""
@@ -109,6 +127,9 @@ class Support(Fields):
     polygon: Points2 | None = Field(default=None, description="outline in S, convex or not [m]")
     rectangle: Rectangle | None = None
     circle: Circle | None = None
+    scene: str | None = Field(
+        default=None, description="scene file; given by an object of a scene, and not by people"
+    )
     height: float | None = Field(default=None, description="height of a level top in the world [m]")
     pose: Pose | None = Field(default=None, description="pose of S in the world, z out of the top")
     slab: Positive | None = Field(default=None, description="thickness of the top [m]")
@@ -119,10 +140,18 @@ class Support(Fields):
         default=None, description="coefficient of friction between object and support"
     )
 
+    usable_edges: list[Annotated[int, Field(ge=0)]] | None = Field(
+        default=None,
+        description="edges over which the object may stick out, by the corners of the polygon "
+        "where they begin, from 0; default: all, or of a scene the real ones",
+    )
+
     @model_validator(mode="after")
     def _check(self) -> Support:
-        self.one_of("polygon", "rectangle", "circle")
+        self.one_of("polygon", "rectangle", "circle", "scene")
         self.one_of("height", "pose", needed=False)
+        if self.scene is not None and (self.height is not None or self.pose is not None):
+            raise ValueError("height and pose must not be given: the scene says where it is")
         return self
 
 
@@ -163,3 +192,15 @@ class SlideTask(Fields):
         default=None,
         description="parts of the robot that were proposed from its URDF; only in plan files",
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _add_support(cls, data: Any) -> Any:
+        """An object of a scene brings its support."""
+        thing = data.get("object") if isinstance(data, dict) else None
+        if not isinstance(thing, dict) or not isinstance(thing.get("scene"), str):
+            return data
+        support = data.get("support", {})
+        if not isinstance(support, dict):
+            return data
+        return {**data, "support": {**support, "scene": thing["scene"]}}

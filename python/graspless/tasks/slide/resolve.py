@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ... import frames
-from .. import shapes
+from .. import scenes, shapes
 from ..clouds import read_cloud
 from ..documents import rows_of
 from ..meshes import checksums
@@ -21,6 +21,7 @@ from ..robot_files import resolve_robot
 from ..robots import robot_meshes, stem
 from ..shapes import pose_matrix
 from ..source import Source, read_yaml
+from ..statement import pose_fields
 from . import model
 from .units import LARGEST, warn_of_units
 
@@ -48,6 +49,7 @@ def resolve(
         The task, and the source of its hand's fields.
     """
     warn_of_units(task, source)
+    task = _with_scene(task, source, directory)
     robot, urdf = resolve_robot(task.robot, source, directory)
     given, hand_source = _resolve_hand(task.hand, urdf, source, directory)
     robot, hand, note = with_proposal(robot, given, model.Hand, source)
@@ -63,6 +65,40 @@ def resolve(
     )
     resolved.files = checksums(obstacle_meshes(resolved.obstacles) | robot_meshes(robot))
     return resolved, hand_source
+
+
+def _with_scene(task: model.SlideTask, source: Source, directory: Path) -> model.SlideTask:
+    """Returns the task with the object, the support and the obstacles of its scene."""
+    if task.object.scene is None:
+        return task
+    scene = scenes.load(task.object.scene, source, ("object", "scene"), directory)
+    thing = scenes.named(scene.objects, task.object.name, source, ("object", "name"))
+    support = scenes.named(scene.supports, thing.support, source, ("object", "scene"))
+    for warning in thing.warnings:
+        warnings.warn(source.message(("object", "name"), warning), stacklevel=4)
+    edges = task.support.usable_edges
+    if edges is None:
+        edges = scenes.real_edges(support, source, ("object", "scene"))
+    of_object = {
+        "scene": None,
+        "polygon": rows_of(thing.outline),
+        "thickness": task.object.thickness or thing.thickness,
+        "pose": shapes.PlanarPose(**scenes.planar_pose(support.X_WS, thing.X_WO)),
+    }
+    of_support = {
+        "scene": None,
+        "polygon": rows_of(support.polygon),
+        "pose": shapes.Pose(**pose_fields(support.X_WS)),
+        "usable_edges": edges,
+    }
+    seen = scenes.obstacles(scene, thing, task.object.respect, has_support=False)
+    return task.model_copy(
+        update={
+            "object": task.object.model_copy(update=of_object),
+            "support": task.support.model_copy(update=of_support),
+            "obstacles": [*task.obstacles, *seen],
+        }
+    )
 
 
 def _resolve_hand(

@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless see`, which finds tables and objects in depth images."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._commands import FOUND, NOT_FOUND
+from ..errors import TaskError, explain
+
+if TYPE_CHECKING:
+    import argparse
+
+    from .._core.perception import Scene, View
+
+CLOUDS = (".ply", ".pcd", ".xyz")
+MOST = 4_000_000_000  # bytes of the arrays in a file
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `see`."""
+    parser.description = (
+        "Find tables and shelves in depth images, with a label for each edge, and the objects on "
+        "them. Several files are several views of one still scene. The exit code is 1 if nothing "
+        "trustworthy was found; the scene file then says why."
+    )
+    parser.add_argument(
+        "files",
+        metavar="FILE",
+        nargs="+",
+        help=".npz with the arrays depth (H, W) or frames (N, H, W) to be averaged [m], K (3, 3) "
+        "[pixels] and X_WC (4, 4); or a cloud (.ply, .pcd, .xyz) in the world, with --viewpoint",
+    )
+    parser.add_argument(
+        "--viewpoint",
+        type=float,
+        nargs=3,
+        metavar=("X", "Y", "Z"),
+        help="position of the camera that took a cloud [m]",
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        default="scene.yaml",
+        help="scene file to write, with an .npz file beside it (default: %(default)s)",
+    )
+    parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
+    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from .. import files, perception, view
+
+    if Path(options.output).suffix.lower() not in (".yaml", ".yml"):
+        raise TaskError(f"{options.output}: unknown kind of scene file (choices: .yaml, .yml)")
+    files.check_writable(options.output)
+    if options.png is not None:
+        view.check_png(options.png)
+        files.check_writable(options.png)
+    views = [read_view(Path(path), options.viewpoint) for path in options.files]
+    try:
+        scene = perception.perceive_views(views)
+    except ValueError as error:
+        raise TaskError(f"{', '.join(options.files)}: {error}") from None
+    perception.save_scene(scene, options.output)
+    if options.png is not None:
+        view.write_scene_png(scene, options.png)
+    if options.json:
+        print(json.dumps(_summary(scene)))
+    else:
+        print("\n".join(_lines(scene)))
+        written = [options.output, *([] if options.png is None else [options.png])]
+        print(f"written: {', '.join(written)}")
+    return FOUND if scene else NOT_FOUND
+
+
+def read_view(path: Path, viewpoint: list[float] | None) -> View:
+    """Reads one view from a file of arrays, or from a cloud and its viewpoint.
+
+    Raises
+    ------
+    TaskError
+        The file is missing or not valid; names file, array and shape.
+    """
+    from .clouds import view_of_cloud
+
+    suffix = path.suffix.lower()
+    if suffix not in (".npz", *CLOUDS):
+        choices = ", ".join((".npz", *CLOUDS))
+        raise TaskError(f"{path}: unknown kind of file (one of: {choices})")
+    if not path.is_file():
+        raise TaskError(f"{path}: no such file")
+    try:
+        if suffix == ".npz":
+            return _view_of_arrays(path)
+        if viewpoint is None:
+            raise ValueError(
+                "a cloud needs --viewpoint X Y Z, the position of the camera: without it nobody "
+                "knows what the points hide"
+            )
+        from ..tasks.clouds import read_cloud
+
+        return view_of_cloud(read_cloud(path), viewpoint)
+    except ValueError as error:
+        raise TaskError(f"{path}: {error}") from None
+
+
+def _view_of_arrays(path: Path) -> View:
+    from .._core.perception import View
+    from .clouds import average
+
+    try:
+        with zipfile.ZipFile(path) as archive:
+            size = sum(entry.file_size for entry in archive.infolist())
+        if size > MOST:
+            raise ValueError(f"states {size} bytes; at most {MOST}")
+        with np.load(path, allow_pickle=False) as arrays:
+            wanted = ("depth", "frames", "K", "X_WC")
+            found = {name: arrays[name] for name in wanted if name in arrays.files}
+    except Exception as error:  # numpy and zipfile raise whatever they stumble over
+        raise ValueError(f"cannot be read as arrays: {explain(error)}") from None
+    missing = [name for name in ("K", "X_WC") if name not in found]
+    if ("depth" in found) == ("frames" in found):
+        missing.insert(0, "exactly one of depth and frames")
+    if missing:
+        raise ValueError(f"must have the arrays {', '.join(missing)}")
+    for name, array in found.items():
+        if array.dtype.kind not in "fiu":
+            raise ValueError(f"{name} has values of type {array.dtype}, not numbers")
+    if "frames" in found and found["frames"].ndim != 3:
+        raise ValueError(f"frames has shape {found['frames'].shape}; it must be (N, H, W)")
+    depth = found["depth"] if "depth" in found else average(list(found["frames"]))
+    return View(depth, found["K"], found["X_WC"])
+
+
+def _lines(scene: Scene) -> list[str]:
+    """Returns the summary as text."""
+    lines = [scene.reason]
+    for support in scene.supports:
+        counts = {str(label): 0 for label in support.edges}
+        for label in support.edges:
+            counts[str(label)] += 1
+        edges = ", ".join(f"{count} {name}" for name, count in sorted(counts.items()))
+        least = f"objects of {1000 * support.least_thickness:.1f} mm can be seen"
+        lines.append(
+            f"  {support.name}: height {support.X_WS[2, 3]:.3f} m; edges: {edges}; {least}"
+        )
+    for thing in scene.objects:
+        size = np.ptp(thing.outline, axis=0) * 100
+        thick = f"{1000 * thing.thickness:.1f} +- {1000 * thing.thickness_error:.1f} mm thick"
+        what = f"{size[0]:.1f} cm x {size[1]:.1f} cm, {thick}{', flat' if thing.is_flat else ''}"
+        lines.append(f"  {thing.name} on {thing.support}: {what}")
+        lines += [f"    warning: {text}" for text in thing.warnings]
+    return lines + [f"warning: {text}" for text in scene.warnings]
+
+
+def _summary(scene: Scene) -> dict[str, Any]:
+    """Returns the summary as plain types."""
+    return {
+        "status": scene.status.name,
+        "reason": scene.reason,
+        "warnings": list(scene.warnings),
+        "supports": [
+            {
+                "name": support.name,
+                "height": float(support.X_WS[2, 3]),
+                "edges": [label.name for label in support.edges],
+                "least_thickness": support.least_thickness,
+            }
+            for support in scene.supports
+        ],
+        "objects": [
+            {
+                "name": thing.name,
+                "support": thing.support,
+                "position": thing.X_WO[:3, 3].tolist(),
+                "thickness": thing.thickness,
+                "thickness_error": thing.thickness_error,
+                "is_flat": thing.is_flat,
+                "warnings": list(thing.warnings),
+            }
+            for thing in scene.objects
+        ],
+    }

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Objects, supports and obstacles of tasks that name a scene file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from .. import geometry
+from ..errors import TaskError
+from .shapes import Obstacle, Pose, Shape
+from .statement import pose_fields
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from ..frames import Matrix
+    from ..perception import Object, Scene, Support
+    from .source import Location, Source
+
+Respect = Literal["nothing", "objects", "unseen"]
+RESPECT = (
+    "obstacles of the scene: nothing; objects: the other objects and higher supports; unseen: also "
+    "the space that no ray reached, except behind the object itself"
+)
+SLAB = 0.02  # thickness of supports as obstacles [m]
+SUNK = 0.001  # depth of the top of the object's own support as an obstacle [m]
+
+
+def load(path: str, source: Source, place: Location, directory: Path) -> Scene:
+    """Reads the scene file that a task names."""
+    from ..perception import load_scene
+
+    try:
+        scene = load_scene(directory / path)
+    except TaskError as error:
+        raise source.error(place, str(error)) from None
+    if not scene:
+        raise source.error(place, f"nothing was found in this scene: {scene.reason}")
+    return scene
+
+
+def named(items: Any, name: str, source: Source, place: Location) -> Any:
+    """Returns the object or support of a scene with this name."""
+    for item in items:
+        if item.name == name:
+            return item
+    names = ", ".join(item.name for item in items) or "none"
+    raise source.error(place, f"the scene has no '{name}' (one of: {names})")
+
+
+def real_edges(support: Support, source: Source, place: Location) -> list[int]:
+    """Returns the indices of the real edges of a support."""
+    edges = [i for i, label in enumerate(support.edges) if str(label) == "real"]
+    if not edges:
+        what = f"{support.name} of the scene has no real edge that an object could be slid over"
+        raise source.error(place, f"{what}; look at the table from further away")
+    return edges
+
+
+def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> list[Obstacle]:
+    """Returns what a planner must keep clear of.
+
+    Parameters
+    ----------
+    scene : Scene
+    thing : Object
+        Object of the task, which is none of the obstacles.
+    respect : str
+        What counts: see RESPECT.
+    has_support : bool
+        True if the support below the object counts too.
+    """
+    if respect == "nothing":
+        return []
+    found = [
+        Obstacle(name=f"scene {other.name}", parts=_prisms(other.outline, 0.0, other.thickness),
+                 pose=_pose(other.X_WO))
+        for other in scene.objects
+        if other.name != thing.name
+    ]  # fmt: skip
+    own = next(support for support in scene.supports if support.name == thing.support)
+    for support in scene.supports:
+        is_own = support.name == own.name
+        if is_own and has_support:
+            top = -SUNK
+        elif not is_own and support.X_WS[2, 3] > own.X_WS[2, 3] + SLAB:
+            top = 0.0
+        else:
+            continue
+        parts = _prisms(support.polygon, top - SLAB, top)
+        found.append(Obstacle(name=f"scene {support.name}", parts=parts, pose=_pose(support.X_WS)))
+    if respect == "unseen":
+        spaces = [space for space in scene.unseen if space.behind != thing.name]
+        found += [
+            Obstacle(name=f"unseen {i}", convex=np.asarray(space.vertices).tolist())
+            for i, space in enumerate(spaces)
+        ]
+    return found
+
+
+def _prisms(corners: Matrix, low: float, high: float) -> list[Shape]:
+    """Returns prisms over the convex parts of a polygon."""
+    return [
+        Shape(convex=[[float(x), float(y), z] for z in (low, high) for x, y in part.vertices])
+        for part in geometry.Polygon(corners).convex_parts()
+    ]
+
+
+def _pose(X: Matrix) -> Pose:
+    fields = pose_fields(X)
+    return Pose(**{name: [float(value) for value in row] for name, row in fields.items()})
+
+
+def planar_pose(X_WS: Matrix, X_WO: Matrix) -> dict[str, float]:
+    """Returns x, y and yaw of an object on its support."""
+    X_SO = np.asarray(np.linalg.inv(X_WS) @ X_WO)
+    x, y, yaw = X_SO[0, 3], X_SO[1, 3], np.arctan2(X_SO[1, 0], X_SO[0, 0])
+    return {"x": float(x), "y": float(y), "yaw": float(yaw)}
+
+
+__all__ = ["RESPECT", "Respect", "load", "named", "obstacles", "planar_pose", "real_edges"]

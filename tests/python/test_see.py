@@ -1,0 +1,205 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a depth image to a scene file, a picture and a checked plan; and edges that are usable."""
+
+import json
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import frames, geometry, perception, slide
+from graspless.cli import main
+from graspless.errors import TaskError
+
+
+def box(size, position):
+    return perception.Body([geometry.PlacedShape(geometry.Box(size))], frames.translation(position))
+
+
+# The far edge, at x = 1 m, stands against a wall: nothing can be slid over it.
+BODIES = [
+    box([0.7, 0.7, 0.04], [0.65, 0, -0.02]),
+    box([6, 6, 0.02], [0.65, 0, -0.75]),
+    box([0.02, 0.9, 1.3], [1.01, 0, 0]),
+    box([0.12, 0.08, 0.006], [0.62, 0.08, 0.003]),
+    box([0.06, 0.06, 0.12], [0.8, -0.2, 0.06]),
+]
+TASK = """
+kind: slide
+robot: {urdf: wam_t42}
+object: {scene: scene.yaml, name: object_0}
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    where = tmp_path_factory.mktemp("see")
+    frame = perception.render(BODIES, perception.look_at([-0.05, 0, 0.75], [0.62, 0, 0]))
+    frame.save(where / "frame.npz")
+    arguments = [str(where / "frame.npz"), "-o", str(where / "scene.yaml")]
+    assert main(["see", *arguments, "--png", str(where / "scene.png")]) == 0
+    return where
+
+
+def load(folder, text):
+    (folder / "task.yaml").write_text(text)
+    return graspless.load_task(folder / "task.yaml")
+
+
+def test_see_writes_a_scene_and_a_picture(folder):
+    scene = perception.load_scene(folder / "scene.yaml")
+    names = [thing.name for thing in scene.objects]
+    assert names == ["object_0", "object_1", "object_2"]  # the last is the wall
+    assert scene.objects[2].touches_border
+    table = next(s for s in scene.supports if s.name == scene.objects[0].support)
+    assert {str(label) for label in table.edges} >= {"real", "occluded"}
+    assert (folder / "scene.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_slide_from_a_scene_ends_over_a_real_edge(folder):
+    task = load(folder, TASK)
+    support, thing = task.problem.support, task.problem.object
+    assert thing.name == "object_0"
+    assert thing.thickness == pytest.approx(0.006, abs=0.001)
+    assert 0 < len(support.usable_edges) < len(support.polygon.vertices)
+    assert [body.name for body in task.problem.obstacles] == ["scene object_1", "scene object_2"]
+    plan = graspless.plan(task, seed=1)
+    assert plan, plan.reason
+    assert graspless.check(plan) == []
+    p_SO = (np.linalg.inv(support.X_WS) @ plan.X_WO_goal)[:2, 3]
+    edge = support.polygon.nearest_edge(p_SO)
+    assert edge.index in support.usable_edges
+    assert plan.X_WO_goal[0, 3] < 0.97  # not over the edge at the wall
+    plan.save(folder / "plan.json")
+    again = graspless.load_plan(folder / "plan.json")
+    assert graspless.check(again) == []
+    assert again.task.problem.support.usable_edges == support.usable_edges
+
+
+def test_obstacles_of_a_scene_are_chosen(folder):
+    def names(respect):
+        text = TASK.replace("object_0}", f"object_0, respect: {respect}}}")
+        return [body.name for body in load(folder, text).problem.obstacles]
+
+    assert names("nothing") == []
+    assert names("objects") == ["scene object_1", "scene object_2"]
+    unseen = names("unseen")
+    assert unseen[:3] == ["scene object_1", "scene object_2", "unseen 0"]
+
+
+def test_a_clasp_from_a_scene_has_cloud_pose_and_table(folder):
+    text = "kind: clasp\nrobot: {urdf: wam_t42}\nobject: {scene: scene.yaml, name: object_1}\n"
+    task = load(folder, text)
+    scene = perception.load_scene(folder / "scene.yaml")
+    assert np.allclose(task.problem.X_WO, scene.objects[1].X_WO)
+    assert np.allclose(task.problem.object.points, scene.objects[1].points, atol=1e-9)
+    names = [body.name for body in task.problem.obstacles]
+    assert f"scene {scene.objects[1].support}" in names
+    assert "scene object_0" in names
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        (
+            "object_0",
+            "object_7",
+            "the scene has no 'object_7' (one of: object_0, object_1, object_2)",
+        ),
+        (", name: object_0", "", "name must be given"),
+        ("scene.yaml", "other.yaml", "no such file"),
+        ("object_0}", "object_0, pose: {x: 1}}", "pose must not be given"),
+        ("object_0}", "object_0, respect: walls}", "respect"),
+        ("object_0}", "object_0}\nsupport: {height: 1}", "height and pose must not be given"),
+        ("object_0}", "object_0}\nsupport: {usable_edges: [99]}", "usable_edges has 99"),
+        ("object_0}", "object_0}\nsupport: {usable_edges: []}", "usable_edges is empty"),
+    ],
+)
+def test_bad_tasks_of_a_scene_are_refused(folder, old, new, words):
+    with pytest.raises(TaskError) as error:
+        load(folder, TASK.replace(old, new))
+    assert words in str(error.value)
+    assert "task.yaml" in str(error.value)
+
+
+def test_a_scene_without_a_real_edge_is_refused(folder):
+    text = (folder / "scene.yaml").read_text()
+    (folder / "blind.yaml").write_text(text.replace("real", "occluded"))
+    with pytest.raises(TaskError, match="no real edge"):
+        load(folder, TASK.replace("scene.yaml", "blind.yaml"))
+
+
+CARD = """
+kind: slide
+robot: {{urdf: wam_t42}}
+object: {{rectangle: {{size: [0.12, 0.08]}}, thickness: 0.003, pose: {{x: 0.62, y: 0.08}}}}
+support: {{polygon: {corners}, usable_edges: {edges}}}
+"""
+CORNERS = [[0.3, -0.35], [1, -0.35], [1, 0.35], [0.3, 0.35]]
+
+
+@pytest.mark.parametrize(("corners", "y"), [(CORNERS, -0.35), (CORNERS[::-1], 0.35)])
+def test_usable_edges_of_a_file_are_by_its_own_corners(folder, corners, y):
+    task = load(folder, CARD.format(corners=corners, edges=[0]))
+    (index,) = task.problem.support.usable_edges
+    edge = task.problem.support.polygon.edge(index)
+    assert edge.a[1] == edge.b[1] == y
+
+
+def test_a_plan_over_an_edge_that_is_not_usable_fails_its_check(folder):
+    task = load(folder, CARD.format(corners=CORNERS, edges=[3]))  # at x = 0.3 m
+    plan = graspless.plan(task, seed=1)
+    assert plan, plan.reason
+    assert plan.X_WO_goal[0, 3] < 0.4
+    other = slide.Support(task.problem.support.polygon, np.eye(4), usable_edges=[1])
+    faults = slide.check(with_support(task.problem, other), plan)
+    assert any("not usable" in fault for fault in faults)
+
+
+def with_support(problem, support):
+    return slide.Problem(
+        problem.robot, problem.hand, problem.object, support, problem.X_WO_start, problem.q_home
+    )
+
+
+def test_see_says_why_nothing_was_found(folder, capsys):
+    with np.load(folder / "frame.npz") as frame:
+        np.savez(folder / "mm.npz", depth=1000 * frame["depth"], K=frame["K"], X_WC=frame["X_WC"])
+    code = main(["see", str(folder / "mm.npz"), "-o", str(folder / "mm.yaml"), "--json"])
+    summary = json.loads(capsys.readouterr().out)
+    assert code == 1
+    assert summary["status"] == "not_metres"
+    assert not perception.load_scene(folder / "mm.yaml")
+    with pytest.raises(TaskError, match="nothing was found in this scene: the median depth"):
+        load(folder, TASK.replace("scene.yaml", "mm.yaml"))
+
+
+def test_see_averages_frames_and_joins_views(folder, capsys):
+    with np.load(folder / "frame.npz") as frame:
+        K, X_WC, depth = frame["K"], frame["X_WC"], frame["depth"]
+    np.savez(folder / "frames.npz", frames=np.stack([depth] * 3), K=K, X_WC=X_WC)
+    files = [str(folder / "frames.npz"), str(folder / "frame.npz")]
+    assert main(["see", *files, "-o", str(folder / "both.yaml"), "--json"]) == 0
+    assert len(json.loads(capsys.readouterr().out)["objects"]) == 3
+
+
+def test_bad_files_are_refused(folder, capsys):
+    def refused(*arguments):
+        assert main(["see", *map(str, arguments), "-o", str(folder / "x.yaml")]) == 2
+        return capsys.readouterr().err
+
+    np.savez(folder / "a.npz", depth=np.ones((480, 640)), K=np.eye(3))
+    assert "a.npz: must have the arrays X_WC" in refused(folder / "a.npz")
+    np.savez(folder / "b.npz", K=np.eye(3), X_WC=np.eye(4))
+    assert "exactly one of depth and frames" in refused(folder / "b.npz")
+    np.savez(folder / "c.npz", depth=np.array([{}]), K=np.eye(3), X_WC=np.eye(4))
+    assert "c.npz: cannot be read as arrays" in refused(folder / "c.npz")
+    np.savez(folder / "d.npz", depth=np.ones((480, 640)), K=np.eye(3), X_WC=np.eye(4))
+    assert "d.npz: K's horizontal principal point" in refused(folder / "d.npz")
+    assert "no such file" in refused(folder / "none.npz")
+    assert "unknown kind of file" in refused(folder / "scene.yaml")
+    (folder / "cloud.xyz").write_text("0 0 1\n")
+    assert "a cloud needs --viewpoint" in refused(folder / "cloud.xyz")
+    assert main(["see", str(folder / "a.npz"), "-o", str(folder / "x.json")]) == 2
+    assert "choices: .yaml, .yml" in capsys.readouterr().err
