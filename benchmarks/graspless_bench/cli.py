@@ -12,6 +12,7 @@ from .fingertip.command import add_parser as _add_fingertip
 from .ik import add_parser as _add_ik
 from .physics.command import add_parser as _add_physics
 from .robots.command import add_parser as _add_robots
+from .see.command import add_parser as _add_see
 from .slide.command import add_parser as _add_slide
 
 if TYPE_CHECKING:
@@ -28,3 +29,4 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_edges(experiments)
     _add_physics(experiments)
     _add_robots(experiments)
+    _add_see(experiments)

@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of perception: at the terminal, as JSON, and as see.md."""
+
+from __future__ import annotations
+
+import json
+import string
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import machine, memory
+from ..pages import circumstances, template
+from ..tables import aligned, markdown
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from pathlib import Path
+
+    from ..machine import Row
+    from ..tables import Column
+
+VISIBLE = 3  # times the noise: what is thicker must be found
+
+
+def as_result(rows: list[Row], load: Sequence[float]) -> Row:
+    """Returns all of a run, as printed by `--json`. `load`: load averages before it."""
+    noises = sorted({row["noise"] for row in rows})
+    groups = [
+        _summary([r for r in rows if r["noise"] == noise and r["views"] == views], noise, views)
+        for noise in noises
+        for views in ("1", "2")
+    ]
+    names = sorted({row["mesh"] for row in rows})
+    ordinary = [row for row in rows if row["noise"] == 1]
+    return {
+        "bench": "see",
+        "groups": groups,
+        "all": _summary(rows, "all", "all"),
+        "meshes": [_mesh([row for row in ordinary if row["mesh"] == name], name) for name in names],
+        "scenes": len(rows),
+        "complaints": [],
+        "machine": machine.machine(load, memory.resident_bytes()),
+        "versions": machine.versions(),
+    }
+
+
+def _summary(rows: list[Row], noise: Any, views: str) -> Row:
+    thick = [row for row in rows if row["thickness"] > VISIBLE * row["sigma"]]
+    tables = [row for row in rows if row["table"]]
+    found = [row for row in rows if row["found"]]
+    off = [abs(row["thickness_off"]) for row in found]
+    real, right = (sum(row[key] for row in tables) for key in ("real", "real_right"))
+    visible, seen = (sum(row[key] for row in tables) for key in ("visible", "visible_found"))
+    return {
+        "noise": noise,
+        "views": views,
+        "scenes": len(rows),
+        "tables": _share(len(tables), len(rows)),
+        "angle": _median([row["angle"] for row in tables]),
+        "height": _median([abs(row["height_error"]) for row in tables]),
+        "real_right": _share(right, real),
+        "visible_found": _share(seen, visible),
+        "thick": len(thick),
+        "found": _share(sum(row["found"] for row in thick), len(thick)),
+        "extra": float(np.mean([row["objects"] - row["found"] for row in tables] or [0])),
+        "thickness": _median(off),
+        "within": _share(
+            sum(abs(row["thickness_off"]) < 2 * row["thickness_error"] for row in found), len(found)
+        ),
+        "iou": _median([row["iou"] for row in found]),
+        "seconds": _median([row["seconds"] for row in rows]),
+    }
+
+
+def _mesh(rows: list[Row], name: str) -> Row:
+    row: Row = {"mesh": name, "thickness": rows[0]["thickness"] if rows else None}
+    for views in ("1", "2"):
+        some = [r for r in rows if r["views"] == views]
+        found = [r for r in some if r["found"]]
+        row[f"found_{views}"] = f"{len(found)} of {len(some)}"
+        row[f"iou_{views}"] = _median([r["iou"] for r in found])
+        row[f"off_{views}"] = _median([r["thickness_off"] for r in found])
+    return row
+
+
+def _share(part: float, whole: float) -> float | None:
+    return part / whole if whole else None
+
+
+def _median(values: list[float]) -> float | None:
+    return float(np.median(values)) if values else None
+
+
+def _number(key: str, unit: float = 1, digits: int = 2) -> Callable[[Row], str]:
+    return lambda row: "–" if row[key] is None else f"{unit * row[key]:.{digits}f}"
+
+
+COLUMNS: list[Column] = [
+    ("noise", lambda row: str(row["noise"])),
+    ("views", lambda row: str(row["views"])),
+    ("scenes", lambda row: str(row["scenes"])),
+    ("tables found [%]", _number("tables", 100, 1)),
+    ("tilt off [mrad]", _number("angle", 1000)),
+    ("height off [mm]", _number("height", 1000)),
+    ("real edges right [%]", _number("real_right", 100, 1)),
+    ("edges found [%]", _number("visible_found", 100, 1)),
+    ("objects found [%]", _number("found", 100, 1)),
+    ("others", _number("extra")),
+    ("thickness off [mm]", _number("thickness", 1000)),
+    ("within 2 errors [%]", _number("within", 100, 0)),
+    ("IoU", _number("iou", 1, 3)),
+    ("time [ms]", _number("seconds", 1000, 1)),
+]
+MESHES: list[Column] = [
+    ("thickness [mm]", _number("thickness", 1000, 1)),
+    ("found", lambda row: str(row["found_1"])),
+    ("off [mm]", _number("off_1", 1000)),
+    ("IoU", _number("iou_1", 1, 3)),
+    ("found, 2 views", lambda row: str(row["found_2"])),
+    ("off, 2 views [mm]", _number("off_2", 1000)),
+    ("IoU, 2 views", _number("iou_2", 1, 3)),
+]
+
+
+def as_text(result: Row) -> str:
+    """Returns the tables for the terminal."""
+    groups = [{"name": "", **row} for row in (*result["groups"], result["all"])]
+    meshes = [{"name": row["mesh"], **row} for row in result["meshes"]]
+    return f"{aligned('', groups, COLUMNS)}\n\n{aligned('mesh', meshes, MESHES)}"
+
+
+def write(result: Row, directory: Path) -> None:
+    """Writes see.json and see.md into a folder, which is made if it is missing."""
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "see.json").write_text(json.dumps(result, indent=1) + "\n")
+    groups = [{"name": "", **row} for row in (*result["groups"], result["all"])]
+    meshes = [{"name": row["mesh"], **row} for row in result["meshes"]]
+    facts = {
+        "scenes": result["scenes"],
+        "meshes": len(meshes),
+        "groups": markdown(groups, COLUMNS, ""),
+        "each": markdown(meshes, MESHES, "mesh"),
+    }
+    facts |= {f"run_{name}": text for name, text in circumstances([result]).items()}
+    page = string.Template(template("see")["head"]).substitute(facts)
+    (directory / "see.md").write_text(page)
+
+
+__all__ = ["as_result", "as_text", "write"]
