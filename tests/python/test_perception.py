@@ -39,6 +39,17 @@ def test_a_rendered_scene_is_found(scene):
     assert np.linalg.norm(scene.objects[0].X_WO[:3, 3] - [-0.1, 0.1, 0.4]) < 0.004
 
 
+def test_the_faults_of_a_camera_do_not_break_straight_edges_into_many():
+    bodies = [box([0.7, 0.7, 0.04], [0.65, 0, -0.02]), box([6, 6, 0.02], [0.65, 0, -0.75])]
+    X_eye = perception.look_at([-0.05, 0, 0.75], [0.65, 0, 0])
+    edges = 0
+    for seed in range(6):
+        frame = perception.render(bodies, X_eye, seed=seed)
+        found = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+        edges += min(len(s.edges) for s in found.supports if abs(s.X_WS[2, 3]) < 0.01)
+    assert edges <= 6 * 10  # 12.5 each with chords alone
+
+
 def test_several_views_are_arrays_of_one_more_dimension(scene):
     second = perception.render(BODIES, X_WC, seed=2)
     both = graspless.perceive([FRAME.depth, second.depth], FRAME.K, np.stack([X_WC] * 2))

@@ -136,6 +136,38 @@ Line fit_line(const Ring& ring, std::size_t first, std::size_t last) {
   return {mean, axes.eigenvectors().col(1)};
 }
 
+/// Largest distance of the steps from the line through them.
+double bend(const Ring& ring, std::size_t first, std::size_t last) {
+  const Line line = fit_line(ring, first, last);
+  double most = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    most = std::max(most, (ring.middle(i) - line.project(ring.middle(i))).norm());
+  }
+  return most;
+}
+
+/// Drops corners without which the fitted edges still keep within the tolerance, the straightest
+/// first. A chord between two steps bends with their noise; a line through all steps does not.
+void drop_needless(const Ring& ring, const std::vector<std::size_t>& fixed, double tolerance,
+                   std::vector<std::size_t>& corners) {
+  while (corners.size() > 3) {
+    poll();
+    const std::size_t n = corners.size();
+    std::size_t straightest = n;
+    double least = tolerance;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (std::find(fixed.begin(), fixed.end(), corners[k] % ring.size()) != fixed.end()) continue;
+      const std::size_t first = corners[(k + n - 1) % n], last = corners[(k + 1) % n];
+      const double without = bend(ring, first, last + (last <= first ? ring.size() : 0));
+      if (without > least) continue;
+      least = without;
+      straightest = k;
+    }
+    if (straightest == n) return;
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(straightest));
+  }
+}
+
 /// Where two fitted edges meet, near the corner `at` of the polyline.
 Eigen::Vector2d meet(const Line& a, const Line& b, const Eigen::Vector2d& at, double tolerance) {
   const double sine = a.along.x() * b.along.y() - a.along.y() * b.along.x();
@@ -196,10 +228,11 @@ LabelledPolygon fitted_polygon(const Raster& mask, const std::vector<Step>& boun
   const Ring ring(mask, boundary);
   smooth(labels, 4);
   drop_short_runs(labels, static_cast<std::size_t>(least_real / mask.cell));
-  std::vector<std::size_t> fixed = changes_of(labels);
-  if (fixed.empty()) fixed = {0, ring.farthest_from(0)};
+  const std::vector<std::size_t> changes = changes_of(labels);
+  const auto fixed = changes.empty() ? std::vector<std::size_t>{0, ring.farthest_from(0)} : changes;
   for (double allowed = tolerance;; allowed = allowed > mask.cell / 4 ? allowed / 2 : 0) {
-    const auto corners = corners_of(ring, fixed, allowed);
+    auto corners = corners_of(ring, fixed, allowed);
+    drop_needless(ring, changes, allowed, corners);
     std::vector<Line> lines;
     std::vector<EdgeLabel> kept;
     std::vector<Eigen::Vector2d> fitted, plain;
