@@ -128,7 +128,7 @@ class Support(Fields):
     rectangle: Rectangle | None = None
     circle: Circle | None = None
     scene: str | None = Field(
-        default=None, description="scene file; given by an object of a scene, and not by people"
+        default=None, description="scene file; set by an object of a scene, not by hand"
     )
     height: float | None = Field(default=None, description="height of a level top in the world [m]")
     pose: Pose | None = Field(default=None, description="pose of S in the world, z out of the top")
