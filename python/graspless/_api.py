@@ -17,6 +17,9 @@ from .plan_files import as_plan
 from .proving import proof
 from .tasks import Task, is_problem, load_task, task_from_dict
 
+MOST_SEEDS = 20  # of a search for a plan that is certified
+SEEDS = 2**64  # number of seeds
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -35,6 +38,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> PlanT: ...
@@ -47,6 +51,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> slide.Plan: ...
@@ -59,6 +64,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> fingertip.Plan: ...
@@ -71,6 +77,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> clasp.Plan: ...
@@ -83,6 +90,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> carry.Plan: ...
@@ -95,6 +103,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> Plan: ...
@@ -106,6 +115,7 @@ def plan(
     iterations: int | None = None,
     seed: int | None = None,
     budget: planning.Budget | None = None,
+    certify: bool = False,
     prove: int | None = None,
     jobs: int = 1,
 ) -> Any:
@@ -121,6 +131,10 @@ def plan(
         Instead of the task's budget [s].
     budget : planning.Budget, optional
         Instead of all three; another thread may stop() it.
+    certify : bool
+        Prove the plan between its rows, too, as `check` does. While an edge is not proven, the
+        search goes on with other seeds within `seconds`. It returns the plan with the fewest
+        doubts, which `check(plan, certify=True)` lists.
     prove : int, optional
         Simulate the plan, once as planned and in this number of varied trials. While a trial fails,
         the search goes on with other seeds, and returns the plan that held in the most trials.
@@ -153,7 +167,9 @@ def plan(
     if prove is None:
         if jobs != 1:
             raise TaskError(f"jobs: {jobs!r}: should be 1 without prove, whose trials they do")
-        return plan_since(task, clock.began, budget)
+        return (plan_certified if certify else plan_since)(task, clock.began, budget)
+    if certify:
+        raise TaskError("certify: cannot be combined with prove: each searches by its own rule")
     return proving.prove(task, prove, jobs=jobs, seconds=seconds, began=clock.began, budget=budget)
 
 
@@ -165,6 +181,30 @@ def plan_since(
     kind = plan_type(task.kind)
     began += time.monotonic() - before  # imports do not count
     return kind._search(task, limits.rest(task.budget if budget is None else budget, began))
+
+
+def plan_certified(
+    task: Task[Any, Any, Any], began: float, budget: planning.Budget | None = None
+) -> Any:
+    """Plans with one seed after another until every edge between rows is proven, or time ends."""
+    given = task.budget if budget is None else budget
+    best: Any = None
+    fewest = math.inf  # doubts about the best plan
+    for k in range(MOST_SEEDS):
+        is_over = given.is_stopped or time.monotonic() - began >= given.seconds
+        if best is not None and is_over:
+            break
+        seed = (task.seed + k) % SEEDS
+        part = given.part(seconds=given.seconds, seed=seed)
+        plan = plan_since(task.with_changes(seed=seed), began, part)
+        if best is None and not plan:
+            return plan
+        doubts = checked(plan, with_certificate=True)[0] if plan else []
+        if plan and len(doubts) < fewest:
+            best, fewest = plan, len(doubts)
+        if fewest == 0:
+            break
+    return best
 
 
 def as_task(task: Any) -> Task[Any, Any, Any]:

@@ -184,6 +184,12 @@ def _add_plan(parser: argparse.ArgumentParser) -> None:
     )
     from .proving.cli import add_jobs, add_prove
 
+    parser.add_argument(
+        "--certify",
+        action="store_true",
+        help="also prove the plan between its rows, and search with other seeds until it is proven "
+        "(docs/howto/certify.md); exit code 1 if it is not",
+    )
     add_prove(parser)
     add_jobs(parser)
     add_trust(parser)
@@ -270,7 +276,7 @@ def _plan(options: argparse.Namespace) -> int:
             given = read_task(read_stdin(), "stdin", trust=options.trust)
         task = _change(given, options)
     plan = searched(task, clock.began, options)
-    faults = _api.check(plan) if plan else []
+    faults, edges = _api.checked(plan, options.certify) if plan else ([], None)
     # Files first: who reads our output may go at any time.
     if not to_stdout:
         plan.save(options.output)
@@ -280,7 +286,7 @@ def _plan(options: argparse.Namespace) -> int:
     finally:
         if to_stdout:
             print(plan.to_json(), end="")
-        summary = [report.as_text(plan), report.verdict(plan, faults)]
+        summary = [report.as_text(plan), report.verdict(plan, faults, edges)]
         summary += [f"written: {path}" for path in written]
         if options.json:
             summary = [json.dumps(report.as_dict(plan) | {"faults": faults})]

@@ -7,7 +7,7 @@ import json
 import pytest
 
 import graspless
-from graspless import _data, collision, frames, geometry, slide
+from graspless import _api, _data, collision, frames, geometry, slide
 from graspless.cli import main
 from graspless.scene import EdgeCertificate, Verdict
 
@@ -140,3 +140,38 @@ def test_what_is_not_solved_is_not_certified():
         slide.certify(task.problem, slide.Plan())
     assert EdgeCertificate()
     assert EdgeCertificate().num_edges == 0
+
+
+def test_a_plan_is_searched_until_it_is_proven():
+    found = graspless.plan(EXAMPLES / "01_slide_card.yaml", seed=1, certify=True)
+    assert found
+    assert graspless.check(found, certify=True) == []
+
+
+@pytest.mark.parametrize(("counts", "seed"), [([2, 1, 0, 0], 7), ([3, 1, 2] * 7, 6), ([0], 5)])
+def test_other_seeds_are_tried_while_edges_are_doubted(monkeypatch, counts, seed):
+    doubts = iter(counts)
+    monkeypatch.setattr(
+        _api, "checked", lambda plan, with_certificate: (["?"] * next(doubts), None)
+    )
+    found = graspless.plan(EXAMPLES / "01_slide_card.yaml", seed=5, certify=True)
+    assert found.seed == seed
+
+
+def test_the_search_for_a_certificate_ends_without_one(monkeypatch):
+    monkeypatch.setattr(_api, "checked", lambda plan, with_certificate: (["?"], None))
+    found = graspless.plan(EXAMPLES / "01_slide_card.yaml", seed=5, seconds=0.2, certify=True)
+    assert found.seed == 5
+    card = graspless.load_task(EXAMPLES / "01_slide_card.yaml").to_dict()
+    card["object"]["pose"]["x"] = 0.99  # out of reach
+    assert not graspless.plan(card, iterations=20, certify=True)
+
+
+def test_certify_and_prove_are_not_combined(tmp_path, capsys):
+    with pytest.raises(graspless.TaskError, match="certify: cannot be combined with prove"):
+        graspless.plan(EXAMPLES / "01_slide_card.yaml", certify=True, prove=1)
+    command = ["plan", str(EXAMPLES / "01_slide_card.yaml"), "-o", str(tmp_path / "plan.json")]
+    assert main([*command, "--certify", "--prove", "1"]) == 2
+    assert "--certify: cannot be combined with --prove" in capsys.readouterr().err
+    assert main([*command, "--certify"]) == 0
+    assert "edges between rows are certified" in capsys.readouterr().out

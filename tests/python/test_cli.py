@@ -43,7 +43,8 @@ def test_plan_and_check(task, capsys):
 
 
 def test_plan_that_does_not_hold_is_never_called_found(task, capsys, monkeypatch):
-    monkeypatch.setattr("graspless._api.check", lambda _: ["slide row 3: collision a - b"])
+    fault = "slide row 3: collision a - b"
+    monkeypatch.setattr("graspless._api.checked", lambda *_: ([fault], None))
     code, out, _ = run(capsys, "plan", "task.yaml")
     assert code == 1
     assert "does not hold:\nslide row 3: collision a - b\n" in out

@@ -46,8 +46,10 @@ def searched(task: Any, began: float, options: argparse.Namespace) -> Plan:
         if options.jobs != 1:
             raise TaskError(f"--jobs: {options.jobs}: only beside --prove, whose trials they do")
         with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
-            plan = _api.plan_since(task, began)
+            plan = (_api.plan_certified if options.certify else _api.plan_since)(task, began)
         return plan
+    if options.certify:
+        raise TaskError("--certify: cannot be combined with --prove: each searches by its own rule")
     limit = limit_of(options.time)
     with progress.waiting(f"planning and simulating, at most {limit:g} s"):
         plan = prove(task, options.prove, jobs=options.jobs, seconds=options.time, began=began)
