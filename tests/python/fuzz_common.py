@@ -77,7 +77,7 @@ def edited(draw, documents):
         elif how == 3 and isinstance(owner[last], (int, float)):
             owner[last] *= draw(st.sampled_from([-1, 0, 0.5, 2, 10, 1e3, 1e-3, 1e6]))
         else:
-            owner[last] = draw(VALUES)
+            owner[last] = copy.deepcopy(draw(VALUES))  # a later edit must not change ODD
     return document
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans broken on purpose: `check` finds every mutant that is not benign, and the bench counts."""
+"""Plans broken on purpose: `check` finds every mutant, and the bench counts."""
 
 import json
 
@@ -13,7 +13,6 @@ from graspless_bench.physics.clasp_tasks import physics_tasks as clasp_tasks
 from graspless_bench.physics.slide_tasks import physics_tasks as slide_tasks
 
 TASKS = {"slide": slide_tasks, "fingertip": fingertip_tasks.forceful_tasks, "clasp": clasp_tasks}
-UNSEEN = {("slide", "weak flexure")}  # by check: the object is dragged all the same
 
 
 @pytest.fixture(scope="module", params=TASKS)
@@ -28,9 +27,7 @@ def test_check_finds_every_mutant(document):
     for mutant in mutants.mutants(document["kind"]):
         broken = mutant.of(document)
         assert broken != document, mutant.name
-        is_found = bool(mutants._checked(broken))
-        assert is_found == ((document["kind"], mutant.name) not in UNSEEN), mutant.name
-        assert mutant.benign or is_found
+        assert mutants._checked(broken), mutant.name
     assert json.dumps(document) == before
 
 

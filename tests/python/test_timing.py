@@ -324,6 +324,7 @@ def test_the_timed_motion_passes_the_plan_s_own_check():
             slide.Segment(segment.name, trajectory.positions[rows], trajectory.object_poses[rows])
         )
     moved.segments = segments
+    moved.tube = slide.Tube()  # its rows are others
     options = plan.task.options
     height = options.lift_height
     try:

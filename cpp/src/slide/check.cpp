@@ -8,6 +8,7 @@
 #include "graspless/slide/resume.hpp"
 #include "graspless/watch.hpp"
 
+#include "collision/bounds.hpp"
 #include "slide/examination.hpp"
 #include "slide/replay.hpp"
 #include "slide/warnings.hpp"
@@ -105,17 +106,17 @@ bool Examination::has_shape() {
     }
     for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
       const bool sound = s.positions[i].size() == problem_.robot.dof() &&
-                         s.positions[i].allFinite() && s.object_poses[i].matrix().allFinite();
-      if (!sound) fault(s, i, "has the wrong size or a value that is not finite");
+                         s.positions[i].allFinite() && collision::is_pose(s.object_poses[i]);
+      if (!sound) fault(s, i, "has the wrong size, a value that is not finite, or no pose");
     }
   }
-  if (!plan_.X_WO_goal.matrix().allFinite() || !plan_.X_WH_grasp.matrix().allFinite()) {
-    fault("plan", "X_WO_goal or X_WH_grasp is not finite");
+  if (!collision::is_pose(plan_.X_WO_goal) || !collision::is_pose(plan_.X_WH_grasp)) {
+    fault("plan", "X_WO_goal or X_WH_grasp is no pose within 1e4 m");
   }
   if (plan_.resumed &&
       !(plan_.resumed->q.size() == problem_.robot.dof() && plan_.resumed->q.allFinite() &&
-        plan_.resumed->X_WO.matrix().allFinite())) {
-    fault("resumed", "q or X_WO has the wrong size or a value that is not finite");
+        collision::is_pose(plan_.resumed->X_WO))) {
+    fault("resumed", "q has the wrong size or a value that is not finite, or X_WO is no pose");
   }
   return faults_.empty();
 }

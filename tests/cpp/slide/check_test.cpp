@@ -69,6 +69,11 @@ TEST_F(Check, AValueThatIsNotFinite) {
   expect_fault("not finite");
 }
 
+TEST_F(Check, AnObjectBeyondTheWorld) {
+  segment("slide").object_poses[1].translation().x() = 1e9;
+  expect_fault("no pose");
+}
+
 TEST_F(Check, AnotherHome) {
   problem_.q_home[0] += 0.1;
   expect_fault("home");
