@@ -113,9 +113,8 @@ bool Examination::has_shape() {
   if (!collision::is_pose(plan_.X_WO_goal) || !collision::is_pose(plan_.X_WH_grasp)) {
     fault("plan", "X_WO_goal or X_WH_grasp is no pose within 1e4 m");
   }
-  if (plan_.resumed &&
-      !(plan_.resumed->q.size() == problem_.robot.dof() && plan_.resumed->q.allFinite() &&
-        collision::is_pose(plan_.resumed->X_WO))) {
+  if (plan_.resumed && !(plan_.resumed->q.size() == problem_.robot.dof() &&
+                         plan_.resumed->q.allFinite() && collision::is_pose(plan_.resumed->X_WO))) {
     fault("resumed", "q has the wrong size or a value that is not finite, or X_WO is no pose");
   }
   return faults_.empty();
