@@ -6,8 +6,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "slide/friction/warnings.hpp"
 #include "slide/rows.hpp"
-#include "slide/warnings.hpp"
 
 namespace graspless::slide {
 

@@ -11,7 +11,7 @@
 #include "graspless/robot/ik.hpp"
 
 #include "slide/contact_space.hpp"
-#include "slide/course.hpp"
+#include "slide/friction/course.hpp"
 #include "slide/placement.hpp"
 #include "slide/rows.hpp"
 

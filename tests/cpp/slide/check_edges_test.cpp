@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "scene/rows.hpp"
-#include "slide/band_prover.hpp"
+#include "slide/check/band_prover.hpp"
+#include "slide/check/replay.hpp"
 #include "slide/problems.hpp"
-#include "slide/replay.hpp"
 
 namespace graspless::slide {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "graspless/slide/torsion.hpp"
 
-#include "slide/drag.hpp"
-#include "slide/pressed.hpp"
+#include "slide/friction/drag.hpp"
+#include "slide/friction/pressed.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {

@@ -4,7 +4,7 @@
 // A function u(t) whose second derivative is at most U'' keeps within U'' w^2 / 8 of the straight
 // line between its values at the ends of an interval of width w, and its first derivative keeps
 // within U'' w / 2 of that line's slope. Both hold for vectors.
-#include "slide/finger_span.hpp"
+#include "slide/check/finger_span.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Part of check(): proof of what lies between the rows.
+#include "scene/edges.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <utility>
 
-#include "scene/edges.hpp"
-#include "slide/band_prover.hpp"
-#include "slide/replay.hpp"
+#include "slide/check/band_prover.hpp"
+#include "slide/check/replay.hpp"
 
 namespace graspless::slide {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "slide/pressed.hpp"
+#include "slide/friction/pressed.hpp"
 
 /// How the pad moves and presses along a slide, and how uncertain that is.
 namespace graspless::slide {

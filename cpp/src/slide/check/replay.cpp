@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slide/replay.hpp"
+#include "slide/check/replay.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 
 #include "graspless/watch.hpp"
 
-#include "slide/examination.hpp"
-#include "slide/replay.hpp"
+#include "slide/check/examination.hpp"
+#include "slide/check/replay.hpp"
 
 namespace graspless::slide {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slide/warnings.hpp"
+#include "slide/friction/warnings.hpp"
 
 #include <algorithm>
 #include <iomanip>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/bands.hpp"
-#include "slide/examination.hpp"
+#include "slide/check/examination.hpp"
 
 namespace graspless::slide {
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every condition that check_contact.cpp and check_goal.cpp test at configurations, for a part of
+// Every condition that contact.cpp and goal.cpp test at configurations, for a part of
 // an edge: a part is divided until the bounds of finger_span.cpp keep all bands on it.
-#include "slide/band_prover.hpp"
+#include "slide/check/band_prover.hpp"
 
 #include <algorithm>
 #include <cmath>

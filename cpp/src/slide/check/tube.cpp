@@ -4,8 +4,8 @@
 // Part of check(): where friction may leave the object.
 #include <algorithm>
 
-#include "slide/course.hpp"
-#include "slide/examination.hpp"
+#include "slide/check/examination.hpp"
+#include "slide/friction/course.hpp"
 
 namespace graspless::slide {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "graspless/watch.hpp"
 
-#include "slide/pressed.hpp"
+#include "slide/friction/pressed.hpp"
 
 namespace graspless::slide {
 namespace {

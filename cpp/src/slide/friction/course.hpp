@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "slide/friction/pressed.hpp"
 #include "slide/placement.hpp"
-#include "slide/pressed.hpp"
 
 /// Where friction takes the object: the integration behind tube.hpp.
 namespace graspless::slide {

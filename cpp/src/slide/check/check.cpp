@@ -9,9 +9,9 @@
 #include "graspless/watch.hpp"
 
 #include "collision/bounds.hpp"
-#include "slide/examination.hpp"
-#include "slide/replay.hpp"
-#include "slide/warnings.hpp"
+#include "slide/check/examination.hpp"
+#include "slide/check/replay.hpp"
+#include "slide/friction/warnings.hpp"
 
 namespace graspless::slide {
 

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Part of check(): the segments in which the finger touches the object.
+#include "slide/contact.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "graspless/watch.hpp"
 
-#include "slide/contact.hpp"
-#include "slide/examination.hpp"
+#include "slide/check/examination.hpp"
 
 namespace graspless::slide {
 

@@ -9,9 +9,9 @@
 #include "graspless/slide/torsion.hpp"
 #include "graspless/watch.hpp"
 
-#include "slide/course.hpp"
-#include "slide/drag.hpp"
-#include "slide/pad.hpp"
+#include "slide/friction/course.hpp"
+#include "slide/friction/drag.hpp"
+#include "slide/friction/pad.hpp"
 
 namespace graspless::slide {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "slide/pressed.hpp"
+#include "slide/friction/pressed.hpp"
 
 namespace graspless::slide {
 

@@ -10,10 +10,10 @@
 #include "graspless/slide/slide.hpp"
 
 #include "scene/rows.hpp"
+#include "slide/check/finger_span.hpp"
+#include "slide/check/replay.hpp"
 #include "slide/contact.hpp"
-#include "slide/finger_span.hpp"
 #include "slide/hand_frames.hpp"
-#include "slide/replay.hpp"
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
 /// again from the paper and docs/internals/slide.md, so that a mistake in the search does not
