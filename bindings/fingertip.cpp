@@ -605,6 +605,29 @@ void bind_resume(py::module_& m) {
       "options.");
 }
 
+/// Binds a function that judges joint paths. It runs without the GIL, on copies of what Python
+/// could change meanwhile.
+template <typename Result>
+void bind_judge(py::module_& m, const char* name,
+                Result (*judge)(const Problem&, const Plan&, const robot::Robot&, const Carrier&,
+                                const Realization&, const RealizeOptions&),
+                const char* doc) {
+  m.def(
+      name,
+      [judge](const Problem& problem, const Plan& plan, const robot::Robot& robot,
+              const Carrier& carrier, const Realization& realization,
+              const RealizeOptions& options) {
+        const Plan plan_now = plan;
+        const Carrier carrier_now = carrier;
+        const Realization realization_now = realization;
+        const RealizeOptions options_now = options;
+        const py::gil_scoped_release release;
+        return judge(problem, plan_now, robot, carrier_now, realization_now, options_now);
+      },
+      py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"),
+      py::arg("realization"), py::arg_v("options", RealizeOptions{}, "RealizeOptions()"), doc);
+}
+
 void bind_planner(py::module_& m) {
   const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
   bind_front_door<Problem, Options, Plan>(
@@ -656,36 +679,14 @@ void bind_planner(py::module_& m) {
       "------\n"
       "ValueError\n"
       "    A frame is unknown, the home lies outside the joint limits, or the plan is not solved.");
-  m.def(
-      "check_realization",
-      [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
-         const Carrier& carrier, const Realization& realization, const RealizeOptions& options) {
-        const Plan plan_now = plan;
-        const Carrier carrier_now = carrier;
-        const Realization realization_now = realization;
-        const RealizeOptions options_now = options;
-        const py::gil_scoped_release release;
-        return check(problem, plan_now, robot, carrier_now, realization_now, options_now);
-      },
-      py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"),
-      py::arg("realization"), default_realize,
+  bind_judge<std::vector<std::string>>(
+      m, "check_realization", check,
       "Checks joint paths against problem and plan: limits, steps, fingertips, collisions.\n\n"
       "Returns one fault per entry; an empty list if the paths are valid.");
-  m.def(
-      "certify_realization",
-      [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
-         const Carrier& carrier, const Realization& realization, const RealizeOptions& options) {
-        const Plan plan_now = plan;
-        const Carrier carrier_now = carrier;
-        const Realization realization_now = realization;
-        const RealizeOptions options_now = options;
-        const py::gil_scoped_release release;
-        return certify(problem, plan_now, robot, carrier_now, realization_now, options_now);
-      },
-      py::arg("problem"), py::arg("plan"), py::arg("robot"), py::arg("carrier"),
-      py::arg("realization"), default_realize,
-      "Proves what check_realization() samples between the rows: nothing touches that may not, and "
-      "the fingertips keep their tolerances.\n\n"
+  bind_judge<scene::EdgeCertificate>(
+      m, "certify_realization", certify,
+      "Proves what check_realization() samples between the rows: nothing touches that may "
+      "not, and the fingertips keep their tolerances.\n\n"
       "Returns a scene.EdgeCertificate. Raises ValueError if the paths were not found or are "
       "malformed.");
 }

@@ -76,7 +76,7 @@ void blame_geometry_of_lattice(const PoseGraph& graph, Plan& plan) {
   }
 }
 
-/// What is wrong with the fingers' places at the start; empty: nothing.
+/// The first finger that cannot be where it starts, and why; empty: there is none.
 std::string fault_of_start(const PoseGraph& graph) {
   const std::vector<int>& start = graph.locations.start();
   for (std::size_t i = 0; i < start.size(); ++i) {

@@ -53,7 +53,7 @@ Place nearest_place(const Object& object, const Poses& way, const Eigen::Isometr
   return best;
 }
 
-/// What is measured of a displacement: along the floor and about its normal, and the rest.
+/// A measured displacement, in parts along the floor and off it.
 struct Displacement {
   Eigen::Vector3d aside_W;  // of the centre of mass, along the floor [m]
   double turn;              // about the floor's normal [rad]
@@ -87,9 +87,7 @@ Eigen::Isometry3d moved(const Problem& problem, const Eigen::Isometry3d& X_WO,
 /// The poses of a plan after a place on a segment.
 Poses poses_after(const Plan& plan, std::size_t segment, const Place& place) {
   const Poses& way = plan.segments[segment].X_WO;
-  Poses left(way.begin() + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place.k) + 1,
-                                                    static_cast<std::ptrdiff_t>(way.size())),
-             way.end());
+  Poses left(way.begin() + static_cast<std::ptrdiff_t>(place.k) + 1, way.end());
   for (std::size_t s = segment + 1; s < plan.segments.size(); ++s) {
     if (plan.segments[s].finger >= 0) continue;  // a regrasp stays at the last pose
     left.insert(left.end(), plan.segments[s].X_WO.begin() + 1, plan.segments[s].X_WO.end());

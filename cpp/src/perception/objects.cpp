@@ -193,7 +193,7 @@ std::optional<Object> measure(const Cluster& cluster, const Region& region, cons
   const Pixel& middle = cluster.pixels[cluster.pixels.size() / 2];
   const int window = sightings[static_cast<std::size_t>(middle.view)].heights.window;
   const double least = std::max(options.min_thickness, kSignificantTop * deviation / window);
-  // What only its mean tells from noise must fill a good part of a window in every view.
+  // A cluster that only its mean tells from noise must fill a good part of a window in every view.
   const double fewest = 0.4 * window * window * static_cast<double>(sightings.size());
   const bool is_speck = top.thickness < kSignificantTop * deviation &&
                         static_cast<double>(cluster.pixels.size()) < fewest;

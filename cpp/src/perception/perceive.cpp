@@ -266,7 +266,7 @@ Scene perceive(const std::vector<View>& views, const Options& options) {
   }
   std::vector<Plane> planes = find_planes(cells, options, false);
   if (planes.empty()) return without_support(cells, options);
-  // What no camera resolves is noise too: a tenth of a millimetre at least.
+  // At least a tenth of a millimetre is noise: no camera resolves it.
   noise.scale = std::max(planes.front().noise_scale, 1e-4 / noise(sights.front().median));
   // From the highest to the lowest: what stands on a shelf is not an object of the board below.
   std::vector<Plane> ordered = planes;

@@ -12,7 +12,7 @@
 
 namespace graspless::perception {
 
-/// What is known of a cell of a plane. Of several views, the largest counts.
+/// Knowledge of a cell of a plane. The largest value of all views counts.
 enum class Ground : std::uint8_t { outside, unknown, hidden, passed, seen };
 
 /// A view with its heights over a plane.

@@ -15,7 +15,7 @@ constexpr double kShortest = 0.005;   // shadow [m]
 constexpr double kLowest = 0.003;     // shadow [m]
 constexpr double kLeastPatch = 4e-4;  // area of a patch without depth [m^2]
 
-/// What the pixels in one direction from the camera's foot hide.
+/// The space that the pixels in one direction from the camera's foot hide.
 struct Sector {
   double farthest = 0;  ///< distance of the farthest point of the object [m]
   double end = 0;       ///< distance at which the highest ray reaches the support [m]

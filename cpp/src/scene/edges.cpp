@@ -84,7 +84,7 @@ void EdgeProver::open_all(const Stretch& whole) {
   bound_at(whole.first, &OpenPair::bound_first, 0, [&](const OpenPair& pair) {
     return (motion(pair.index, whole) + kMargin) / 2;  // the other end adds the rest
   });
-  // What is not inside a closed mesh here, and never touches it, stays outside.
+  // A body that is outside a closed mesh here, and never touches it, stays outside.
   for (const OpenPair& pair : open_) {
     if (world_.swallows(pair.index)) refute(pair.index, whole.first);
   }

@@ -20,7 +20,7 @@ struct Body {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< pose in the world
 };
 
-/// What the rays through the centres of all pixels meet first.
+/// First hits of the rays through the centres of all pixels.
 struct Rendering {
   DepthImage depth;   ///< [m]; 0 if a ray meets nothing
   LabelImage label;   ///< index of the body; -1 if a ray meets nothing

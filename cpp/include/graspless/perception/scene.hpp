@@ -41,7 +41,7 @@ constexpr auto choices(Status) {
              "table."}};
 }
 
-/// What is beyond an edge of a support.
+/// Reason why a support ends at an edge.
 enum class EdgeLabel { real, image_border, occluded };
 
 /// Table of the values: name and text.

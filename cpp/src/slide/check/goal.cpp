@@ -107,13 +107,11 @@ Examination::Protrusion Examination::protrusion() const {
   Protrusion result;
   result.any = !out.empty();
   if (!result.any) return result;
-  for (const auto& p : out) {
-    poll();
-    if (problem_.support.has_unusable_edges() &&
-        !problem_.support.is_usable(edge_beside(Q, p).index)) {
-      result.is_over_unusable_edge = true;
-    }
-  }
+  result.is_over_unusable_edge =
+      problem_.support.has_unusable_edges() && std::any_of(out.begin(), out.end(), [&](auto& p) {
+        poll();
+        return !problem_.support.is_usable(edge_beside(Q, p).index);
+      });
   result.center = mean(out);
   if (!is_held_at(result.center, out, X_SO)) {
     out = largest_group(out, kNeighbours * problem_.object.spacing());
