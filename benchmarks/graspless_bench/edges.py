@@ -78,7 +78,8 @@ def scene_of(problem: slide.Problem, X_WO: Array) -> scene.Scene:
 
 def cluttered(problem: slide.Problem, plan: Any, rng: np.random.Generator) -> slide.Problem:
     """Returns the problem with a ball beside the way of the hand."""
-    edge = edges_of(plan)[rng.integers(len(edges_of(plan)))]
+    edges = edges_of(plan)
+    edge = edges[rng.integers(len(edges))]
     p = problem.robot.pose(problem.hand.grasp_frame, edge.after)[:3, 3]
     away = rng.normal(size=3)
     p = p + rng.uniform(0.02, 0.12) * away / np.linalg.norm(away)

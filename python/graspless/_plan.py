@@ -185,6 +185,11 @@ class AnyPlan:
             warned.warnings = [note, *warned.warnings]
         return plan
 
+    def _settings(self, options: Any, budget: Any) -> tuple[Any, Any]:
+        """Returns options and budget of a plan that goes on from this one; None: those of this."""
+        options = self.task.options if options is None else options
+        return options, self.task.budget if budget is None else budget
+
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan."""
         return list(self._planner.check(self.task.problem, self, self.task.options))

@@ -202,10 +202,8 @@ def resume(
         not rigid.
     """
     if isinstance(problem, Plan):
-        task = problem.task
-        options = task.options if options is None else options
-        budget = task.budget if budget is None else budget
-        problem = task.problem
+        options, budget = problem._settings(options, budget)
+        problem = problem.task.problem
     now = Problem(
         problem.robot,
         problem.hand,

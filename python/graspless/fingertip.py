@@ -338,8 +338,7 @@ def resume(
     task = plan.task
     if task.arm is not None:
         raise ValueError("plan: has joint paths of a robot; only plans of fingertips are resumed")
-    options = task.options if options is None else options
-    budget = task.budget if budget is None else budget
+    options, budget = plan._settings(options, budget)
     problem, found = _core.resume(task.problem, plan, segment, X_WO, options, budget)
     return Plan._of(found, Task.of(problem, options, budget))
 

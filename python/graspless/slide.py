@@ -211,8 +211,7 @@ def _interrupted(
     task, goal = problem.task, problem.X_WO_goal if problem else None
     if options is None and budget is None:
         return task, goal
-    options = task.options if options is None else options
-    return Task.of(task.problem, options, task.budget if budget is None else budget), goal
+    return Task.of(task.problem, *problem._settings(options, budget)), goal
 
 
 __all__ = [

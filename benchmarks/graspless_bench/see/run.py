@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graspless import perception
+from graspless.frames import transform
 
 from . import scenes
 
@@ -98,14 +99,17 @@ def _height(table: perception.Support) -> float:
     return float((n @ p) / n[2])
 
 
+def _from_above(corners: Matrix, X: Matrix) -> Matrix:
+    """Corners of a polygon in the plane of a frame, as x and y in the world."""
+    rows: Matrix = transform(X, np.column_stack([corners, np.zeros(len(corners))]))[:, :2]
+    return rows
+
+
 def _overlap(thing: perception.Object, shot: scenes.Shot) -> float:
     """Intersection over union of outline and silhouette."""
     from matplotlib.path import Path
 
-    corners = np.column_stack(
-        [thing.outline, np.zeros(len(thing.outline)), np.ones(len(thing.outline))]
-    )
-    ring = (corners @ thing.X_WO.T)[:, :2]
+    ring = _from_above(thing.outline, thing.X_WO)
     places = shot.places.reshape(-1, 2)
     inside = Path(ring).contains_points(places).reshape(shot.silhouette.shape)
     union = np.count_nonzero(inside | shot.silhouette)
@@ -116,10 +120,7 @@ def _edges(table: perception.Support, frames: list[perception.Frame]) -> dict[st
     """Lengths of edges that are called real, of those that are, and of true edges that were
     visible and were found.
     """
-    corners = np.column_stack(
-        [table.polygon, np.zeros(len(table.polygon)), np.ones(len(table.polygon))]
-    )
-    ring = (corners @ table.X_WS.T)[:, :2]
+    ring = _from_above(table.polygon, table.X_WS)
     half = np.array(scenes.SIZE) / 2
     box = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * half
     truth = _samples(box, [True] * 4)

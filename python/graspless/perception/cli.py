@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -115,16 +114,11 @@ def read_view(path: Path, viewpoint: list[float] | None) -> View:
 
 def _view_of_arrays(path: Path) -> View:
     from .._core.perception import View
+    from .arrays import read_arrays
     from .clouds import average
 
     try:
-        with zipfile.ZipFile(path) as archive:
-            size = sum(entry.file_size for entry in archive.infolist())
-        if size > MOST:
-            raise ValueError(f"states {size} bytes; at most {MOST}")
-        with np.load(path, allow_pickle=False) as arrays:
-            wanted = ("depth", "frames", "K", "X_WC")
-            found = {name: arrays[name] for name in wanted if name in arrays.files}
+        found = read_arrays(path, MOST, wanted=("depth", "frames", "K", "X_WC"))
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
         raise ValueError(f"cannot be read as arrays: {explain(error)}") from None
     missing = [name for name in ("K", "X_WC") if name not in found]

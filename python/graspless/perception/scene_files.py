@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import io
-import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -17,6 +16,7 @@ from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
 from ..errors import TaskError, explain
 from ..tasks.shapes import Fields, NotNegative, Point3, Points2, Pose, Positive, pose_matrix
 from ..tasks.source import Source, read_yaml
+from .arrays import read_arrays
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -233,12 +233,7 @@ def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, M
     if not path.is_file():
         raise source.error(("points",), "no such file")
     try:
-        with zipfile.ZipFile(path) as archive:
-            size = sum(entry.file_size for entry in archive.infolist())
-        if size > MOST:
-            raise ValueError(f"states {size} bytes; at most {MOST}")
-        with np.load(path, allow_pickle=False) as packed:
-            clouds = {name: np.asarray(packed[name], dtype=float) for name in packed.files}
+        clouds = {name: np.asarray(rows, float) for name, rows in read_arrays(path, MOST).items()}
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
         raise source.error(("points",), f"cannot be read: {explain(error)}") from None
     for thing in fields.objects:

@@ -13,7 +13,7 @@ from ..errors import TaskError, missing
 from ..kinds import part
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
@@ -41,13 +41,13 @@ def write_png(plan: Plan, path: str | Path) -> None:
         The file cannot be written, has another ending, or a package of `graspless[view]` is
         missing.
     """
-    check_png(path)
-    files.check_writable(path)
-    with _told():
+
+    def drawn() -> bytes:
         from .figures import as_png
 
-        picture = as_png(figure(plan))
-    files.write(path, picture)
+        return as_png(figure(plan))
+
+    _write_png(path, drawn)
 
 
 def figure(plan: Plan) -> Figure:
@@ -90,13 +90,13 @@ def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) 
         The file cannot be written, has another ending, or a package of `graspless[view]` is
         missing.
     """
-    check_png(path)
-    files.check_writable(path)
-    with _told():
+
+    def drawn() -> bytes:
         from .loops import draw
 
-        picture = draw(points, loops)
-    files.write(path, picture)
+        return draw(points, loops)
+
+    _write_png(path, drawn)
 
 
 def write_scene_png(scene: Scene, path: str | Path) -> None:
@@ -114,12 +114,21 @@ def write_scene_png(scene: Scene, path: str | Path) -> None:
         The file cannot be written, has another ending, or a package of `graspless[view]` is
         missing.
     """
+
+    def drawn() -> bytes:
+        from .perceived import draw
+
+        return draw(scene)
+
+    _write_png(path, drawn)
+
+
+def _write_png(path: str | Path, draw: Callable[[], bytes]) -> None:
+    """Writes a picture. Faults of the path are found before it is drawn."""
     check_png(path)
     files.check_writable(path)
     with _told():
-        from .perceived import draw
-
-        picture = draw(scene)
+        picture = draw()
     files.write(path, picture)
 
 

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of arrays."""
+
+from __future__ import annotations
+
+import zipfile
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+
+def read_arrays(
+    path: Path, most: int, wanted: Collection[str] | None = None
+) -> dict[str, NDArray[Any]]:
+    """Returns the arrays of an .npz file by name.
+
+    Parameters
+    ----------
+    path : Path
+    most : int
+        Number of bytes that the file may state, unpacked.
+    wanted : collection of str, optional
+        Names to read; others are left out. All by default.
+
+    Raises
+    ------
+    Exception
+        The file is not valid: numpy and zipfile raise whatever they stumble over.
+    """
+    with zipfile.ZipFile(path) as archive:
+        size = sum(entry.file_size for entry in archive.infolist())
+    if size > most:
+        raise ValueError(f"states {size} bytes; at most {most}")
+    with np.load(path, allow_pickle=False) as arrays:
+        return {name: arrays[name] for name in arrays.files if wanted is None or name in wanted}
+
+
+__all__ = ["read_arrays"]
