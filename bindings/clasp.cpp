@@ -111,8 +111,9 @@ ValueError
 void bind_object(py::module_& m) {
   using geometry::LoopOptions;
   py::class_<Object>(m, "Object",
-                     "An object known from a point cloud: its loops, and K_d as collision model "
-                     "(Stork,\nPokorny, Kragic 2013, Section IV-A).")
+                     "An object known from a point cloud: its loops (Stork, Pokorny, Kragic 2013,\n"
+                     "Section IV-A), and its surface at the cloud's own resolution as collision "
+                     "model.")
       .def_static(
           "from_cloud",
           [](const std::string& name, const Array& p_OP, const LoopOptions& options) {
@@ -152,10 +153,11 @@ ValueError
           "geometry.LoopOptions used to find the loops; a copy.")
       .def_property_readonly(
           "surface", [](const Object& self) { return self.surface(); },
-          "Collision surface, in O [m]: the triangles of K_d, and narrow ones for edges and points "
+          "Collision surface, in O [m]: the triangles of loops.surface, and narrow ones for edges "
+          "and points "
           "without a triangle.")
       .def_property_readonly("spacing", &Object::spacing,
-                             "Median distance of neighbouring points of K_d [m].")
+                             "Median distance of neighbouring points of the surface [m].")
       .def("__repr__", [](const Object& self) {
         return "<Object '" + self.name() + "' of " + std::to_string(self.points().cols()) +
                " points and " + std::to_string(self.loops().loops.size()) + " loops>";

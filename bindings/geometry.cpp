@@ -422,6 +422,9 @@ void bind_loops(py::module_& m) {
           "width", &Loop::width,
           "Width of the same handle in its narrowest direction [m]; 0 if unknown. Two jaws must\n"
           "open farther.")
+      .def_readonly("gap", &Loop::gap,
+                    "Longest step of the loop through open space [m]; 0 if it runs along the "
+                    "surface throughout. The object may come free there.")
       .def("__repr__", [](const Loop& self) {
         return "<Loop of " + std::to_string(self.points.cols()) + " corners, " + text(self.length) +
                " m>";
@@ -463,6 +466,9 @@ void bind_loops(py::module_& m) {
           "meridians", [](const Loops& self) { return self.meridians; },
           "Discarded loops: they run around a thick handle, not along it.")
       .def_readonly("complex", &Loops::complex, "K_d of the cloud, after downsampling.")
+      .def_readonly("surface", &Loops::surface,
+                    "Part of K_d at the cloud's own resolution: edges no longer than twice the "
+                    "local spacing, and their triangles.")
       .def_readonly("betti", &Loops::betti, "Betti curve of the same points.")
       .def_readonly("plateau", &Loops::plateau,
                     "Selected plateau; zero if max_edge_length was given.")

@@ -152,8 +152,8 @@ class Hand:
         ...
 class Object:
     """
-    An object known from a point cloud: its loops, and K_d as collision model (Stork,
-    Pokorny, Kragic 2013, Section IV-A).
+    An object known from a point cloud: its loops (Stork, Pokorny, Kragic 2013,
+    Section IV-A), and its surface at the cloud's own resolution as collision model.
     """
     @staticmethod
     def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: graspless._core.geometry.LoopOptions = ...) -> Object:
@@ -203,12 +203,12 @@ class Object:
     @property
     def spacing(self) -> float:
         """
-        Median distance of neighbouring points of K_d [m].
+        Median distance of neighbouring points of the surface [m].
         """
     @property
     def surface(self) -> graspless._core.geometry.Mesh:
         """
-        Collision surface, in O [m]: the triangles of K_d, and narrow ones for edges and points without a triangle.
+        Collision surface, in O [m]: the triangles of loops.surface, and narrow ones for edges and points without a triangle.
         """
 class Problem:
     """

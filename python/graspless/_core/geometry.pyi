@@ -406,6 +406,11 @@ class Loop:
         pass the hole.
         """
     @property
+    def gap(self) -> float:
+        """
+        Longest step of the loop through open space [m]; 0 if it runs along the surface throughout. The object may come free there.
+        """
+    @property
     def length(self) -> float:
         """
         Length of the closed polyline [m].
@@ -546,6 +551,11 @@ class Loops:
     def status(self) -> LoopStatus:
         """
         Outcome of the search.
+        """
+    @property
+    def surface(self) -> Complex:
+        """
+        Part of K_d at the cloud's own resolution: edges no longer than twice the local spacing, and their triangles.
         """
     @property
     def warnings(self) -> list[str]:

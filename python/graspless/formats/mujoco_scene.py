@@ -77,7 +77,7 @@ def _fingertip(spec: Any, body: Any, task: Task) -> None:
 
 def _clasp(spec: Any, body: Any, task: Task) -> None:
     """Adds the surface of a cloud with its holes open, fixed at its initial pose."""
-    surface = task.problem.object.loops.complex
+    surface = task.problem.object.loops.surface
     points = np.asarray(surface.points)
     _give_cloud_inertia(body, points, task.fields.object.mass)
     add_skin(spec, OBJECT, OBJECT, points, skin(surface), Clasp().skin)

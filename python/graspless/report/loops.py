@@ -50,6 +50,7 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
             "length": loop.length,
             "thickness": loop.thickness,
             "width": loop.width,
+            "gap": loop.gap,
             "birth": loop.birth,
             "death": loop.death if math.isfinite(loop.death) else None,
             "points": loop.points.tolist(),

@@ -18,8 +18,9 @@ namespace graspless::clasp {
 
 class Core;
 
-/// An object known from a point cloud: its loops, and K_d as collision model (Stork 2013, Section
-/// IV-A). Immutable; copies share their data.
+/// An object known from a point cloud: its loops, and its surface as collision model. The surface
+/// is the part of K_d (Stork 2013, Section IV-A) at the cloud's own resolution: solid where points
+/// are, and free where it is open. Immutable; copies share their data.
 class GRASPLESS_API Object {
  public:
   /// `p_OP`: points on the surface, 3 x n in O [m]. An object without a reliable hole is valid;
@@ -31,9 +32,9 @@ class GRASPLESS_API Object {
   const Eigen::Matrix3Xd& points() const;  ///< input cloud, 3 x n in O [m]
   const geometry::Loops& loops() const;    ///< in O
   const geometry::LoopOptions& loop_options() const;
-  /// Collision surface, in O [m]: the triangles of K_d, and narrow triangles for edges without a
-  /// triangle (1 mm wide, at most a tenth of the edge) and points without an edge (1 mm). A surface
-  /// has no inside, so a body wholly inside the object does not touch it.
+  /// Collision surface, in O [m]: the triangles of loops().surface, and narrow triangles for edges
+  /// without a triangle (1 mm wide, at most a tenth of the edge) and points without an edge (1 mm).
+  /// A surface has no inside, so a body wholly inside the object does not touch it.
   const geometry::Mesh& surface() const;
   const collision::Solid& solid() const;  ///< surface() for FCL; built on first use
   /// Distance bounds from surface(); built on first use. A copy has a grid of its own.
@@ -41,7 +42,7 @@ class GRASPLESS_API Object {
   /// Same without the triangles wholly inside: equal for every point outside, and cheaper.
   const collision::Clearance& outer_clearance() const;
   const Core& core() const;  ///< what the surface shuts off from outside; built on first use
-  double spacing() const;    ///< median distance of neighbouring points of K_d [m]
+  double spacing() const;    ///< median distance of neighbouring points of the surface [m]
 
  private:
   struct Data;

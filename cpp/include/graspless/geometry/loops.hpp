@@ -13,7 +13,7 @@
 namespace graspless::geometry {
 
 /// A closed polyline on a cloud: an element of a shortest basis of H_1(K_d) (gamma of Stork 2013,
-/// Sections III-B and IV-A).
+/// Sections III-B and IV-A), moved onto the surface where it crosses open space.
 struct Loop {
   Eigen::Matrix3Xd points;    ///< corners in order, 3 x n [m]; the last connects to the first
   std::vector<int> vertices;  ///< indices of the corners in the input cloud
@@ -28,6 +28,9 @@ struct Loop {
   /// Width of the same handle in its narrowest direction [m]. Two jaws must open farther. 0 if
   /// unknown.
   double width = 0;
+  /// Longest step between neighbouring corners that are too far apart to be on one surface [m]; 0
+  /// if the loop runs along the surface throughout. The object may come free there.
+  double gap = 0;
 };
 
 /// Options of shortest_loops().
@@ -65,8 +68,11 @@ struct Loops {
   std::vector<Loop> loops;      ///< shortest first
   std::vector<Loop> meridians;  ///< discarded loops: they run around a handle, not along it
   Complex complex;              ///< K_d of the cloud, after downsampling
-  BettiCurve betti;             ///< Betti curve of the same points
-  Plateau plateau;              ///< selected plateau; zero if max_edge_length was given
+  /// The part of K_d at the cloud's own resolution: edges no longer than twice the local spacing,
+  /// and their triangles. d follows the holes; where it is large, K_d fills open space.
+  Complex surface;
+  BettiCurve betti;  ///< Betti curve of the same points
+  Plateau plateau;   ///< selected plateau; zero if max_edge_length was given
   std::vector<std::string> warnings;
 };
 

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Facet = geometry::Delaunay::Facet;
 
-/// For each facet of the triangulation, true if it is a triangle of K_d.
+/// For each facet of the triangulation, true if it is a triangle of the surface.
 std::vector<bool> closed_facets(const std::vector<Facet>& facets,
                                 const geometry::Complex& complex) {
   std::vector<std::array<int, 3>> triangles;

@@ -22,7 +22,7 @@ struct CoreLoop {
 };
 
 /// The material of an object: the tetrahedra of the Delaunay triangulation that the triangles of
-/// K_d shut off from the outside.
+/// the surface shut off from the outside.
 class Core {
  public:
   explicit Core(const geometry::Complex& complex);

@@ -18,8 +18,8 @@ namespace graspless::clasp {
 
 /// Collision-free configurations and motions of the robot, including joint limits and
 /// self-collision. Spheres around the links and the object's clearance decide clear cases. FCL with
-/// the triangles of K_d decides the others. K_d is a surface, so a link wholly inside the object
-/// does not touch it, but no motion checked in small steps leads there. Not thread-safe.
+/// the triangles of the object decides the others. They are a surface, so a link wholly inside does
+/// not touch it, but no motion checked in small steps leads there. Not thread-safe.
 class GRASPLESS_API FreeSpace {
  public:
   explicit FreeSpace(const Problem& problem);

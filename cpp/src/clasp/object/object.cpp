@@ -35,8 +35,8 @@ Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
   data->name = name;
   data->points = p_OP;
   data->options = options;
-  data->surface = surface_of(data->loops.complex);
-  data->spacing = geometry::spacing(data->loops.complex.points);
+  data->surface = surface_of(data->loops.surface);
+  data->spacing = geometry::spacing(data->loops.surface.points);
   return Object(std::move(data));
 }
 
@@ -61,12 +61,12 @@ const collision::Clearance& Object::clearance() const {
 }
 
 const collision::Clearance& Object::outer_clearance() const {
-  std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.complex)); });
+  std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.surface)); });
   return *data_->outer;
 }
 
 const Core& Object::core() const {
-  std::call_once(data_->core_made, [&] { data_->core.emplace(data_->loops.complex); });
+  std::call_once(data_->core_made, [&] { data_->core.emplace(data_->loops.surface); });
   return *data_->core;
 }
 

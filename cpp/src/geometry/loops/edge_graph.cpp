@@ -6,7 +6,7 @@
 
 namespace graspless::geometry {
 
-EdgeGraph::EdgeGraph(const Complex& complex)
+EdgeGraph::EdgeGraph(const Complex& complex, const std::function<double(int, int)>& weight)
     : first_(static_cast<std::size_t>(complex.points.cols()) + 1, 0) {
   const auto count = static_cast<std::size_t>(complex.edges.cols());
   ends_.resize(count);
@@ -15,6 +15,7 @@ EdgeGraph::EdgeGraph(const Complex& complex)
     const auto column = static_cast<Eigen::Index>(e);
     ends_[e] = {complex.edges(0, column), complex.edges(1, column)};
     lengths_[e] = (complex.points.col(ends_[e].a) - complex.points.col(ends_[e].b)).norm();
+    if (weight) lengths_[e] *= weight(ends_[e].a, ends_[e].b);
     ++first_[static_cast<std::size_t>(ends_[e].a) + 1];
     ++first_[static_cast<std::size_t>(ends_[e].b) + 1];
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "graspless/geometry/complex.hpp"
@@ -13,7 +14,7 @@ class EdgeGraph {
  public:
   struct Arc {
     int to, edge;
-    double length;  // [m]
+    double length;  // times the weight [m]
   };
   struct Arcs {
     const Arc *first, *last;
@@ -21,7 +22,8 @@ class EdgeGraph {
     const Arc* end() const { return last; }
   };
 
-  explicit EdgeGraph(const Complex& complex);
+  /// `weight`: factor of the length of the edge between two points.
+  explicit EdgeGraph(const Complex& complex, const std::function<double(int, int)>& weight = {});
 
   int num_vertices() const { return static_cast<int>(first_.size()) - 1; }
   int num_edges() const { return static_cast<int>(ends_.size()); }

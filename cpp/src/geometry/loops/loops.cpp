@@ -14,6 +14,7 @@
 
 #include "geometry/complex/plateaus.hpp"
 #include "geometry/loops/report.hpp"
+#include "geometry/loops/resolution.hpp"
 #include "geometry/loops/shortest_basis.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/downsample.hpp"
@@ -102,23 +103,32 @@ bool is_noise(const PersistencePair& span, const Plateau& plateau, std::size_t f
          span.death < kLastingRatio * span.birth;
 }
 
+bool is_shorter(const Loop& a, const Loop& b) { return a.length < b.length; }
+
+/// Sets the surface, and the loops along it.
 void find_loops(const Filtration& filtration, const std::vector<int>& columns, bool drop_meridians,
                 Loops& result) {
   const Complex& complex = result.complex;
+  const Resolution resolution(complex);
+  result.surface = surface_of(complex, resolution);
   const std::vector<Cycle> basis = shortest_basis(complex);
   const std::vector<bool> is_meridian =
       drop_meridians ? find_meridians(complex, basis) : std::vector<bool>(basis.size());
+  const std::vector<Cycle> cycles = around_gaps(complex, resolution, basis);
   for (std::size_t i = 0; i < basis.size(); ++i) {
     const PersistencePair span = filtration.span(basis[i], complex.max_edge_length);
     if (is_noise(span, result.plateau, basis.size())) continue;
-    Loop loop = make_loop(complex.points, basis[i], columns);
+    Loop loop = make_loop(complex.points, cycles[i], columns);
     loop.birth = span.birth;
     loop.death = span.death;
-    const Thickness found = thickness(complex, basis[i]);
+    const Thickness found = thickness(result.surface, cycles[i]);
     loop.thickness = found.widest;
     loop.width = found.narrowest;
+    loop.gap = resolution.widest_gap(cycles[i]);
     (is_meridian[i] ? result.meridians : result.loops).push_back(std::move(loop));
   }
+  std::stable_sort(result.loops.begin(), result.loops.end(), is_shorter);
+  std::stable_sort(result.meridians.begin(), result.meridians.end(), is_shorter);
 }
 
 /// Replaces loops by shorter ones of the same class on the full cloud.
@@ -126,7 +136,8 @@ void polish(const Eigen::Matrix3Xd& points, Loops& result) {
   std::vector<Eigen::Matrix3Xd> curves;
   for (const Loop& loop : result.loops) curves.push_back(loop.points);
   const Complex whole = Filtration(points, "points").complex(result.complex.max_edge_length);
-  const std::vector<Cycle> cycles = polished(whole, curves);
+  const Resolution resolution(whole);
+  const std::vector<Cycle> cycles = around_gaps(whole, resolution, polished(whole, curves));
   const std::vector<int> columns = all_columns(points);
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     if (cycles[i].empty()) continue;
@@ -136,10 +147,10 @@ void polish(const Eigen::Matrix3Xd& points, Loops& result) {
     loop.death = result.loops[i].death;
     loop.thickness = result.loops[i].thickness;
     loop.width = result.loops[i].width;
+    loop.gap = resolution.widest_gap(cycles[i]);
     result.loops[i] = std::move(loop);
   }
-  std::stable_sort(result.loops.begin(), result.loops.end(),
-                   [](const Loop& a, const Loop& b) { return a.length < b.length; });
+  std::stable_sort(result.loops.begin(), result.loops.end(), is_shorter);
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortens loops of a downsampled cloud on the full cloud, within their homology class and from a
-// few roots on each loop instead of all vertices.
+// Shortens loops of a downsampled cloud on the full cloud, and moves loops onto the surface, within
+// their homology class and from a few roots on each loop instead of all vertices.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "graspless/watch.hpp"
 
+#include "geometry/loops/resolution.hpp"
 #include "geometry/loops/rooted_cycles.hpp"
 #include "geometry/loops/shortest_basis.hpp"
 
@@ -37,19 +40,25 @@ Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& c
 
 class LoopPolisher {
  public:
-  explicit LoopPolisher(const Complex& complex)
+  explicit LoopPolisher(const Complex& complex) : LoopPolisher(complex, EdgeGraph(complex)) {}
+  /// The lengths are those of `graph`.
+  LoopPolisher(const Complex& complex, EdgeGraph graph)
       : complex_(complex),
-        graph_(complex),
+        graph_(std::move(graph)),
         annotation_(complex, graph_),
         cycles_(complex, graph_, annotation_),
         paths_(graph_) {}
 
   /// Returns an empty cycle if the loop cannot be traced on the full cloud.
   Cycle polish(const Eigen::Matrix3Xd& loop) {
-    Cycle cycle = traced(nearest_vertices(complex_.points, loop));
-    if (cycle.empty()) return cycle;
+    const Cycle cycle = traced(nearest_vertices(complex_.points, loop));
+    return cycle.empty() ? cycle : shortened(cycle);
+  }
+
+  /// Shortens a closed walk within its class. Returns an empty cycle if none is found.
+  Cycle shortened(Cycle cycle) {
     const Class cls = class_of(cycle);
-    // The traced walk may go back and forth. Only its class and a bound on its length are used.
+    // A traced walk may go back and forth. Only its class and a bound on its length are used.
     double length = std::numeric_limits<double>::infinity();
     // A cycle found from a root begins opposite to it. The next root is there or a quarter further.
     for (int i = 0, failures = 0; i < kMaxRoots && failures < 2; ++i) {
@@ -91,13 +100,20 @@ class LoopPolisher {
     return sum;
   }
 
+  double length_of(const Cycle& cycle) const {
+    double length = 0;
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+      length += graph_.length(graph_.edge(cycle[i], cycle[(i + 1) % cycle.size()]));
+    return length;
+  }
+
   /// Replaces the cycle by the shortest one of its class through the root, if that is shorter.
   void shorten(int root, const Class& cls, Cycle& cycle, double& length) {
-    const double bound = std::min(length, cycle_length(complex_.points, cycle) * kSlack);
+    const double bound = std::min(length, length_of(cycle) * kSlack);
     for (const RootedCycles::ClosingEdge& edge : cycles_.from(root, bound)) {
       if (!std::equal(cls.begin(), cls.end(), cycles_.class_of(edge))) continue;
       cycle = cycles_.cycle(edge);
-      length = cycle_length(complex_.points, cycle);
+      length = length_of(cycle);
       return;
     }
   }
@@ -110,6 +126,24 @@ class LoopPolisher {
 };
 
 }  // namespace
+
+std::vector<Cycle> around_gaps(const Complex& complex, const Resolution& resolution,
+                               std::vector<Cycle> cycles) {
+  std::optional<LoopPolisher> polisher;  // most clouds need none
+  for (Cycle& cycle : cycles) {
+    if (resolution.widest_gap(cycle) == 0) continue;
+    if (!polisher) {
+      const auto weight = [&](int a, int b) {  // short edges stay near the material
+        const double relative = resolution.relative_length(a, b);
+        return std::max(1.0, relative * relative);
+      };
+      polisher.emplace(complex, EdgeGraph(complex, weight));
+    }
+    Cycle moved = polisher->shortened(cycle);
+    if (!moved.empty()) cycle = std::move(moved);
+  }
+  return cycles;
+}
 
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops) {
   LoopPolisher polisher(whole);

@@ -61,6 +61,16 @@ void warn_of_gaps(const Filtration& filtration, Loops& result) {
                             count(found, "loop") + " are gaps between points" + advice(filtration));
 }
 
+void warn_of_open_loops(Loops& result) {
+  for (std::size_t i = 0; i < result.loops.size(); ++i) {
+    const Loop& loop = result.loops[i];
+    if (loop.gap == 0) continue;
+    result.warnings.push_back("loop " + std::to_string(i) + " crosses a gap of " +
+                              short_number(loop.gap) +
+                              " m without points; the object may come free there");
+  }
+}
+
 }  // namespace
 
 std::string short_number(double value) {
@@ -109,6 +119,7 @@ void report(const Filtration& filtration, Loops& result) {
     return;
   }
   result.status = LoopStatus::found;
+  warn_of_open_loops(result);
   result.reason =
       count(result.loops.size(), "loop") + " at max_edge_length " + short_number(d) + " m";
   if (chosen) result.reason += ", on the plateau " + describe(result.plateau);

@@ -5,7 +5,7 @@
 Until then the object stands on a level floor under its lowest points, by its own weight; one that
 cannot stand on them is held. Then floor and weight are taken away, so that a pull in any direction
 asks the same of the hand. Robot and object touch by the links' shapes and the triangles that bound
-K_d; obstacles stop the robot alone.
+its surface; obstacles stop the robot alone.
 """
 
 from __future__ import annotations

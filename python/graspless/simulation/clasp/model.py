@@ -116,7 +116,7 @@ def make_world(
         skin = settings.obstacle_skin
         add_obstacle(spec, obstacle, skin, contype=_ROBOT_BIT, conaffinity=_ROBOT_BIT)
     X_WO = _moved(np.asarray(problem.X_WO), variation)
-    surface = problem.object.loops.complex
+    surface = problem.object.loops.surface
     mass = task.fields.object.mass or settings.mass
     add_object(spec, surface, solids, X_WO, mass, variation, settings)
     model = spec.compile()

@@ -34,7 +34,7 @@ def add_object(
     variation: Variation,
     settings: Clasp,
 ) -> None:
-    """Adds a free body with the surface of K_d or of solids. It stands on feet, or is held.
+    """Adds a free body with the surface of a cloud or of solids. It stands on feet, or is held.
 
     `mass` is the mass before variation [kg].
     """

@@ -20,7 +20,7 @@ SUPPORT = "support"
 
 
 def object_body(task: Task) -> Body:
-    """Returns the object, in O; for a point cloud, the surface of its complex K_d."""
+    """Returns the object, in O; for a point cloud, its surface."""
     parts = []
     for placed in task.problem.object.shapes:
         shape = placed.shape

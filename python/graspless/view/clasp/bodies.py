@@ -26,9 +26,9 @@ PATH: Color = (0.13, 0.52, 0.30)
 
 
 def object_body(task: Task) -> Body:
-    """Returns the surface of K_d, in O, or the point cloud if K_d has no triangle."""
-    complex_d = task.problem.object.loops.complex
-    part = surface_part(complex_d.points, complex_d.triangles, OBJECT)
+    """Returns the object's surface, in O, or the point cloud if it has no triangle."""
+    surface = task.problem.object.loops.surface
+    part = surface_part(surface.points, surface.triangles, OBJECT)
     if len(part.triangles):
         return Body("object", [part])
     cloud = np.asarray(task.problem.object.points)

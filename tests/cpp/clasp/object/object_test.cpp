@@ -56,6 +56,21 @@ TEST(Object, OuterClearanceIsThatOfTheSurfaceSeenFromOutside) {
   }
 }
 
+TEST(Object, IsOpenWhereItHasNoPoints) {
+  // Four of the 48 sections are missing; the default d is smaller than this gap.
+  const Eigen::Matrix3Xd open = ring_cloud(0.12, 0.02).leftCols(8 * 44);
+  geometry::LoopOptions options;
+  options.max_edge_length = 0.09;
+  const Object ring = Object::from_cloud("open ring", open, options);
+  ASSERT_EQ(ring.loops().loops.size(), 1u);
+  EXPECT_GT(ring.loops().loops[0].gap, 0.06);
+  const Eigen::Vector3d middle =
+      (open.leftCols(8).rowwise().mean() + open.rightCols(8).rowwise().mean()) / 2;
+  EXPECT_LT(collision::Clearance(surface_of(ring.loops().complex)).distance(middle), 0.005);
+  EXPECT_GT(ring.clearance().distance(middle), 0.03);
+  EXPECT_GT(ring.outer_clearance().distance(middle), 0.03);
+}
+
 TEST(Object, CopiesShare) {
   const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
   const Object copy = ring;
