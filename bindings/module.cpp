@@ -12,6 +12,7 @@ void bind_scene(py::module_ m);
 void bind_planning(py::module_ m);
 void bind_mechanics(py::module_ m);
 void bind_slide(py::module_ m);
+void bind_pinch(py::module_ m);
 void bind_fingertip(py::module_ m);
 void bind_clasp(py::module_ m);
 void bind_carry(py::module_ m);
@@ -33,6 +34,7 @@ PYBIND11_MODULE(_core, m) {
       m.def_submodule("mechanics", "Stability of objects with frictional contacts (Maeda, Arai)."));
   bind_slide(
       m.def_submodule("slide", "Slide a thin object to the edge of its support and grasp it."));
+  bind_pinch(m.def_submodule("pinch", "Pinch an object where it stands."));
   bind_fingertip(m.def_submodule(
       "fingertip", "Push, slide and tumble an object with bare fingertips (Maeda, Arai)."));
   bind_clasp(m.def_submodule(

@@ -32,8 +32,10 @@ Polygon to_polygon(const Outline& given, const std::string& name) {
 }
 
 void bind_object(py::module_& m) {
-  py::class_<Object>(m, "Object",
-                     "A thin flat object. Its frame O has z up, the underside in the plane z = 0.")
+  py::class_<Object>(
+      m, "Object",
+      "An object that lies or stands on a support: a prism over its outline. Slides take "
+      "thin ones only.\n\nIts frame O has z up, the underside in the plane z = 0.")
       .def_static(
           "from_polygon",
           [](const std::string& name, const Outline& outline, double thickness, double spacing) {
@@ -45,6 +47,14 @@ void bind_object(py::module_& m) {
           "Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the "
           "outline, at half the thickness.\n\nRaises ValueError on a bad outline, or on a "
           "thickness over half the object's width.")
+      .def_static(
+          "prism",
+          [](const std::string& name, const Outline& outline, double thickness, double spacing) {
+            return Object::prism(name, to_polygon(outline, "outline"), thickness, spacing);
+          },
+          py::arg("name"), py::arg("outline"), py::arg("thickness"), py::arg("spacing") = 0.006,
+          "Creates an object of any height, which may be pinched. Arguments as those of "
+          "from_polygon.\n\nRaises ValueError on a bad outline or thickness.")
       .def_static(
           "from_cloud",
           [](const std::string& name, const Array& p_OP, double thickness) {
@@ -63,6 +73,8 @@ void bind_object(py::module_& m) {
           "(N, 2) contact points, x-y in O [m].")
       .def_property_readonly(
           "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
+      .def_property_readonly("is_thin", &Object::is_thin,
+                             "True if the thickness is at most half the least width.")
       .def_property_readonly("thickness", &Object::thickness, "Thickness [m].")
       .def_property_readonly(
           "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },

@@ -9,7 +9,7 @@ import math
 import pathlib
 from typing import Any
 
-from graspless import carry, clasp, fingertip, perception, planning, slide
+from graspless import carry, clasp, fingertip, perception, pinch, planning, slide
 
 PAGE = pathlib.Path(__file__).parents[1] / "docs" / "reference" / "options.md"
 
@@ -25,6 +25,7 @@ have a `pitch`. Symbols and equations are those of the planner's paper ([notatio
 SECTIONS = [
     ("Budget", "Time and randomness of every query.", planning, ["Budget"]),
     ("Slide", "Hang, Morgan and Dollar 2019.", slide, ["Hand", "Options", "Statistics"]),
+    ("Pinch", "Opposite faces of an outline.", pinch, ["Options", "Statistics"]),
     (
         "Clasp",
         "Stork, Pokorny and Kragic 2013.",

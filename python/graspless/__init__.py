@@ -8,8 +8,8 @@
 >>> assert plan and not graspless.check(plan)  # doctest: +SKIP
 >>> plan.save("plan.json")  # doctest: +SKIP
 
-`graspless.slide`, `graspless.fingertip`, `graspless.clasp` and `graspless.carry` have the planners
-themselves, for problems that are made in Python.
+`graspless.slide`, `graspless.pinch`, `graspless.fingertip`, `graspless.clasp` and
+`graspless.carry` have the planners themselves, for problems that are made in Python.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         geometry,
         mechanics,
         perception,
+        pinch,
         planning,
         robot,
         scene,
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
     from .errors import TaskError
     from .formats import export
     from .perception import perceive
+    from .picking import pick
     from .plan_files import load_plan
     from .simulation import simulate
     from .tasks import Task, load_task
@@ -69,6 +71,8 @@ __all__ = [
     "mechanics",
     "perceive",
     "perception",
+    "pick",
+    "pinch",
     "plan",
     "planning",
     "robot",
@@ -87,6 +91,7 @@ _HOMES = {
     "export": "formats",
     "load_plan": "plan_files",
     "perceive": "perception",
+    "pick": "picking",
     "plan": "_api",
     "simulate": "simulation",
     "Trajectory": "timing",

@@ -23,7 +23,7 @@ SEEDS = 2**64  # number of seeds
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from . import carry, clasp, fingertip, planning, slide
+    from . import carry, clasp, fingertip, pinch, planning, slide
     from ._plan import Plan
     from .scene import EdgeCertificate
     from .tasks import PlanT
@@ -42,6 +42,19 @@ def plan(
     prove: int | None = None,
     jobs: int = 1,
 ) -> PlanT: ...
+@overload
+def plan(  # type: ignore[overload-overlap]  # a pinch.Problem is a slide.Problem, too
+    task: pinch.Problem,
+    *,
+    search: str | None = None,
+    seconds: float | None = None,
+    iterations: int | None = None,
+    seed: int | None = None,
+    budget: planning.Budget | None = None,
+    certify: bool = False,
+    prove: int | None = None,
+    jobs: int = 1,
+) -> pinch.Plan: ...
 @overload
 def plan(
     task: slide.Problem,
@@ -145,7 +158,7 @@ def plan(
 
     Returns
     -------
-    slide.Plan, fingertip.Plan, clasp.Plan, carry.Plan or chain.Plan
+    slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan or chain.Plan
         Plan of the task's kind; false unless solved. Its `proof` has the trials of `prove`.
 
     Raises
@@ -273,8 +286,8 @@ def certify(plan: Plan | str | Path) -> list[EdgeCertificate]:
     Returns
     -------
     list of scene.EdgeCertificate
-        One for a slide, clasp or carry plan, and for a fingertip plan with a robot; none for a
-        fingertip plan without; those of all stages for a chain.
+        One for a slide, pinch, clasp or carry plan, and for a fingertip plan with a robot; none for
+        a fingertip plan without; those of all stages for a chain.
 
     Raises
     ------

@@ -20,14 +20,14 @@ Self = TypeVar("Self", bound="AnyPlan")
 
 
 class AnyPlan:
-    """Base of slide.Plan, fingertip.Plan, clasp.Plan, carry.Plan and chain.Plan.
+    """Base of slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan and chain.Plan.
 
     False unless solved. Two plans are equal if their files are. Numbers are those of the file: a
     plan that is saved and loaded is equal, bit by bit.
     """
 
     kind: ClassVar[str]
-    """Planner that made it: slide, fingertip, clasp or carry; chain: one per stage."""
+    """Planner that made it: slide, pinch, fingertip, clasp or carry; chain: one per stage."""
 
     proof: Proof | None = None
     """Trials in the physics engine, if it was planned with `prove`. `check` reports a fault if the

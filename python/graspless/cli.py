@@ -254,6 +254,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "batch": ("plan many tasks in parallel", _of(".batches.cli")),
     "robot": ("propose, check and join descriptions of robots", _of("._robot_cli")),
     "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
+    "pick": ("pick up an object of a scene by whichever way works", _of(".picking.cli")),
     "see": ("find tables and objects in depth images", _of(".perception.cli")),
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),
@@ -268,7 +269,7 @@ def _plan(options: argparse.Namespace) -> int:
     to_stdout = options.output == "-"
     if not to_stdout:
         files.check_writable(options.output)
-    _check_pictures(options)
+    check_pictures(options)
     with limits.reading(options.time, alarm=True) as clock:
         if options.task != "-":
             given = load_task(options.task, trust=options.trust)
@@ -282,7 +283,7 @@ def _plan(options: argparse.Namespace) -> int:
         plan.save(options.output)
     written = [] if to_stdout else [options.output]
     try:
-        written += _draw(plan, options)
+        written += draw(plan, options)
     finally:
         if to_stdout:
             print(plan.to_json(), end="")
@@ -336,18 +337,18 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _view(options: argparse.Namespace) -> int:
-    _check_pictures(options)
+    check_pictures(options)
     plan = given_plan(options.plan)
     if options.png is None and options.html is None:
         from .view import serve
 
         serve(plan, port=options.port)
-    for path in _draw(plan, options):
+    for path in draw(plan, options):
         print(f"written: {path}")
     return FOUND
 
 
-def _check_pictures(options: argparse.Namespace) -> None:
+def check_pictures(options: argparse.Namespace) -> None:
     """Raises TaskError, before any planning, if a picture could not be written."""
     from . import files, view
 
@@ -358,7 +359,7 @@ def _check_pictures(options: argparse.Namespace) -> None:
         view.check_html(options.html)
 
 
-def _draw(plan: Plan, options: argparse.Namespace) -> list[str]:
+def draw(plan: Plan, options: argparse.Namespace) -> list[str]:
     """Writes the requested pictures; returns their paths."""
     from . import progress, view
 

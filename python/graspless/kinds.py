@@ -12,7 +12,7 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-KINDS = ("slide", "fingertip", "clasp", "carry", "chain")
+KINDS = ("slide", "pinch", "fingertip", "clasp", "carry", "chain")
 
 
 def part(room: str, kind: str) -> Any:

@@ -17,6 +17,7 @@ ALLOWED = {
     "planning": set(),
     "scene": {"geometry", "robot", "collision"},
     "slide": {"geometry", "robot", "collision", "mechanics", "planning", "scene"},
+    "pinch": {"geometry", "robot", "collision", "mechanics", "planning", "scene", "slide"},
     "clasp": {"geometry", "robot", "collision", "mechanics", "planning", "scene"},
     "perception": {"geometry"},
     "carry": {"geometry", "robot", "collision", "planning", "scene"},
@@ -49,7 +50,7 @@ def test_includes_only_rooms_below(path):
 
 
 SHAPES = {"Box", "Sphere", "Capsule", "Mesh", "PlacedShape"}  # of the task that was read
-PLANNING = {"slide", "fingertip", "clasp", "carry", "planning", "collision", "scene"}
+PLANNING = {"slide", "pinch", "fingertip", "clasp", "carry", "planning", "collision", "scene"}
 
 
 def taken(path, package):

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graspless/planning/free_path.hpp"
-
 namespace graspless::slide {
 
 using planning::Path;
@@ -19,10 +17,6 @@ constexpr double kGraspStep = 0.01;    // between waypoints of the hand's straig
 constexpr double kLineStep = 0.02;     // between waypoints of other straight motions [m]
 constexpr std::size_t kGraspCandidates = 6;
 constexpr std::size_t kSearchedCandidates = 2;  // of those, the nearest to which a tree is grown
-
-int pieces(double length, double step) {
-  return std::max(1, static_cast<int>(std::ceil(length / step)));
-}
 
 /// Appends poses straight above X_WF, up to `height` [m].
 void append_rise(const Query& query, const Eigen::Isometry3d& X_WF, double height,
@@ -115,7 +109,8 @@ std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Pla
     poses.push_back(query_.pressed_tip(contact, depth * i / press_steps, tip.pitch));
   }
   append_rise(query_, Eigen::Isometry3d(poses.back()), query_.options.lift_height, poses);
-  auto path = track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
+  auto path =
+      hand_.track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
   if (path && !stands_still(Path(path->begin(), path->begin() + press_steps + 1), contact))
     return std::nullopt;
   return path;
@@ -128,7 +123,7 @@ std::optional<Path> Motions::rise_from(const Eigen::VectorXd& start, const Plana
   std::vector<Eigen::Isometry3d> poses;
   append_rise(query_, query_.problem.robot.pose(F, query_.arm.full(start)),
               depth + query_.options.lift_height, poses);
-  return track(query_.tip_ik, start, poses, query_.contact.scene_with_object_at(object_S));
+  return hand_.track(query_.tip_ik, start, poses, query_.contact.scene_with_object_at(object_S));
 }
 
 /// True if position and heading of the effective contact stay the same, also halfway between
@@ -145,40 +140,9 @@ bool Motions::stands_still(const Path& press, const Planar& contact) {
   return true;
 }
 
-std::optional<Path> Motions::track(const robot::Ik& ik, const Eigen::VectorXd& from,
-                                   const std::vector<Eigen::Isometry3d>& poses,
-                                   scene::Scene& scene) {
-  // Robot::step() [rad]; a longer one has left the branch of inverse kinematics.
-  constexpr double kJump = 0.3;
-  const robot::Robot& robot = query_.problem.robot;
-  Path path{from};
-  Eigen::VectorXd q = query_.arm.full(from);
-  for (const Eigen::Isometry3d& pose : poses) {
-    ++query_.statistics.ik_calls;
-    const auto next = ik.solve_near(pose, q);
-    if (!next || robot.step(q, *next) > kJump) return std::nullopt;
-    if (!scene.is_free(q, *next, replay_step(robot, q, *next, query_.options.resolution))) {
-      return std::nullopt;
-    }
-    q = *next;
-    path.push_back(query_.arm.part(q));
-  }
-  return path;
-}
-
 std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                        int iterations) {
-  planning::FreeSpace space;
-  space.lower = query_.arm.lower();
-  space.upper = query_.arm.upper();
-  space.is_free = [&](const Eigen::VectorXd& arm) {
-    return query_.free.is_free(query_.arm.full(arm));
-  };
-  space.is_motion_free = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return query_.is_motion_free(query_.arm.full(a), query_.arm.full(b));
-  };
-  space.is_out = [&] { return query_.clock.is_out(); };
-  return planning::find_free_path(space, from, to, iterations, query_.rng);
+  return hand_.free_path(from, to, iterations, query_.rng, [&] { return query_.clock.is_out(); });
 }
 
 // Condition 3: a motion leads from the lifted finger to H_g.
@@ -228,7 +192,7 @@ bool Motions::add_grasp(const GraspConfiguration& grasp, Handling& handling) {
     outwards.push_back(
         grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
   }
-  const auto out = track(query_.grasp_ik, grasp.arm, outwards, query_.free);
+  const auto out = hand_.track(query_.grasp_ik, grasp.arm, outwards);
   if (!out || !is_straight(*out, handling, grasp.roll)) {
     query_.refuse("pair: straight approach");
     return false;
@@ -265,30 +229,11 @@ bool Motions::is_straight(const Path& path, const Handling& handling, int roll) 
 // Closes the hand until the fingers touch the object. Returns nothing if they touch something else
 // first, or nothing at all.
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
-  constexpr double kPrecision = 1e-4;  // of Robot::step() [rad]
-  const Eigen::VectorXd open = query_.arm.full(arm);
-  Eigen::VectorXd closed = query_.arm.closed();
-  query_.arm.write(arm, closed);
-  const double travel = query_.problem.robot.step(open, closed);
-  const int steps = pieces(travel, kRowStep);
-  std::vector<Eigen::VectorXd> rows{open};
-  for (int i = 1; i <= steps; ++i) {
-    double apart = (i - 1.0) / steps, touching = 1.0 * i / steps;
-    if (query_.is_motion_free(rows.back(), open + touching * (closed - open))) {
-      rows.push_back(open + touching * (closed - open));
-      continue;
-    }
-    while ((touching - apart) * travel > kPrecision) {
-      const double middle = (apart + touching) / 2;
-      (query_.free.is_free(open + middle * (closed - open)) ? apart : touching) = middle;
-    }
-    rows.push_back(open + touching * (closed - open));
-    const auto [a, b] = query_.free.collision(rows.back());
-    if (is_finger_on_object(a, b)) return rows;
-    query_.refuse("pair: closing: " + a + " touches " + b);
-    return std::nullopt;
-  }
-  query_.refuse("pair: closing: the closed fingers do not reach the object");
+  HandMotion::Closing closing = hand_.close(arm);
+  const auto& [a, b] = closing.touching;
+  if (is_finger_on_object(a, b)) return std::move(closing.rows);
+  query_.refuse(a.empty() ? "pair: closing: the closed fingers do not reach the object"
+                          : "pair: closing: " + a + " touches " + b);
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 
 #include "graspless/planning/path.hpp"
 
+#include "slide/hand_motion.hpp"
 #include "slide/query.hpp"
 
 namespace graspless::slide {
@@ -33,7 +34,10 @@ struct Handling {
 /// Plans the motions before and after the slide and implements IsPairValid() of Section IV-C.1.
 class GRASPLESS_API Motions {
  public:
-  explicit Motions(Query& query) : query_(query) {}
+  explicit Motions(Query& query)
+      : query_(query),
+        hand_(query.problem.robot, query.arm, query.free, query.options.resolution,
+              query.statistics.ik_calls) {}
 
   /// Makes `start` a start where the finger presses already: it needs no approach.
   void begin_at(const Eigen::VectorXd& start) {
@@ -72,9 +76,6 @@ class GRASPLESS_API Motions {
   bool find_reach(Handling& handling);
   bool add_grasp(const GraspConfiguration& grasp, Handling& handling);
   bool add_reach(Handling& handling, int iterations);
-  std::optional<planning::Path> track(const robot::Ik& ik, const Eigen::VectorXd& from,
-                                      const std::vector<Eigen::Isometry3d>& poses,
-                                      scene::Scene& scene);
   std::optional<planning::Path> free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                           int iterations);
   std::optional<std::vector<Eigen::VectorXd>> close_hand(const Eigen::VectorXd& arm);
@@ -83,6 +84,7 @@ class GRASPLESS_API Motions {
   void place_object(const Planar& object_S);
 
   Query& query_;
+  HandMotion hand_;
   struct Drawn {
     Planar object_S = Planar::Identity();
     std::vector<GraspConfiguration> grasps;

@@ -176,6 +176,12 @@ Object::Top Object::top_of(const geometry::Polygon& outline, Eigen::Matrix2Xd po
 Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline,
                             double thickness, double spacing) {
   check_thin("object '" + name + "'", {0}, thickness, least_width(outline));
+  return prism(name, outline, thickness, spacing);
+}
+
+Object Object::prism(const std::string& name, const geometry::Polygon& outline, double thickness,
+                     double spacing) {
+  length("object '" + name + "' thickness", thickness);
   return Object(name, geometry::sample_grid(outline, spacing), outline, thickness,
                 outline.centroid());
 }
@@ -188,6 +194,8 @@ Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
   check_thin(what, z, thickness, least_width(outline));
   return Object(name, p_OP.topRows<2>(), outline, thickness, p_OP.topRows<2>().rowwise().mean());
 }
+
+bool Object::is_thin() const { return thickness_ <= least_width(outline_) / 2; }
 
 Object Object::with_com(const Eigen::Vector3d& com_O) const {
   const Eigen::Vector2d lower = outline_.vertices().rowwise().minCoeff();
@@ -217,7 +225,7 @@ Object Object::scaled(double scale) const {
   check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
   Object other(name_, scale * points(), geometry::Polygon(scale * outline_.vertices()), thickness_,
                scale * com_.head<2>());
-  check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
+  if (is_thin()) check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
   other.com_.z() = com_.z();
   other.mass_ = mass_;
   return other;

@@ -147,6 +147,12 @@ void validate(const Options& o) {
 void validate(const Problem& problem, const Options& options) {
   validate(problem);
   validate(options);
+  if (!problem.object.is_thin()) {
+    throw std::invalid_argument("object '" + problem.object.name() +
+                                "' is not thin: a slide takes a thickness of at most half the "
+                                "width, not " +
+                                std::to_string(problem.object.thickness()) + " m");
+  }
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);
 }

@@ -9,8 +9,9 @@ from . import scene
 from . import planning
 from . import mechanics
 from . import slide
+from . import pinch
 from . import fingertip
 from . import clasp
 from . import carry
 from . import perception
-__all__: list[str] = ['carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'perception', 'planning', 'robot', 'scene', 'slide']
+__all__: list[str] = ['carry', 'clasp', 'collision', 'fingertip', 'geometry', 'mechanics', 'perception', 'pinch', 'planning', 'robot', 'scene', 'slide']

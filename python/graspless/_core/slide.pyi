@@ -15,7 +15,9 @@ import typing
 __all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Tube', 'Turning', 'center_of_mass', 'certify', 'check', 'depth_band', 'plan', 'restart', 'resume', 'tube', 'turning', 'validate']
 class Object:
     """
-    A thin flat object. Its frame O has z up, the underside in the plane z = 0.
+    An object that lies or stands on a support: a prism over its outline. Slides take thin ones only.
+    
+    Its frame O has z up, the underside in the plane z = 0.
     """
     @staticmethod
     def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Object:
@@ -32,6 +34,13 @@ class Object:
         Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at half the thickness.
         
         Raises ValueError on a bad outline, or on a thickness over half the object's width.
+        """
+    @staticmethod
+    def prism(name: str, outline: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex, spacing: typing.SupportsFloat | typing.SupportsIndex = 0.006) -> Object:
+        """
+        Creates an object of any height, which may be pinched. Arguments as those of from_polygon.
+        
+        Raises ValueError on a bad outline or thickness.
         """
     def __repr__(self) -> str:
         ...
@@ -53,6 +62,11 @@ class Object:
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         (3,) centre of mass in O [m].
+        """
+    @property
+    def is_thin(self) -> bool:
+        """
+        True if the thickness is at most half the least width.
         """
     @property
     def mass(self) -> float:

@@ -20,7 +20,7 @@ from ..errors import OutOfTimeError, TaskError
 from ..kinds import plan_type
 from ..plan_files import document_of, plan_of
 from ..plan_files.chain import Join, Segment
-from ..tasks.chain import Options, Problem, Stage, start_at
+from ..tasks.chain import ON_SUPPORT, Options, Problem, Stage, start_at
 from .state import begins, ends, join
 
 if TYPE_CHECKING:
@@ -83,11 +83,11 @@ class Plan(AnyPlan):
     @cached_property
     def object_frames(self) -> list[Matrix]:
         """Poses [4, 4] of each stage's object frame in that of the first stage. They differ if a
-        slide follows fingertips, because these use another frame for the same object.
+        slide or a pinch follows fingertips, because these use another frame for the same object.
         """
         found = [np.eye(4)]
         for before, stage in pairwise(self.stages):
-            both = before.kind == "fingertip" and stage.kind == "slide"
+            both = before.kind == "fingertip" and stage.kind in ON_SUPPORT
             X_OO = (
                 np.linalg.inv(ends(before).X_WO) @ begins(stage)[1] if both and stage else np.eye(4)
             )

@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import frames
 from ..errors import TaskError
-from ..tasks.chain import start_at
+from ..tasks.chain import ON_SUPPORT, start_at
 from .state import begins, corners, ends, join
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def _continuity(before: Any, stage: Any) -> list[str]:
             faults.append("has other joints than the stage before it")
         elif (off := float(np.abs(q - state.q).max())) > SAME_JOINTS:
             faults.append(f"a joint starts {off:.3g} rad from where the stage before it ended")
-    if before.kind == "fingertip" and stage.kind == "slide":
+    if before.kind == "fingertip" and stage.kind in ON_SUPPORT:
         off = _uncovered(state.corners, corners(stage, X_WO))  # each has a frame of its own
     else:
         off = _apart(X_WO, state.X_WO)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
-from ..tasks.chain import Held, State
+from ..tasks.chain import ON_SUPPORT, Held, State
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -31,7 +31,7 @@ def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
     thing = plan.task.problem.object
     if plan.kind == "fingertip":
         p_O = np.array(thing.hull)
-    elif plan.kind == "slide":
+    elif plan.kind in ON_SUPPORT:
         ring = np.array(thing.outline.vertices)
         heights = (0.0, float(thing.thickness))
         p_O = np.concatenate([np.column_stack([ring, np.full(len(ring), z)]) for z in heights])
@@ -62,7 +62,7 @@ def _moment(plan: Any, first: bool) -> tuple[Matrix | None, Matrix]:
 
 def _held(plan: Any) -> Held | None:
     problem = plan.task.problem
-    if plan.kind == "slide":
+    if plan.kind in ON_SUPPORT:
         return Held(problem.hand.arm, problem.hand.grasp_frame, plan.task.fields)
     if plan.kind == "clasp":
         return Held(problem.hand.arm, problem.hand.frame, plan.task.fields)

@@ -91,7 +91,7 @@ def _carry(spec: Any, body: Any, task: Task) -> None:
     """Adds a carried object. A box has MuJoCo's default density, because its task has no mass."""
     fields, shapes = task.fields.object, task.problem.object.shapes
     if fields.slide is not None:
-        _give_plate_inertia(body, build_slide_object(fields.slide, Source("plan", {})))
+        _give_plate_inertia(body, build_slide_object(fields.slide, Source("plan", {}), thin=False))
     elif fields.clasp is not None:
         surface = np.asarray(shapes[0].shape.vertices)
         _give_cloud_inertia(body, surface, fields.clasp.mass)
@@ -102,6 +102,7 @@ def _carry(spec: Any, body: Any, task: Task) -> None:
 
 _OBJECTS: dict[str, Callable[[Any, Any, Task], None]] = {
     "slide": _slide,
+    "pinch": _slide,
     "fingertip": _fingertip,
     "clasp": _clasp,
     "carry": _carry,

@@ -42,7 +42,7 @@ def add_surroundings(spec: Any, stages: list[Plan]) -> None:
 
 
 def _tables(stages: list[Plan]) -> list[tuple[Matrix, Any]]:
-    """Returns pose and shapes of each support. A carry has the support of the slide before it."""
+    """Returns pose and shapes of each support. A carry has the support of the stage before it."""
     found: list[tuple[Matrix, Any]] = []
     known: list[Any] = []
     for stage in stages:
@@ -50,7 +50,7 @@ def _tables(stages: list[Plan]) -> list[tuple[Matrix, Any]]:
         if fields is None or fields in known:
             continue
         known.append(fields)
-        if stage.kind == "slide":
+        if hasattr(stage.task.problem, "support"):
             support = stage.task.problem.support
             found.append((np.asarray(support.X_WS), support.shapes))
         else:

@@ -32,7 +32,7 @@ def load_plan(path: str | Path) -> Plan:
 
     Returns
     -------
-    slide.Plan, fingertip.Plan, clasp.Plan, carry.Plan or chain.Plan
+    slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan or chain.Plan
 
     Raises
     ------

@@ -13,11 +13,13 @@ from ..tasks.shapes import Fields
 from .carry import CarryPlanFile
 from .clasp import ClaspPlanFile
 from .fingertip import FingertipPlanFile
+from .pinch import PinchPlanFile
 from .slide import SlidePlanFile
 from .table import PlanFields, PoseRow, require_unit_quaternions
 
 StagePlan = Annotated[
-    SlidePlanFile | FingertipPlanFile | ClaspPlanFile | CarryPlanFile, Discriminator("kind")
+    SlidePlanFile | PinchPlanFile | FingertipPlanFile | ClaspPlanFile | CarryPlanFile,
+    Discriminator("kind"),
 ]
 
 

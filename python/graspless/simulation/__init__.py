@@ -136,8 +136,8 @@ def simulation_kind(name: str) -> SimulationKind:
     except ImportError as error:
         if error.name == f"{__name__}.{name}":
             raise TaskError(
-                f"a {name} is not simulated alone: plan a chain of a slide and what is carried "
-                "after it, and simulate that plan"
+                f"a {name} is not simulated alone: plan a chain of a slide or a pinch and what is "
+                "carried after it, and simulate that plan"
             ) from None
         raise missing(error, "sim") from None
     return kind

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Simulation of chains: a slide followed by carries, executed in one run.
+"""Simulation of chains: a slide or a pinch followed by carries, executed in one run.
 
-The carries replace the lift by 10 cm of a slide alone. A chain of one slide is simulated as that
-slide. Other chains are not simulated.
+The carries replace the lift by 10 cm of a slide or a pinch alone. A chain of one of these is
+simulated as that one. Other chains are not simulated.
 """
 
 from __future__ import annotations
@@ -18,9 +18,8 @@ from .. import timing
 from ..errors import TaskError
 from .results import Trial
 from .settings import Slide
-from .slide import FAILURES, SPREAD, Execution
+from .slide import FAILURES, SPREAD, Body, Execution, execute
 from .slide import MEASURES as SLIDE_MEASURES
-from .slide import run as run_slide
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
 
 if TYPE_CHECKING:
@@ -41,15 +40,23 @@ MEASURES = {
 
 
 def run(
-    plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
+    plan: Plan,
+    variation: Variation,
+    *,
+    record: bool = False,
+    settings: Slide | None = None,
+    truth: Body | None = None,
 ) -> Trial:
-    """Executes a solved plan; `settings` are for tests."""
+    """Executes a solved plan of several stages; `settings` are for tests.
+
+    `truth` is simulated in place of the object that the plan knows.
+    """
     require_simulated(plan.task)
     if len(plan.stages) == 1:
-        slide: Any = plan.stages[0]
-        return run_slide(slide, variation, record=record, settings=settings)
+        first: Any = plan.stages[0]
+        return execute(first, variation, record=record, settings=settings)
     start = time.perf_counter()
-    execution = _Carried(plan, variation, settings or Slide())
+    execution = _Carried(plan, variation, settings or Slide(), truth)
     if record:
         execution.record()
     execution.run()
@@ -63,19 +70,20 @@ def run(
 
 
 def require_simulated(task: Any) -> None:
-    """Raises TaskError unless a chain is a slide, or a slide and the carries after it."""
+    """Raises TaskError unless a chain is a slide or a pinch, and the carries after it."""
     first, *others = kinds = [stage.kind for stage in task.problem.stages]
-    if first != "slide" or set(others) - {"carry"}:
+    if first not in ("slide", "pinch") or set(others) - {"carry"}:
         raise TaskError(
-            f"a chain of {', '.join(kinds)} is not simulated (a slide, or a slide and the carries "
-            "after it, is): plan its stages as tasks of their own, and simulate those plans"
+            f"a chain of {', '.join(kinds)} is not simulated (a slide and the carries after it, or "
+            "a pinch and these, are): plan its stages as tasks of their own, and simulate those "
+            "plans"
         )
 
 
 def _with_plan(recording: Recording, plan: Plan) -> Recording:
     """Adds the planned poses of the object to a recording: on the support, then in the hand."""
-    slide, *carries = plan.stages
-    poses = timing.time(slide).followed(recording.names, recording.times)
+    first, *carries = plan.stages
+    poses = timing.time(first).followed(recording.names, recording.times)
     after = np.isin(recording.names, (RAISE, HOLD))
     if after.any():
         begin = float(recording.times[after][0])
@@ -88,23 +96,25 @@ def _with_plan(recording: Recording, plan: Plan) -> Recording:
 
 
 class _Carried(Execution):
-    """Execution of a slide whose lift is replaced by the carries of the plan."""
+    """Execution of a slide or pinch whose lift is replaced by the carries of the plan."""
 
-    def __init__(self, plan: Plan, variation: Variation, settings: Slide) -> None:
-        slide: Any = plan.stages[0]
+    def __init__(
+        self, plan: Plan, variation: Variation, settings: Slide, truth: Body | None = None
+    ) -> None:
+        first: Any = plan.stages[0]
         carries = plan.stages[1:]
 
         def control(timestep: float) -> Program:
-            program = make_program(slide, timing.time(slide), timestep, settings)
+            program = make_program(first, timing.time(first), timestep, settings)
             return with_carries(program, carries, timestep)
 
-        super().__init__(slide, variation, settings, obstacles_of(plan.stages), control)
+        super().__init__(first, variation, settings, obstacles_of(plan.stages), control, truth)
         self.measures = {"kept": 0.0}
-        first, last = (
+        begin, end = (
             stage.segments[0].object_poses[row]
             for stage, row in ((carries[0], 0), (carries[-1], -1))
         )
-        self._asked: Matrix = last[:3, 3] - first[:3, 3]
+        self._asked: Matrix = end[:3, 3] - begin[:3, 3]
         self._lowest = min(
             float(segment.object_poses[:, 2, 3].min())
             for stage in carries
@@ -174,4 +184,4 @@ def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) 
     )
 
 
-__all__ = ["FAILURES", "MEASURES", "SPREAD", "obstacles_of", "require_simulated", "run"]
+__all__ = ["FAILURES", "MEASURES", "SPREAD", "Body", "obstacles_of", "require_simulated", "run"]

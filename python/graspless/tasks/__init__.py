@@ -21,7 +21,7 @@ from .source import Source, parse_yaml, read_text
 if TYPE_CHECKING:
     import pydantic
 
-    from .. import carry, chain, clasp, fingertip, planning, slide
+    from .. import carry, chain, clasp, fingertip, pinch, planning, slide
     from .._plan import Plan
 
 
@@ -67,9 +67,9 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
     Attributes
     ----------
-    problem : slide.Problem, fingertip.Problem, clasp.Problem, carry.Problem or chain.Problem
+    problem : slide.Problem, pinch.Problem, fingertip.Problem, ..., chain.Problem
         What is given.
-    options : slide.Options, fingertip.Options, clasp.Options, carry.Options or chain.Options
+    options : slide.Options, pinch.Options, fingertip.Options, ..., chain.Options
         Settings of the search.
     budget : planning.Budget
         Time and randomness.
@@ -104,7 +104,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
         Parameters
         ----------
-        problem : slide.Problem, fingertip.Problem, clasp.Problem or carry.Problem
+        problem : slide.Problem, pinch.Problem, fingertip.Problem, clasp.Problem or carry.Problem
         options : slide.Options, ..., optional
             Settings of the search.
         budget : planning.Budget, optional
@@ -120,7 +120,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
     @property
     def kind(self) -> str:
-        """Planner that it is for: slide, fingertip, clasp or carry; chain: several."""
+        """Planner that it is for: slide, pinch, fingertip, clasp or carry; chain: several."""
         return problem_kind(self.problem)
 
     @property
@@ -223,6 +223,8 @@ def is_problem(value: Any) -> bool:
 @overload
 def load_task(path: str | Path, kind: Literal["slide"], *, trust: bool = False) -> slide.Task: ...
 @overload
+def load_task(path: str | Path, kind: Literal["pinch"], *, trust: bool = False) -> pinch.Task: ...
+@overload
 def load_task(
     path: str | Path, kind: Literal["fingertip"], *, trust: bool = False
 ) -> fingertip.Task: ...
@@ -244,8 +246,8 @@ def load_task(path: str | Path, kind: str | None = None, *, trust: bool = False)
     path : str or Path
         A YAML file, see docs/task-files.md. Paths in it are relative to it.
     kind : str, optional
-        Kind that the task must have: slide, fingertip, clasp, carry or chain. Type checkers then
-        know the type of its plan.
+        Kind that the task must have: slide, pinch, fingertip, clasp, carry or chain. Type checkers
+        then know the type of its plan.
     trust : bool
         Let its xacro files read any file and run code, see docs/security.md.
 

@@ -123,7 +123,10 @@ def difference(a: Any, b: Any, place: str) -> str | None:
         return None if a == b else place
     if type(a) is not type(b):
         return place
-    names = [name for name, value in vars(type(a)).items() if isinstance(value, property)]
+    bases = reversed(type(a).__mro__)
+    names = [
+        name for base in bases for name, value in vars(base).items() if isinstance(value, property)
+    ]
     for name in names:
         if name != "directory" and (
             wrong := difference(getattr(a, name), getattr(b, name), f"{place}.{name}")

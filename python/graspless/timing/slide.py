@@ -8,7 +8,7 @@ contacts change.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from .joints import Touch, leaving, nearing, robot
 
 if TYPE_CHECKING:
     from ..frames import Matrix
-    from ..slide import Plan, Problem, Segment
+    from ..slide import Plan, Problem
     from .settings import Settings
     from .trajectory import Trajectory
 
@@ -32,7 +32,7 @@ def trajectory(plan: Plan, settings: Settings) -> Trajectory:
     return joints.trajectory(plan, plan.segments, touches, settings, rests=RESTS)
 
 
-def touch(problem: Problem, segment: Segment, settings: Settings) -> Touch | None:
+def touch(problem: Problem, segment: Any, settings: Settings) -> Touch | None:
     """Returns where a segment touches something or is about to, and its speed limits there."""
     assert settings.robot is not None
     robot, speed = settings.robot, settings.speed(defaults.CONTACT_SPEED)

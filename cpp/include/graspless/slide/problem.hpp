@@ -23,14 +23,18 @@
 
 namespace graspless::slide {
 
-/// A thin flat object. Its frame O has z up, the underside in the plane z = 0.
+/// An object that lies or stands on a support: a prism over its outline. Slides take thin ones
+/// only. Its frame O has z up, the underside in the plane z = 0.
 class GRASPLESS_API Object {
  public:
   /// Creates an object from its outline in O's x-y plane [m] and its thickness [m]. The contact
   /// points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at
-  /// half the thickness.
+  /// half the thickness. Throws std::invalid_argument unless it is thin.
   static Object from_polygon(const std::string& name, const geometry::Polygon& outline,
                              double thickness, double spacing = 0.006);
+  /// The same for an object of any height, which may be pinched.
+  static Object prism(const std::string& name, const geometry::Polygon& outline, double thickness,
+                      double spacing = 0.006);
   /// Creates an object from points on its top surface, (3 x n) in O [m]: P_o of the paper. The
   /// outline is their alpha shape. The thickness is their median height unless given. The centre of
   /// mass is their mean, at half the thickness. Throws std::invalid_argument on values that are not
@@ -55,6 +59,7 @@ class GRASPLESS_API Object {
   /// Distance between neighbouring points(): the square root of the outline's area per point [m].
   double spacing() const { return spacing_; }
   double thickness() const { return thickness_; }
+  bool is_thin() const;  ///< true if the thickness is at most half the least width
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
   /// Prisms over the convex parts of the outline, in O, for collision checking.

@@ -21,7 +21,7 @@ from .fingers import PAD, SLIDING, wrist_stiffness
 from .judge import FAILURES, Judge
 from .kick import Kick
 from .program import HOLD, RAISE, SQUEEZE, make_program
-from .scene import FINGER_GRASPS, Scene, build_scene
+from .scene import FINGER_GRASPS, Body, Scene, build_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -67,6 +67,13 @@ def run(
             "a resumed plan begins with the finger pressed on the object, and the simulation "
             "begins at rest: simulate the plan that was interrupted"
         )
+    return execute(plan, variation, record=record, settings=settings)
+
+
+def execute(
+    plan: Any, variation: Variation, *, record: bool = False, settings: Slide | None = None
+) -> Trial:
+    """Executes a solved plan of a slide or of a pinch, and lifts the object."""
     start = time.perf_counter()
     return _trial(Execution(plan, variation, settings or Slide()), record, start)
 
@@ -95,7 +102,8 @@ def _trial(execution: Execution, record: bool, start: float) -> Trial:
 class Execution:
     """A running model and its observations.
 
-    `control` makes the controller of a time step; by default the fixed program of the plan.
+    `control` makes the controller of a time step; by default the fixed program of the plan. `truth`
+    is simulated in place of the object of the plan.
     """
 
     def __init__(
@@ -105,9 +113,10 @@ class Execution:
         settings: Slide,
         obstacles: Sequence[Any] | None = None,
         control: Callable[[float], Controller] | None = None,
+        truth: Body | None = None,
     ) -> None:
         self.plan, self.variation, self.settings = plan, variation, settings
-        self.scene: Scene = build_scene(plan, variation, settings, obstacles)
+        self.scene: Scene = build_scene(plan, variation, settings, obstacles, truth)
         model = self.scene.model
         self.data = mujoco.MjData(model)
         self.timestep = float(model.opt.timestep)
@@ -134,6 +143,8 @@ class Execution:
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
         set_positions(model, self.data, plan.task.problem.robot, self.controller.start)
+        if not any(segment.name == "slide" for segment in plan.segments):
+            self._let_finger_grasp()
 
     def record(self) -> None:
         """Starts the recording."""
@@ -272,6 +283,7 @@ def overhang(plan: Plan, X_WO: Matrix) -> float:
 
 
 __all__ = [
+    "Body",
     "CONDITIONS",
     "FAILURES",
     "FOLLOWED_FAILURES",
@@ -279,6 +291,7 @@ __all__ = [
     "MEASURES",
     "SPREAD",
     "draw",
+    "execute",
     "follow",
     "run",
 ]

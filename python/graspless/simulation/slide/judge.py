@@ -55,6 +55,8 @@ class Judge:
             self._kind[self.scene.groups[what]] = code[what]
         allowed = [(FOOT, TABLE), (EDGE, OBJECT), (PAD, OBJECT), (PAD, TABLE)]
         allowed += [(SLIDING, OBJECT), (OTHER, OBJECT)]
+        if not len(self.scene.groups[FOOT]):
+            allowed.append((OBJECT, TABLE))
         self._allowed = np.zeros((len(order) + 1,) * 2, dtype=bool)
         for a, b in allowed:
             self._allowed[code[a], code[b]] = self._allowed[code[b], code[a]] = True

@@ -20,7 +20,7 @@ from ... import frames
 from ..parts import slice_links
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
-from ..shapes import add_placed, give_inertia
+from ..shapes import add_hull, add_placed, give_inertia
 from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers
 from .shapes import add_prism, even_points, plate_inertia, points_along
 
@@ -46,6 +46,28 @@ _BITS = {
 
 
 @dataclass(frozen=True)
+class Body:
+    """Body that is simulated in place of the object that the plan knows.
+
+    Attributes
+    ----------
+    parts : list of array [N, 3]
+        Points whose convex hulls are its parts, in O [m].
+    mass : float
+        [kg].
+    com : array [3]
+        Centre of mass in O [m].
+    inertia : array [3, 3]
+        About the centre of mass, in the axes of O [kg m^2].
+    """
+
+    parts: list[Matrix]
+    mass: float
+    com: Matrix
+    inertia: Matrix
+
+
+@dataclass(frozen=True)
 class Scene:
     """A model, and the indices of its parts."""
 
@@ -59,8 +81,12 @@ def build_scene(
     variation: Variation,
     settings: Slide | None = None,
     obstacles: Sequence[Any] | None = None,
+    truth: Body | None = None,
 ) -> Scene:
-    """Makes the varied model of the task of a plan; `obstacles` replace those of the task."""
+    """Makes the varied model of the task of a plan.
+
+    `obstacles` replace those of the task, and `truth` its object.
+    """
     settings = settings or Slide()
     problem = plan.task.problem
     spec = robot_spec(problem.robot, plan.task.fields.robot)
@@ -74,7 +100,10 @@ def build_scene(
     _add_table(spec, plan, variation.table, settings)
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
         _add_obstacle(spec, obstacle, f"{OBSTACLE}{i} {obstacle.name}")
-    _add_object(spec, problem.object, X_WO, variation, settings)
+    if truth is None:
+        _add_object(spec, problem.object, X_WO, variation, settings)
+    else:
+        _add_body(spec, truth, X_WO, variation)
     _add_pairs(spec, problem, settings, variation)
     for geom in spec.geoms:
         if geom.priority == 1:
@@ -146,6 +175,15 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
         _add_foot(body, f"{FOOT} of rim {i}", [*p, r + settings.rim_rise], settings)
 
 
+def _add_body(spec: Any, truth: Body, X_WO: Matrix, variation: Variation) -> None:
+    body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
+    com = truth.com + np.array([variation.com_x, variation.com_y, 0.0])
+    give_inertia(body, truth.mass * variation.mass, com, truth.inertia * variation.mass)
+    body.add_freejoint(name=OBJECT)
+    for i, points in enumerate(truth.parts):
+        _mark(add_hull(spec, body, points, {"name": f"{OBJECT}{i}"}), OBJECT)
+
+
 def _add_foot(body: Any, name: str, place: list[float], settings: Slide) -> None:
     size = [settings.foot_radius, 0, 0]
     body.add_geom(
@@ -177,6 +215,7 @@ def _add_pairs(spec: Any, problem: Any, settings: Slide, variation: Variation) -
         (of[EDGE], parts, table),
         (of[PAD], parts, tip),
         (of[PAD], of[TABLE], tip),
+        ([] if of[FOOT] else parts, of[TABLE], table),
     ):
         for a in one:
             for b in other:
@@ -202,4 +241,4 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
     return groups
 
 
-__all__ = ["FINGER_GRASPS", "Scene", "build_scene"]
+__all__ = ["FINGER_GRASPS", "Body", "Scene", "build_scene"]

@@ -89,7 +89,7 @@ def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedSh
     inner = given.get(field, {}) if isinstance(given, dict) else {}
     below = Source(source.file, {"object": inner})
     if thing.slide is not None:
-        return list(build_slide_object(thing.slide, below).shapes)
+        return list(build_slide_object(thing.slide, below, thin=False).shapes)
     assert thing.clasp is not None
     surface = build_clasp_object(thing.clasp, below).surface
     return [geometry.PlacedShape(surface, np.eye(4))]

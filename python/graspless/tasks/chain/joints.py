@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from ..source import Source
     from .stages import Stage
 
-HOLDING = ("slide", "clasp", "carry")  # after these the hand holds the object
+ON_SUPPORT = ("slide", "pinch")  # kinds whose object is an outline on a support
+HOLDING = (*ON_SUPPORT, "clasp", "carry")  # after these the hand holds the object
 
 
 def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
@@ -27,7 +28,7 @@ def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
     for name, kind, source in stages:
         if kind == "carry" and not held:
             after = f" after '{last}'" if last else ""
-            what = f"nothing is held{after}: a slide or a clasp comes first"
+            what = f"nothing is held{after}: a slide, a pinch or a clasp comes first"
             raise source.error(("kind",), what)
         if kind != "carry" and held:
             what = f"the hand holds the object after '{last}': only a carry can follow"

@@ -15,6 +15,7 @@ from ..shapes import Pose
 from ..slide.build import outline
 from ..slide.resolve import support_pose
 from ..source import at
+from .joints import ON_SUPPORT
 from .lying import lying
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ class Held:
         Group of the joints that carry the hand.
     frame : str
         Link to which the object is fixed.
-    fields : SlideTask, ClaspTask or CarryTask
+    fields : SlideTask, PinchTask, ClaspTask or CarryTask
         Fields of the stage that grasped it.
     """
 
@@ -73,7 +74,7 @@ def hold_place(stage: StageSource) -> None:
     for place in _starts(stage.data):
         if own.depth((*above, *place)) == len(above) + len(place):
             raise own.error((*above, *place), MUST_NOT)
-    if stage.data["kind"] == "slide" and isinstance(stage.data.get("object"), dict):
+    if stage.data["kind"] in ON_SUPPORT and isinstance(stage.data.get("object"), dict):
         thing = stage.data["object"]
         stage.data["object"] = thing | {"pose": {}, "frame": "object"}
 
@@ -96,7 +97,7 @@ def start_at(stage: Stage, state: State) -> Any:
     fields = stage.fields
     if stage.kind == "carry":
         return _carry(fields, state)
-    if stage.kind == "slide":
+    if stage.kind in ON_SUPPORT:
         with at(stage.source, "object"):
             changes = _slide(fields, state)
     else:
@@ -149,7 +150,8 @@ def _carry(fields: Any, state: State) -> Any:
     if before.kind == "carry":
         thing, support = before.object, before.support
     else:
-        thing = Object.model_validate({"name": before.object.name, before.kind: before.object})
+        how = "slide" if before.kind in ON_SUPPORT else before.kind
+        thing = Object.model_validate({"name": before.object.name, how: before.object})
         support = getattr(before, "support", None)
     update = {
         "robot": before.robot.model_copy(update={"home": np.asarray(state.q).tolist()}),

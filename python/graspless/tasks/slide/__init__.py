@@ -17,7 +17,7 @@ from ..robots import require_text
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
-from .model import CoreHand, SlideTask
+from .model import CoreHand, OnSupport, SlideTask
 from .resolve import resolve
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ SEARCHES = ("paper", "fast")
 Fields = SlideTask
 
 
-def require_resolved(fields: SlideTask, source: Source) -> None:
+def require_resolved(fields: OnSupport, source: Source) -> None:
     """Raises TaskError unless fields of a plan file name no file that is not beside it."""
     require_text(fields.robot, source)
     for name in ("cloud", "scene"):
@@ -39,7 +39,7 @@ def require_resolved(fields: SlideTask, source: Source) -> None:
 
 def build(fields: SlideTask, source: Source, other: Source) -> tuple[slide.Problem, None]:
     """Returns the problem of resolved fields. `other` is the source of the hand."""
-    return build_problem(fields, source, other), None
+    return build_problem(fields, source, other, slide.Problem), None
 
 
 def options(fields: SlideTask, problem: slide.Problem, source: Source) -> slide.Options:
@@ -96,9 +96,7 @@ def _outline(thing: slide.Object) -> dict[str, Any]:
     spacing = float(steps.min()) if len(steps) else thing.outline.area
     given = {"polygon": plain(thing.outline.vertices), "spacing": spacing}
     with contextlib.suppress(ValueError):
-        made = slide.Object.from_polygon(
-            thing.name, thing.outline, thing.thickness, spacing=spacing
-        )
+        made = slide.Object.prism(thing.name, thing.outline, thing.thickness, spacing=spacing)
         if made.points.shape == thing.points.shape and np.allclose(made.points, thing.points):
             return given
     heights = np.full(len(thing.points), thing.thickness)

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -21,15 +21,22 @@ if TYPE_CHECKING:
     from ..source import Source
 
 
-def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.Problem:
+ProblemT = TypeVar("ProblemT", bound=slide.Problem)
+
+
+def build(
+    task: model.OnSupport, source: Source, hand_source: Source, problem_type: type[ProblemT]
+) -> ProblemT:
     """Returns the problem of a resolved task.
 
     Parameters
     ----------
-    task : SlideTask
+    task : SlideTask or PinchTask
         Resolved.
     source, hand_source : Source
         Sources of the task and of the hand's fields, for error messages.
+    problem_type : type
+        slide.Problem or pinch.Problem.
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
@@ -39,10 +46,10 @@ def build(task: model.SlideTask, source: Source, hand_source: Source) -> slide.P
     X_WS = support_pose(task.support)
     pose = task.object.pose
     assert pose is not None
-    problem = slide.Problem(
+    problem = problem_type(
         robot,
         hand,
-        build_object(task.object, source),
+        build_object(task.object, source, thin=problem_type is slide.Problem),
         build_support(task.support, X_WS, source),
         X_WS @ frames.planar(pose.x, pose.y, pose.yaw),
         build_home(task.robot, robot, source, others=hand.open),
@@ -99,7 +106,8 @@ def _check_hand(
         robot.group(hand.arm)
 
 
-def build_object(thing: model.Object, source: Source) -> slide.Object:
+def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Object:
+    """Returns the object; with `thin`, an outline that is too high for a slide is refused."""
     location = ("object", _outline_field(thing, source, "object"))
     with at(source, *location):
         if thing.points is not None:
@@ -108,9 +116,8 @@ def build_object(thing: model.Object, source: Source) -> slide.Object:
         else:
             polygon = geometry.Polygon(outline(thing), "the outline")
             spacing = {} if thing.spacing is None else {"spacing": thing.spacing}
-            built = slide.Object.from_polygon(
-                thing.name, polygon, thing.thickness or 0.0, **spacing
-            )
+            make = slide.Object.from_polygon if thin else slide.Object.prism
+            built = make(thing.name, polygon, thing.thickness or 0.0, **spacing)
         if thing.scale != 1:
             built = built.scaled(thing.scale)
     if thing.mass is not None:

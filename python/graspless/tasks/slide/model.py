@@ -164,10 +164,10 @@ class Options(Fields):
     """Options of the search: docs/reference/options.md."""
 
 
-class SlideTask(Fields):
-    """A task for the sliding planner."""
+class OnSupport(Fields):
+    """A task for a hand of two fingers and an object that lies on a support."""
 
-    kind: Literal["slide"]
+    kind: str
     robot: Robot
     hand: (
         Annotated[
@@ -183,7 +183,7 @@ class SlideTask(Fields):
     object: Object
     support: Support
     obstacles: Obstacles = []
-    options: Options = Options.model_construct()
+    options: Any = None
     budget: Budget = Budget.model_construct()
     files: dict[str, str] = Field(
         default={}, description="sha256 of each mesh that the task reads; only in plan files"
@@ -204,3 +204,10 @@ class SlideTask(Fields):
         if not isinstance(support, dict):
             return data
         return {**data, "support": {**support, "scene": thing["scene"]}}
+
+
+class SlideTask(OnSupport):
+    """A task for the sliding planner."""
+
+    kind: Literal["slide"]
+    options: Options = Options.model_construct()

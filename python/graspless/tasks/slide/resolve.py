@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -29,14 +29,15 @@ if TYPE_CHECKING:
     from ...frames import Matrix
 
 
-def resolve(
-    task: model.SlideTask, source: Source, directory: Path
-) -> tuple[model.SlideTask, Source]:
+TaskT = TypeVar("TaskT", bound=model.OnSupport)
+
+
+def resolve(task: TaskT, source: Source, directory: Path) -> tuple[TaskT, Source]:
     """Returns the task with the content of all its files, and absolute paths of meshes.
 
     Parameters
     ----------
-    task : SlideTask
+    task : SlideTask or PinchTask
         Task read from `source`.
     source : Source
         Source of the task, for error messages.
@@ -45,7 +46,7 @@ def resolve(
 
     Returns
     -------
-    tuple of SlideTask and Source
+    tuple
         The task, and the source of its hand's fields.
     """
     warn_of_units(task, source)
@@ -67,7 +68,7 @@ def resolve(
     return resolved, hand_source
 
 
-def _with_scene(task: model.SlideTask, source: Source, directory: Path) -> model.SlideTask:
+def _with_scene(task: TaskT, source: Source, directory: Path) -> TaskT:
     """Returns the task with the object, the support and the obstacles of its scene."""
     if task.object.scene is None:
         return task
@@ -121,8 +122,8 @@ def _resolve_hand(
 
 
 def _with_pitch(options: Any, hand: model.Hand) -> Any:
-    """Returns the options with the pitch of the hand, unless they have their own."""
-    if hand.pitch is None or options.pitch is not None:
+    """Returns the options of a slide with the pitch of the hand, unless they have their own."""
+    if hand.pitch is None or getattr(options, "pitch", 0.0) is not None:
         return options
     return options.model_copy(update={"pitch": hand.pitch})
 

@@ -19,7 +19,7 @@ LARGEST = 2.0  # [m]; something wider than this is not slid over a table by one 
 LARGEST_SUPPORT = 5.0  # [m]
 
 
-def warn_of_units(task: model.SlideTask, source: Source) -> None:
+def warn_of_units(task: model.OnSupport, source: Source) -> None:
     """Warns of lengths and angles that look like millimetres or degrees."""
     for section, shape, largest in (
         ("object", task.object, LARGEST),
@@ -44,7 +44,7 @@ def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[flo
         yield "polygon", (max(x) - min(x), max(y) - min(y))
 
 
-def _angles(task: model.SlideTask) -> Iterator[tuple[Location, float]]:
+def _angles(task: model.OnSupport) -> Iterator[tuple[Location, float]]:
     poses: list[tuple[Location, shapes.Pose | None]] = [
         (("robot", "pose"), task.robot.pose),
         (("support", "pose"), task.support.pose),

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "graspless/pinch/pinch.hpp"
+#include "graspless/watch.hpp"
+
+#include "scene/edges.hpp"
+#include "scene/rows.hpp"
+#include "slide/check/replay.hpp"
+
+namespace graspless::pinch {
+namespace {
+
+using Eigen::Isometry3d, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
+using Faults = std::vector<std::string>;
+
+constexpr double kSame = 1e-6;         // [m, rad]
+constexpr double kOffFace = 0.004;     // of a contact from a noisy outline [m]
+constexpr double kUnevenEnd = 0.0035;  // gap left at one finger when the other touches [m]
+constexpr double kPressed = 0.001;     // depth of the fingers in the object at the end [m]
+constexpr double kSideways = 0.0025;   // of the hand from its straight line [m]
+constexpr double kTurn = 0.025;        // of the hand on it [rad]
+constexpr double kSlack = 0.10;        // of slopes that are measured in two ways
+const std::vector<std::string> kNames = {"approach", "grasp", "close"};
+
+bool is_same(const Isometry3d& a, const Isometry3d& b) {
+  return (a.translation() - b.translation()).norm() <= kSame &&
+         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= kSame;
+}
+
+/// Replays one plan and collects its faults.
+class Examination {
+ public:
+  Examination(const Problem& problem, const Plan& plan, const Options& options)
+      : problem_(problem), plan_(plan), options_(options), strict_(problem, 0) {}
+
+  Faults run() {
+    if (!has_shape()) return faults_;
+    check_rows();
+    check_joints();
+    for (const Segment& segment : plan_.segments) check_collisions(segment);
+    check_straight();
+    check_closing();
+    check_contacts();
+    return faults_;
+  }
+
+  scene::EdgeCertificate certify() {
+    if (!has_shape()) throw std::invalid_argument("plan: cannot be certified; " + faults_.front());
+    scene::EdgeCertificateMaker certificate;
+    for (const Segment& segment : plan_.segments) {
+      slide::Replay world = strict_.with(slide::contacts_of(segment.name));
+      world.move_object(problem_.X_WO_start);
+      certificate.add(segment.name, segment.positions,
+                      scene::EdgeProver(segment.name, segment.positions, world.bodies(), {}).run());
+    }
+    return certificate.take();
+  }
+
+ private:
+  void fault(const std::string& where, const std::string& what) {
+    faults_.push_back(where + ": " + what);
+  }
+  void fault(const Segment& segment, std::size_t row, const std::string& what) {
+    fault(segment.name + " row " + std::to_string(row), what);
+  }
+  static std::string figure(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+  }
+
+  bool has_shape() {
+    if (!plan_) {
+      fault("plan", "not solved: " + plan_.reason);
+      return false;
+    }
+    if (plan_.joint_names != problem_.robot.joint_names())
+      fault("plan", "joint names are not the robot's");
+    std::vector<std::string> names;
+    for (const Segment& segment : plan_.segments) names.push_back(segment.name);
+    if (names != kNames) fault("plan", "segments are not approach, grasp, close");
+    for (const Segment& segment : plan_.segments) {
+      if (segment.positions.empty() || segment.positions.size() != segment.object_poses.size())
+        fault(segment.name, "must have rows, and one object pose for each row");
+      for (std::size_t i = 0; faults_.empty() && i < segment.positions.size(); ++i) {
+        const bool sound = segment.positions[i].size() == problem_.robot.dof() &&
+                           segment.positions[i].allFinite() &&
+                           segment.object_poses[i].matrix().allFinite();
+        if (!sound) fault(segment, i, "has the wrong size or a value that is not finite");
+      }
+    }
+    if (plan_.contacts_O.cols() != 2 || !plan_.contacts_O.allFinite())
+      fault("plan", "must have two contacts");
+    return faults_.empty();
+  }
+
+  void check_rows() {
+    VectorXd before = problem_.q_home;
+    if ((plan_.segments[0].positions[0] - before).lpNorm<Eigen::Infinity>() > kSame)
+      fault(plan_.segments[0], 0, "is not the home configuration q_home");
+    for (const Segment& segment : plan_.segments) {
+      scene::check_rows(
+          problem_.robot, before, kSame, segment.positions,
+          [&](std::size_t row, const std::string& what) { fault(segment, row, what); });
+      before = segment.positions.back();
+      for (std::size_t i = 0; i < segment.object_poses.size(); ++i) {
+        if (!is_same(segment.object_poses[i], problem_.X_WO_start))
+          fault(segment, i, "the object moves though nothing holds it");
+      }
+    }
+  }
+
+  /// The hand is open on the straight line, and only the hand moves while it closes.
+  void check_joints() {
+    VectorXd hand = VectorXd::Ones(problem_.robot.dof());
+    for (const int joint : problem_.robot.group(problem_.hand.arm)) hand[joint] = 0;
+    const VectorXd open = problem_.robot.state(problem_.hand.open, problem_.q_home);
+    const Segment &grasp = plan_.segments[1], &close = plan_.segments[2];
+    for (std::size_t i = 0; i < grasp.positions.size(); ++i) {
+      const VectorXd off = (grasp.positions[i] - open).cwiseProduct(hand);
+      if (off.lpNorm<Eigen::Infinity>() > kSame) fault(grasp, i, "the hand is not open");
+    }
+    for (std::size_t i = 0; i < close.positions.size(); ++i) {
+      const VectorXd off = (close.positions[i] - grasp.positions.back())
+                               .cwiseProduct(VectorXd::Ones(hand.size()) - hand);
+      if (off.lpNorm<Eigen::Infinity>() > kSame)
+        fault(close, i, "the arm moves while the hand closes");
+    }
+  }
+
+  void check_collisions(const Segment& segment) {
+    slide::Replay world = strict_.with(slide::contacts_of(segment.name));
+    std::size_t faulty_row = segment.positions.size();  // one fault per row is enough
+    scene::replay_rows(problem_.robot, segment.positions, [&](std::size_t row, const VectorXd& q) {
+      if (row == faulty_row) return;
+      const auto touching = world.touching(q, problem_.X_WO_start);
+      if (touching.empty()) return;
+      faulty_row = row;
+      fault(segment, row, "collision " + touching.front());
+    });
+  }
+
+  Isometry3d hand_at(const VectorXd& q) const {
+    return problem_.robot.pose(problem_.robot.frame(problem_.hand.grasp_frame), q);
+  }
+
+  void check_straight() {
+    const Segment& grasp = plan_.segments[1];
+    const Isometry3d X_HW = plan_.X_WH_grasp.inverse();
+    for (std::size_t i = 0; i < grasp.positions.size(); ++i) {
+      const Isometry3d X_HH = X_HW * hand_at(grasp.positions[i]);
+      if (X_HH.translation().head<2>().norm() > kSideways)
+        fault(grasp, i, "the hand leaves its straight line");
+      if (Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) fault(grasp, i, "the hand turns");
+    }
+    if (!is_same(hand_at(grasp.positions.back()), plan_.X_WH_grasp))
+      fault("plan", "X_WH_grasp is not where the hand ends");
+  }
+
+  /// Interval that the shapes of links take along a direction of W at q [m].
+  std::pair<double, double> interval(const VectorXd& q, const Vector3d& direction,
+                                     bool sliding) const {
+    robot::Poses X_WL;
+    problem_.robot.forward(q, X_WL);
+    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::pair<double, double> found{1e9, -1e9};
+    for (const robot::LinkShape& shape : problem_.robot.shapes()) {
+      const auto link = static_cast<std::size_t>(shape.link);
+      const std::string& name = problem_.robot.frame_names()[link];
+      if (!has(problem_.hand.fingers, name) || has(problem_.hand.sliding_finger, name) != sliding)
+        continue;
+      const Vector3d d = X_WL[link].linear().transpose() * direction;
+      const double origin = direction.dot(X_WL[link].translation());
+      found.first = std::min(found.first, origin - geometry::extent(shape.placed, -d));
+      found.second = std::max(found.second, origin + geometry::extent(shape.placed, d));
+    }
+    return found;
+  }
+
+  /// The opening at the end is the distance of the contacts, and the fingers are off the support.
+  void check_closing() {
+    const VectorXd& q = plan_.segments[2].positions.back();
+    const Vector3d y = hand_at(q).linear().col(1), n = problem_.support.normal_W();
+    const auto a = interval(q, y, true), b = interval(q, y, false);
+    const double gap = std::max(a.first - b.second, b.first - a.second);
+    const double width = (contact(1) - contact(0)).norm();
+    if (gap > width + kUnevenEnd || gap < width - 2 * kPressed) {
+      fault("close", "the fingers end " + figure(gap) + " m apart, the contacts are " +
+                         figure(width) + " m apart");
+    }
+    const double support = n.dot(problem_.support.X_WS().translation());
+    const double low = std::min(interval(q, n, true).first, interval(q, n, false).first) - support;
+    if (low < options_.clearance - kSame)
+      fault("close", "a finger ends " + figure(low) + " m above the support");
+    const Vector3d across = problem_.X_WO_start.linear() * (contact(1) - contact(0)) / width;
+    if (std::abs(across.dot(y)) < 1 - kSame)
+      fault("plan", "the fingers do not close along the line of contacts");
+  }
+
+  Vector3d contact(int i) const { return plan_.contacts_O.col(i); }
+
+  /// The contacts lie on the faces of the object, which are opposite each other.
+  void check_contacts() {
+    const double thickness = problem_.object.thickness();
+    const Vector3d across = contact(1) - contact(0);
+    for (int i = 0; i < 2; ++i) {
+      const std::string where = "contact " + std::to_string(i);
+      const double off = problem_.object.outline().depth(contact(i).head<2>());
+      if (std::abs(off) > kOffFace) fault(where, "is " + figure(off) + " m inside the outline");
+      if (contact(i).z() < 0 || contact(i).z() > thickness - options_.clearance + kSame)
+        fault(where, "is not on a face of the object");
+    }
+    if (plan_.friction > options_.friction)
+      fault("plan", "needs a coefficient of friction of " + figure(plan_.friction));
+    if (std::abs(across.z()) > kSame) fault("plan", "the contacts are not equally high");
+    const Vector2d com = problem_.object.com().head<2>(), line = across.head<2>().normalized();
+    const Vector2d arm = com - contact(0).head<2>();
+    const double lever = std::abs(arm.x() * line.y() - arm.y() * line.x());
+    if (lever > options_.max_lever + kSame)
+      fault("plan", "the centre of mass is " + figure(lever) + " m from the line of contacts");
+    for (int i = 0; i < 2; ++i) check_face(i, i == 0 ? Vector2d(-line) : line);
+  }
+
+  /// The outline around a contact leans by no more than the friction allows, to both sides of it.
+  void check_face(int i, const Vector2d& outward) {
+    constexpr double kHalf = 0.004;  // [m]
+    const std::string where = "contact " + std::to_string(i);
+    for (const auto& [from, to] : {std::pair(-kHalf, kHalf), {-kHalf, 0.0}, {0.0, kHalf}}) {
+      const std::optional<double> slope = slope_around(contact(i).head<2>(), outward, from, to);
+      if (slope && std::atan(std::abs(*slope)) > std::atan(options_.friction) + kSlack)
+        fault(where,
+              "the face leans by a tangent of " + figure(*slope) + ", which exceeds the friction");
+    }
+    if (!slope_around(contact(i).head<2>(), outward, -kHalf, kHalf))
+      fault(where, "there is no face around it");
+  }
+
+  /// Slope of the line that fits best the outline beside p, between two distances along the face;
+  /// nothing if there is no outline.
+  std::optional<double> slope_around(const Vector2d& p, const Vector2d& outward, double from,
+                                     double to) const {
+    constexpr double kBehind = 0.008, kSpacing = 2e-4;  // [m]
+    const Vector2d along(-outward.y(), outward.x());
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    const geometry::Polygon& outline = problem_.object.outline();
+    for (int k = 0; k < outline.size(); ++k) {
+      poll();
+      const geometry::Polygon::Edge edge = outline.edge(k);
+      if (edge.inward.dot(outward) >= 0) continue;  // it faces the other way
+      const int count = std::max(1, static_cast<int>((edge.b - edge.a).norm() / kSpacing));
+      for (int j = 0; j < count; ++j) {
+        const Vector2d off = edge.a + (edge.b - edge.a) * (j + 0.5) / count - p;
+        const double u = along.dot(off), v = outward.dot(off);
+        if (u < from || u > to || std::abs(v) > kBehind) continue;
+        n += 1, x += u, y += v, xx += u * u, xy += u * v;
+      }
+    }
+    const double spread = n > 0 ? xx - x * x / n : 0;
+    if (spread <= 0) return std::nullopt;
+    return (xy - x * y / n) / spread;
+  }
+
+  const Problem& problem_;
+  const Plan& plan_;
+  const Options& options_;
+  slide::Replay strict_;
+  Faults faults_;
+};
+
+}  // namespace
+
+std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
+  validate(problem);
+  validate(options);
+  return Examination(problem, plan, options).run();
+}
+
+scene::EdgeCertificate certify(const Problem& problem, const Plan& plan, const Options& options) {
+  validate(problem);
+  validate(options);
+  return Examination(problem, plan, options).certify();
+}
+
+}  // namespace graspless::pinch

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graspless/pinch/pinch.hpp"
+
+#include "pinch/faces.hpp"
+#include "pinch/jaw.hpp"
+
+namespace graspless::pinch {
+
+/// A pose of the open hand from which it closes on two faces.
+struct Grasp {
+  Faces faces;
+  double height;  ///< of the contacts over the support [m]
+  double tilt;    ///< of the approach from straight down, about the closing direction [rad]
+  Eigen::Isometry3d X_WH;
+  double cost;  ///< the less, the sooner it is tried
+};
+
+/// Hand poses in the order of their cost; or why there are none.
+struct Grasps {
+  std::vector<Grasp> all;
+  std::size_t num_faces = 0;  ///< pairs of faces that fit
+  Status status = Status::solved;
+  std::string reason;
+};
+
+/// Finds hand poses by the lengths of hand and object alone.
+Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& jaw);
+
+}  // namespace graspless::pinch

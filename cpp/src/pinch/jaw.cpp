@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pinch/jaw.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graspless::pinch {
+
+using Eigen::Isometry3d, Eigen::Vector3d;
+
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Intersection of two intervals, or the gap between them.
+std::pair<double, double> common(const std::pair<double, double>& a,
+                                 const std::pair<double, double>& b) {
+  return std::minmax(std::max(a.first, b.first), std::min(a.second, b.second));
+}
+
+}  // namespace
+
+Shapes::Shapes(const slide::Problem& problem, const std::vector<std::string>& links,
+               const Eigen::VectorXd& q) {
+  const robot::Robot& robot = problem.robot;
+  robot::Poses X_WL;
+  robot.forward(q, X_WL);
+  const Isometry3d X_HW =
+      X_WL[static_cast<std::size_t>(robot.frame(problem.hand.grasp_frame))].inverse();
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    const auto link = static_cast<std::size_t>(shape.link);
+    if (!contains(links, robot.frame_names()[link])) continue;
+    shapes_.push_back(shape.placed);
+    shapes_.back().X_BG = X_HW * X_WL[link] * shape.placed.X_BG;
+  }
+}
+
+double Shapes::extent(const Vector3d& direction_H) const {
+  const double length = direction_H.norm();
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const auto& placed : shapes_) {
+    largest = std::max(largest, geometry::extent(placed, direction_H / length));
+  }
+  return largest * length;
+}
+
+// The slopes of the support function are the outermost points.
+std::pair<double, double> Shapes::outermost(const Vector3d& direction_H,
+                                            const Vector3d& axis_H) const {
+  constexpr double kTurn = 1e-4;
+  const double here = extent(direction_H);
+  return {(here - extent(direction_H - kTurn * axis_H)) / kTurn,
+          (extent(direction_H + kTurn * axis_H) - here) / kTurn};
+}
+
+Jaw::Jaw(const slide::Problem& problem) : problem_(problem) {
+  for (const std::string& link : problem.hand.fingers) {
+    if (!contains(problem.hand.sliding_finger, link)) others_.push_back(link);
+  }
+  q_open_ = problem.robot.state(problem.hand.open, problem.q_home);
+  q_closed_ = problem.robot.state(problem.hand.closed, problem.q_home);
+  for (const int joint : problem.robot.group(problem.hand.arm)) {
+    q_open_[joint] = q_closed_[joint] = problem.q_home[joint];
+  }
+  const Vector3d y = Vector3d::UnitY();
+  const Shapes own(problem, problem.hand.sliding_finger, q_open_), other(problem, others_, q_open_);
+  const double own_middle = own.extent(y) - own.extent(-y),
+               other_middle = other.extent(y) - other.extent(-y);
+  side_ = own_middle > other_middle ? 1 : -1;
+  open_ = closed_by(0);
+  closed_ = closed_by(1);
+}
+
+Grip Jaw::at(const Eigen::VectorXd& q) const {
+  constexpr double kDeepest = 0.01;  // contact behind the end of parallel fingers [m]
+  Grip grip;
+  grip.q = q;
+  const Shapes own(problem_, problem_.hand.sliding_finger, grip.q),
+      other(problem_, others_, grip.q);
+  const Vector3d inward = -side_ * Vector3d::UnitY();  // of the sliding finger
+  const double own_face = own.extent(inward), other_face = other.extent(-inward);
+  grip.gap = -own_face - other_face;
+  const auto along = [&](const Vector3d& axis) {
+    return common(own.outermost(inward, axis), other.outermost(-inward, axis));
+  };
+  const auto z = along(Vector3d::UnitZ()), x = along(Vector3d::UnitX());
+  grip.contact_H << (x.first + x.second) / 2, -side_ * (own_face - other_face) / 2,
+      z.second - std::min(kDeepest, (z.second - z.first) / 2);
+  grip.pad = x.second - x.first;
+  return grip;
+}
+
+std::optional<Grip> Jaw::at_width(double width) const {
+  if (width > opening() || width < least_gap()) return std::nullopt;
+  double apart = 0, beyond = 1;
+  constexpr int kHalvings = 14;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (apart + beyond) / 2;
+    (closed_by(middle).gap >= width ? apart : beyond) = middle;
+  }
+  return closed_by(apart);
+}
+
+double Jaw::reach(const Grip& grip, const Vector3d& direction_H) const {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Eigen::VectorXd* q : {&q_open_, &grip.q}) {
+    largest = std::max(largest, Shapes(problem_, problem_.hand.fingers, *q).extent(direction_H));
+  }
+  return largest;
+}
+
+}  // namespace graspless::pinch

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "graspless/slide/problem.hpp"
+
+namespace graspless::pinch {
+
+/// Shapes of some links, for their extents along directions of one frame.
+class Shapes {
+ public:
+  /// The shapes of `links` at q, in the hand's frame H.
+  Shapes(const slide::Problem& problem, const std::vector<std::string>& links,
+         const Eigen::VectorXd& q);
+  /// Largest coordinate along a direction of any length, from the origin of H [m].
+  double extent(const Eigen::Vector3d& direction_H) const;
+  /// Interval of the coordinates along the unit vector `axis_H` of those points that are outermost
+  /// along `direction_H` [m].
+  std::pair<double, double> outermost(const Eigen::Vector3d& direction_H,
+                                      const Eigen::Vector3d& axis_H) const;
+
+ private:
+  std::vector<geometry::PlacedShape> shapes_;  // in H
+};
+
+/// The fingers at one closing, with two plane faces between them.
+struct Grip {
+  double gap;                 ///< distance between the faces [m]
+  Eigen::Vector3d contact_H;  ///< midway between the contacts with the faces
+  double pad;                 ///< length of the contacts along X_H [m]
+  Eigen::VectorXd q;          ///< all joints, the arm at home
+};
+
+/// The opening of a hand between its open and its closed state.
+class Jaw {
+ public:
+  explicit Jaw(const slide::Problem& problem);
+
+  double opening() const { return open_.gap; }      ///< [m]
+  double least_gap() const { return closed_.gap; }  ///< of the closed hand; may be negative [m]
+  const Grip& open() const { return open_; }
+  /// The hand, closed until its fingers are `width` apart; nothing if it opens or closes less.
+  std::optional<Grip> at_width(double width) const;
+  /// Distance between the fingers at a configuration of all joints [m].
+  double gap(const Eigen::VectorXd& q) const { return at(q).gap; }
+  /// How far the fingers reach along a direction of H: open, and at a grip [m].
+  double reach(const Grip& grip, const Eigen::Vector3d& direction_H) const;
+
+ private:
+  Grip at(const Eigen::VectorXd& q) const;
+  Grip closed_by(double closing) const { return at(q_open_ + closing * (q_closed_ - q_open_)); }
+
+  const slide::Problem& problem_;
+  std::vector<std::string> others_;  // links of hand.fingers besides hand.sliding_finger
+  Eigen::VectorXd q_open_, q_closed_;
+  double side_;  // 1 if the sliding finger is on the positive side of Y_H, or -1
+  Grip open_, closed_;
+};
+
+}  // namespace graspless::pinch

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/pinch/pinch.hpp"
+
+#include "pinch/grasps.hpp"
+#include "planning/plan_within.hpp"
+#include "slide/contact_space.hpp"
+#include "slide/hand_motion.hpp"
+#include "slide/rows.hpp"
+
+namespace graspless::pinch {
+
+using planning::Path;
+
+namespace {
+
+constexpr double kGraspStep = 0.01;    // between waypoints of the straight motion [m]
+constexpr double kUneven = 0.003;      // gap left at one finger when the other touches [m]
+constexpr std::size_t kSolutions = 4;  // of inverse kinematics, for each hand pose
+constexpr std::size_t kSearched = 4;   // poses to which a tree is grown
+constexpr int kIterations = 400;       // of each
+
+robot::Ik make_ik(const Problem& problem, const slide::Arm& arm) {
+  robot::Ik::Options options;
+  options.whole_turns = false;  // they touch the same things
+  return robot::Ik(problem.robot, problem.robot.frame(problem.hand.grasp_frame), arm.joints(),
+                   options);
+}
+
+/// The motion onto the object, without the way from home.
+struct Pinch {
+  Grasp grasp;
+  Path straight;  // of the arm
+  std::vector<Eigen::VectorXd> close;
+};
+
+/// Working state of one plan().
+class Search {
+ public:
+  Search(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed)
+      : problem_(problem),
+        options_(options),
+        clock_(clock),
+        rng_(seed),
+        arm_(problem),
+        ik_(make_ik(problem, arm_)),
+        scene_(slide::make_scene(problem)),
+        hand_(problem.robot, arm_, scene_, options.resolution, statistics_.ik_calls) {
+    scene_.move_object(scene_.world().body(slide::kObjectBody), problem.X_WO_start);
+  }
+
+  Plan run() {
+    Plan plan;
+    const Jaw jaw(problem_);
+    plan.opening = jaw.opening();
+    if (const auto [a, b] = scene_.collision(problem_.q_home); !a.empty()) {
+      plan.status = Status::start_in_collision;
+      plan.reason = "at home, '" + a + "' touches '" + b + "'";
+      return plan;
+    }
+    Grasps grasps = find_grasps(problem_, options_, jaw);
+    statistics_.faces = static_cast<std::int64_t>(grasps.num_faces);
+    plan.status = grasps.status;
+    plan.reason = grasps.reason;
+    if (!grasps.all.empty()) search(jaw, grasps.all, plan);
+    statistics_.seconds = clock_.seconds();
+    statistics_.collision_checks = scene_.world().num_checks();
+    plan.statistics = statistics_;
+    return plan;
+  }
+
+ private:
+  void search(const Jaw& jaw, const std::vector<Grasp>& grasps, Plan& plan) {
+    std::vector<Pinch> unreached;  // no straight motion leads there
+    const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
+    for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
+      if (!clock_.spend()) break;
+      for (const Eigen::VectorXd& q : configurations(grasps[i])) {
+        std::optional<Pinch> pinch = add_motion(jaw, grasps[i], q);
+        if (!pinch) continue;
+        if (add_approach(*pinch, 0, plan)) return;
+        unreached.push_back(std::move(*pinch));
+        break;
+      }
+    }
+    for (const Pinch& pinch : unreached) {
+      if (clock_.is_out()) break;
+      if (add_approach(pinch, kIterations, plan)) return;
+      refuse("no way from home");
+    }
+    fail(count, plan);
+  }
+
+  void refuse(const std::string& why) { ++statistics_.refusals[why]; }
+
+  /// Collision-free configurations that put the open hand at a pose, the nearest to home first.
+  std::vector<Eigen::VectorXd> configurations(const Grasp& grasp) {
+    ++statistics_.ik_calls;
+    std::vector<Eigen::VectorXd> found;
+    const auto all = ik_.solve_all(grasp.X_WH, arm_.open(), rng_);
+    if (all.empty()) refuse("reach");
+    for (const Eigen::VectorXd& q : all) {
+      if (found.size() == kSolutions) break;
+      if (scene_.is_free(q)) {
+        found.push_back(q);
+      } else {
+        const auto [a, b] = scene_.collision(q);
+        refuse(a.empty() ? "joint limits" : "collision of " + a + " with " + b);
+      }
+    }
+    return found;
+  }
+
+  std::optional<Pinch> add_motion(const Jaw& jaw, const Grasp& grasp, const Eigen::VectorXd& q) {
+    std::vector<Eigen::Isometry3d> outwards;
+    const int steps = slide::pieces(options_.approach, kGraspStep);
+    for (int i = 1; i <= steps; ++i) {
+      outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, 0, -options_.approach * i / steps));
+    }
+    const auto out = hand_.track(ik_, arm_.part(q), outwards);
+    if (!out) {
+      refuse("straight approach");
+      return std::nullopt;
+    }
+    slide::HandMotion::Closing closing = hand_.close(arm_.part(q));
+    const auto& [a, b] = closing.touching;
+    if (!is_finger_on_object(a, b)) {
+      refuse(a.empty() ? "closing: nothing touches" : "closing: " + a + " touches " + b);
+      return std::nullopt;
+    }
+    if (jaw.gap(closing.rows.back()) > grasp.faces.width + kUneven) {
+      refuse("closing: one finger touches before the other");
+      return std::nullopt;
+    }
+    return Pinch{grasp, Path(out->rbegin(), out->rend()), std::move(closing.rows)};
+  }
+
+  bool is_finger_on_object(const std::string& a, const std::string& b) const {
+    const auto& fingers = problem_.hand.fingers;
+    const auto is_finger = [&](const std::string& name) {
+      return std::find(fingers.begin(), fingers.end(), name) != fingers.end();
+    };
+    return (a == slide::kObjectBody && is_finger(b)) || (b == slide::kObjectBody && is_finger(a));
+  }
+
+  bool add_approach(const Pinch& pinch, int iterations, Plan& plan) {
+    const auto free = hand_.free_path(arm_.part(problem_.q_home), pinch.straight.front(),
+                                      iterations, rng_, [&] { return clock_.is_out(); });
+    if (!free || !hand_.is_free(problem_.q_home, arm_.open())) return false;
+    Path approach;
+    if (problem_.q_home != arm_.open()) approach.push_back(problem_.q_home);
+    for (const Eigen::VectorXd& arm : *free) approach.push_back(arm_.full(arm));
+    append("approach", approach, plan);
+    Path straight;
+    for (const Eigen::VectorXd& arm : pinch.straight) straight.push_back(arm_.full(arm));
+    append("grasp", straight, plan);
+    append("close", pinch.close, plan);
+    plan.status = Status::solved;
+    plan.reason.clear();
+    plan.X_WH_grasp = pinch.grasp.X_WH;
+    plan.friction = pinch.grasp.faces.friction;
+    plan.contacts_O.resize(3, 2);
+    plan.contacts_O.topRows<2>() << pinch.grasp.faces.first, pinch.grasp.faces.second;
+    plan.contacts_O.row(2).setConstant(pinch.grasp.height);
+    return true;
+  }
+
+  void append(const std::string& name, const Path& path, Plan& plan) const {
+    const Path rows = planning::subdivided(path, slide::kRowStep, problem_.robot.step_weights());
+    plan.segments.push_back(
+        {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
+  }
+
+  void fail(std::size_t count, Plan& plan) {
+    plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
+    plan.reason = "none of " + std::to_string(count) + " hand poses works";
+    const auto& refusals = statistics_.refusals;
+    const auto most =
+        std::max_element(refusals.begin(), refusals.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most != refusals.end()) plan.reason += "; most frequent obstruction: " + most->first;
+    if (clock_.is_out()) plan.reason += "; the budget ran out before everything was tried";
+  }
+
+  const Problem& problem_;
+  const Options& options_;
+  planning::Clock& clock_;
+  std::mt19937_64 rng_;
+  Statistics statistics_;
+  slide::Arm arm_;
+  robot::Ik ik_;
+  scene::Scene scene_;
+  slide::HandMotion hand_;
+};
+
+}  // namespace
+
+Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
+  planning::Clock clock(budget, options.max_memory);
+  Plan plan = planning::plan_within(clock, "shapes and outlines of fewer corners", [&] {
+    validate(problem);
+    validate(options);
+    return Search(problem, options, clock, budget.seed).run();
+  });
+  plan.statistics.iterations = clock.iterations();
+  plan.joint_names = problem.robot.joint_names();
+  return plan;
+}
+
+void validate(const Options& options) { planning::require_in_range("options.", options); }
+
+std::string to_string(Status status) { return planning::name_of(status); }
+
+}  // namespace graspless::pinch

@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Result of a pick: a plan, and what became of each strategy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..chain import Plan
+
+NOT_TRIED, REFUSED = "not_tried", "refused"
+
+
+@dataclass
+class Attempt:
+    """A strategy, and what became of it.
+
+    Attributes
+    ----------
+    strategy : str
+        pinch, slide or clasp.
+    status : str
+        solved; refused: lengths or the description of the robot rule it out; not_tried: another
+        strategy was found before; otherwise the status of its plan.
+    reason : str
+        One sentence; empty if it was solved or not tried.
+    seconds : float
+        Time that it took [s].
+    """
+
+    strategy: str
+    status: str
+    reason: str = ""
+    seconds: float = 0.0
+    is_mistake: bool = field(default=False, repr=False)
+
+
+@dataclass
+class Pick:
+    """A plan that picks up an object, or why there is none. False unless there is a plan.
+
+    Attributes
+    ----------
+    name : str
+        Name of the object.
+    attempts : list of Attempt
+        Strategies in the order in which they were tried.
+    plan : chain.Plan or None
+        Plan of the best strategy: it ends with the object lifted.
+    seconds : float
+        Time of all strategies together [s].
+    """
+
+    name: str
+    attempts: list[Attempt]
+    plan: Plan | None = None
+    seconds: float = 0.0
+
+    def __bool__(self) -> bool:
+        return self.plan is not None
+
+    @property
+    def strategy(self) -> str | None:
+        """Strategy of the plan."""
+        return None if self.plan is None else self.plan.names[0]
+
+    @property
+    def reason(self) -> str:
+        """What became of all strategies, in one line; empty if there is a plan."""
+        if self:
+            return ""
+        return "; ".join(f"{a.strategy}: {a.reason or a.status}" for a in self.attempts)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Returns a summary in plain types."""
+        return {
+            "name": self.name,
+            "strategy": self.strategy,
+            "seconds": self.seconds,
+            "attempts": [
+                {
+                    "strategy": a.strategy,
+                    "status": a.status,
+                    "reason": a.reason,
+                    "seconds": a.seconds,
+                }
+                for a in self.attempts
+            ],
+        }
+
+    def table(self) -> str:
+        """Returns one line per strategy."""
+        lines = []
+        for a in self.attempts:
+            what = f"{a.status}: {a.reason}" if a.reason else a.status
+            took = f"  ({1000 * a.seconds:.0f} ms)" if a.seconds else ""
+            lines.append(f"{a.strategy:6} {what}{took}")
+        return "\n".join(lines)
+
+
+__all__ = ["NOT_TRIED", "REFUSED", "Attempt", "Pick"]

@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Strategies: what rules each out at first sight, and the chain that carries it out."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import geometry
+from ..errors import TaskError
+from .wish import cloud_fields, distance_to, object_fields, support_fields
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ..frames import Matrix
+    from .wish import Wish
+
+STRATEGIES = ("pinch", "slide", "clasp")
+TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
+NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
+MOST = 2000  # points that are compared
+SPACING = 0.005  # between points of the outline [m]
+LEAST_SECONDS = 1e-3
+
+
+def require_strategies(strategies: Sequence[str]) -> list[str]:
+    """Returns the strategies. Raises TaskError unless all are known and each is named once."""
+    asked = [strategies] if isinstance(strategies, str) else list(strategies)
+    for name in asked:
+        if name not in STRATEGIES:
+            raise TaskError(f"strategies: {name}: should be one of {', '.join(STRATEGIES)}")
+    if not asked or len(set(asked)) < len(asked):
+        raise TaskError(f"strategies: {', '.join(asked) or 'none'}: should name each once")
+    return asked
+
+
+def chain_of(strategy: str, wish: Wish, seed: int, seconds: float) -> dict[str, Any]:
+    """Returns the task of a strategy: grasp the object, and lift it."""
+    lift = {
+        "name": "lift",
+        "kind": "carry",
+        "line": {"direction": [0, 0, 1], "distance": wish.lift},
+        "options": {"max_twist": TWIST},
+    }
+    grasp = {"name": strategy, "kind": strategy, **_FIELDS[strategy](wish)}
+    return {
+        "kind": "chain",
+        "robot": wish.robot,
+        "stages": [grasp, lift],
+        "budget": {"seconds": max(seconds, LEAST_SECONDS), "seed": seed},
+    }
+
+
+def refusal(strategy: str, wish: Wish) -> str:
+    """Returns why lengths rule a strategy out, in one sentence, or an empty text."""
+    return _covered(wish) or _REFUSALS[strategy](wish)
+
+
+def _pinch(wish: Wish) -> dict[str, Any]:
+    return {
+        "object": object_fields(wish),
+        "support": support_fields(wish, None),
+        "obstacles": wish.beside,
+    }
+
+
+def _slide(wish: Wish) -> dict[str, Any]:
+    return _pinch(wish) | {"support": support_fields(wish, wish.real_edges)}
+
+
+def _clasp(wish: Wish) -> dict[str, Any]:
+    return {"object": cloud_fields(wish), "obstacles": wish.around}
+
+
+def _covered(wish: Wish) -> str:
+    """Says what lies over the object."""
+    own = wish.outline
+    for other in wish.others:
+        if other.support != wish.thing.support:
+            continue
+        X_OO = np.linalg.inv(wish.thing.X_WO) @ other.X_WO
+        ring = np.asarray(other.outline) @ X_OO[:2, :2].T + X_OO[:2, 3]
+        if _overlap(own, geometry.Polygon(ring)):
+            return f"'{other.name}' overlaps it seen from above: it lies over it, under it or in it"
+    return ""
+
+
+def _overlap(a: geometry.Polygon, b: geometry.Polygon) -> bool:
+    """Returns True if a point well within one outline lies in the other."""
+    for one, other in ((a, b), (b, a)):
+        inner = np.asarray(one.vertices)
+        inner = inner + 0.2 * (np.asarray(one.centroid) - inner)
+        if any(one.contains(p) and other.contains(p) for p in inner):
+            return True
+    return False
+
+
+def _refuse_nothing(wish: Wish) -> str:
+    return ""
+
+
+def _refuse_slide(wish: Wish) -> str:
+    edges = wish.real_edges
+    if not edges:
+        seen = Counter(str(label) for label in wish.support.edges)
+        counts = ", ".join(f"{n} {label}" for label, n in sorted(seen.items()))
+        return f"no real edge of {wish.support.name} was seen ({counts})"
+    beyond = _beyond_reach(wish, edges)
+    if beyond > 0:
+        return f"no edge within reach: the nearest is {100 * beyond:.0f} cm beyond"
+    width = _narrowest(np.asarray(wish.thing.outline))
+    height = float(wish.thing.thickness)
+    if height > width / 2:
+        lengths = f"{1000 * height:.0f} mm high and {1000 * width:.0f} mm wide"
+        return f"{lengths}: only what is lower than half its width is slid"
+    return ""
+
+
+def _beyond_reach(wish: Wish, edges: list[int]) -> float:
+    """Returns the distance by which the nearest edge is out of reach, seen from above [m]."""
+    robot = wish.model
+    first = robot.group("arm")[0] if "arm" in robot.group_names else 0
+    reach = max(float(robot.reach(i)[first]) for i in range(len(robot.frame_names)))
+    ring = np.asarray(wish.support.polygon)
+    ring_W = np.column_stack([ring, np.zeros(len(ring)), np.ones(len(ring))]) @ wish.support.X_WS.T
+    base = np.asarray(robot.X_WB)[:2, 3]
+    nearest = min(distance_to(base, ring_W[i, :2], ring_W[(i + 1) % len(ring), :2]) for i in edges)
+    return nearest - reach
+
+
+def _refuse_clasp(wish: Wish) -> str:
+    if len(wish.thing.points) < 20:
+        return f"only {len(wish.thing.points)} points were seen"
+    return ""
+
+
+def explained(plan: Any, wish: Wish) -> str:
+    """Returns the reason of a chain that was not found, without the name of its first stage."""
+    reason = str(plan.reason).removeprefix(f"{plan.names[0] if plan.names else ''}: ")
+    if str(plan.status) == "no_reliable_hole":
+        reason += f"; {100 * unseen_share(wish):.0f} % of its side unseen"
+    return reason
+
+
+def unseen_share(wish: Wish) -> float:
+    """Returns the part of the object's side near which no point was seen, from 0 to 1.
+
+    The side is the outline, half way between the support and the top.
+    """
+    ring = np.asarray(wish.thing.outline)
+    pieces = []
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = max(1, int(np.ceil(np.linalg.norm(b - a) / SPACING)))
+        pieces.append(a + (b - a) * (np.arange(count)[:, None] + 0.5) / count)
+    along = np.concatenate(pieces)
+    points, height = np.asarray(wish.thing.points), float(wish.thing.thickness)
+    middle = points[(points[:, 2] > 0.2 * height) & (points[:, 2] < 0.8 * height)]
+    if not len(middle):
+        return 1.0
+    every = max(1, len(middle) // MOST)
+    away = np.linalg.norm(along[:, None] - middle[None, ::every, :2], axis=2).min(axis=1)
+    return float(np.mean(away > NEAR))
+
+
+def _narrowest(ring: Matrix) -> float:
+    """Returns the least width of a polygon across one of its edges [m]."""
+    along = np.roll(ring, -1, axis=0) - ring
+    across = np.stack([-along[:, 1], along[:, 0]]) / np.linalg.norm(along, axis=1)
+    return float(np.ptp(ring @ across, axis=0).min())
+
+
+_FIELDS: dict[str, Callable[[Wish], dict[str, Any]]] = {
+    "pinch": _pinch,
+    "slide": _slide,
+    "clasp": _clasp,
+}
+_REFUSALS: dict[str, Callable[[Wish], str]] = {
+    "pinch": _refuse_nothing,
+    "slide": _refuse_slide,
+    "clasp": _refuse_clasp,
+}

@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What shall be picked up, in the words of task files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import geometry
+from .._arguments import require_path
+from ..errors import TaskError
+from ..perception import Scene
+from ..tasks import scenes
+from ..tasks.documents import rows_of
+from ..tasks.robot_files import resolve_robot
+from ..tasks.robots import Robot, build_robot
+from ..tasks.shapes import Fields
+from ..tasks.source import Source
+from ..tasks.statement import pose_fields
+
+if TYPE_CHECKING:
+    from .. import robot as robots
+    from ..perception import Object, Support
+
+RESPECTS = ("nothing", "objects", "unseen")
+
+
+class RobotOnly(Fields):
+    """A document with a robot."""
+
+    robot: Robot
+
+
+@dataclass(frozen=True)
+class Wish:
+    """An object of a scene, and the robot that shall pick it up.
+
+    Attributes
+    ----------
+    thing, support : Object, Support
+        The object, and what it stands on.
+    others : list of Object
+        All other objects of the scene.
+    robot : dict
+        Field `robot` of a task file.
+    lift : float
+        Height of the lift [m].
+    mass : float or None
+        [kg].
+    beside, around : list of dict
+        Obstacles of a task that has the support, and of one that needs it as an obstacle.
+    """
+
+    thing: Object
+    support: Support
+    others: list[Object]
+    robot: dict[str, Any]
+    lift: float
+    mass: float | None
+    beside: list[dict[str, Any]]
+    around: list[dict[str, Any]]
+
+    @property
+    def name(self) -> str:
+        """Name of the object."""
+        return str(self.thing.name)
+
+    @cached_property
+    def outline(self) -> geometry.Polygon:
+        """Outline of the object in O [m]."""
+        return geometry.Polygon(self.thing.outline)
+
+    @cached_property
+    def model(self) -> robots.Robot:
+        """The robot itself."""
+        source = Source("robot", {"robot": self.robot})
+        fields = source.validate(RobotOnly).robot
+        return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
+
+    @property
+    def real_edges(self) -> list[int]:
+        """Indices of the edges of the support beyond which there is nothing."""
+        return [i for i, label in enumerate(self.support.edges) if str(label) == "real"]
+
+
+def wish_of(
+    scene: Any, name: str, robot: Any, *, lift: float, respect: str, mass: float | None
+) -> Wish:
+    """Returns what is asked for. Raises TaskError if there is no such object, or nothing at all."""
+    scene, file = _read(scene)
+    if not 0 < lift < 10:
+        raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
+    if mass is not None and not 0 < mass < 1e6:
+        raise TaskError(f"mass: {mass!r}: should be a mass in (0, 1e6) kg")
+    if respect not in RESPECTS:
+        raise TaskError(f"respect: {respect}: should be one of {', '.join(RESPECTS)}")
+    source = Source(file, {"name": name})
+    thing = scenes.named(scene.objects, name, source, ("name",))
+    support = scenes.named(scene.supports, thing.support, source, ("name",))
+    fields = dict(robot) if isinstance(robot, Mapping) else {"urdf": str(robot)}
+    return Wish(
+        thing=thing,
+        support=support,
+        others=[other for other in scene.objects if other.name != name],
+        robot=fields,
+        lift=float(lift),
+        mass=mass,
+        beside=_documents(scenes.obstacles(scene, thing, respect, has_support=False)),
+        around=_documents(scenes.obstacles(scene, thing, respect, has_support=True)),
+    )
+
+
+def object_fields(wish: Wish) -> dict[str, Any]:
+    """Returns the object of a slide or a pinch."""
+    place = scenes.planar_pose(wish.support.X_WS, wish.thing.X_WO)
+    return {
+        "name": wish.name,
+        "polygon": rows_of(wish.thing.outline),
+        "thickness": float(wish.thing.thickness),
+        "pose": place,
+        **({} if wish.mass is None else {"mass": wish.mass}),
+    }
+
+
+def support_fields(wish: Wish, edges: list[int] | None) -> dict[str, Any]:
+    """Returns the support of a slide or a pinch."""
+    given: dict[str, Any] = {
+        "polygon": rows_of(wish.support.polygon),
+        "pose": _plain(pose_fields(wish.support.X_WS)),
+    }
+    return given if edges is None else given | {"usable_edges": edges}
+
+
+def cloud_fields(wish: Wish) -> dict[str, Any]:
+    """Returns the object of a clasp."""
+    return {
+        "name": wish.name,
+        "points": rows_of(wish.thing.points),
+        "pose": _plain(pose_fields(wish.thing.X_WO)),
+        **({} if wish.mass is None else {"mass": wish.mass}),
+    }
+
+
+def _read(scene: Any) -> tuple[Scene, str]:
+    from ..perception import load_scene
+
+    if isinstance(scene, Scene):
+        file = "scene"
+    else:
+        file = str(require_path("scene", scene, "a graspless.perception.Scene"))
+        scene = load_scene(file)
+    if not scene:
+        raise TaskError(f"{file}: nothing was found in this scene: {scene.reason}")
+    if not scene.objects:
+        raise TaskError(f"{file}: no object was found in this scene: {scene.reason}")
+    return scene, file
+
+
+def _plain(fields: dict[str, Any]) -> dict[str, list[float]]:
+    return {key: [float(value) for value in row] for key, row in fields.items()}
+
+
+def _documents(obstacles: list[Any]) -> list[dict[str, Any]]:
+    return [
+        obstacle.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
+        for obstacle in obstacles
+    ]
+
+
+def distance_to(p: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+    """Returns the distance of a point from the segment between two others [m]."""
+    along = b - a
+    t = np.clip((p - a) @ along / max(float(along @ along), 1e-12), 0, 1)
+    return float(np.linalg.norm(p - a - t * along))

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Table of a plan file of kind pinch."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from .. import pinch
+from ..tasks.pinch.model import PinchTask
+from ..tasks.shapes import Point3
+from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
+
+if TYPE_CHECKING:
+    Status = str
+else:
+    Status = Literal[tuple(pinch.Status.__members__)]
+
+
+class Segment(Table):
+    """Part of a motion."""
+
+    MAKE: ClassVar = pinch.Segment
+
+    name: str = Field(description="approach, grasp or close")
+    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    object_poses: list[PoseRow] = Field(
+        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+    )
+
+
+class PinchPlanFile(PlanFields):
+    """A plan with its whole task."""
+
+    kind: Literal["pinch"]
+    status: Status
+    joint_names: list[str]
+    opening: float = Field(description="distance between the fingers of the open hand [m]")
+    friction: float = Field(description="coefficient of friction that the pinch needs")
+    X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the pinch")
+    contacts_O: Annotated[list[Point3], Field(max_length=2)] = Field(
+        description="[2][3] contacts of the fingers in O [m]; none unless solved"
+    )
+    segments: list[Segment]
+    task: PinchTask = Field(
+        description="fields of the task file, with the content of all files that it names"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> PinchPlanFile:
+        for segment in self.segments:
+            where = f"segment '{segment.name}'"
+            require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
+        require_unit_quaternions([self.X_WH_grasp])
+        return self
+
+
+File = PinchPlanFile

@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Summaries of pinches."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import least_seconds, refused, segment_line
+
+if TYPE_CHECKING:
+    from ..pinch import Plan
+
+
+def details(plan: Plan) -> dict[str, Any]:
+    """Returns the fields of `--json` that only this kind has."""
+    return {
+        "opening": plan.opening,
+        "width": width(plan) if plan else None,
+        "friction": plan.friction if plan else None,
+        "segments": [
+            {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
+            for s in plan.segments
+        ],
+    }
+
+
+def lines(plan: Plan) -> list[str]:
+    """Returns a line per segment, and what the pinch needs."""
+    name = plan.task.problem.object.name
+    pinched = (
+        f"the hand, which opens {1000 * plan.opening:.0f} mm, pinches the {name} where it is "
+        f"{1000 * width(plan):.0f} mm wide; needs a coefficient of friction of {plan.friction:.2f}"
+    )
+    return [*(segment_line(plan, segment) for segment in plan.segments), pinched]
+
+
+def lines_not_found(plan: Plan) -> list[str]:
+    """Returns why hand poses were rejected."""
+    return refused(plan)
+
+
+def width(plan: Plan) -> float:
+    """Returns the distance of the contacts [m]."""
+    first, second = np.asarray(plan.contacts_O)
+    return float(np.linalg.norm(second - first))

@@ -1,0 +1,20 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A pinch over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .. import film as films
+
+if TYPE_CHECKING:
+    from ...pinch import Plan
+    from ...simulation import Recording
+
+SPEEDS = {"grasp": 0.4, "close": 0.3}  # [rad/s]
+
+
+def film(plan: Plan, recording: Recording | None = None) -> films.Film:
+    """Returns a recording, or the plan's rows at a speed for watching, or else the start."""
+    return films.film(plan, recording, plan.q_start, plan.X_WO_start, SPEEDS)

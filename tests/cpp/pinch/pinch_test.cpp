@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/pinch/pinch.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "complaint.hpp"
+#include "pinch/faces.hpp"
+#include "pinch/jaw.hpp"
+#include "slide/problems.hpp"
+
+namespace graspless::pinch {
+namespace {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+using slide::Object;
+
+geometry::Polygon rectangle(double length, double width) {
+  return geometry::Polygon(geometry::columns({{-length / 2, -width / 2},
+                                              {length / 2, -width / 2},
+                                              {length / 2, width / 2},
+                                              {-length / 2, width / 2}}));
+}
+
+Problem standing(const geometry::Polygon& outline, double height, double x = 0.6, double y = 0.1,
+                 double yaw = 0.4) {
+  return slide::make_problem(slide::tables()[0], Object::prism("thing", outline, height),
+                             slide::flat(x, y, yaw));
+}
+
+std::string joined(const std::vector<std::string>& faults) {
+  std::string all;
+  for (const std::string& fault : faults) all += fault + "\n";
+  return all;
+}
+
+/// Distance between the fingers at the end, across the contacts, computed with tiny steps of FK.
+double final_gap(const Problem& problem, const Plan& plan) {
+  return Jaw(problem).gap(plan.segments.back().positions.back());
+}
+
+TEST(Pinch, PinchesBoxesAndDiscsWhereverTheyStand) {
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> length(0.03, 0.15), width(0.01, 0.045), height(0.03, 0.15),
+      yaw(-3, 3), x(0.5, 0.75), y(-0.2, 0.2);
+  for (int i = 0; i < 20; ++i) {
+    const geometry::Polygon outline =
+        i % 4 == 0 ? slide::disc(width(rng) / 2, 24, {0, 0}) : rectangle(length(rng), width(rng));
+    const Problem problem = standing(outline, height(rng), x(rng), y(rng), yaw(rng));
+    const Plan found = pinch::plan(problem);
+    ASSERT_TRUE(found) << i << ": " << found.reason;
+    EXPECT_EQ(joined(check(problem, found)), "");
+    const Vector3d across = found.contacts_O.col(1) - found.contacts_O.col(0);
+    EXPECT_NEAR(across.norm(), final_gap(problem, found), 3e-3);
+    EXPECT_LE(across.norm(), found.opening);
+    EXPECT_LE(found.friction, Options{}.friction);
+  }
+}
+
+/// Both normals of a polygon without noise are within the cone about the line of contacts.
+TEST(Pinch, ContactsAreAntipodal) {
+  for (const double yaw : {0.0, 0.3, 1.1}) {
+    const geometry::Polygon outline = rectangle(0.12, 0.04);
+    const Problem problem = standing(outline, 0.06, 0.6, 0, yaw);
+    const Plan found = pinch::plan(problem);
+    ASSERT_TRUE(found) << found.reason;
+    const Vector2d a = found.contacts_O.col(0).head<2>(), b = found.contacts_O.col(1).head<2>();
+    const Vector2d along = (b - a).normalized();
+    for (const Vector2d& p : {a, b}) {
+      const Vector2d inward = outline.nearest_edge(p).inward;
+      EXPECT_GE(std::abs(inward.dot(along)), std::cos(std::atan(Options{}.friction)));
+      EXPECT_NEAR(outline.depth(p), 0, 1e-3);
+    }
+    EXPECT_GT(outline.nearest_edge(a).inward.dot(along), 0);
+    EXPECT_LT(outline.nearest_edge(b).inward.dot(along), 0);
+  }
+}
+
+TEST(Pinch, RefusesByLengths) {
+  const Plan wide = pinch::plan(standing(rectangle(0.2, 0.12), 0.06));
+  EXPECT_EQ(wide.status, Status::too_wide);
+  EXPECT_NE(wide.reason.find("120 mm wide where it is narrowest, the hand opens 54 mm"),
+            std::string::npos)
+      << wide.reason;
+  const Plan flat = pinch::plan(standing(rectangle(0.2, 0.03), 0.005));
+  EXPECT_EQ(flat.status, Status::too_flat);
+  EXPECT_EQ(flat.reason.rfind("5 mm high; ", 0), 0U) << flat.reason;
+}
+
+TEST(Pinch, RefusesFacesThatAreNotOpposite) {
+  const geometry::Polygon wedge(geometry::columns({{0, 0}, {0.05, -0.04}, {0.05, 0.04}}));
+  Options options;
+  options.friction = 0.1;
+  const Plan found = pinch::plan(standing(wedge, 0.06), options);
+  EXPECT_EQ(found.status, Status::too_slippery) << found.reason;
+}
+
+TEST(Pinch, AvoidsObstaclesOrNamesThem) {
+  Problem problem = standing(rectangle(0.1, 0.03), 0.05, 0.6, 0, 0);
+  const Plan open = pinch::plan(problem);
+  ASSERT_TRUE(open);
+  const auto box = [](const Vector3d& size) {
+    return std::vector<geometry::PlacedShape>{{geometry::Box{size}}};
+  };
+  for (const double side : {-1.0, 1.0}) {
+    problem.obstacles.push_back({side < 0 ? "left" : "right", box({0.4, 0.02, 0.16}),
+                                 Eigen::Isometry3d(Eigen::Translation3d(0.6, side * 0.03, 0.08))});
+  }
+  const Plan walled = pinch::plan(problem);
+  ASSERT_FALSE(walled);
+  EXPECT_EQ(walled.status, Status::not_reached);
+  EXPECT_NE(walled.reason.find("collision"), std::string::npos) << walled.reason;
+}
+
+TEST(Pinch, IsTheSameEveryTime) {
+  const Problem problem = standing(rectangle(0.1, 0.03), 0.05);
+  const Plan a = pinch::plan(problem), b = pinch::plan(problem);
+  ASSERT_TRUE(a);
+  for (std::size_t i = 0; i < a.segments.size(); ++i)
+    EXPECT_EQ(a.segments[i].positions, b.segments[i].positions);
+}
+
+TEST(Pinch, CheckFindsEditedPlans) {
+  const Problem problem = standing(rectangle(0.1, 0.03), 0.05);
+  const Plan sound = pinch::plan(problem);
+  ASSERT_TRUE(sound);
+  const auto faulty = [&](const Plan& edited) { return !check(problem, edited).empty(); };
+  Plan plan = sound;
+  plan.contacts_O(1, 0) += 0.02;
+  EXPECT_TRUE(faulty(plan));
+  plan = sound;
+  plan.contacts_O.row(2).setConstant(0.06);
+  EXPECT_TRUE(faulty(plan));
+  plan = sound;
+  plan.segments[2].positions.pop_back();
+  plan.segments[2].object_poses.pop_back();
+  plan.segments[2].positions.back() = plan.segments[2].positions.front();  // never closed
+  EXPECT_TRUE(faulty(plan));
+  plan = sound;
+  plan.segments[1].positions[1][0] += 0.03;
+  EXPECT_TRUE(faulty(plan));
+  plan = sound;
+  plan.X_WH_grasp.translate(Vector3d(0, 0.01, 0));
+  EXPECT_TRUE(faulty(plan));
+  plan = sound;
+  plan.segments[0].object_poses[0].translate(Vector3d(0, 0.01, 0));
+  EXPECT_TRUE(faulty(plan));
+  plan = sound;
+  std::swap(plan.segments[0], plan.segments[1]);
+  EXPECT_TRUE(faulty(plan));
+}
+
+TEST(Pinch, CertifiesWhatItPlans) {
+  const Problem problem = standing(rectangle(0.1, 0.03), 0.05);
+  const Plan found = pinch::plan(problem);
+  ASSERT_TRUE(found);
+  const scene::EdgeCertificate certificate = certify(problem, found);
+  EXPECT_GT(certificate.num_edges, 10);
+  EXPECT_TRUE(certificate) << certificate.doubts.front().text();
+}
+
+TEST(Pinch, RefusesBadOptions) {
+  Options options;
+  options.friction = -1;
+  EXPECT_NE(complaint([&] { validate(options); }).find("options.friction"), std::string::npos);
+}
+
+/// The width of opposite faces is the support function's, for every direction.
+TEST(Faces, EncloseTheOutline) {
+  const geometry::Polygon outline = slide::disc(0.03, 60, {0.01, -0.02});
+  for (const Faces& faces : opposite_faces(outline, {0.01, -0.02}, 0.01)) {
+    EXPECT_LE(faces.width, 0.06 + 1e-9);
+    const Vector2d along(std::cos(faces.yaw), std::sin(faces.yaw));
+    EXPECT_NEAR((faces.second - faces.first).dot(along), faces.width, 1e-9);
+    // On a disc, an offset of l from the middle takes a friction of l / sqrt(r^2 - l^2); the pad
+    // reaches 5 mm farther.
+    const auto needed = [](double l) { return l / std::sqrt(0.03 * 0.03 - l * l); };
+    if (faces.lever > 0.02) continue;
+    EXPECT_GE(faces.friction, needed(faces.lever) - 0.1);
+    EXPECT_LE(faces.friction, needed(faces.lever + 0.005) + 0.1);
+  }
+}
+
+TEST(Jaw, OpensAsTheShapesSay) {
+  const Problem problem = standing(rectangle(0.1, 0.03), 0.05);
+  const Jaw jaw(problem);
+  EXPECT_NEAR(jaw.opening(), 0.054, 1e-6);  // capsules of radius 13 mm, 80 mm apart
+  for (const double width : {0.01, 0.03, 0.05}) {
+    const auto grip = jaw.at_width(width);
+    ASSERT_TRUE(grip);
+    EXPECT_NEAR(grip->gap, width, 1e-4);
+    EXPECT_NEAR(grip->contact_H.y(), 0, 1e-9);  // both fingers close evenly
+  }
+  EXPECT_FALSE(jaw.at_width(0.06));
+}
+
+}  // namespace
+}  // namespace graspless::pinch

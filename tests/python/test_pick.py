@@ -1,0 +1,237 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Picks: the strategy that works, reasons for the others, bad input, and the command."""
+
+import json
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import geometry, perception
+from graspless.cli import main
+from graspless.errors import TaskError
+from graspless.picking.strategies import chain_of, unseen_share
+from graspless.picking.wish import wish_of
+
+
+def body(size, x, y, z, yaw=0.0):
+    X_WB = np.eye(4)
+    c, s = np.cos(yaw), np.sin(yaw)
+    X_WB[:2, :2], X_WB[:3, 3] = [[c, -s], [s, c]], (x, y, z)
+    return perception.Body([geometry.PlacedShape(geometry.Box(size))], X_WB)
+
+
+@pytest.fixture(scope="module")
+def scene():
+    """A card, a bar that stands, and a block that is too large for all."""
+    bodies = [
+        body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02),
+        body([6, 6, 0.02], 0.65, 0.0, -0.75),
+        body([0.12, 0.08, 0.006], 0.55, 0.2, 0.003, 0.3),
+        body([0.10, 0.035, 0.06], 0.62, -0.02, 0.03, 0.5),
+        body([0.14, 0.12, 0.2], 0.75, -0.22, 0.1),
+    ]
+    frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]))
+    found = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    assert found, found.reason
+    return found
+
+
+@pytest.fixture(scope="module")
+def names(scene):
+    """Names of the card, the bar and the block."""
+    x = {thing.thickness: thing.name for thing in scene.objects}
+    low, middle, high = sorted(x)
+    return {"card": x[low], "bar": x[middle], "block": x[high]}
+
+
+def table_of(scene, name):
+    thing = next(item for item in scene.objects if item.name == name)
+    return next(support for support in scene.supports if support.name == thing.support)
+
+
+def test_a_bar_is_pinched_where_it_stands(scene, names):
+    found = graspless.pick(scene, names["bar"])
+    assert found, found.reason
+    assert found.strategy == "pinch"
+    assert found.plan.kind == "chain"
+    assert [stage.kind for stage in found.plan.stages] == ["pinch", "carry"]
+    assert graspless.check(found.plan) == []
+    assert [attempt.status for attempt in found.attempts] == ["solved", "not_tried", "not_tried"]
+    first, last = (found.plan.stages[k].segments[-1].object_poses[-1] for k in (0, 1))
+    assert last[2, 3] - first[2, 3] == pytest.approx(0.1, abs=1e-3)
+
+
+def test_a_card_is_slid_to_a_real_edge(scene, names):
+    found = graspless.pick(scene, names["card"])
+    assert found, found.reason
+    assert found.strategy == "slide"
+    assert graspless.check(found.plan) == []
+    assert found.attempts[0].status == "too_wide"
+    assert "wide where it is narrowest" in found.attempts[0].reason
+    support = found.plan.stages[0].task.problem.support
+    edges = table_of(scene, names["card"]).edges
+    assert all(str(edges[i]) == "real" for i in support.usable_edges)
+
+
+def test_a_block_has_a_reason_for_each_strategy(scene, names):
+    found = graspless.pick(scene, names["block"], seconds=20)
+    assert not found
+    reasons = {attempt.strategy: attempt.reason for attempt in found.attempts}
+    assert "wide where it is narrowest, the hand opens 54 mm" in reasons["pinch"]
+    assert "only what is lower than half its width is slid" in reasons["slide"]
+    assert "unseen" in reasons["clasp"]
+    assert all(f"{name}: " in found.reason for name in reasons)
+
+
+def test_the_same_seed_gives_the_same_plan(scene, names):
+    a, b = (graspless.pick(scene, names["card"], seed=4).plan for _ in range(2))
+    assert a.to_json().split('"stats"')[0] == b.to_json().split('"stats"')[0]
+    for one, other in zip(a.segments, b.segments, strict=True):
+        assert np.array_equal(one.positions, other.positions)
+
+
+def test_the_best_of_some_is_the_shortest(scene, names):
+    from graspless.picking import duration
+
+    single = graspless.pick(scene, names["card"], strategies=["slide"])
+    best = graspless.pick(scene, names["card"], strategies=["slide"], best_of=4)
+    assert duration(best.plan) <= duration(single.plan)
+
+
+def test_other_objects_are_obstacles(scene, names):
+    found = graspless.pick(scene, names["bar"])
+    obstacles = {body.name for body in found.plan.stages[0].task.problem.obstacles}
+    assert obstacles == {f"scene {names['card']}", f"scene {names['block']}"}
+    alone = graspless.pick(scene, names["bar"], respect="nothing")
+    assert not alone.plan.stages[0].task.problem.obstacles
+
+
+def test_what_lies_on_something_is_refused(scene, names):
+    under = next(thing for thing in scene.objects if thing.name == names["block"])
+    lying = perception.Object(
+        name="lid", support=under.support, outline=0.5 * under.outline, X_WO=under.X_WO,
+        thickness=0.3, thickness_error=0.001, is_flat=True, position_error=0.001, yaw_error=0.01,
+        points=under.points, touches_border=False, warnings=[],
+    )  # fmt: skip
+    stacked = perception.Scene(
+        status=scene.status, reason="", supports=list(scene.supports), objects=[under, lying],
+        unseen=[], warnings=[],
+    )  # fmt: skip
+    found = graspless.pick(stacked, "lid")
+    assert not found
+    assert {attempt.status for attempt in found.attempts} == {"refused"}
+    assert all(f"'{under.name}' overlaps it" in attempt.reason for attempt in found.attempts)
+
+
+def test_no_real_edge_is_a_reason(scene, names):
+    table = table_of(scene, names["card"])
+    hidden = perception.Support(
+        name=table.name, polygon=table.polygon, edges=[perception.EdgeLabel.occluded] * len(table.edges),
+        X_WS=table.X_WS, height_error=0.0, angle_error=0.0, noise=0.001, least_thickness=0.003,
+    )  # fmt: skip
+    blind = perception.Scene(
+        status=scene.status, reason="", supports=[hidden], objects=list(scene.objects), unseen=[],
+        warnings=[],
+    )  # fmt: skip
+    found = graspless.pick(blind, names["card"], strategies=["slide"])
+    assert "no real edge" in found.attempts[0].reason
+    assert f"{len(table.edges)} occluded" in found.attempts[0].reason
+
+
+def test_an_edge_out_of_reach_is_a_reason(scene, names):
+    robot = {"urdf": "wam_t42", "pose": {"position": [-3.0, 0, 0]}}
+    found = graspless.pick(scene, names["card"], robot, strategies=["slide"])
+    assert "no edge within reach: the nearest is" in found.attempts[0].reason
+
+
+def test_the_share_of_the_side_that_is_unseen(scene, names):
+    wish = wish_of(scene, names["block"], "wam_t42", lift=0.1, respect="objects", mass=None)
+    assert 0.2 < unseen_share(wish) < 0.8  # a block seen from one side
+    one = wish.thing.points[:1]
+    assert unseen_share(_with_points(wish, one)) > 0.9
+
+
+def _with_points(wish, points):
+    import dataclasses
+
+    old = wish.thing
+    thing = perception.Object(
+        name=old.name, support=old.support, outline=old.outline, X_WO=old.X_WO,
+        thickness=old.thickness, thickness_error=0.0, is_flat=True, position_error=0.0,
+        yaw_error=0.0, points=points, touches_border=False, warnings=[],
+    )  # fmt: skip
+    return dataclasses.replace(wish, thing=thing)
+
+
+@pytest.mark.parametrize("strategy", ["pinch", "slide", "clasp"])
+def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
+    name = names["card" if strategy == "slide" else "bar"]
+    wish = wish_of(scene, name, "wam_t42", lift=0.1, respect="unseen", mass=0.3)
+    task = graspless.tasks.task_from_dict(chain_of(strategy, wish, 1, 5.0), "chain", resolve=True)
+    assert [stage.kind for stage in task.problem.stages] == [strategy, "carry"]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"name": "spoon"}, r"name: spoon: the scene has no 'spoon' \(one of: object_0"),
+        ({"robot": "no_such"}, "no such file, nor a robot that comes with graspless"),
+        ({"strategies": ["throw"]}, "strategies: throw: should be one of pinch, slide, clasp"),
+        ({"strategies": []}, "strategies: none"),
+        ({"lift": -0.1}, "lift: -0.1"),
+        ({"lift": float("nan")}, "lift: nan"),
+        ({"mass": 0.0}, "mass: 0.0"),
+        ({"best_of": 0}, "best_of"),
+        ({"seconds": -1.0}, "seconds"),
+        ({"respect": "all"}, "respect: all: should be one of"),
+    ],
+)
+def test_mistakes_are_named(scene, names, given, words):
+    asked = {"name": names["bar"], "robot": "wam_t42"} | given
+    with pytest.raises(ValueError, match=words):
+        graspless.pick(scene, **asked)
+
+
+def test_a_scene_of_nothing_is_refused(scene):
+    empty = perception.Scene(
+        status=scene.status, reason="one table", supports=list(scene.supports), objects=[],
+        unseen=[], warnings=[],
+    )  # fmt: skip
+    with pytest.raises(TaskError, match="no object was found in this scene: one table"):
+        graspless.pick(empty, "cup")
+    with pytest.raises(TaskError, match="no such file"):
+        graspless.pick("none.yaml", "cup")
+    with pytest.raises(TaskError, match="scene"):
+        graspless.pick(3, "cup")
+
+
+def test_a_robot_without_a_hand_is_refused(scene, names, tmp_path):
+    urdf = tmp_path / "arm.urdf"
+    links = "".join(f'<link name="l{i}"/>' for i in range(3))
+    joints = "".join(
+        f'<joint name="j{i}" type="revolute"><parent link="l{i}"/><child link="l{i + 1}"/>'
+        '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+        for i in range(2)
+    )
+    urdf.write_text(f'<robot name="arm">{links}{joints}</robot>')
+    with pytest.raises(TaskError):
+        graspless.pick(scene, names["bar"], str(urdf))
+
+
+def test_the_command(scene, names, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(scene, "scene.yaml")
+    assert main(["pick", "scene.yaml", names["bar"], "-o", "p.json"]) == 0
+    said = capsys.readouterr().out
+    assert "pinch  solved" in said
+    assert "written: p.json" in said
+    assert main(["check", "p.json"]) == 0
+    capsys.readouterr()
+    code = main(["pick", "scene.yaml", names["block"], "--json", "--strategies", "pinch,slide"])
+    assert code == 1
+    result = json.loads(capsys.readouterr().out)
+    assert [attempt["status"] for attempt in result["attempts"]] == ["too_wide", "refused"]
+    assert main(["pick", "scene.yaml", "spoon"]) == 2
+    assert "the scene has no 'spoon' (one of: " in capsys.readouterr().err

@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pinches: task file, plan file, check, timing, simulation and chains."""
+
+import copy
+
+import numpy as np
+import pytest
+
+import graspless
+from graspless import pinch
+from graspless.errors import TaskError
+
+TASK = {
+    "kind": "pinch",
+    "robot": {"urdf": "wam_t42"},
+    "object": {
+        "name": "bar",
+        "rectangle": {"size": [0.12, 0.03]},
+        "thickness": 0.05,
+        "pose": {"x": 0.6, "y": 0.1, "yaw": 0.5},
+    },
+    "support": {"rectangle": {"center": [0.65, 0.0], "size": [0.7, 0.7]}},
+}
+
+
+def changed(**fields):
+    task = copy.deepcopy(TASK)
+    for place, value in fields.items():
+        *above, last = place.split("__")
+        inner = task
+        for key in above:
+            inner = inner.setdefault(key, {})
+        inner[last] = value
+    return task
+
+
+@pytest.fixture(scope="module")
+def plan():
+    found = graspless.plan(TASK, seed=1)
+    assert found, found.reason
+    return found
+
+
+def test_a_pinch_holds_and_is_kept_by_its_file(plan, tmp_path):
+    assert isinstance(plan, pinch.Plan)
+    assert graspless.check(plan) == []
+    assert [segment.name for segment in plan.segments] == ["approach", "grasp", "close"]
+    plan.save(tmp_path / "plan.json")
+    assert graspless.load_plan(tmp_path / "plan.json") == plan
+    assert plan.task.kind == "pinch"
+
+
+def test_the_contacts_are_opposite_on_the_narrow_faces(plan):
+    first, second = plan.contacts_O
+    assert np.linalg.norm(second - first) == pytest.approx(0.03, abs=1e-6)
+    assert sorted([first[1], second[1]]) == pytest.approx([-0.015, 0.015], abs=1e-6)
+    assert plan.friction < 0.01
+    assert plan.opening == pytest.approx(0.054, abs=1e-6)
+
+
+def test_an_edited_plan_is_at_fault(plan):
+    edited = copy.copy(plan)
+    edited.contacts_O = np.asarray(plan.contacts_O) + [0, 0.02, 0]
+    assert any("contact" in fault for fault in graspless.check(edited))
+
+
+def test_the_edges_are_certified(plan):
+    assert graspless.check(plan, certify=True) == []
+
+
+def test_the_hand_closes_slowly(plan):
+    trajectory = graspless.time(plan)
+    assert trajectory.duration > 1
+    assert np.allclose(trajectory.object_poses[-1], plan.X_WO_start)
+
+
+def test_the_simulated_hand_lifts_the_object(plan):
+    simulation = graspless.simulate(plan, trials=2)
+    assert simulation, [trial.failures for trial in simulation.trials]
+    assert simulation.trials[0].measures["lift_height"] > 0.09
+
+
+def test_a_problem_made_in_python_is_planned(plan):
+    given = plan.task.problem
+    problem = pinch.Problem(
+        given.robot, given.hand, given.object, given.support, given.X_WO_start, given.q_home
+    )
+    again = graspless.plan(problem, seed=1)
+    assert again.kind == "pinch"
+    assert np.array_equal(again.segments[-1].positions, plan.segments[-1].positions)
+    assert graspless.check(pickled(again)) == []
+
+
+def pickled(value):
+    import pickle
+
+    return pickle.loads(pickle.dumps(value))
+
+
+@pytest.mark.parametrize(
+    ("fields", "status", "words"),
+    [
+        ({"object__rectangle": {"size": [0.2, 0.118]}}, "too_wide", "118 mm wide where it is"),
+        ({"object__thickness": 0.004}, "too_flat", "4 mm high; "),
+        ({"options": {"max_lever": 0.0}, "object__com": [0.055, 0.0]}, "too_slippery", "centre of"),
+    ],
+)
+def test_lengths_are_reasons(fields, status, words):
+    found = graspless.plan(changed(**fields))
+    assert str(found.status) == status
+    assert words in found.reason
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({"options": {"friction": -1}}, "options.friction"),
+        ({"options": {"pitch": 0.5}}, "unknown field"),
+        ({"robot": {"urdf": "kr5_sdh"}}, "robot"),
+        ({"object__thickness": -0.01}, "thickness"),
+    ],
+)
+def test_mistakes_name_the_field(fields, words):
+    with pytest.raises(TaskError, match=words):
+        graspless.plan(changed(**fields))
+
+
+def test_a_chain_pinches_and_lifts():
+    fields = {key: value for key, value in TASK.items() if key != "kind"}
+    lift = {"name": "lift", "kind": "carry", "line": {"direction": [0, 0, 1], "distance": 0.1}}
+    chain = graspless.plan(
+        {"kind": "chain", **fields, "stages": [{"name": "pinch", "kind": "pinch"}, lift]}
+    )
+    assert chain, chain.reason
+    assert graspless.check(chain) == []
+    simulation = graspless.simulate(chain)
+    assert simulation, simulation.trials[0].failures
+    assert simulation.trials[0].measures["kept"] == 1
+
+
+def test_only_a_carry_follows_a_pinch():
+    stages = [{"name": "pinch", "kind": "pinch"}, {"name": "slide", "kind": "slide"}]
+    fields = {key: value for key, value in TASK.items() if key != "kind"}
+    with pytest.raises(TaskError, match="only a carry can follow"):
+        graspless.plan({"kind": "chain", **fields, "stages": stages})
+
+
+def test_it_is_drawn(plan, tmp_path):
+    from graspless import view
+
+    view.write_png(plan, str(tmp_path / "plan.png"))
+    view.write_html(plan, str(tmp_path / "plan.html"))
+    assert (tmp_path / "plan.png").stat().st_size > 20_000
+    assert (tmp_path / "plan.html").stat().st_size > 20_000
