@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from .clasp.command import add_parser as _add_clasp
 from .edges import add_parser as _add_edges
 from .fingertip.command import add_parser as _add_fingertip
+from .household.command import add_parser as _add_household
 from .ik import add_parser as _add_ik
 from .physics.command import add_parser as _add_physics
 from .robots.command import add_parser as _add_robots
@@ -30,3 +31,4 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_physics(experiments)
     _add_robots(experiments)
     _add_see(experiments)
+    _add_household(experiments)

@@ -42,7 +42,7 @@ def _run(options: argparse.Namespace) -> int:
     from . import report
     from .run import run
 
-    paths = _chosen(options.folder, options.mesh)
+    paths = chosen(options.folder, options.mesh)
     if options.out is not None:
         check_writable(options.out)
     load = os.getloadavg()
@@ -56,7 +56,8 @@ def _run(options: argparse.Namespace) -> int:
     return FOUND
 
 
-def _chosen(folder: Path, names: list[str] | None) -> list[Path]:
+def chosen(folder: Path, names: list[str] | None) -> list[Path]:
+    """Returns the meshes of a folder, or those of the names. Raises TaskError if there is none."""
     from .scenes import meshes
 
     if not folder.is_dir():

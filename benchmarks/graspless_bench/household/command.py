@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless bench household`."""
+
+from __future__ import annotations
+
+import json
+import os
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import FOUND, NOT_FOUND
+from graspless.errors import TaskError
+
+from ..arguments import check_writable, positive
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def add_parser(experiments: Any) -> None:
+    """Adds `household` to the experiments."""
+    parser = experiments.add_parser(
+        "household",
+        help="objects of a folder: seen, picked up, and lifted in MuJoCo",
+        description="Lays each mesh of a folder on its largest sides on a table, renders what a "
+        "noisy depth camera sees, picks it up by whichever way works, and executes the plan in "
+        "MuJoCo with the true mesh as convex parts (needs `pip install vhacdx`).",
+    )
+    parser.add_argument("folder", type=Path, help="folder of meshes (.stl, .obj, .off, .ply) [m]")
+    parser.add_argument(
+        "--robots", default="wam_t42", metavar="LIST", help="robots, by comma (%(default)s)"
+    )
+    parser.add_argument(
+        "--poses", type=positive(int), default=2, metavar="N", help="poses of each mesh (2)"
+    )
+    parser.add_argument("--mesh", action="append", metavar="NAME", help="only this one; repeat")
+    parser.add_argument(
+        "--masses", type=Path, metavar="FILE", help="YAML file of masses by name [kg] (default 0.2)"
+    )
+    parser.add_argument("--seed", type=int, default=1, metavar="N", help="seed of the places (1)")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="DIR",
+        help="write household.json and household.md there; an interrupted run goes on from "
+        "household.rows",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from ..bar import Bar
+    from ..see.command import chosen
+    from . import report
+    from .run import read_masses, run
+
+    paths = chosen(options.folder, options.mesh)
+    masses = read_masses(options.masses)
+    if find_spec("vhacdx") is None:
+        raise TaskError("bench household: needs vhacdx for convex parts: pip install vhacdx")
+    log = None
+    if options.out is not None:
+        check_writable(options.out)
+        options.out.mkdir(parents=True, exist_ok=True)
+        log = options.out / "household.rows"
+    load = os.getloadavg()
+    bar = Bar("bench household", len(paths))
+    rows = run(paths, options.robots.split(","), options.poses, masses, options.seed, log, bar.tell)
+    bar.close()
+    result = report.as_result(rows, load)
+    if log is not None:
+        report.write(result, options.out)
+        log.unlink(missing_ok=True)
+    print(json.dumps(result) if options.json else report.as_text(result))
+    return NOT_FOUND if result["complaints"] else FOUND

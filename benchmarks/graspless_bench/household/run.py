@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Trials: one per object, pose and robot."""
+
+from __future__ import annotations
+
+import json
+import time
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import graspless
+from graspless.errors import TaskError
+from graspless.simulation import chain as chains
+from graspless.simulation import simulation_kind
+from graspless.simulation.variation import Variation
+
+from . import scenes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from pathlib import Path
+
+    from ..machine import Row
+
+STAGES = ("not_seen", "refused", "lost", "not_held", "held")
+SECONDS = 6.0  # for each pick [s]
+LOST = ("tip_lost", "off_target", "tipped", "fell", "hit")
+HEAVY = 0.2  # mass of an object that nobody gave [kg]
+
+
+def run(
+    paths: Sequence[Path],
+    robots: Sequence[str],
+    poses: int,
+    masses: dict[str, float],
+    seed: int,
+    log: Path | None = None,
+    tell: Callable[[int], object] = lambda done: None,
+) -> list[Row]:
+    """Returns one row per object, pose and robot. Rows of the log are not run again."""
+    rows = _logged(log, seed)
+    done = {_key(row) for row in rows}
+    for i, path in enumerate(paths):
+        mesh, lying = scenes.stable_poses(path, poses)
+        for pose, X in enumerate(lying):
+            for robot in robots:
+                if (path.stem, pose, robot) in done:
+                    continue
+                rng = np.random.default_rng([seed, pose, *path.stem.encode()])
+                thing = scenes.placed(mesh, X, masses.get(path.stem, HEAVY), rng)
+                head = {"mesh": path.stem, "pose": pose, "robot": robot, "seed": seed}
+                rows.append(head | trial(thing, robot, int(rng.integers(1, 2**31))))
+                _write(log, rows[-1])
+        tell(i + 1)
+    wanted = {(path.stem, robot) for path in paths for robot in robots}
+    return [row for row in rows if (row["mesh"], row["robot"]) in wanted]
+
+
+def trial(thing: scenes.Placed, robot: str, seed: int) -> Row:
+    """Sees, picks and lifts an object; returns what became of it."""
+    began = time.perf_counter()
+    scene = scenes.seen(thing, seed)
+    row: Row = {"see_seconds": time.perf_counter() - began, "strategy": None}
+    found = scenes.nearest(scene, thing) if scene else None
+    if found is None:
+        return row | {"stage": "not_seen", "reason": scene.reason, "attempts": []}
+    points = thing.mesh.vertices @ thing.X_WT[:3, :3].T + thing.X_WT[:3, 3]
+    row["thickness_off"] = float(found.thickness - points[:, 2].max())
+    pick = graspless.pick(scene, found.name, robot, mass=thing.mass, seconds=SECONDS, seed=1)
+    row |= {"pick_seconds": pick.seconds, "attempts": pick.as_dict()["attempts"]}
+    if pick.plan is None:
+        return row | {"stage": "refused", "reason": pick.reason}
+    row["strategy"] = pick.strategy
+    faults = graspless.check(pick.plan)
+    if faults:
+        return row | {"stage": "wrong", "reason": faults[0]}
+    return row | _executed(thing, pick.plan)
+
+
+def _executed(thing: scenes.Placed, plan: Any) -> Row:
+    """Executes a plan with the true mesh; of a clasp, with what was seen."""
+    began = time.perf_counter()
+    first = plan.stages[0]
+    if first.kind == "clasp":
+        result = simulation_kind("clasp").run(first, Variation())
+    else:
+        body = scenes.truth(thing, first.X_WO_start)
+        result = chains.run(plan, Variation(), truth=body)
+    failures = list(result.failures)
+    stage = "held" if not failures else "lost" if set(failures) & set(LOST) else "not_held"
+    return {
+        "stage": stage,
+        "reason": ", ".join(failures),
+        "simulate_seconds": time.perf_counter() - began,
+    }
+
+
+def read_masses(path: Path | None) -> dict[str, float]:
+    """Returns the masses of a YAML file by the names of the meshes [kg]."""
+    from graspless.tasks.source import read_yaml
+
+    if path is None:
+        return {}
+    if not path.is_file():
+        raise TaskError(f"--masses: {path}: no such file")
+    source = read_yaml(path)
+    for name, mass in source.data.items():
+        if not (isinstance(mass, (int, float)) and 0 < mass < 1e4):
+            raise source.error((name,), "should be a mass in kg")
+    return {str(name): float(mass) for name, mass in source.data.items()}
+
+
+def _logged(log: Path | None, seed: int) -> list[Row]:
+    if log is None or not log.is_file():
+        return []
+    rows = [json.loads(line) for line in log.read_text().splitlines() if line.endswith("}")]
+    return [row for row in rows if row["seed"] == seed]
+
+
+def _write(log: Path | None, row: Row) -> None:
+    if log is not None:
+        with log.open("a") as file:
+            file.write(json.dumps(row) + "\n")
+
+
+def _key(row: Row) -> tuple[str, int, str]:
+    return row["mesh"], row["pose"], row["robot"]

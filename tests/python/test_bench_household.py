@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Household objects in small: boxes of our own, seen, picked up and lifted."""
+
+import json
+
+import numpy as np
+import pytest
+import trimesh
+
+from graspless.cli import main
+from graspless_bench.household import run, scenes
+
+
+@pytest.fixture
+def folder(tmp_path):
+    trimesh.creation.box([0.10, 0.03, 0.05]).export(tmp_path / "bar.stl")
+    trimesh.creation.box([0.3, 0.25, 0.2]).export(tmp_path / "crate.stl")
+    return tmp_path
+
+
+def test_a_bar_is_held_and_a_crate_is_refused(folder, capsys):
+    out = folder / "out"
+    asked = ["bench", "household", str(folder), "--poses", "1", "--out", str(out), "--json"]
+    assert main(asked) == 0
+    result = json.loads(capsys.readouterr().out)
+    rows = {row["mesh"]: row for row in result["rows"]}
+    assert rows["bar"]["stage"] == "held", rows["bar"]
+    assert rows["bar"]["strategy"] == "pinch"
+    assert rows["crate"]["stage"] == "refused"
+    assert "the hand opens" in rows["crate"]["reason"]
+    pick, only = result["groups"][:2]
+    assert (pick["held"], pick["trials"], only["held"]) == (1, 2, 1)
+    low, high = pick["band"]
+    assert 0 < low < 0.5 < high < 1
+    assert "| bar |" in (out / "household.md").read_text()
+    assert not (out / "household.rows").exists()
+
+
+def test_rows_of_an_interrupted_run_are_kept(folder, tmp_path):
+    log = tmp_path / "rows"
+    row = {"mesh": "bar", "pose": 0, "robot": "wam_t42", "seed": 1, "stage": "kept"}
+    log.write_text(json.dumps(row) + "\n" + '{"mesh": "cut sh')
+    (bar,) = [path for path in folder.iterdir() if path.stem == "bar"]
+    assert run.run([bar], ["wam_t42"], 1, {}, seed=1, log=log) == [row]
+
+
+def test_the_parts_have_the_mass_and_the_place_of_the_mesh():
+    mesh = trimesh.creation.box([0.10, 0.03, 0.05])
+    rng = np.random.default_rng(2)
+    X = trimesh.transformations.rotation_matrix(0.5, [1, 2, 3])
+    thing = scenes.placed(mesh, X, 0.3, rng)
+    corners = mesh.vertices @ thing.X_WT[:3, :3].T + thing.X_WT[:3, 3]
+    assert corners[:, 2].min() == pytest.approx(0, abs=1e-9)
+    body = scenes.truth(thing, np.eye(4))
+    assert body.mass == 0.3
+    assert body.com == pytest.approx(corners.mean(axis=0), abs=1e-4)
+    R = thing.X_WT[:3, :3]
+    a, b, c = 0.10, 0.03, 0.05
+    own = 0.3 / 12 * np.diag([b * b + c * c, a * a + c * c, a * a + b * b])
+    assert body.inertia == pytest.approx(R @ own @ R.T, rel=0.02, abs=1e-6)
+
+
+def test_bad_arguments_are_refused(folder, tmp_path, capsys):
+    def refused(*arguments):
+        assert main(["bench", "household", *map(str, arguments)]) == 2
+        return capsys.readouterr().err
+
+    assert "no such folder" in refused(folder / "none")
+    assert "--mesh: mug: no such mesh" in refused(folder, "--mesh", "mug")
+    assert "--masses: " in refused(folder, "--masses", tmp_path / "none.yaml")
+    masses = tmp_path / "masses.yaml"
+    masses.write_text("bar: heavy\n")
+    assert "bar: heavy: should be a mass in kg" in refused(folder, "--masses", masses)
