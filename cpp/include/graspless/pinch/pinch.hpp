@@ -21,7 +21,7 @@
 namespace graspless::pinch {
 
 /// The same task as that of a slide: an object, given as a prism over its outline, on a support.
-using slide::Problem;
+using Problem = slide::Problem;
 
 enum class Status {
   solved,
