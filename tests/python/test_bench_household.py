@@ -14,7 +14,7 @@ from graspless_bench.household import run, scenes
 
 @pytest.fixture
 def folder(tmp_path):
-    trimesh.creation.box([0.10, 0.03, 0.05]).export(tmp_path / "bar.stl")
+    trimesh.creation.box([0.10, 0.04, 0.035]).export(tmp_path / "bar.stl")
     trimesh.creation.box([0.3, 0.25, 0.2]).export(tmp_path / "crate.stl")
     return tmp_path
 

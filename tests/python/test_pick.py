@@ -11,7 +11,7 @@ import graspless
 from graspless import geometry, perception
 from graspless.cli import main
 from graspless.errors import TaskError
-from graspless.picking.strategies import chain_of, unseen_share
+from graspless.picking.strategies import chain_of, top_share, unseen_share
 from graspless.picking.wish import wish_of
 
 
@@ -80,7 +80,7 @@ def test_a_block_has_a_reason_for_each_strategy(scene, names):
     assert not found
     reasons = {attempt.strategy: attempt.reason for attempt in found.attempts}
     assert "wide where it is narrowest, the hand opens 54 mm" in reasons["pinch"]
-    assert "only what is lower than half its width is slid" in reasons["slide"]
+    assert "200 mm high, the hand opens 54 mm" in reasons["slide"]
     assert "unseen" in reasons["clasp"]
     assert all(f"{name}: " in found.reason for name in reasons)
 
@@ -151,6 +151,14 @@ def test_the_share_of_the_side_that_is_unseen(scene, names):
     assert 0.2 < unseen_share(wish) < 0.8  # a block seen from one side
     one = wish.thing.points[:1]
     assert unseen_share(_with_points(wish, one)) > 0.9
+
+
+def test_a_hollow_object_is_not_slid(scene, names):
+    wish = wish_of(scene, names["card"], "wam_t42", lift=0.1, respect="objects", mass=None)
+    assert top_share(wish) > 0.95
+    ring = np.asarray(wish.thing.outline)
+    rim = np.column_stack([ring, np.full(len(ring), wish.thing.thickness)])
+    assert top_share(_with_points(wish, rim)) < 0.5
 
 
 def _with_points(wish, points):

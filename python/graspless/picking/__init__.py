@@ -96,7 +96,8 @@ def pick(
             if attempt.status == REFUSED or left <= 0 or len(plans) == best_of:
                 continue
             share = left / (len(asked) - i)
-            plan = _attempt(attempt, wish, (budget.seed + k) % 2**64, share)
+            opening = next((a.opening for a in found.attempts if a.opening is not None), None)
+            plan = _attempt(attempt, wish, opening, (budget.seed + k) % 2**64, share)
             if plan is not None:
                 plans.append(plan)
     found.plan = min(plans, key=duration, default=None)
@@ -105,11 +106,13 @@ def pick(
     return found
 
 
-def _attempt(attempt: Attempt, wish: Wish, seed: int, seconds: float) -> Plan | None:
-    """Plans a strategy, and notes what became of it."""
+def _attempt(
+    attempt: Attempt, wish: Wish, opening: float | None, seed: int, seconds: float
+) -> Plan | None:
+    """Plans a strategy, and notes what became of it. `opening` is that of the hand, if known."""
     began = time.monotonic()
     try:
-        attempt.reason = refusal(attempt.strategy, wish)
+        attempt.reason = refusal(attempt.strategy, wish, opening)
         if attempt.reason:
             attempt.status = REFUSED
             return None
@@ -125,6 +128,9 @@ def _attempt(attempt: Attempt, wish: Wish, seed: int, seconds: float) -> Plan | 
         return None
     finally:
         attempt.seconds += time.monotonic() - began
+    if attempt.strategy == "pinch" and plan.stages:
+        first: Any = plan.stages[0]
+        attempt.opening = float(first.opening)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
     return plan if plan else None

@@ -28,12 +28,17 @@ class Attempt:
         One sentence; empty if it was solved or not tried.
     seconds : float
         Time that it took [s].
+    opening : float or None
+        Gap between the fingers of the open hand, if a pinch was tried [m].
+    is_mistake : bool
+        True if the description of robot, hand or object was refused.
     """
 
     strategy: str
     status: str
     reason: str = ""
     seconds: float = 0.0
+    opening: float | None = field(default=None, repr=False)
     is_mistake: bool = field(default=False, repr=False)
 
 

@@ -24,6 +24,9 @@ TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
 NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
 MOST = 2000  # points that are compared
 SPACING = 0.005  # between points of the outline [m]
+HOLLOW = 0.008  # below the top; a finger that presses gives way by as much [m]
+LEAST_TOP = 0.5  # part of an object that must be as high as its top to be slid
+CELL = 0.006  # between points at which the height is looked at [m]
 LEAST_SECONDS = 1e-3
 
 
@@ -55,8 +58,14 @@ def chain_of(strategy: str, wish: Wish, seed: int, seconds: float) -> dict[str, 
     }
 
 
-def refusal(strategy: str, wish: Wish) -> str:
-    """Returns why lengths rule a strategy out, in one sentence, or an empty text."""
+def refusal(strategy: str, wish: Wish, opening: float | None) -> str:
+    """Returns why lengths rule a strategy out, in one sentence, or an empty text.
+
+    `opening` is that of the hand, as far as another strategy knows it [m].
+    """
+    height = float(wish.thing.thickness)
+    if strategy == "slide" and opening is not None and height > opening:
+        return f"{1000 * height:.0f} mm high, the hand opens {1000 * opening:.0f} mm at the edge"
     return _covered(wish) or _REFUSALS[strategy](wish)
 
 
@@ -117,6 +126,12 @@ def _refuse_slide(wish: Wish) -> str:
     if height > width / 2:
         lengths = f"{1000 * height:.0f} mm high and {1000 * width:.0f} mm wide"
         return f"{lengths}: only what is lower than half its width is slid"
+    share = top_share(wish)
+    if share < LEAST_TOP:
+        return (
+            f"only {100 * share:.0f} % of it is as high as its top, within {1000 * HOLLOW:.0f} mm: "
+            f"a finger needs {100 * LEAST_TOP:.0f} %"
+        )
     return ""
 
 
@@ -144,6 +159,20 @@ def explained(plan: Any, wish: Wish) -> str:
     if str(plan.status) == "no_reliable_hole":
         reason += f"; {100 * unseen_share(wish):.0f} % of its side unseen"
     return reason
+
+
+def top_share(wish: Wish) -> float:
+    """Returns the part of the outline over which the object is as high as its top, from 0 to 1."""
+    cells = np.asarray(geometry.sample_grid(wish.outline, CELL))
+    points = np.asarray(wish.thing.points)
+    high = points[points[:, 2] > float(wish.thing.thickness) - HOLLOW][:, :2]
+    if not len(high) or not len(cells):
+        return 0.0
+    known = {tuple(cell) for cell in np.round(high / CELL).astype(int)}
+    around = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    at = np.round(cells / CELL).astype(int)
+    seen = [any((x + i, y + j) in known for i, j in around) for x, y in at]
+    return float(np.mean(seen))
 
 
 def unseen_share(wish: Wish) -> float:
