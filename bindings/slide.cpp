@@ -3,6 +3,7 @@
 #include "graspless/slide/slide.hpp"
 
 #include "graspless/slide/resume.hpp"
+#include "graspless/slide/surroundings.hpp"
 #include "graspless/slide/torsion.hpp"
 #include "graspless/slide/tube.hpp"
 
@@ -282,6 +283,34 @@ void bind_interruption(py::module_& m) {
       });
 }
 
+void bind_surroundings(py::module_& m) {
+  py::class_<Surroundings>(
+      m, "Surroundings",
+      "What a robot that follows a slide must not touch: the support, the obstacles, and "
+      "itself.\n\n"
+      "Contacts between robot and object are not looked at. The object must not touch obstacles.")
+      .def(py::init<const Problem&, const Options&>(), py::arg("problem"),
+           py::arg_v("options", Options{}, "Options()"),
+           "The finger may press on the support as deep as in a plan with these options.\n\n"
+           "Raises ValueError that names the field of a bad problem.")
+      .def(
+          "touching",
+          [](Surroundings& self, const std::string& segment, const Array& q, const Array& X_WO,
+             double rise) {
+            return self.touching(segment, to_vector(q, "q"), to_pose(X_WO, "X_WO"), rise);
+          },
+          py::arg("segment"), py::arg("q"), py::arg("X_WO"), py::arg("rise") = 0.0,
+          "Returns the names of touching pairs, \"a - b\".\n\nsegment: of a plan; decides which "
+          "contacts are allowed. q: (dof,) joints [rad or m]. X_WO: (4, 4) pose of the object. "
+          "rise: of the support along its normal [m].\n\nRaises ValueError that names the "
+          "argument.")
+      .def("__repr__", [](const Surroundings& self) {
+        const Problem& problem = self.problem();
+        return "<Surroundings of '" + problem.object.name() + "', " +
+               std::to_string(problem.obstacles.size()) + " obstacles>";
+      });
+}
+
 using GoOn = Plan (*)(const Problem&, const Interruption&, const Options&, const planning::Budget&);
 
 /// Binds a search that goes on from an interruption.
@@ -369,6 +398,7 @@ void bind_slide(py::module_ m) {
                                        "nothing touches that may not, and the fingertip, its "
                                        "contact and the hand keep their bands.");
   bind_resume(m);
+  bind_surroundings(m);
 }
 
 }  // namespace graspless::bindings

@@ -32,6 +32,7 @@ class World:
     rate: float = 50.0
     camera: int = 2  # one pose every so many updates; 0: none
     targets: list = field(default_factory=list)
+    places: list = field(default_factory=list)  # X_WO at each target
 
     def __post_init__(self):
         problem = self.plan.task.problem
@@ -77,6 +78,7 @@ class World:
             )
             self.X_WO = X_WS @ slipped @ moved @ np.linalg.inv(X_WS) @ self.X_WO
         self.contact = tip
+        self.places.append(self.X_WO)
         return target
 
     def _camera(self):

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import json
 import re
 
 import numpy as np
@@ -12,9 +13,10 @@ import pytest
 
 import graspless
 from following_common import World
-from graspless import _data, frames
+from graspless import _data, frames, slide
 from graspless.errors import TaskError
 from graspless.following import Follower, Settings
+from graspless.following.guard import Guard
 
 CARD = _data.directory("examples") / "01_slide_card.yaml"
 CAMERA = {"lag": 0.1, "noise": (0.002, np.radians(1)), "bias": (0.0009, -0.0009, 0.0008)}
@@ -84,6 +86,44 @@ def test_small_deviations_are_corrected_in_place(plan, off):
     position, angle = world.error()
     assert position < 0.003  # a bias of 1.5 mm, and noise
     assert angle < np.radians(1.5)
+
+
+def with_post(plan, path, x, y):
+    """The same rows with a post in the world."""
+    document = json.loads(plan.to_json())
+    post = {"name": "post", "box": [0.01, 0.01, 0.3], "pose": {"position": [x, y, 0.2]}}
+    document["task"]["obstacles"] = [post]
+    path.write_text(json.dumps(document))
+    return graspless.load_plan(path)
+
+
+def touched(world):
+    """Pairs that touched at any target."""
+    around = slide.Surroundings(world.problem, world.plan.task.options)
+    return {
+        pair
+        for target, X_WO in zip(world.targets, world.places, strict=True)
+        for pair in around.touching(target.phase, target.position, X_WO)
+    }
+
+
+POSTS = [((0.005, 0), (0.699, 0.096)), ((0, 0.005), (0.664, 0.151))]
+
+
+@pytest.mark.parametrize(("off", "post"), POSTS)
+def test_a_shifted_path_keeps_clear_of_obstacles(plan, tmp_path, monkeypatch, off, post):
+    changed = with_post(plan, tmp_path / "plan.json", *post)
+    as_planned = World(changed)
+    assert as_planned.run().status == "done"
+    assert touched(as_planned) == set()
+    world = World(changed, *off)
+    assert world.run().status == "done"
+    assert touched(world) == set()
+    assert world.follower.restarts == 1
+    monkeypatch.setattr(Guard, "ahead", lambda *_: "")
+    careless = World(changed, *off)
+    careless.run()
+    assert touched(careless) == {"right_finger - post"}
 
 
 def test_noise_alone_leads_to_no_new_plan(plan):

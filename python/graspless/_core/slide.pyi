@@ -12,7 +12,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Tube', 'Turning', 'center_of_mass', 'certify', 'check', 'depth_band', 'plan', 'restart', 'resume', 'tube', 'turning', 'validate']
+__all__: list[str] = ['FingerModel', 'Hand', 'Interruption', 'Object', 'Options', 'Plan', 'Problem', 'Search', 'Segment', 'Statistics', 'Status', 'Support', 'Surroundings', 'Tube', 'Turning', 'center_of_mass', 'certify', 'check', 'depth_band', 'plan', 'restart', 'resume', 'tube', 'turning', 'validate']
 class Object:
     """
     An object that lies or stands on a support: a prism over its outline. Slides take thin ones only.
@@ -957,6 +957,28 @@ class Turning:
     @max_turn_rate.setter
     def max_turn_rate(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class Surroundings:
+    """
+    What a robot that follows a slide must not touch: the support, the obstacles, and itself.
+    
+    Contacts between robot and object are not looked at. The object must not touch obstacles.
+    """
+    def __init__(self, problem: Problem, options: Options = ...) -> None:
+        """
+        The finger may press on the support as deep as in a plan with these options.
+        
+        Raises ValueError that names the field of a bad problem.
+        """
+    def __repr__(self) -> str:
+        ...
+    def touching(self, segment: str, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], rise: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> list[str]:
+        """
+        Returns the names of touching pairs, "a - b".
+        
+        segment: of a plan; decides which contacts are allowed. q: (dof,) joints [rad or m]. X_WO: (4, 4) pose of the object. rise: of the support along its normal [m].
+        
+        Raises ValueError that names the argument.
+        """
 def center_of_mass(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], masses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """
     Returns the centre of mass, (3,) [m], of point masses at points, (N, 3) [m], with masses (N,).

@@ -68,10 +68,11 @@ class Course:
     @property
     def has_ended(self) -> bool:
         """True if the last row is reached."""
-        return self.clock >= self._clip.times[-1] and self._since >= self._fades * self._differs
+        return self.clock >= self._clip.times[-1] and self._since >= self._fades * self.differs
 
     @property
-    def _differs(self) -> bool:
+    def differs(self) -> bool:
+        """True if the segment began in another state than at rest in its first row."""
         return bool(np.any(self._offset) or np.any(self._drift))
 
     def advance(self, seconds: float, rate: float, braking: float) -> None:
@@ -84,13 +85,13 @@ class Course:
         )
         self._since += seconds
 
-    def position(self) -> Matrix:
-        """Returns the joints [dof] now."""
-        return self._mixed(self._clip.coordinates) + self._left()
+    def position(self, ahead: float = 0.0) -> Matrix:
+        """Returns the joints [dof] now, or `ahead` seconds from now."""
+        return self._mixed(self._clip.coordinates, ahead) + self._left(ahead)
 
-    def place(self) -> Matrix:
-        """Returns the planned place [3] of the object now."""
-        row = float(self._mixed(self._clip.rows[:, None])[0])
+    def place(self, ahead: float = 0.0) -> Matrix:
+        """Returns the planned place [3] of the object now, or `ahead` seconds from now."""
+        row = float(self._mixed(self._clip.rows[:, None], ahead)[0])
         before = min(int(row), len(self.places) - 1)
         after, t = min(before + 1, len(self.places) - 1), row - before
         a, b = self.places[before], self.places[after]
@@ -102,23 +103,24 @@ class Course:
         """Distance that the object still has to move [m]."""
         return float(np.linalg.norm(self.places[-1][:2] - self.place()[:2]))
 
-    def _left(self) -> Matrix:
+    def _left(self, ahead: float) -> Matrix:
         """Returns what is left of the motion before: a cubic that ends in rest."""
-        x = self._since / self._fades
-        if x >= 1 or not self._differs:
+        since = self._since + ahead
+        x = since / self._fades
+        if x >= 1 or not self.differs:
             return np.zeros_like(self._offset)
         offset = self._offset * (1 - x) ** 2 * (1 + 2 * x)
-        left: Matrix = offset + self._drift * self._since * (1 - x) ** 2
+        left: Matrix = offset + self._drift * since * (1 - x) ** 2
         return left
 
-    def _mixed(self, values: Matrix) -> Matrix:
-        times = self._clip.times
-        k = int(np.clip(np.searchsorted(times, self.clock, side="right") - 1, 0, len(times) - 1))
+    def _mixed(self, values: Matrix, ahead: float) -> Matrix:
+        times, t = self._clip.times, self.clock + ahead
+        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 1))
         if k == len(times) - 1:
             last: Matrix = values[-1]
             return last
-        t = (self.clock - times[k]) / (times[k + 1] - times[k])
-        mixed: Matrix = (1 - t) * values[k] + t * values[k + 1]
+        part = (t - times[k]) / (times[k + 1] - times[k])
+        mixed: Matrix = (1 - part) * values[k] + part * values[k + 1]
         return mixed
 
 

@@ -16,6 +16,7 @@ from .camera import Camera
 from .course import Course, goes_on, limits_of
 from .deviation import IN_CONTACT, Deviation
 from .estimate import Estimate
+from .guard import Guard
 from .hand import Correction, Hand
 from .replan import Replanner
 from .settings import Settings, Target
@@ -41,7 +42,8 @@ class Follower:
     Call `update` at the rate of the loop and send the target to the robot. Small deviations of the
     object are corrected in place: the path of the hand is shifted and turned in the plane of the
     support, and along its normal, while the object is slid to the goal of the plan. Larger ones
-    lead to a new plan. Collisions are tested for plans, not for the shift.
+    lead to a new plan, and so does a shift with which the hand or the object would touch anything
+    else.
 
     Parameters
     ----------
@@ -77,7 +79,8 @@ class Follower:
             problem.robot, self.settings.rate, max_velocity, max_acceleration, contact_speed
         )
         self._problem, self._hand = problem, Hand(problem)
-        self._replanner = Replanner(found, self._hand, self.settings)
+        self._guard = Guard(found, self._hand)
+        self._replanner = Replanner(found, self._hand, self._guard, self.settings)
         self._watch = Watch(problem.robot, self._hand.arm, self.settings)
         self.plan: Plan = found
         self.resumes = self.restarts = 0
@@ -91,6 +94,7 @@ class Follower:
         self._is_looking = True
         self._restart = ""  # reason for which the motion brakes, to begin anew
         self._is_braking = False  # to go on from rest
+        self._is_blocked = False  # the shifted path of this segment would touch something
         q = np.array(found.segments[0].positions[0])
         self._command, self._velocity = q, np.zeros_like(q)
         self._course: Course
@@ -165,9 +169,10 @@ class Follower:
 
     def _move(self, seconds: float, waits: str) -> None:
         """Goes on along the segment, corrects, and decides on new plans and the next segment."""
+        self._brake_before_contact()
         halted = bool(waits or self._stopped or self._restart or self._is_braking)
         before, course = self._deviation.commanded, self._course
-        if not (waits or self._stopped):
+        if not (waits or self._stopped or self._is_blocked):
             self._correct(seconds, not halted)
         if self._course is not course:
             before = self._deviation.commanded
@@ -186,6 +191,23 @@ class Follower:
             self._still += seconds
             if self._deviation.has_settled(self._still, not self._camera.used, self.settings):
                 self._end()
+
+    def _brake_before_contact(self) -> None:
+        """Ends the motion if its shifted path touches anything before it could come to rest."""
+        if self._is_blocked or self._stopped:
+            return
+        settings = self.settings
+        touching = self._guard.ahead(self._deviation, self._correction, settings.brake_seconds)
+        if not touching:
+            return
+        self._is_blocked = True
+        reason = f"the shifted path would touch: {touching}"
+        if self._course.name in IN_CONTACT:
+            self._is_braking, self._reason = True, reason
+        elif self._course.name in _PLANNED_ANEW:
+            self._restart = self._restart or reason
+        else:
+            self._stop(reason)
 
     def _commanded(self, seconds: float, waits: str, seen: str) -> Target:
         shifted = self._hand.shifted(self._base(), np.zeros(3), self._correction.height)
@@ -244,7 +266,7 @@ class Follower:
         self._take(self.plan.segments[index], q, velocity)
 
     def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
-        self._still = 0.0
+        self._still, self._is_blocked = 0.0, False
         places = np.array([self._hand.place(X) for X in segment.object_poses])
         zones = zones_of(segment, touch(self._problem, segment, self._limits), self._limits)
         self._course = Course(segment, places, zones, self.settings.rate, q, velocity)

@@ -119,6 +119,10 @@ class Correction:
         if np.any(self._rate):
             self.motion = plane.turned(self.motion, pivot, self._rate * seconds)
 
+    def ahead(self, seconds: float, pivot: Matrix) -> Matrix:
+        """Returns D [3] if it goes on as it moves now."""
+        return plane.turned(self.motion, pivot, self._rate * seconds)
+
     def raise_to(self, seconds: float, height: float) -> None:
         """Moves the height towards `height` [m], at the speed of corrections."""
         most = self.settings.speed * seconds

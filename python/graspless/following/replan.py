@@ -13,6 +13,7 @@ from .. import planning, slide
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Plan
+    from .guard import Guard
     from .hand import Hand
     from .settings import Settings
 
@@ -20,9 +21,9 @@ if TYPE_CHECKING:
 class Replanner:
     """Plans the same task again, with the object where it is."""
 
-    def __init__(self, plan: Plan, hand: Hand, settings: Settings) -> None:
+    def __init__(self, plan: Plan, hand: Hand, guard: Guard, settings: Settings) -> None:
         self._task = plan.task
-        self._hand, self._settings = hand, settings
+        self._hand, self._guard, self._settings = hand, guard, settings
 
     def anew(self, q: Matrix, place: Matrix) -> tuple[Plan | None, str]:
         """Plans from q [dof], not in contact, with the object at a place [3]."""
@@ -45,8 +46,12 @@ class Replanner:
         return _found(found)
 
     def retreat(self, q: Matrix, place: Matrix, lifts: bool) -> slide.Segment:
-        """Returns the segment that lifts the hand off the object from q [dof], or stays there."""
+        """Returns the segment that lifts the hand off the object from q [dof], or stays there.
+
+        It ends before the hand touches anything else.
+        """
         path = self._hand.lifted(q, self._settings.lift) if lifts else np.array([q, q])
+        path = self._guard.free_part("retreat", path, place)
         poses = np.repeat(self._hand.pose(place)[None], len(path), axis=0)
         return slide.Segment("retreat", path, poses)
 

@@ -17,9 +17,6 @@ namespace graspless::slide {
 
 namespace {
 
-const std::vector<std::string> kNames = {"retreat", "approach", "press", "slide",
-                                         "lift",    "reach",    "grasp", "close"};
-
 double angle_between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
 }
@@ -66,8 +63,9 @@ Faults Examination::run() {
 /// Names of the segments that the plan must have, in order.
 std::vector<std::string> Examination::names() const {
   constexpr std::ptrdiff_t kApproach = 1, kSlide = 3;
-  if (!plan_.resumed) return {kNames.begin() + kApproach, kNames.end()};
-  return has("retreat") ? kNames : std::vector(kNames.begin() + kSlide, kNames.end());
+  const std::vector<std::string>& all = segment_names();
+  if (!plan_.resumed) return {all.begin() + kApproach, all.end()};
+  return has("retreat") ? all : std::vector(all.begin() + kSlide, all.end());
 }
 
 bool Examination::has(const std::string& name) const {

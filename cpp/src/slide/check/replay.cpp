@@ -10,6 +10,12 @@
 
 namespace graspless::slide {
 
+const std::vector<std::string>& segment_names() {
+  static const std::vector<std::string> names = {"retreat", "approach", "press", "slide",
+                                                 "lift",    "reach",    "grasp", "close"};
+  return names;
+}
+
 Contacts contacts_of(const std::string& name) {
   if (name == "close") return Contacts::close;
   const bool presses = name == "retreat" || name == "press" || name == "slide" || name == "lift";
@@ -36,6 +42,12 @@ void Replay::add_surroundings() {
   for (const Obstacle& obstacle : problem_.obstacles) {
     world.add_pair(object_, replay_.add(obstacle));
   }
+}
+
+void Replay::raise_support(double rise) {
+  const Support& support = problem_.support;
+  const Eigen::Translation3d raised(rise * support.normal_W());
+  replay_.world().set_pose(support_, raised * support.X_WS());
 }
 
 void Replay::allow_press() {

@@ -17,6 +17,9 @@ enum class Contacts {
   close,  ///< the fingers touch the object
 };
 
+/// Names of the segments of plans, in their order.
+const std::vector<std::string>& segment_names();
+
 /// Contacts that the segment of a name may have.
 Contacts contacts_of(const std::string& name);
 
@@ -31,6 +34,8 @@ class Replay {
   /// Names of touching pairs, "a - b", with the robot at q and the object at X_WO.
   std::vector<std::string> touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO);
 
+  /// Raises the support along its normal [m].
+  void raise_support(double rise);
   void move_object(const Eigen::Isometry3d& X_WO) { replay_.world().set_pose(object_, X_WO); }
   int object() const { return object_; }  ///< index of the object in the world
   scene::Replay& bodies() { return replay_; }

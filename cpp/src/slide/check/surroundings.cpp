@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "graspless/slide/resume.hpp"
+
+#include "slide/check/examination.hpp"
+
+namespace graspless::slide {
+namespace {
+
+void require_segment(const std::string& name) {
+  const auto& names = segment_names();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  std::string choices;
+  for (const std::string& known : names) choices += (choices.empty() ? "" : ", ") + known;
+  throw std::invalid_argument("segment '" + name + "' is none of " + choices);
+}
+
+/// Returns a world in which nothing is tested between robot and object.
+Replay without_object(Replay world) {
+  for (int body = 0; body < world.bodies().num_links(); ++body) {
+    world.bodies().world().remove_pair(body, world.object());
+  }
+  return world;
+}
+
+}  // namespace
+
+struct Surroundings::State {
+  State(const Problem& given, const Options& options)
+      : problem(given),
+        free(without_object({problem, allowed_depths(problem.hand, options).max})),
+        pressed(without_object(
+            Replay(problem, allowed_depths(problem.hand, options).max).with(Contacts::press))) {}
+
+  const Problem problem;
+  Replay free, pressed;
+};
+
+Surroundings::Surroundings(const Problem& problem, const Options& options) {
+  validate(problem, options);
+  state_ = std::make_unique<State>(problem, options);
+}
+Surroundings::~Surroundings() = default;
+Surroundings::Surroundings(Surroundings&&) noexcept = default;
+Surroundings& Surroundings::operator=(Surroundings&&) noexcept = default;
+
+const Problem& Surroundings::problem() const { return state_->problem; }
+
+std::vector<std::string> Surroundings::touching(const std::string& segment,
+                                                const Eigen::VectorXd& q,
+                                                const Eigen::Isometry3d& X_WO, double rise) {
+  require_segment(segment);
+  validate(state_->problem, Interruption{q, X_WO, std::nullopt});
+  if (!std::isfinite(rise)) throw std::invalid_argument("rise must be finite");
+  Replay& world = contacts_of(segment) == Contacts::press ? state_->pressed : state_->free;
+  world.raise_support(rise);
+  return world.touching(q, X_WO);
+}
+
+}  // namespace graspless::slide
