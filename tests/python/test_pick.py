@@ -243,3 +243,29 @@ def test_the_command(scene, names, tmp_path, capsys, monkeypatch):
     assert [attempt["status"] for attempt in result["attempts"]] == ["too_wide", "refused"]
     assert main(["pick", "scene.yaml", "spoon"]) == 2
     assert "the scene has no 'spoon' (one of: " in capsys.readouterr().err
+
+
+def test_a_task_file_of_kind_pick(scene, names, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(scene, "scene.yaml")
+    task = tmp_path / "pick.yaml"
+    task.write_text(
+        f"kind: pick\nscene: scene.yaml\nname: {names['bar']}\nrobot: {{urdf: wam_t42}}\n"
+        "lift: 0.05\nbudget: {seed: 3}\n"
+    )
+    assert main(["pick", "pick.yaml"]) == 0
+    assert "with wam_t42: pinch, then lift" in capsys.readouterr().out
+    plan = graspless.load_plan("plan.json")
+    first, last = (plan.stages[k].segments[-1].object_poses[-1] for k in (0, 1))
+    assert last[2, 3] - first[2, 3] == pytest.approx(0.05, abs=1e-3)
+    assert plan.seed == 3
+
+    def refused(*arguments):
+        assert main(list(arguments)) == 2
+        return capsys.readouterr().err
+
+    assert "NAME: cup: must not be given" in refused("pick", "pick.yaml", "cup")
+    assert "NAME: missing" in refused("pick", "scene.yaml")
+    assert "is planned by `graspless pick`" in refused("plan", "pick.yaml")
+    task.write_text(task.read_text() + "hight: 3\n")
+    assert "pick.yaml:7: hight: unknown field" in refused("pick", "pick.yaml")

@@ -8,6 +8,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from .._commands import EXIT_CODES, FOUND, NOT_FOUND
+from ..errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
@@ -26,42 +27,39 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "chain; if there is none, the table says why not for each strategy."
     )
     parser.epilog = f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 -o plan.json"
-    parser.add_argument("scene", metavar="SCENE.yaml", help="scene file that `graspless see` wrote")
-    parser.add_argument("name", metavar="NAME", help="name of the object in the scene")
+    parser.add_argument(
+        "scene",
+        metavar="SCENE.yaml",
+        help="scene file that `graspless see` wrote, or a task file of kind pick",
+    )
+    parser.add_argument(
+        "name", metavar="NAME", nargs="?", help="name of the object in the scene; not with a task"
+    )
     parser.add_argument(
         "--robot",
         metavar="ROBOT",
-        default="wam_t42",
-        help="robot that comes with graspless, or a URDF (default: %(default)s)",
+        help="robot that comes with graspless, or a URDF (default: wam_t42)",
     )
     parser.add_argument(
         "--strategies",
         metavar="LIST",
-        default="pinch,slide,clasp",
-        help="strategies to try, in this order (default: %(default)s)",
+        help="strategies to try, in this order (default: pinch,slide,clasp)",
     )
     parser.add_argument(
-        "--lift", type=float, default=0.1, metavar="M", help="height of the lift [m] (default: 0.1)"
+        "--lift", type=float, metavar="M", help="height of the lift [m] (default: 0.1)"
     )
     parser.add_argument(
         "--respect",
         choices=["nothing", "objects", "unseen"],
-        default="objects",
-        help="obstacles besides the support (default: %(default)s)",
+        help="obstacles besides the support (default: objects)",
     )
     parser.add_argument("--mass", type=float, metavar="KG", help="mass in simulations [kg]")
     parser.add_argument(
-        "--best-of",
-        type=int,
-        default=1,
-        metavar="N",
-        help="find N plans and keep the shortest (default: 1)",
+        "--best-of", type=int, metavar="N", help="find N plans and keep the shortest (default: 1)"
     )
+    parser.add_argument("--time", type=float, metavar="S", help="time limit [s] (default: 10)")
     parser.add_argument(
-        "--time", type=float, default=10.0, metavar="S", help="time limit [s] (default: 10)"
-    )
-    parser.add_argument(
-        "--seed", type=int, default=1, metavar="N", help="seed of the random numbers (default: 1)"
+        "--seed", type=int, metavar="N", help="seed of the random numbers (default: 1)"
     )
     parser.add_argument(
         "-o",
@@ -85,18 +83,8 @@ def _run(options: argparse.Namespace) -> int:
 
     files.check_writable(options.output)
     check_pictures(options)
-    found = pick(
-        options.scene,
-        options.name,
-        options.robot,
-        strategies=options.strategies.split(","),
-        lift=options.lift,
-        respect=options.respect,
-        mass=options.mass,
-        best_of=options.best_of,
-        seconds=options.time,
-        seed=options.seed,
-    )
+    given = _given(options)
+    found = pick(**given)
     written: list[str] = []
     faults: list[str] = []
     if found.plan is not None:
@@ -106,17 +94,37 @@ def _run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(found.as_dict() | {"faults": faults, "written": written}))
     else:
-        print("\n".join(_lines(found, options.robot, faults, written)))
+        print("\n".join(_lines(found, given.get("robot", "wam_t42"), faults, written)))
     return FOUND if found and not faults else NOT_FOUND
 
 
-def _lines(found: Pick, robot: str, faults: list[str], written: list[str]) -> list[str]:
+def _given(options: argparse.Namespace) -> dict[str, Any]:
+    """Returns the arguments of `pick`: of the task file, and in their place those of the flags."""
+    from .task import is_pick, read_pick
+
+    if is_pick(options.scene):
+        if options.name is not None:
+            raise TaskError(f"NAME: {options.name}: must not be given: {options.scene} names it")
+        given = read_pick(options.scene)
+    elif options.name is None:
+        raise TaskError(f"NAME: missing: {options.scene} is not a task file of kind pick")
+    else:
+        given = {"scene": options.scene, "name": options.name}
+    flags = {name: getattr(options, name) for name in ("robot", "lift", "respect", "mass", "seed")}
+    flags |= {"best_of": options.best_of, "seconds": options.time}
+    if options.strategies is not None:
+        flags["strategies"] = options.strategies.split(",")
+    return given | {name: value for name, value in flags.items() if value is not None}
+
+
+def _lines(found: Pick, robot: Any, faults: list[str], written: list[str]) -> list[str]:
     """Returns the summary as text."""
     from .. import report
 
     took = f"{1000 * found.seconds:.0f} ms"
     what = "no way to pick it up was found" if not found else f"{found.strategy}, then lift"
-    lines = [f"{found.name} with {robot}: {what}, in {took}"]
+    shown = robot.get("urdf") or robot.get("name") if isinstance(robot, dict) else robot
+    lines = [f"{found.name} with {shown}: {what}, in {took}"]
     lines += [f"  {line}" for line in found.table().splitlines()]
     if found.plan is not None:
         plan: Any = found.plan

@@ -333,6 +333,8 @@ def task_kind(source: Source) -> TaskKind:
     choices = " or ".join(f"'{kind}'" for kind in KINDS)
     if name is None:
         raise source.error(("kind",), f"missing; should be {choices}")
+    if name == "pick":
+        raise source.error(("kind",), "is planned by `graspless pick`, with this file")
     if name not in KINDS:
         raise source.error(("kind",), f"should be {choices}")
     with uncounted():

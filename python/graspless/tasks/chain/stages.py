@@ -130,7 +130,7 @@ def _merged(source: Source, index: int, directory: Path) -> StageSource:
     if "file" in own:
         read = _read(own.pop("file"), source, place, directory)
         parts.append((read, ()))
-        given = _absolute(read.data, Path(read.file).parent)
+        given = absolute(read.data, Path(read.file).parent)
         given.pop("budget", None)  # the chain's stands for all
     stage = StageSource(source.file, {**given, **own}, {}, source.is_trusted, parts)
     if "budget" in own:
@@ -179,17 +179,17 @@ def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:
             raise stage.error(("object", key), f"the chain's object has {value}")
 
 
-def _absolute(value: Any, directory: Path, key: str = "") -> Any:
+def absolute(value: Any, directory: Path, key: str = "") -> Any:
     """Returns a document with absolute paths."""
     if isinstance(value, dict):
         inner = key if key == "packages" else ""
         files = {"arm"} if "gripper" in value else set()  # elsewhere `arm` is a group
         return {
-            name: _absolute(v, directory, inner or ("urdf" if name in files else name))
+            name: absolute(v, directory, inner or ("urdf" if name in files else name))
             for name, v in value.items()
         }
     if isinstance(value, list):
-        return [_absolute(item, directory, key) for item in value]
+        return [absolute(item, directory, key) for item in value]
     if key in FILES and isinstance(value, str) and (directory / value).exists():
         return str((directory / value).resolve())
     return value

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Task files of kind pick, which `graspless pick` reads: see docs/task-files.md."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from ..tasks.budget import Budget
+from ..tasks.chain.stages import absolute
+from ..tasks.scenes import RESPECT, Respect
+from ..tasks.shapes import Fields, Positive
+from ..tasks.source import Source, read_yaml
+from .strategies import STRATEGIES
+
+
+class PickTask(Fields):
+    """A pick."""
+
+    kind: Literal["pick"]
+    scene: str = Field(description="scene file of `graspless see`")
+    name: str = Field(description="name of the object in the scene")
+    robot: dict[str, Any] = Field(description="as in all tasks")
+    strategies: Annotated[list[str], Field(min_length=1)] = Field(
+        default=list(STRATEGIES), description="strategies to try, in this order"
+    )
+    lift: Positive = Field(default=0.1, description="height of the lift [m]")
+    respect: Respect = Field(default="objects", description=RESPECT)
+    mass: Positive | None = Field(default=None, description="mass in simulations [kg]")
+    best_of: Annotated[int, Field(ge=1)] = Field(
+        default=1, description="number of plans, of which the shortest is kept"
+    )
+    budget: Budget = Budget.model_construct()
+
+
+def is_pick(path: str) -> bool:
+    """Returns True if a YAML file is a task of kind pick."""
+    file = Path(path)
+    if not file.is_file():
+        return False
+    data = read_yaml(file).data
+    return isinstance(data, dict) and data.get("kind") == "pick"
+
+
+def read_pick(path: str) -> dict[str, Any]:
+    """Returns the arguments of `pick` in a task file. Raises TaskError with the line and field."""
+    source: Source = read_yaml(Path(path))
+    fields: PickTask = source.validate(PickTask)
+    directory = Path(path).resolve().parent
+    given = fields.model_dump(exclude={"kind", "budget"})
+    given["scene"] = str(directory / fields.scene)
+    given["robot"] = absolute(fields.robot, directory)
+    budget = fields.budget.model_dump(exclude_none=True)
+    return given | {name: budget[name] for name in ("seconds", "seed") if name in budget}
+
+
+__all__ = ["PickTask", "is_pick", "read_pick"]
