@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
 STAGES = ("not_seen", "refused", "lost", "not_held", "held")
 SECONDS = 6.0  # for each pick [s]
-LOST = ("tip_lost", "off_target", "tipped", "fell", "hit")
+MADE_GOOD = {"tip_lost", "off_target", "tipped"}  # if the object is in the hand at the end
+LOST = MADE_GOOD | {"fell", "hit"}
 HEAVY = 0.2  # mass of an object that nobody gave [kg]
 
 
@@ -89,7 +90,8 @@ def _executed(thing: scenes.Placed, plan: Any) -> Row:
         body = scenes.truth(thing, first.X_WO_start)
         result = chains.run(plan, Variation(), truth=body)
     failures = list(result.failures)
-    stage = "held" if not failures else "lost" if set(failures) & set(LOST) else "not_held"
+    is_held = not set(failures) - MADE_GOOD
+    stage = "held" if is_held else "lost" if set(failures) & LOST else "not_held"
     return {
         "stage": stage,
         "reason": ", ".join(failures),
