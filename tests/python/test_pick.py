@@ -267,5 +267,5 @@ def test_a_task_file_of_kind_pick(scene, names, tmp_path, capsys, monkeypatch):
     assert "NAME: cup: must not be given" in refused("pick", "pick.yaml", "cup")
     assert "NAME: missing" in refused("pick", "scene.yaml")
     assert "is planned by `graspless pick`" in refused("plan", "pick.yaml")
-    task.write_text(task.read_text() + "hight: 3\n")
-    assert "pick.yaml:7: hight: unknown field" in refused("pick", "pick.yaml")
+    task.write_text(task.read_text() + "highest: 3\n")
+    assert "pick.yaml:7: highest: unknown field" in refused("pick", "pick.yaml")
