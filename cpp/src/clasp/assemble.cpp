@@ -60,6 +60,16 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
   return out.str();
 }
 
+/// Widths of the gap in the best ring and of the object there, if one was computed.
+std::string widths_of_ring(const Query& query) {
+  const Certificate& ring = query.best_ring;
+  if (ring.between[0].empty() || ring.gap <= 0) return "";
+  std::ostringstream out;
+  out << "; the hand that came nearest leaves a gap of " << std::lround(1000 * ring.gap)
+      << " mm between " << ring.between[0] << " and " << ring.between[1];
+  return out.str();
+}
+
 /// Counts the clasps that were refused, and names the efforts that the best of them lacks.
 std::string insecure(const Query& query) {
   const robot::Robot& robot = query.problem.robot;
@@ -104,7 +114,7 @@ std::string reason(const Query& query, const Plan& plan) {
       out << "interrupted after " << cycles;
       break;
     case Status::not_secure:
-      out << insecure(query);
+      out << insecure(query) << widths_of_ring(query);
       break;
     default:
       out << "no motion to a clasp found in " << cycles << most_frequent(plan.statistics.refusals);
@@ -152,6 +162,21 @@ void test(Query& query, int loop, Clasp& clasp) {
   query.statistics.stability_seconds += query.clock.seconds() - before;
 }
 
+/// Keeps the ring of the hand that held the loop best, of clasps that the object came free of.
+/// Computed seldom, as it takes time.
+void remember_escape(Query& query, int loop, const Clasp& clasp) {
+  if (clasp.stability.margin > query.best_margin) {
+    query.best_margin = clasp.stability.margin;
+    query.best_closed = clasp.close.back();
+    query.best_loop = loop;
+  }
+  if (++query.num_escaped < query.next_ring) return;
+  query.next_ring = 2 * query.num_escaped;
+  CertificateOptions bound;
+  bound.moves = 0;
+  query.best_ring = certificate(query.problem, query.best_closed, query.best_loop, bound);
+}
+
 /// Closes the hand at the end of the reach. Returns why the clasp is refused; empty if it is not.
 std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
   close_centered(query, clasp.reach, clasp.close);
@@ -164,7 +189,10 @@ std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
   test(query, search.task().loop, clasp);
   if (!query.options.must_be_secure || clasp.stability.secure || clasp.pinch) return "";
   const double withstands = clasp.stability.withstands;
-  if (withstands == 0 || withstands >= enough(query)) return kNotSecure;
+  if (withstands == 0 || withstands >= enough(query)) {
+    remember_escape(query, search.task().loop, clasp);
+    return kNotSecure;
+  }
   query.most_withstood = std::max(query.most_withstood, withstands);
   return kForcedOpen;
 }

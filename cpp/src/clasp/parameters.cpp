@@ -80,22 +80,25 @@ double sum_of_closures(const HandKinematics& hand) {
 
 }  // namespace
 
-double finger_radius(const robot::Robot& robot, const Hand& hand) {
+double tip_radius(const robot::Robot& robot, const Finger& finger) {
+  const int tip = robot.frame(finger.nodes.back().link);
   double thickest = 0;
-  const auto look = [&](const Finger& finger) {
-    const int tip = robot.frame(finger.nodes.back().link);
-    for (const robot::LinkShape& shape : robot.shapes()) {
-      if (shape.link != tip) continue;
-      double thinnest = HUGE_VAL;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Vector3d d = shape.placed.X_BG.linear().col(axis);
-        thinnest = std::min(thinnest, (extent(shape.placed, d) + extent(shape.placed, -d)) / 2);
-      }
-      thickest = std::max(thickest, thinnest);
+  for (const robot::LinkShape& shape : robot.shapes()) {
+    if (shape.link != tip) continue;
+    double thinnest = HUGE_VAL;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d d = shape.placed.X_BG.linear().col(axis);
+      thinnest = std::min(thinnest, (extent(shape.placed, d) + extent(shape.placed, -d)) / 2);
     }
-  };
-  for (const Finger& finger : hand.fingers) look(finger);
-  look(hand.thumb);
+    thickest = std::max(thickest, thinnest);
+  }
+  return thickest;
+}
+
+double finger_radius(const robot::Robot& robot, const Hand& hand) {
+  double thickest = tip_radius(robot, hand.thumb);
+  for (const Finger& finger : hand.fingers)
+    thickest = std::max(thickest, tip_radius(robot, finger));
   return thickest > 0 ? thickest : kTip;
 }
 

@@ -25,6 +25,9 @@ bool is_too_thick(const robot::Robot& robot, const Hand& hand, double thickness)
 /// Half the width of the open hand along `sideways` [m].
 double half_width(const robot::Robot& robot, const Hand& hand);
 
+/// Half the width of a finger's tip in its narrowest direction [m]; 0 if it has no shape.
+double tip_radius(const robot::Robot& robot, const Finger& finger);
+
 /// Radius of the fingers about their curves: half the width of the thickest fingertip [m].
 double finger_radius(const robot::Robot& robot, const Hand& hand);
 

@@ -3,10 +3,12 @@
 //
 // The planner of Stork 2013, Section IV: selects loops and targets, grows a task-space RRT per
 // loop, closes the fingers, and tests the stability. Margins name the paper's sections.
+#include <algorithm>
 #include <cmath>
 
 #include "clasp/assemble.hpp"
 #include "clasp/query.hpp"
+#include "clasp/search/hole.hpp"
 #include "clasp/search/loop_search.hpp"
 #include "clasp/search/reachability.hpp"
 #include "clasp/search/targets.hpp"
@@ -66,10 +68,18 @@ Status failure(const Query& query) {
   return refused(kNotSecure) || refused(kForcedOpen) ? Status::not_secure : Status::not_found;
 }
 
-/// Adds to the reason of a failed search what the arm reaches, if the clock leaves time for it.
-void add_reach(const Problem& problem, planning::Clock& clock, Plan& plan) {
+constexpr std::size_t kLoopsTold = 3;  // whose sizes a reason names
+
+/// Adds to the reason of a failed search what the arm reaches and what sizes stand in the way, if
+/// the clock leaves time for it.
+void explain_failure(const Problem& problem, planning::Clock& clock, Plan& plan) {
   const bool failed = plan.status == Status::not_found || plan.status == Status::not_secure;
   if (!failed || plan.statistics.cycles == 0) return;
+  clock.run([&] {
+    std::vector<int> loops = allowed_loops(problem);
+    loops.resize(std::min<std::size_t>(loops.size(), kLoopsTold));
+    for (const int loop : loops) plan.reason += "; " + describe_sizes(problem, loop);
+  });
   clock.run([&] {
     const std::string reach = describe_reach(problem);
     if (!reach.empty()) plan.reason += "; " + reach;
@@ -127,7 +137,7 @@ Plan plan(const Problem& problem, const Options& options, const planning::Budget
   Plan plan = planning::plan_within(clock, "fewer points or options.targets",
                                     [&] { return searched(problem, options, clock, budget.seed); });
   plan.joint_names = problem.robot.joint_names();
-  add_reach(problem, clock, plan);
+  explain_failure(problem, clock, plan);
   certify(problem, options, clock, plan);
   return plan;
 }

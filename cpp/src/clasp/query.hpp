@@ -35,8 +35,14 @@ struct Query {
   std::optional<PinchTester> pinch_tester;  ///< the same, for hands of two fingers
   Statistics statistics;
   // Of clasps that were refused:
-  double most_withstood = 0;  ///< where the load is more [N]
-  Pinch best_pinch;           ///< the one that resists most
+  double most_withstood = 0;    ///< where the load is more [N]
+  Pinch best_pinch;             ///< the one that resists most
+  int num_escaped = 0;          ///< number of clasps that the object came free of
+  double best_margin = -1e9;    ///< of these
+  Eigen::VectorXd best_closed;  ///< hand and arm of the one with this margin
+  int best_loop = 0;            ///< its loop
+  int next_ring = 4;            ///< number of them before the next ring is computed
+  Certificate best_ring;        ///< of the one with the best margin then
 
   /// Test of pinches, made at its first use.
   PinchTester& pinching() {

@@ -25,6 +25,7 @@ enum class Status {
   no_reliable_hole,
   no_target_in_reach,
   too_thick,
+  hole_too_narrow,
   not_found,
   not_secure,
   interrupted,
@@ -44,6 +45,8 @@ constexpr auto choices(Status) {
              "Every target is farther away than the arm is long."},
       Choice{Status::too_thick, "too_thick",
              "Every handle in reach is thicker than the two fingers of the hand open."},
+      Choice{Status::hole_too_narrow, "hole_too_narrow",
+             "Every hole is narrower than a finger; the reason has both widths."},
       Choice{Status::not_found, "not_found", "No motion to a clasp was found within the budget."},
       Choice{
           Status::not_secure, "not_secure",

@@ -12,6 +12,7 @@
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/hand/reach.hpp"
 #include "clasp/parameters.hpp"
+#include "clasp/search/hole.hpp"
 #include "clasp/search/pull.hpp"
 #include "clasp/stability/pinch.hpp"
 
@@ -172,6 +173,33 @@ std::vector<int> without_thick(Query& query, std::vector<int> loops, Plan& plan)
   return loops;
 }
 
+/// Drops the loops around holes that no finger passes. Clasps that need not be secure may hold
+/// a loop between fingertips.
+std::vector<int> without_narrow(Query& query, std::vector<int> loops, Plan& plan) {
+  const Problem& problem = query.problem;
+  const double needed = needed_width(problem.robot, problem.hand);
+  if (!query.options.must_be_secure || needed == 0) return loops;
+  int widest = -1;
+  double most = 0;
+  const auto is_narrow = [&](int loop) {
+    // A ball as wide as the edges that fill the hole passes it.
+    if (problem.object.loops().loops[static_cast<std::size_t>(loop)].death >= needed) return false;
+    const double width = hole_width(problem.object, loop, needed);
+    if (width >= needed) return false;
+    query.refuse("target: hole too narrow");
+    if (width > most) widest = loop;
+    most = std::max(most, width);
+    return true;
+  };
+  loops.erase(std::remove_if(loops.begin(), loops.end(), is_narrow), loops.end());
+  if (loops.empty() && widest >= 0) {
+    plan.status = Status::hole_too_narrow;
+    plan.reason = "no finger passes through a hole; " + describe_sizes(problem, widest);
+    plan.statistics.refusals = query.statistics.refusals;
+  }
+  return loops;
+}
+
 void explain_no_target(const Query& query, const TargetRater& rater, Plan& plan) {
   if (rater.least_excess > 0) {
     plan.status = Status::no_target_in_reach;
@@ -196,7 +224,8 @@ std::vector<int> allowed_loops(const Problem& problem) {
 
 std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan) {
   const Problem& problem = query.problem;
-  const std::vector<int> loops = without_thick(query, allowed_loops(problem), plan);
+  std::vector<int> loops = without_thick(query, allowed_loops(problem), plan);
+  if (!loops.empty()) loops = without_narrow(query, std::move(loops), plan);
   if (loops.empty()) return {};
   std::vector<Options> options;
   for (const int loop : loops) {

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clasp/search/hole.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "graspless/watch.hpp"
+
+#include "clasp/parameters.hpp"
+
+namespace graspless::clasp {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPrecision = 0.00025;  // of the radius of a ball [m]
+
+/// A triangle of the cone over a loop, with a bound on the distance of its points from the object.
+struct Part {
+  std::array<Vector3d, 3> corners;
+  double most;  // [m]
+  bool operator<(const Part& other) const { return most < other.most; }
+};
+
+std::string millimetres(double length) { return std::to_string(std::lround(1000 * length)); }
+
+}  // namespace
+
+double hole_width(const Object& object, int loop, double enough) {
+  const collision::Clearance& clearance = object.outer_clearance();
+  double widest = 0;  // radius of a ball that fits [m]
+  std::priority_queue<Part> parts;
+  const auto add = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    const Vector3d middle = (a + b + c) / 3;
+    const double here = clearance.distance(middle);
+    widest = std::max(widest, here);
+    const double size = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
+    parts.push({{a, b, c}, here + size});  // the distance is 1-Lipschitz
+  };
+  const Eigen::Matrix3Xd& p = object.loops().loops[static_cast<std::size_t>(loop)].points;
+  const Vector3d apex = p.rowwise().mean();
+  for (Eigen::Index i = 0; i < p.cols(); ++i) add(apex, p.col(i), p.col((i + 1) % p.cols()));
+  while (parts.top().most > widest + kPrecision && 2 * widest < enough) {
+    poll();
+    const auto [a, b, c] = parts.top().corners;
+    parts.pop();
+    const double ab = (a - b).norm(), bc = (b - c).norm(), ca = (c - a).norm();
+    if (ab >= bc && ab >= ca) {  // halve the longest side
+      add(a, (a + b) / 2, c);
+      add((a + b) / 2, b, c);
+    } else if (bc >= ca) {
+      add(a, b, (b + c) / 2);
+      add(a, (b + c) / 2, c);
+    } else {
+      add(a, b, (c + a) / 2);
+      add((c + a) / 2, b, c);
+    }
+  }
+  return 2 * (2 * widest < enough ? parts.top().most : widest);
+}
+
+double needed_width(const robot::Robot& robot, const Hand& hand) {
+  double fingers = 0;
+  for (const Finger& finger : hand.fingers) fingers = std::max(fingers, tip_radius(robot, finger));
+  return 2 * std::min(fingers, tip_radius(robot, hand.thumb));
+}
+
+std::string describe_sizes(const Problem& problem, int loop) {
+  constexpr double kWide = 0.1;  // holes wider than this do not stop a finger [m]
+  const double needed = needed_width(problem.robot, problem.hand);
+  const double width = hole_width(problem.object, loop, kWide);
+  const double handle = problem.object.loops().loops[static_cast<std::size_t>(loop)].thickness;
+  std::string text = "loop " + std::to_string(loop) + ": its hole is ";
+  text += width < kWide ? millimetres(width) + " mm wide" : "at least 100 mm wide";
+  if (handle > 0) text += ", its handle " + millimetres(handle) + " mm thick";
+  if (needed > 0) text += ", a finger " + millimetres(needed) + " mm";
+  return text;
+}
+
+}  // namespace graspless::clasp
