@@ -52,7 +52,7 @@ def table_of(scene, name):
 
 
 def test_a_bar_is_pinched_where_it_stands(scene, names):
-    found = graspless.pick(scene, names["bar"])
+    found = graspless.pick(scene, names["bar"], "wam_t42")
     assert found, found.reason
     assert found.strategy == "pinch"
     assert found.plan.kind == "chain"
@@ -64,7 +64,7 @@ def test_a_bar_is_pinched_where_it_stands(scene, names):
 
 
 def test_a_card_is_slid_to_a_real_edge(scene, names):
-    found = graspless.pick(scene, names["card"])
+    found = graspless.pick(scene, names["card"], "wam_t42")
     assert found, found.reason
     assert found.strategy == "slide"
     assert graspless.check(found.plan) == []
@@ -76,7 +76,7 @@ def test_a_card_is_slid_to_a_real_edge(scene, names):
 
 
 def test_a_block_has_a_reason_for_each_strategy(scene, names):
-    found = graspless.pick(scene, names["block"], seconds=20)
+    found = graspless.pick(scene, names["block"], "wam_t42", seconds=20)
     assert not found
     reasons = {attempt.strategy: attempt.reason for attempt in found.attempts}
     assert "wide where it is narrowest, the hand opens 54 mm" in reasons["pinch"]
@@ -86,7 +86,7 @@ def test_a_block_has_a_reason_for_each_strategy(scene, names):
 
 
 def test_the_same_seed_gives_the_same_plan(scene, names):
-    a, b = (graspless.pick(scene, names["card"], seed=4).plan for _ in range(2))
+    a, b = (graspless.pick(scene, names["card"], "wam_t42", seed=4).plan for _ in range(2))
     assert a.to_json().split('"stats"')[0] == b.to_json().split('"stats"')[0]
     for one, other in zip(a.segments, b.segments, strict=True):
         assert np.array_equal(one.positions, other.positions)
@@ -95,16 +95,16 @@ def test_the_same_seed_gives_the_same_plan(scene, names):
 def test_the_best_of_some_is_the_shortest(scene, names):
     from graspless.picking import duration
 
-    single = graspless.pick(scene, names["card"], strategies=["slide"])
-    best = graspless.pick(scene, names["card"], strategies=["slide"], best_of=4)
+    single = graspless.pick(scene, names["card"], "wam_t42", strategies=["slide"])
+    best = graspless.pick(scene, names["card"], "wam_t42", strategies=["slide"], best_of=4)
     assert duration(best.plan) <= duration(single.plan)
 
 
 def test_other_objects_are_obstacles(scene, names):
-    found = graspless.pick(scene, names["bar"])
+    found = graspless.pick(scene, names["bar"], "wam_t42")
     obstacles = {body.name for body in found.plan.stages[0].task.problem.obstacles}
     assert obstacles == {f"scene {names['card']}", f"scene {names['block']}"}
-    alone = graspless.pick(scene, names["bar"], respect="nothing")
+    alone = graspless.pick(scene, names["bar"], "wam_t42", respect="nothing")
     assert not alone.plan.stages[0].task.problem.obstacles
 
 
@@ -119,7 +119,7 @@ def test_what_lies_on_something_is_refused(scene, names):
         status=scene.status, reason="", supports=list(scene.supports), objects=[under, lying],
         unseen=[], warnings=[],
     )  # fmt: skip
-    found = graspless.pick(stacked, "lid")
+    found = graspless.pick(stacked, "lid", "wam_t42")
     assert not found
     assert {attempt.status for attempt in found.attempts} == {"refused"}
     assert all(f"'{under.name}' overlaps it" in attempt.reason for attempt in found.attempts)
@@ -135,7 +135,7 @@ def test_no_real_edge_is_a_reason(scene, names):
         status=scene.status, reason="", supports=[hidden], objects=list(scene.objects), unseen=[],
         warnings=[],
     )  # fmt: skip
-    found = graspless.pick(blind, names["card"], strategies=["slide"])
+    found = graspless.pick(blind, names["card"], "wam_t42", strategies=["slide"])
     assert "no real edge" in found.attempts[0].reason
     assert f"{len(table.edges)} occluded" in found.attempts[0].reason
 
@@ -208,11 +208,11 @@ def test_a_scene_of_nothing_is_refused(scene):
         unseen=[], warnings=[],
     )  # fmt: skip
     with pytest.raises(TaskError, match="no object was found in this scene: one table"):
-        graspless.pick(empty, "cup")
+        graspless.pick(empty, "cup", "wam_t42")
     with pytest.raises(TaskError, match="no such file"):
-        graspless.pick("none.yaml", "cup")
+        graspless.pick("none.yaml", "cup", "wam_t42")
     with pytest.raises(TaskError, match="scene"):
-        graspless.pick(3, "cup")
+        graspless.pick(3, "cup", "wam_t42")
 
 
 def test_a_robot_without_a_hand_is_refused(scene, names, tmp_path):
@@ -228,20 +228,25 @@ def test_a_robot_without_a_hand_is_refused(scene, names, tmp_path):
         graspless.pick(scene, names["bar"], str(urdf))
 
 
+ROBOT = ("--robot", "wam_t42")
+
+
 def test_the_command(scene, names, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     perception.save_scene(scene, "scene.yaml")
-    assert main(["pick", "scene.yaml", names["bar"], "-o", "p.json"]) == 0
+    assert main(["pick", "scene.yaml", names["bar"], *ROBOT, "-o", "p.json"]) == 0
     said = capsys.readouterr().out
     assert "pinch  solved" in said
     assert "written: p.json" in said
     assert main(["check", "p.json"]) == 0
     capsys.readouterr()
-    code = main(["pick", "scene.yaml", names["block"], "--json", "--strategies", "pinch,slide"])
+    code = main(
+        ["pick", "scene.yaml", names["block"], *ROBOT, "--json", "--strategies", "pinch,slide"]
+    )
     assert code == 1
     result = json.loads(capsys.readouterr().out)
     assert [attempt["status"] for attempt in result["attempts"]] == ["too_wide", "refused"]
-    assert main(["pick", "scene.yaml", "spoon"]) == 2
+    assert main(["pick", "scene.yaml", "spoon", *ROBOT]) == 2
     assert "the scene has no 'spoon' (one of: " in capsys.readouterr().err
 
 
@@ -266,6 +271,7 @@ def test_a_task_file_of_kind_pick(scene, names, tmp_path, capsys, monkeypatch):
 
     assert "NAME: cup: must not be given" in refused("pick", "pick.yaml", "cup")
     assert "NAME: missing" in refused("pick", "scene.yaml")
+    assert "--robot: missing" in refused("pick", "scene.yaml", names["bar"])
     assert "is planned by `graspless pick`" in refused("plan", "pick.yaml")
     task.write_text(task.read_text() + "highest: 3\n")
     assert "pick.yaml:7: highest: unknown field" in refused("pick", "pick.yaml")

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 def pick(
     scene: Scene | str | Path,
     name: str,
-    robot: str | Mapping[str, Any] = "wam_t42",
+    robot: str | Mapping[str, Any],
     *,
     strategies: Sequence[str] = STRATEGIES,
     lift: float = 0.1,

@@ -7,6 +7,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from .. import _data
 from .._commands import EXIT_CODES, FOUND, NOT_FOUND
 from ..errors import TaskError
 
@@ -26,7 +27,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "edge and grasp it there, or clasp a hole or handle of it, and lift it. The plan is a\n"
         "chain; if there is none, the table says why not for each strategy."
     )
-    parser.epilog = f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 -o plan.json"
+    parser.epilog = (
+        f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
+    )
     parser.add_argument(
         "scene",
         metavar="SCENE.yaml",
@@ -38,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--robot",
         metavar="ROBOT",
-        help="robot that comes with graspless, or a URDF (default: wam_t42)",
+        help="robot that comes with graspless, or a URDF; needed unless a task file names it",
     )
     parser.add_argument(
         "--strategies",
@@ -94,7 +97,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(found.as_dict() | {"faults": faults, "written": written}))
     else:
-        print("\n".join(_lines(found, given.get("robot", "wam_t42"), faults, written)))
+        print("\n".join(_lines(found, given["robot"], faults, written)))
     return FOUND if found and not faults else NOT_FOUND
 
 
@@ -114,7 +117,11 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
     flags |= {"best_of": options.best_of, "seconds": options.time}
     if options.strategies is not None:
         flags["strategies"] = options.strategies.split(",")
-    return given | {name: value for name, value in flags.items() if value is not None}
+    given |= {name: value for name, value in flags.items() if value is not None}
+    if "robot" not in given:
+        known = ", ".join(_data.robots())
+        raise TaskError(f"--robot: missing: should be the path of a URDF, or one of {known}")
+    return given
 
 
 def _lines(found: Pick, robot: Any, faults: list[str], written: list[str]) -> list[str]:
