@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import geometry, perception
+from graspless import frames, geometry, perception
 from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.picking.strategies import chain_of, top_share, unseen_share
@@ -83,6 +83,38 @@ def test_a_block_has_a_reason_for_each_strategy(scene, names):
     assert "200 mm high, the hand opens 54 mm" in reasons["slide"]
     assert "unseen" in reasons["clasp"]
     assert all(f"{name}: " in found.reason for name in reasons)
+
+
+def test_a_bag_is_clasped_by_its_handle_with_a_warning():
+    yaw, X_WO = 0.8, np.eye(4)
+    X_WO[:2, :2] = [[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]]
+    X_WO[:3, 3] = 0.62, 0, 0
+    parts = [
+        ([0.2, 0.07, 0.15], [0, 0, 0.075]),
+        ([0.02, 0.02, 0.12], [-0.07, 0, 0.21]),
+        ([0.02, 0.02, 0.12], [0.07, 0, 0.21]),
+        ([0.16, 0.02, 0.02], [0, 0, 0.28]),
+    ]
+    shapes = [
+        geometry.PlacedShape(geometry.Box(size), frames.translation(place)) for size, place in parts
+    ]
+    bodies = [
+        body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02),
+        body([6, 6, 0.02], 0.65, 0.0, -0.75),
+        perception.Body(shapes, X_WO),
+    ]
+    frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.6], [0.65, 0.0, 0.1]))
+    seen = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    found = graspless.pick(seen, seen.objects[0].name, "kr5_sdh", seconds=30)
+    assert found, found.reason
+    assert found.strategy == "clasp"
+    assert "it needs two fingers" in found.attempts[0].reason
+    assert "lower than half its width" in found.attempts[1].reason
+    assert "a camera does not see all sides" in found.attempts[2].reason
+    assert graspless.check(found.plan) == []
+    clasp = found.plan.stages[0]
+    loop = clasp.task.problem.object.loops.loops[clasp.loop]
+    assert np.max(loop.points[:, 2]) > 0.25  # it runs along the handle
 
 
 def test_the_same_seed_gives_the_same_plan(scene, names):

@@ -25,7 +25,7 @@ class Attempt:
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
         strategy was found before; otherwise the status of its plan.
     reason : str
-        One sentence; empty if it was solved or not tried.
+        One sentence; empty if it was solved or not tried. A clasp that was solved has a warning.
     seconds : float
         Time that it took [s].
     opening : float or None

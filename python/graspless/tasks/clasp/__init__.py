@@ -60,7 +60,7 @@ def _with_scene(fields: ClaspTask, source: Source, directory: Path) -> ClaspTask
         return fields
     scene = scenes.load(fields.object.scene, source, ("object", "scene"), directory)
     thing = scenes.named(scene.objects, fields.object.name, source, ("object", "name"))
-    for warning in thing.warnings:
+    for warning in [*thing.warnings, scenes.PARTLY_SEEN]:
         warnings.warn(source.message(("object", "name"), warning), stacklevel=4)
     update = {
         "scene": None,
