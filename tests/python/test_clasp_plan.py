@@ -117,7 +117,7 @@ def test_check_finds_a_plan_that_was_changed(document, tmp_path, change):
     [
         (
             lambda d: d.update(kind="clap"),
-            "kind: clap: should be 'slide' or 'fingertip' or 'clasp'",
+            "kind: clap: should be 'slide' or 'pinch' or 'fingertip' or 'clasp'",
         ),
         (lambda d: d.update(status="unstable"), "status: unstable: should be 'solved'"),
         (lambda d: d.update(loop=-1), "loop: -1: should be greater than or equal to 0"),

@@ -136,7 +136,7 @@ def test_check_finds_a_plan_that_was_changed(document, tmp_path, change):
 @pytest.mark.parametrize(
     ("change", "what"),
     [
-        (lambda d: d.update(kind="clap"), "kind: clap: should be 'slide' or 'fingertip'"),
+        (lambda d: d.update(kind="clap"), "kind: clap: should be 'slide' or 'pinch' or 'fingertip'"),
         (lambda d: d.update(status="no_goal_root"), "status: no_goal_root: should be 'solved'"),
         (lambda d: d.pop("regrasps"), "regrasps: missing"),
         (lambda d: d["segments"][0]["stability"].pop(), "one per row is needed"),

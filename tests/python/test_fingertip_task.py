@@ -89,8 +89,8 @@ WALL = "walls: [{name: a, normal: [1, 0, 0], offset: -1, friction: %s}]"
 
 # A change of the good task, the line that is blamed, and what must be said.
 FAULTS = [
-    (("kind: fingertip", "kind: fingertips"), 1, r"kind: fingertips: should be 'slide' or 'finger"),
-    (("kind: fingertip\n", ""), 1, r"kind: missing; should be 'slide' or 'fingertip'"),
+    (("kind: fingertip", "kind: fingertips"), 1, r"kind: fingertips: should be 'slide' or 'pinch' or 'finger"),
+    (("kind: fingertip\n", ""), 1, r"kind: missing; should be 'slide' or 'pinch' or 'fingertip'"),
     (("mass: 1.0", "mas: 1.0"), 5, r"object.mas: unknown field; did you mean 'mass'"),
     (("mass: 1.0", "mass: -1"), 5, r"object.mass: -1: should be greater than 0"),
     (("mass: 1.0", "mass: .nan"), 5, r"object.mass: nan: .*finite"),
