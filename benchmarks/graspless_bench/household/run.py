@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 
     from ..machine import Row
 
-STAGES = ("not_seen", "refused", "lost", "not_held", "held")
 SECONDS = 6.0  # for each pick [s]
 MADE_GOOD = {"tip_lost", "off_target", "tipped"}  # if the object is in the hand at the end
 LOST = MADE_GOOD | {"fell", "hit"}
@@ -67,8 +66,7 @@ def trial(thing: scenes.Placed, robot: str, seed: int) -> Row:
     found = scenes.nearest(scene, thing) if scene else None
     if found is None:
         return row | {"stage": "not_seen", "reason": scene.reason, "attempts": []}
-    points = thing.mesh.vertices @ thing.X_WT[:3, :3].T + thing.X_WT[:3, 3]
-    row["thickness_off"] = float(found.thickness - points[:, 2].max())
+    row["thickness_off"] = float(found.thickness - thing.points[:, 2].max())
     pick = graspless.pick(scene, found.name, robot, mass=thing.mass, seconds=SECONDS, seed=1)
     row |= {"pick_seconds": pick.seconds, "attempts": pick.as_dict()["attempts"]}
     if pick.plan is None:

@@ -45,6 +45,11 @@ class Placed:
     X_WT: Matrix
     mass: float
 
+    @property
+    def points(self) -> Matrix:
+        """Vertices [N, 3] in the world [m]."""
+        return frames.transform(self.X_WT, np.asarray(self.mesh.vertices))
+
 
 def stable_poses(path: Path, count: int) -> tuple[Any, list[Matrix]]:
     """Returns a mesh and poses [4, 4] in which it rests, those on the largest sides first.
@@ -79,7 +84,7 @@ def _is_over(base: Matrix, p: Matrix) -> bool:
 
 def placed(mesh: Any, X_lying: Matrix, mass: float, rng: np.random.Generator) -> Placed:
     """Returns the mesh at a random place and heading on the table."""
-    turned = mesh.vertices @ X_lying[:3, :3].T + X_lying[:3, 3]
+    turned = frames.transform(X_lying, np.asarray(mesh.vertices))
     middle = (turned.min(axis=0) + turned.max(axis=0)) / 2
     x, y = np.add(CENTER, rng.uniform(-ROOM, ROOM, size=2))
     lowest = frames.translation([-middle[0], -middle[1], -turned[:, 2].min()])
@@ -102,7 +107,7 @@ def seen(thing: Placed, seed: int) -> perception.Scene:
 
 def nearest(scene: perception.Scene, thing: Placed) -> perception.Object | None:
     """Returns the object of a scene that is where the mesh is, if there is one."""
-    points = thing.mesh.vertices @ thing.X_WT[:3, :3].T + thing.X_WT[:3, 3]
+    points = thing.points
     low, high = points.min(axis=0)[:2], points.max(axis=0)[:2]
     for found in sorted(scene.objects, key=lambda item: -len(item.points)):
         ring = np.asarray(found.outline) @ found.X_WO[:2, :2].T + found.X_WO[:2, 3]

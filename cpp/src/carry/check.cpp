@@ -24,11 +24,6 @@ double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle();
 }
 
-bool is_same(const Isometry3d& a, const Isometry3d& b) {
-  return (a.translation() - b.translation()).norm() <= kSame &&
-         angle_between(a.linear(), b.linear()) <= kSame;
-}
-
 /// Replays one plan and collects its faults.
 class Examination {
  public:
@@ -86,7 +81,7 @@ class Examination {
         const Isometry3d before = robot.pose(frame_, q).inverse() * robot.pose(link, q);
         q[joint] += 0.2;
         const Isometry3d after = robot.pose(frame_, q).inverse() * robot.pose(link, q);
-        stays = stays && is_same(before, after);
+        stays = stays && scene::is_same(before, after, kSame);
       }
       const int body = replay_.body_of(robot.frame_names()[static_cast<std::size_t>(link)]);
       if (stays && body >= 0) replay_.world().remove_pair(body, object_);
@@ -148,7 +143,7 @@ class Examination {
 
   void check_object_poses() {
     for (std::size_t row = 0; row < carried().positions.size(); ++row) {
-      if (!is_same(carried().object_poses[row], object_at(carried().positions[row])))
+      if (!scene::is_same(carried().object_poses[row], object_at(carried().positions[row]), kSame))
         fault(row, "the object moves relative to the hand");
     }
   }

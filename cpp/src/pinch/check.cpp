@@ -29,11 +29,6 @@ constexpr double kTurn = 0.025;        // of the hand on it [rad]
 constexpr double kSlack = 0.10;        // of slopes that are measured in two ways
 const std::vector<std::string> kNames = {"approach", "grasp", "close"};
 
-bool is_same(const Isometry3d& a, const Isometry3d& b) {
-  return (a.translation() - b.translation()).norm() <= kSame &&
-         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= kSame;
-}
-
 /// Replays one plan and collects its faults.
 class Examination {
  public:
@@ -111,7 +106,7 @@ class Examination {
           [&](std::size_t row, const std::string& what) { fault(segment, row, what); });
       before = segment.positions.back();
       for (std::size_t i = 0; i < segment.object_poses.size(); ++i) {
-        if (!is_same(segment.object_poses[i], problem_.X_WO_start))
+        if (!scene::is_same(segment.object_poses[i], problem_.X_WO_start, kSame))
           fault(segment, i, "the object moves though nothing holds it");
       }
     }
@@ -160,7 +155,7 @@ class Examination {
         fault(grasp, i, "the hand leaves its straight line");
       if (Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) fault(grasp, i, "the hand turns");
     }
-    if (!is_same(hand_at(grasp.positions.back()), plan_.X_WH_grasp))
+    if (!scene::is_same(hand_at(grasp.positions.back()), plan_.X_WH_grasp, kSame))
       fault("plan", "X_WH_grasp is not where the hand ends");
   }
 

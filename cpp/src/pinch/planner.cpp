@@ -127,7 +127,7 @@ class Search {
     }
     slide::HandMotion::Closing closing = hand_.close(arm_.part(q));
     const auto& [a, b] = closing.touching;
-    if (!is_finger_on_object(a, b)) {
+    if (!slide::is_finger_on_object(problem_.hand, a, b)) {
       refuse(a.empty() ? "closing: nothing touches" : "closing: " + a + " touches " + b);
       return std::nullopt;
     }
@@ -136,14 +136,6 @@ class Search {
       return std::nullopt;
     }
     return Pinch{grasp, Path(out->rbegin(), out->rend()), std::move(closing.rows)};
-  }
-
-  bool is_finger_on_object(const std::string& a, const std::string& b) const {
-    const auto& fingers = problem_.hand.fingers;
-    const auto is_finger = [&](const std::string& name) {
-      return std::find(fingers.begin(), fingers.end(), name) != fingers.end();
-    };
-    return (a == slide::kObjectBody && is_finger(b)) || (b == slide::kObjectBody && is_finger(a));
   }
 
   bool add_approach(const Pinch& pinch, int iterations, Plan& plan) {

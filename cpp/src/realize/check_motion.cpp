@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "realize/examination.hpp"
+#include "scene/rows.hpp"
 
 namespace graspless::realize {
 namespace {
@@ -14,8 +15,7 @@ namespace {
 constexpr double kSamePose = 1e-6;  // [m, rad]
 
 bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  return (a.translation() - b.translation()).norm() <= kSamePose &&
-         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= kSamePose;
+  return scene::is_same(a, b, kSamePose);
 }
 
 /// Part of the screw from X_WA to X_WB at which a pose lies, if it lies on it.

@@ -6,6 +6,11 @@
 
 namespace graspless::scene {
 
+bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance) {
+  return (a.translation() - b.translation()).norm() <= tolerance &&
+         Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= tolerance;
+}
+
 void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
                 const std::vector<Eigen::VectorXd>& rows,
                 const std::function<void(std::size_t row, const std::string& what)>& fault) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "graspless/robot/robot.hpp"
 #include "graspless/watch.hpp"
@@ -36,6 +36,9 @@ void replay_rows(const robot::Robot& robot, const std::vector<Eigen::VectorXd>& 
     }
   }
 }
+
+/// True if two poses agree in position [m] and attitude [rad] within `tolerance`.
+bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance);
 
 /// Calls fault(row, what) for each row that is too far from the row before it or leaves the joint
 /// limits, and for the first row if it differs from `before` by more than `same`.

@@ -45,13 +45,4 @@ void Motions::refuse_grasp(const std::optional<std::pair<int, int>>& touching,
                           query_.problem.hand.grasp_frame);
 }
 
-bool Motions::is_finger_on_object(const std::string& a, const std::string& b) {
-  const std::vector<std::string>& fingers = query_.problem.hand.fingers;
-  const auto is_finger = [&](const std::string& name) {
-    return std::find(fingers.begin(), fingers.end(), name) != fingers.end();
-  };
-  const std::string object = query_.free.world().name(query_.object_body);
-  return (a == object && is_finger(b)) || (b == object && is_finger(a));
-}
-
 }  // namespace graspless::slide

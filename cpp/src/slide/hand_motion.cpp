@@ -7,6 +7,7 @@
 
 #include "graspless/planning/free_path.hpp"
 
+#include "slide/contact_space.hpp"
 #include "slide/rows.hpp"
 
 namespace graspless::slide {
@@ -15,6 +16,13 @@ using planning::Path;
 
 int pieces(double length, double step) {
   return std::max(1, static_cast<int>(std::ceil(length / step)));
+}
+
+bool is_finger_on_object(const Hand& hand, const std::string& a, const std::string& b) {
+  const auto is_finger = [&](const std::string& name) {
+    return std::find(hand.fingers.begin(), hand.fingers.end(), name) != hand.fingers.end();
+  };
+  return (a == kObjectBody && is_finger(b)) || (b == kObjectBody && is_finger(a));
 }
 
 bool HandMotion::is_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {

@@ -60,6 +60,9 @@ class HandMotion {
   std::int64_t& ik_calls_;
 };
 
+/// True if two bodies of make_scene() are a finger and the object.
+bool is_finger_on_object(const Hand& hand, const std::string& a, const std::string& b);
+
 /// Number of equal pieces of a length, each at most `step`.
 int pieces(double length, double step);
 

@@ -231,7 +231,7 @@ bool Motions::is_straight(const Path& path, const Handling& handling, int roll) 
 std::optional<std::vector<Eigen::VectorXd>> Motions::close_hand(const Eigen::VectorXd& arm) {
   HandMotion::Closing closing = hand_.close(arm);
   const auto& [a, b] = closing.touching;
-  if (is_finger_on_object(a, b)) return std::move(closing.rows);
+  if (is_finger_on_object(query_.problem.hand, a, b)) return std::move(closing.rows);
   query_.refuse(a.empty() ? "pair: closing: the closed fingers do not reach the object"
                           : "pair: closing: " + a + " touches " + b);
   return std::nullopt;

@@ -80,7 +80,6 @@ class GRASPLESS_API Motions {
                                           int iterations);
   std::optional<std::vector<Eigen::VectorXd>> close_hand(const Eigen::VectorXd& arm);
   bool is_straight(const planning::Path& path, const Handling& handling, int roll);
-  bool is_finger_on_object(const std::string& a, const std::string& b);
   void place_object(const Planar& object_S);
 
   Query& query_;

@@ -103,15 +103,14 @@ def _run(options: argparse.Namespace) -> int:
 
 def _given(options: argparse.Namespace) -> dict[str, Any]:
     """Returns the arguments of `pick`: of the task file, and in their place those of the flags."""
-    from .task import is_pick, read_pick
+    from .task import read_pick
 
-    if is_pick(options.scene):
-        if options.name is not None:
-            raise TaskError(f"NAME: {options.name}: must not be given: {options.scene} names it")
-        given = read_pick(options.scene)
-    elif options.name is None:
-        raise TaskError(f"NAME: missing: {options.scene} is not a task file of kind pick")
-    else:
+    given = read_pick(options.scene)
+    if given is not None and options.name is not None:
+        raise TaskError(f"NAME: {options.name}: must not be given: {options.scene} names it")
+    if given is None:
+        if options.name is None:
+            raise TaskError(f"NAME: missing: {options.scene} is not a task file of kind pick")
         given = {"scene": options.scene, "name": options.name}
     flags = {name: getattr(options, name) for name in ("robot", "lift", "respect", "mass", "seed")}
     flags |= {"best_of": options.best_of, "seconds": options.time}

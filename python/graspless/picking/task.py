@@ -36,18 +36,16 @@ class PickTask(Fields):
     budget: Budget = Budget.model_construct()
 
 
-def is_pick(path: str) -> bool:
-    """Returns True if a YAML file is a task of kind pick."""
-    file = Path(path)
-    if not file.is_file():
-        return False
-    data = read_yaml(file).data
-    return isinstance(data, dict) and data.get("kind") == "pick"
+def read_pick(path: str) -> dict[str, Any] | None:
+    """Returns the arguments of `pick` in a task file, or None if the file is of another kind.
 
-
-def read_pick(path: str) -> dict[str, Any]:
-    """Returns the arguments of `pick` in a task file. Raises TaskError with the line and field."""
+    Raises TaskError with the line and field.
+    """
+    if not Path(path).is_file():
+        return None
     source: Source = read_yaml(Path(path))
+    if not isinstance(source.data, dict) or source.data.get("kind") != "pick":
+        return None
     fields: PickTask = source.validate(PickTask)
     directory = Path(path).resolve().parent
     given = fields.model_dump(exclude={"kind", "budget"})
@@ -57,4 +55,4 @@ def read_pick(path: str) -> dict[str, Any]:
     return given | {name: budget[name] for name in ("seconds", "seed") if name in budget}
 
 
-__all__ = ["PickTask", "is_pick", "read_pick"]
+__all__ = ["PickTask", "read_pick"]

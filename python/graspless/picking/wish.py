@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from .. import robot as robots
     from ..perception import Object, Support
 
-RESPECTS = ("nothing", "objects", "unseen")
-
 
 class RobotOnly(Fields):
     """A document with a robot."""
@@ -98,8 +96,9 @@ def wish_of(
         raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
     if mass is not None and not 0 < mass < 1e6:
         raise TaskError(f"mass: {mass!r}: should be a mass in (0, 1e6) kg")
-    if respect not in RESPECTS:
-        raise TaskError(f"respect: {respect}: should be one of {', '.join(RESPECTS)}")
+    if respect not in scenes.RESPECTS:
+        choices = ", ".join(scenes.RESPECTS)
+        raise TaskError(f"respect: {respect}: should be one of {choices}")
     source = Source(file, {"name": name})
     thing = scenes.named(scene.objects, name, source, ("name",))
     support = scenes.named(scene.supports, thing.support, source, ("name",))

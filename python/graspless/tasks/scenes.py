@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .source import Location, Source
 
 Respect = Literal["nothing", "objects", "unseen"]
+RESPECTS: tuple[Respect, ...] = get_args(Respect)
 RESPECT = (
     "obstacles of the scene: nothing; objects: the other objects and higher supports; unseen: also "
     "the space that no ray reached, except behind the object itself"

@@ -15,19 +15,6 @@
 
 namespace graspless::slide {
 
-namespace {
-
-double angle_between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
-}
-
-}  // namespace
-
-bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance) {
-  return (a.translation() - b.translation()).norm() <= tolerance &&
-         angle_between(a, b) <= tolerance;
-}
-
 double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p) {
   double turned = 0, nearest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
@@ -175,18 +162,18 @@ void Examination::check_lies_flat() {
 
 void Examination::check_object_poses() {
   const Eigen::Isometry3d& X_WO_slid = segment("slide").object_poses.back();
-  if (!is_same(plan_.segments[0].object_poses[0], object_start(), kSame)) {
+  if (!scene::is_same(plan_.segments[0].object_poses[0], object_start(), kSame)) {
     fault(plan_.segments[0], 0, "the object is not at its start");
   }
   if (plan_.resumed) check_lies_flat();
-  if (!is_same(plan_.X_WO_goal, X_WO_slid, kSame))
+  if (!scene::is_same(plan_.X_WO_goal, X_WO_slid, kSame))
     fault("plan", "X_WO_goal is not where the slide ends");
   for (const Segment& s : plan_.segments) {
     if (s.name == "slide") continue;
     const bool before = s.name == "retreat" || s.name == "approach" || s.name == "press";
     const Eigen::Isometry3d& still = before ? plan_.segments[0].object_poses[0] : X_WO_slid;
     for (std::size_t i = 0; i < s.object_poses.size(); ++i) {
-      if (!is_same(s.object_poses[i], still, kSame))
+      if (!scene::is_same(s.object_poses[i], still, kSame))
         fault(s, i, "the object moves though nothing slides it");
     }
   }

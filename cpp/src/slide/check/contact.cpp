@@ -165,8 +165,8 @@ void Examination::check_slide() {
       [&](std::size_t row, const Eigen::VectorXd& q) { check_slide_row(slide, row, q); });
   for (std::size_t row = 0; row < slide.positions.size(); ++row) {
     poll();
-    if (!is_same(followed(slide.object_poses[0], start, finger(slide.positions[row])),
-                 slide.object_poses[row], kSame)) {
+    if (!scene::is_same(followed(slide.object_poses[0], start, finger(slide.positions[row])),
+                        slide.object_poses[row], kSame)) {
       fault(slide, row, "the object does not follow the contact");
     }
   }

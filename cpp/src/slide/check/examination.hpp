@@ -30,9 +30,6 @@ constexpr double kSideways = 0.003, kTurned = 0.03;  // of the hand off its stra
 
 using Faults = std::vector<std::string>;
 
-/// True if two poses agree in position [m] and attitude [rad] within `tolerance`.
-bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance);
-
 /// Signed distance of a point to a polygon's boundary [m], positive inside (by the winding number).
 double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p);
 

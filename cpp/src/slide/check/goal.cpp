@@ -155,7 +155,7 @@ void Examination::check_pair() {
 void Examination::check_grasp() {
   const Segment& grasp = segment("grasp");
   const int H = problem_.robot.frame(problem_.hand.grasp_frame);
-  if (!is_same(problem_.robot.pose(H, grasp.positions.back()), plan_.X_WH_grasp, 1e-5)) {
+  if (!scene::is_same(problem_.robot.pose(H, grasp.positions.back()), plan_.X_WH_grasp, 1e-5)) {
     fault("grasp", "does not end at X_WH_grasp");
   }
   const Protrusion out = protrusion();

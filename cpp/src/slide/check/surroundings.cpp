@@ -21,12 +21,11 @@ void require_segment(const std::string& name) {
   throw std::invalid_argument("segment '" + name + "' is none of " + choices);
 }
 
-/// Returns a world in which nothing is tested between robot and object.
-Replay without_object(Replay world) {
+/// Ends all tests between robot and object.
+void ignore_object(Replay& world) {
   for (int body = 0; body < world.bodies().num_links(); ++body) {
     world.bodies().world().remove_pair(body, world.object());
   }
-  return world;
 }
 
 }  // namespace
@@ -34,9 +33,11 @@ Replay without_object(Replay world) {
 struct Surroundings::State {
   State(const Problem& given, const Options& options)
       : problem(given),
-        free(without_object({problem, allowed_depths(problem.hand, options).max})),
-        pressed(without_object(
-            Replay(problem, allowed_depths(problem.hand, options).max).with(Contacts::press))) {}
+        free(problem, allowed_depths(problem.hand, options).max),
+        pressed(free.with(Contacts::press)) {
+    ignore_object(free);
+    ignore_object(pressed);
+  }
 
   const Problem problem;
   Replay free, pressed;
