@@ -286,7 +286,7 @@ void bind_interruption(py::module_& m) {
 void bind_surroundings(py::module_& m) {
   py::class_<Surroundings>(
       m, "Surroundings",
-      "What a robot that follows a slide must not touch: the support, the obstacles, and "
+      "Bodies that a robot must not touch while it follows a slide: support, obstacles, and "
       "itself.\n\n"
       "Contacts between robot and object are not looked at. The object must not touch obstacles.")
       .def(py::init<const Problem&, const Options&>(), py::arg("problem"),

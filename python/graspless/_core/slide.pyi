@@ -959,7 +959,7 @@ class Turning:
         ...
 class Surroundings:
     """
-    What a robot that follows a slide must not touch: the support, the obstacles, and itself.
+    Bodies that a robot must not touch while it follows a slide: support, obstacles, and itself.
     
     Contacts between robot and object are not looked at. The object must not touch obstacles.
     """

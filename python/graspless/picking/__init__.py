@@ -61,7 +61,7 @@ def pick(
     lift : float
         Height of the lift [m].
     respect : str
-        What is an obstacle, besides the support: nothing, objects or unseen, as in task files.
+        Obstacles besides the support: nothing, objects or unseen, as in task files.
     mass : float, optional
         Mass of the object for simulations [kg].
     best_of : int

@@ -73,7 +73,7 @@ class Pick:
 
     @property
     def reason(self) -> str:
-        """What became of all strategies, in one line; empty if there is a plan."""
+        """Results of all strategies in one line; empty if there is a plan."""
         if self:
             return ""
         return "; ".join(f"{a.strategy}: {a.reason or a.status}" for a in self.attempts)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What shall be picked up, in the words of task files."""
+"""The object that shall be picked up, and the robot, in the words of task files."""
 
 from __future__ import annotations
 

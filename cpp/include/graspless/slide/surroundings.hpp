@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a robot that follows a slide must not touch. A plan is free of collisions; a motion that
-// deviates from it, because the object does, has to be tested again.
+// Surroundings of a robot that follows a slide, which it must not touch. A plan is free of
+// collisions; a motion that deviates from it, because the object does, has to be tested again.
 #pragma once
 
 #include <memory>
