@@ -9,7 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from graspless import frames
-from graspless.following import Follower
+from graspless.following import Follower, Settings
+
+# A search that ends in one update finds the same plan on a busy machine, too.
+PATIENT = Settings(search_seconds=1.0, plan_seconds=2.0, resume_seconds=1.0)
 
 
 @dataclass
@@ -39,7 +42,7 @@ class World:
         self.problem, self.robot, self.hand = problem, problem.robot, problem.hand
         self.X_WO = np.array(problem.X_WO_start) @ frames.planar(0, 0, self.yaw)
         self.X_WO[:3, 3] += [self.x, self.y, 0]
-        self.follower = Follower(self.plan)
+        self.follower = Follower(self.plan, PATIENT)
         self.random = np.random.default_rng(self.seed)
         self.q = np.array(self.plan.segments[0].positions[0])
         self.t, self.shown, self.pose, self.age = 0.0, [], None, 0.0

@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 import graspless
-from following_common import World
+from following_common import PATIENT, World
 from graspless import _data, frames, slide
 from graspless.errors import TaskError
 from graspless.following import Follower, Settings
 from graspless.following.guard import Guard
+from graspless.timing.settings import ACCELERATION, JERK
 
 CARD = _data.directory("examples") / "01_slide_card.yaml"
 CAMERA = {"lag": 0.1, "noise": (0.002, np.radians(1)), "bias": (0.0009, -0.0009, 0.0008)}
@@ -63,18 +64,65 @@ def test_the_hand_keeps_away_while_it_reaches_and_not_where_it_grasps(plan):
     assert np.linalg.norm(off) < 1e-4
 
 
-def test_targets_are_smooth_and_within_limits(plan):
+def derivatives(world):
+    """Velocity, acceleration and jerk [N - 3, dof] of the targets by differences, and phases."""
+    positions = np.array([target.position for target in world.targets])
+    steps = [np.diff(positions, k, axis=0) * world.rate**k for k in (1, 2, 3)]
+    names = np.array([target.phase for target in world.targets])
+    return [step[3 - k :] for k, step in enumerate(steps, 1)], names[3:]
+
+
+def nothing(world):
+    pass
+
+
+def kick(world):
+    world.run(lambda target: target.phase == "slide" and world.t > 8)
+    world.kick(0.01, 0.0, 0.17)
+
+
+def dark(world):
+    world.run(lambda target: target.phase == "slide")
+    world.camera = 0
+    world.run(lambda target: target.status == "waiting")
+    world.camera = 3
+
+
+def out_of_touch(world):
+    world.run(lambda target: target.phase == "slide" and world.t > 8)
+    world.kick(0, 0.12, 0)
+    world.run(lambda target: target.phase == "retreat")
+    world.contact = None
+
+
+@pytest.mark.parametrize("happens", [nothing, kick, dark, out_of_touch])
+def test_targets_have_bounded_speed_acceleration_and_jerk(plan, happens):
+    world = World(plan, x=0.004, yaw=0.05, rate=100.0, camera=3, **CAMERA)
+    happens(world)
+    assert world.run().status == "done"
+    for k in (1, -1):
+        given = world.targets[k].position - world.targets[k - 1].position
+        np.testing.assert_allclose(given * world.rate, world.targets[k].velocity, atol=1e-9)
+    (velocity, acceleration, jerk), _ = derivatives(world)
+    assert (np.abs(velocity) / np.array(plan.task.problem.robot.max_velocity)).max() < 1
+    bends = 1.5  # corrections near a singularity of the arm
+    assert np.abs(acceleration).max() < bends * ACCELERATION[0]
+    assert np.abs(jerk).max() < bends * JERK * ACCELERATION[0]
+
+
+def test_targets_in_contact_accelerate_less(plan):
     world = World(plan, x=0.004, yaw=0.05, **CAMERA)
     world.run()
-    positions = np.array([target.position for target in world.targets])
-    velocities = np.array([target.velocity for target in world.targets])
-    steps = np.diff(positions, axis=0) * world.rate
-    np.testing.assert_allclose(steps, velocities[1:], atol=1e-9)
-    limits = np.array(plan.task.problem.robot.max_velocity)
-    assert (np.abs(velocities) / limits).max() < 1
-    slides = np.array([target.phase == "slide" for target in world.targets])
-    jumps = np.abs(np.diff(velocities[slides], axis=0)) * world.rate
-    assert jumps.max() < 3  # [rad/s^2]: limits of contact, and of corrections
+    (_, acceleration, _), names = derivatives(world)
+    assert np.abs(acceleration[names == "slide"]).max() < 3  # limits of contact, and of corrections
+
+
+def test_a_bound_on_the_jerk_makes_targets_smoother(plan):
+    world = World(plan, rate=100.0, **CAMERA)
+    world.follower = Follower(plan, PATIENT, max_jerk=50.0)
+    assert world.run().status == "done"
+    (_, _, jerk), _ = derivatives(world)
+    assert np.abs(jerk).max() < 50
 
 
 @pytest.mark.parametrize("off", [(0.004, 0, 0.03), (-0.002, 0.003, -0.05), (0, 0, 0.08)])
@@ -141,7 +189,7 @@ def test_an_object_that_turns_less_than_the_finger_is_turned_further(plan):
     assert blind.error()[1] > np.radians(10)
     assert world.error()[1] < np.radians(2)
     assert world.error()[0] < 0.004
-    assert world.follower.restarts == 0
+    assert world.follower.restarts <= 1
     assert world.follower.resumes >= 1
 
 
@@ -298,7 +346,7 @@ def test_each_pose_has_a_verdict_and_bad_ones_move_nothing(moving, name):
     assert target.pose == verdict
     assert target.status == "moving"
     off = moving.follower._hand.place(moving.X_WO) - moving.follower.estimate.place
-    assert np.abs(off).max() < 1e-3  # the estimate is where it was
+    assert np.abs(off).max() < 3e-3  # the estimate is where it was, a lag before the object
 
 
 JOINTS = {
@@ -383,3 +431,29 @@ def test_what_cannot_be_followed_is_refused(plan):
     other = graspless.plan(_data.directory("examples") / "06_push_block.yaml")
     with pytest.raises(TaskError, match="fingertip: only slide plans can be followed"):
         Follower(other)
+
+
+def test_a_search_is_spread_over_updates(plan):
+    settings = Settings(search_seconds=1e-5, plan_seconds=0.5)
+    world = World(plan, 0.007, -0.007, 0.17, **CAMERA)
+    world.follower = Follower(plan, settings)
+    searches, search = [], slide.plan
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(slide, "plan", lambda *given: searches.append(given[2]) or search(*given))
+        world.run(lambda target: target.phase == "press")
+    assert "planned anew" in world.targets[-1].reason
+    assert len(searches) > 3
+    np.testing.assert_allclose(
+        [b.seconds for b in searches], 1e-5 * 2.0 ** np.arange(len(searches))
+    )
+    assert len({budget.seed for budget in searches}) == len(searches)
+    looking = [target.velocity for target in world.targets if target.status == "looking"]
+    assert np.abs(looking).max() == 0
+
+
+def test_a_search_that_never_ends_is_given_up(plan):
+    settings = Settings(search_seconds=1e-6, plan_seconds=1e-5)
+    world = World(plan, 0.007, -0.007, 0.17, **CAMERA)
+    world.follower = Follower(plan, settings)
+    assert world.run().status == "stopped"
+    assert world.targets[-1].reason

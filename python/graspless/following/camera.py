@@ -36,8 +36,13 @@ class Camera:
         """Counts poses anew."""
         self.used = self.off = 0
 
-    def see(self, t: float, pose: Any, covariance: Any, age: Any, estimate: Estimate) -> str:
-        """Takes a pose X_WO that is `age` [s] old at time t; returns what became of it."""
+    def see(
+        self, t: float, pose: Any, covariance: Any, age: Any, lag: float, estimate: Estimate
+    ) -> str:
+        """Takes a pose X_WO that is `age` [s] old at time t; returns what became of it.
+
+        The object comes `lag` [s] after the motions that the estimate was told.
+        """
         X_WO, R = _pose(pose), _covariance(covariance)
         if X_WO is None:
             return "not_a_pose"
@@ -56,7 +61,7 @@ class Camera:
             self.off += 1
             return fault
         seen = np.array([*self._hand.place(X_WO), X_SO[2, 3]])
-        verdict = estimate.measure(taken, seen, self._flat(R))
+        verdict = estimate.measure(taken - lag, seen, self._flat(R))
         if verdict in ("used", "moved"):
             self._newest, self.last, self.off = taken, t, 0
             self.used += 1

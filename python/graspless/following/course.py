@@ -129,11 +129,12 @@ def limits_of(
     rate: float,
     max_velocity: PerJoint | None,
     max_acceleration: PerJoint | None,
+    max_jerk: PerJoint | None,
     contact_speed: float | None,
 ) -> Settings:
     """Returns the limits of a robot's motions, as `graspless.time` does."""
     velocity, acceleration, jerk = settings.joint_limits(
-        robot, max_velocity, max_acceleration, None
+        robot, max_velocity, max_acceleration, max_jerk
     )
     if contact_speed is not None:
         contact_speed = settings.require_positive("contact_speed", contact_speed)

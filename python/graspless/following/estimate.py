@@ -168,8 +168,12 @@ class Estimate:
 
     def _motion_at(self, t: float) -> Matrix:
         times = np.array(self._times)
-        k = int(np.searchsorted(times, t, side="right")) - 1
-        return self._motions[max(k, 0)]
+        k = max(int(np.searchsorted(times, t, side="right")) - 1, 0)
+        if k + 1 == len(times) or not np.isfinite(times[k]):
+            return self._motions[k]
+        part = (t - times[k]) / (times[k + 1] - times[k])
+        step: Matrix = part * plane.difference(self._motions[k], self._motions[k + 1])
+        return self._motions[k] + step
 
     def _stranger(self, H: Matrix, error: Matrix, R: Matrix) -> str:
         """Keeps a pose that is far away; believes it when others say the same."""

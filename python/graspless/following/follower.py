@@ -10,14 +10,13 @@ import numpy as np
 
 from ..errors import TaskError
 from ..plan_files import as_plan
-from ..timing.joints import zones_of
-from ..timing.slide import touch
 from .camera import Camera
-from .course import Course, goes_on, limits_of
+from .course import goes_on, limits_of
 from .deviation import IN_CONTACT, Deviation
 from .estimate import Estimate
 from .guard import Guard
-from .hand import Correction, Hand
+from .hand import Hand
+from .motion import Motion
 from .replan import Replanner
 from .settings import Settings, Target
 from .watch import Watch, is_time
@@ -28,11 +27,14 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Plan
     from ..timing.settings import PerJoint
+    from .correction import Correction
+    from .course import Course
 
 RETREAT = "retreat"
 _LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
 _FALLEN = 5  # successive poses off the support after which the object has fallen
 _PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
+_NO_STEP = np.zeros(3), 0.0
 _ELSEWHERE = "the object is not where the plan has it"
 
 
@@ -50,8 +52,9 @@ class Follower:
     plan : slide.Plan, str or Path
         Solved plan, or the path of its file.
     settings : Settings, optional
-    max_velocity, max_acceleration, contact_speed
-        Limits, as of `graspless.time`. Half of each acceleration limit is kept for bends.
+    max_velocity, max_acceleration, max_jerk, contact_speed
+        Limits, as of `graspless.time`. Half of each acceleration limit is kept for bends. The
+        targets are means over the time in which the jerk can turn an acceleration round.
 
     Raises
     ------
@@ -66,6 +69,7 @@ class Follower:
         *,
         max_velocity: PerJoint | None = None,
         max_acceleration: PerJoint | None = None,
+        max_jerk: PerJoint | None = None,
         contact_speed: float | None = None,
     ) -> None:
         found: Any = as_plan(plan)
@@ -75,18 +79,17 @@ class Follower:
             raise TaskError(f"the plan's status is {found.status}, not solved: nothing to follow")
         self.settings = settings or Settings()
         problem = found.task.problem
-        self._limits = limits_of(
-            problem.robot, self.settings.rate, max_velocity, max_acceleration, contact_speed
-        )
-        self._problem, self._hand = problem, Hand(problem)
+        limits = max_velocity, max_acceleration, max_jerk
+        within = limits_of(problem.robot, self.settings.rate, *limits, contact_speed)
+        self._hand = Hand(problem)
         self._guard = Guard(found, self._hand)
         self._replanner = Replanner(found, self._hand, self._guard, self.settings)
         self._watch = Watch(problem.robot, self._hand.arm, self.settings)
         self.plan: Plan = found
         self.resumes = self.restarts = 0
         self.estimate = Estimate(self._hand.place(problem.X_WO_start), self.settings.noise)
+        self._motion = Motion(problem, self._hand, within, self.settings, found.segments[0])
         self._camera = Camera(problem, self._hand)
-        self._correction = Correction(self.settings)
         self._t = self._looked = self._planned = -np.inf
         self._still = 0.0  # time since the segment ended
         self._stopped = ""
@@ -95,11 +98,7 @@ class Follower:
         self._restart = ""  # reason for which the motion brakes, to begin anew
         self._is_braking = False  # to go on from rest
         self._is_blocked = False  # the shifted path of this segment would touch something
-        q = np.array(found.segments[0].positions[0])
-        self._command, self._velocity = q, np.zeros_like(q)
-        self._course: Course
         self._index = 0
-        self._begin(0)
 
     def update(
         self, t: float, q: Any, pose: Any = None, covariance: Any = None, age: float = 0.0
@@ -124,58 +123,59 @@ class Follower:
             return self._update(t, q, pose, covariance, age)
         except Exception as error:  # in the middle of a motion a loop has to go on
             self._stop(f"{type(error).__name__}: {error}")
-            return self._target("none", np.zeros_like(self._command))
+            return self._target("none", np.zeros_like(self._motion.target))
 
     def _update(self, t: float, q: Any, pose: Any, covariance: Any, age: float) -> Target:
         if not is_time(t) or t <= self._t:
             self._reason = f"t: {t}: should be a number above {self._t:g}"
-            return self._target("none", np.zeros_like(self._velocity))
+            return self._target("none", np.zeros_like(self._motion.target))
         seconds = min(float(t) - self._t, _LONGEST)
         self._t = float(t)
         seen = "none"
         if pose is not None:
-            seen = self._camera.see(self._t, pose, covariance, age, self.estimate)
+            seen = self._camera.see(self._t, pose, covariance, age, self._motion.lag, self.estimate)
         waits = self._waits(q, seconds)
         if self._camera.off >= _FALLEN and self._course.name != "close":
             self._stop(f"the object is off its support in {_FALLEN} successive poses")
         if self._is_looking:
-            self._look(waits)
+            self._look(seconds, waits)
         else:
             self._move(seconds, waits)
-        return self._commanded(seconds, waits, seen)
+        return self._target(seen, self._motion.command(seconds), waits)
 
     def _waits(self, q: Any, seconds: float) -> str:
         """Returns the reason for which the motion has to wait, or an empty text."""
-        waits, is_lost = self._watch.joints(seconds, q, self._command)
+        waits, is_lost = self._watch.joints(seconds, q, self._motion.target)
         if not waits and self._course.name in IN_CONTACT:
             waits, is_lost = self._watch.poses(self._t - self._camera.last)
         if waits and is_lost:
             self._stop(waits)
         return waits
 
-    def _look(self, waits: str) -> None:
+    def _look(self, seconds: float, waits: str) -> None:
         """Waits at rest until the object was seen often enough, then begins."""
         s = self.settings
+        self._correction.move(seconds, self._deviation.pivot, *_NO_STEP)
         if not np.isfinite(self._looked):
             self._looked = self._t
         waited = self._t - self._looked
         if waits or self._stopped or (self._camera.used < s.look_poses and waited < s.look_seconds):
             return
-        self._is_looking, self._looked = False, -np.inf
         if self._course.name == RETREAT and not self._camera.used:
             self._stop(f"no usable pose in {s.look_seconds:g} s")
         elif self._course.name == RETREAT or self._deviation.is_large(s):
             self._plan_anew()
+        self._is_looking = self._replanner.is_searching
+        if not self._is_looking:
+            self._looked = -np.inf
 
     def _move(self, seconds: float, waits: str) -> None:
         """Goes on along the segment, corrects, and decides on new plans and the next segment."""
         self._brake_before_contact()
         halted = bool(waits or self._stopped or self._restart or self._is_braking)
-        before, course = self._deviation.commanded, self._course
-        if not (waits or self._stopped or self._is_blocked):
-            self._correct(seconds, not halted)
-        if self._course is not course:
-            before = self._deviation.commanded
+        step = _NO_STEP if halted or self._is_blocked else self._step()
+        before = self._deviation.commanded
+        self._correction.move(seconds, self._deviation.pivot, *step)
         halted = halted or bool(self._restart or self._is_braking)
         self._course.advance(seconds, 0.0 if halted else 1.0, self.settings.brake_seconds)
         if self._course.name in IN_CONTACT:
@@ -183,13 +183,15 @@ class Follower:
         if waits or self._stopped:
             return
         if self._course.rate == 0 and self._is_braking:
-            self._is_braking = False
             self._resume(at_rest=True)
-        elif self._restart and (self._course.rate == 0 or self._course.has_ended):
+        elif self._restart and self._motion.rests:
             self._begin_anew()
         elif self._course.has_ended and not halted:
             self._still += seconds
-            if self._deviation.has_settled(self._still, not self._camera.used, self.settings):
+            is_blind, settings = not self._camera.used, self.settings
+            if self._still < self._motion.window:
+                return
+            if self._deviation.has_settled(self._still, is_blind, settings):
                 self._end()
 
     def _brake_before_contact(self) -> None:
@@ -209,12 +211,6 @@ class Follower:
         else:
             self._stop(reason)
 
-    def _commanded(self, seconds: float, waits: str, seen: str) -> Target:
-        shifted = self._hand.shifted(self._base(), np.zeros(3), self._correction.height)
-        velocity = (shifted - self._command) / seconds if seconds > 0 else np.zeros_like(shifted)
-        self._command, self._velocity = shifted, velocity
-        return self._target(seen, velocity, waits)
-
     def _target(self, seen: str, velocity: Matrix, waits: str = "") -> Target:
         if self._stopped:
             status, reason = "stopped", self._stopped
@@ -224,27 +220,37 @@ class Follower:
             status, reason = "waiting", waits or self._restart
         else:
             status, reason = "looking" if self._is_looking else "moving", self._reason
-        return Target(self._command.copy(), velocity, status, reason, self._course.name, seen)
+        return Target(self._motion.target.copy(), velocity, status, reason, self._course.name, seen)
+
+    @property
+    def _course(self) -> Course:
+        return self._motion.course
+
+    @property
+    def _correction(self) -> Correction:
+        return self._motion.correction
 
     @property
     def _deviation(self) -> Deviation:
         away = self._hand.away(self.plan.X_WH_grasp, self.settings.stand_off)
         return Deviation(self._course, self._correction.motion, self.estimate.place, away)
 
-    def _correct(self, seconds: float, may_plan: bool) -> None:
-        deviation, name = self._deviation, self._course.name
+    def _step(self) -> tuple[Matrix, float]:
+        """Returns step [3] and rise of the correction; larger deviations are planned anew."""
+        deviation, name, rise = self._deviation, self._course.name, 0.0
         if name == "approach":
             off, spread = self.estimate.height, self.estimate.spread[2]
-            self._correction.raise_to(seconds, off if abs(off) > 2 * spread else 0.0)
-        if name in _PLANNED_ANEW and self._camera.used and deviation.is_large(self.settings):
-            if may_plan and self._t - self._planned > self.settings.between:
-                self._planned = self._t
-                if name in IN_CONTACT:
-                    self._resume()
-                else:
-                    self._restart = _ELSEWHERE
-            return
-        self._correction.follow(seconds, deviation.pivot, deviation.step)
+            rise = (off if abs(off) > 2 * spread else 0.0) - self._correction.height
+        is_new = name in _PLANNED_ANEW and self._camera.used
+        if not (is_new and deviation.is_large(self.settings)):
+            return deviation.step, rise
+        if self._replanner.is_searching or self._t - self._planned > self.settings.between:
+            self._planned = self._t
+            if name in IN_CONTACT:
+                self._resume()
+            else:
+                self._restart = _ELSEWHERE
+        return np.zeros(3), rise
 
     @property
     def is_done(self) -> bool:
@@ -267,31 +273,30 @@ class Follower:
 
     def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
         self._still, self._is_blocked = 0.0, False
-        places = np.array([self._hand.place(X) for X in segment.object_poses])
-        zones = zones_of(segment, touch(self._problem, segment, self._limits), self._limits)
-        self._course = Course(segment, places, zones, self.settings.rate, q, velocity)
-
-    def _base(self) -> Matrix:
-        """Returns the target without the correction of the height."""
-        return self._hand.shifted(self._course.position(), self._correction.motion, 0.0)
+        self._replanner.forget()
+        self._motion.take(segment, q, velocity)
 
     def _resume(self, at_rest: bool = False) -> None:
         """Plans the rest of the slide, or brakes to begin anew."""
         if self.resumes >= self.settings.resumes:
+            self._is_braking = False
             self._restart = f"the object did not follow {self.resumes} plans"
             return
-        q = self._base()
+        q = self._motion.base
         plan, fault = self._replanner.resume(self.plan, q, self.estimate.place)
+        if self._replanner.is_searching:
+            return  # it goes on in the next update
+        self._is_braking = False
         if plan is None:
             self._restart = fault
-        elif not (at_rest or goes_on(plan.segments[0], self._velocity)):
+        elif not (at_rest or goes_on(plan.segments[0], self._motion.velocity)):
             self._is_braking = True
         else:
             self.resumes += 1
             self._reason = f"planned the rest anew: {_ELSEWHERE}"
             self.plan = plan
             self._correction.clear()
-            self._begin(0, q, self._velocity)
+            self._begin(0, q, self._motion.velocity)
 
     def _begin_anew(self) -> None:
         """Lifts the hand straight up if it may touch the object, to begin anew from there."""
@@ -302,14 +307,16 @@ class Follower:
         self.restarts += 1
         self._reason = f"begins anew: {reason}"
         lifts, place = self._course.name in IN_CONTACT, self.estimate.place
-        segment = self._replanner.retreat(self._base(), place, lifts)
+        segment = self._replanner.retreat(self._motion.base, place, lifts)
         self._index = -1
         self._correction.clear()
         self._take(segment)
         self.estimate.loosen()
 
     def _plan_anew(self) -> None:
-        plan, fault = self._replanner.anew(self._base(), self.estimate.place)
+        plan, fault = self._replanner.anew(self._motion.base, self.estimate.place)
+        if self._replanner.is_searching:
+            return
         if plan is None:
             self._stop(fault)
             return

@@ -15,8 +15,9 @@ from .deviation import IN_CONTACT
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Plan
+    from .correction import Correction
     from .deviation import Deviation
-    from .hand import Correction, Hand
+    from .hand import Hand
 
 
 class Guard:

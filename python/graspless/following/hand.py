@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Corrections in place: the hand's path, shifted and turned in the plane of the support."""
+"""The hand and its path, shifted and turned in the plane of the support."""
 
 from __future__ import annotations
 
@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
-from . import plane
 
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Problem
-    from .settings import Settings
 
 
 _STEPS = 3  # of least squares
-_DAMPING = 1e-4  # of singular values squared [m^2 or 1]; the arms here have 1e-2 and more
+_DAMPING = 1e-2  # of singular values squared [m^2 or 1]; with less, joints jump near a singularity
 
 
 class Hand:
@@ -80,50 +78,3 @@ def _twist(X_WA: Matrix, X_WB: Matrix) -> Matrix:
     R = X_WB[:3, :3] @ X_WA[:3, :3].T
     turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2  # if small
     return np.concatenate([X_WB[:3, 3] - X_WA[:3, 3], turn])
-
-
-class Correction:
-    """Shift of the hand's path, that follows what is asked with bounded speed and acceleration.
-
-    Attributes
-    ----------
-    motion : array [3]
-        D: x, y [m] and yaw [rad]; acts from the left in the plane of the support.
-    height : float
-        Shift along the support's normal [m].
-    """
-
-    def __init__(self, settings: Settings) -> None:
-        self.settings = settings
-        self.clear()
-        self.height = 0.0
-
-    def clear(self) -> None:
-        """Begins anew at no shift in the plane; the height stays."""
-        self.motion = np.zeros(3)
-        self._rate = np.zeros(3)
-
-    def follow(self, seconds: float, pivot: Matrix, step: Matrix) -> None:
-        """Moves D so that the point at `pivot` [2] is moved by a part of `step` [3]."""
-        s = self.settings
-        asked = s.gain * step
-        asked[:2] *= min(1.0, s.speed / max(float(np.hypot(*asked[:2])), 1e-12))
-        asked[2] = np.clip(asked[2], -s.turn_speed, s.turn_speed)
-        change = asked - self._rate
-        most = s.acceleration * seconds
-        change[:2] *= min(1.0, most / max(float(np.hypot(*change[:2])), 1e-12))
-        change[2] = np.clip(
-            change[2], -s.turn_acceleration * seconds, s.turn_acceleration * seconds
-        )
-        self._rate = self._rate + change
-        if np.any(self._rate):
-            self.motion = plane.turned(self.motion, pivot, self._rate * seconds)
-
-    def ahead(self, seconds: float, pivot: Matrix) -> Matrix:
-        """Returns D [3] if it goes on as it moves now."""
-        return plane.turned(self.motion, pivot, self._rate * seconds)
-
-    def raise_to(self, seconds: float, height: float) -> None:
-        """Moves the height towards `height` [m], at the speed of corrections."""
-        most = self.settings.speed * seconds
-        self.height += float(np.clip(height - self.height, -most, most))

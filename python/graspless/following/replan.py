@@ -11,6 +11,8 @@ import numpy as np
 from .. import planning, slide
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from ..frames import Matrix
     from ..slide import Plan
     from .guard import Guard
@@ -24,26 +26,56 @@ class Replanner:
     def __init__(self, plan: Plan, hand: Hand, guard: Guard, settings: Settings) -> None:
         self._task = plan.task
         self._hand, self._guard, self._settings = hand, guard, settings
+        self.forget()
+
+    def forget(self) -> None:
+        """Ends a search that has not found anything."""
+        self._tries, self._spent = 0, 0.0
+        self.is_searching = False
 
     def anew(self, q: Matrix, place: Matrix) -> tuple[Plan | None, str]:
-        """Plans from q [dof], not in contact, with the object at a place [3]."""
-        problem = self._problem(q, place)
-        budget = planning.Budget(seconds=self._settings.plan_seconds, seed=self._task.seed)
-        return _found(slide.plan(problem, self._task.options, budget))
+        """Plans from q [dof], at rest and not in contact, with the object at a place [3]."""
+        problem, options = self._problem(q, place), self._task.options
+
+        def search(budget: planning.Budget) -> Plan:
+            return slide.plan(problem, options, budget)
+
+        return self._searched(search, self._tries, self._settings.plan_seconds)
 
     def resume(self, plan: Plan, q: Matrix, place: Matrix) -> tuple[Plan | None, str]:
         """Plans the rest of a slide from q [dof], pressed, with the object at a place [3]."""
-        budget = planning.Budget(seconds=self._settings.resume_seconds, seed=self._task.seed)
         X_WO, task = self._hand.pose(place), self._task
-        found = slide.resume(
-            task.problem,
-            q,
-            X_WO,
-            X_WO_goal=plan.X_WO_goal,
-            options=task.options,
-            budget=budget,
-        )
-        return _found(found)
+
+        def search(budget: planning.Budget) -> Plan:
+            return slide.resume(
+                task.problem,
+                q,
+                X_WO,
+                X_WO_goal=plan.X_WO_goal,
+                options=task.options,
+                budget=budget,
+            )
+
+        return self._searched(search, self._tries // 4, self._settings.resume_seconds)
+
+    def _searched(
+        self, search: Callable[[planning.Budget], Plan], doublings: int, most: float
+    ) -> tuple[Plan | None, str]:
+        """Searches once. Returns the plan, or None and the reason.
+
+        `is_searching` is then True if the time ended without a plan and less than `most` [s] has
+        been spent: the next call goes on, with another seed and from the state of then.
+        """
+        seconds = min(self._settings.search_seconds * 2**doublings, most - self._spent)
+        budget = planning.Budget(seconds=seconds, seed=self._task.seed + self._tries)
+        plan = search(budget)
+        self._tries += 1
+        self._spent += seconds
+        self.is_searching = not plan and plan.statistics.seconds >= seconds and self._spent < most
+        if self.is_searching:
+            return None, ""
+        self.forget()
+        return _found(plan)
 
     def retreat(self, q: Matrix, place: Matrix, lifts: bool) -> slide.Segment:
         """Returns the segment that lifts the hand off the object from q [dof], or stays there.

@@ -61,10 +61,12 @@ class Settings:
     joint_seconds : float
         Time of larger distances, or of joints that are no numbers, after which the motion is given
         up [s].
-    plan_seconds : float
-        Time limit of a new plan from rest [s].
-    resume_seconds : float
-        Time limit of a plan without lifting off [s].
+    plan_seconds, resume_seconds : float
+        Longest searches for a new plan: from rest, and without lifting off [s].
+    search_seconds : float
+        Part of them in one update [s]. A search that ends without a plan goes on in the next
+        update, with another seed and from the state of then. Its part doubles every time at rest,
+        and every fourth time otherwise.
     rate : float
         Samples of a timed segment per second [1/s].
     """
@@ -96,7 +98,8 @@ class Settings:
     joint_tolerance: float = 0.2
     joint_seconds: float = 0.2
     plan_seconds: float = 2.0
-    resume_seconds: float = 0.05
+    resume_seconds: float = 0.15
+    search_seconds: float = 0.004
     rate: float = 200.0
 
 
