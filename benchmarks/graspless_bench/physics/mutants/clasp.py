@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graspless.robot import Robot
+
 from . import Mutant, bend, block, keep_rows, segments
 
 if TYPE_CHECKING:
@@ -104,7 +106,11 @@ def _weak_motors(document: Row) -> None:
 
 
 def _obstacle(document: Row) -> None:
-    block(document, document["tree"]["points"][document["tree"]["path"][-1]], 0.03)
+    """Puts a cube where the outermost link of the closed hand is."""
+    robot = Robot.from_urdf(document["task"]["robot"]["urdf_text"])
+    q = document["segments"][-1]["positions"][-1]
+    tip = robot.pose(robot.frame_names[-1], q)
+    block(document, tip[:3, 3].tolist(), 0.03)
 
 
 def _safer(document: Row) -> None:

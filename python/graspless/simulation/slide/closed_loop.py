@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
-from ...following import Follower
+from ...following import Follower, Settings
 from ...following.follower import RETREAT
 from . import Execution
 from .program import HOLD, Command, Program, make_end
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 STOPPED = "stop"  # phase of a follower that has given up
 _STOP_SECONDS = 0.5  # after which the trial ends [s]
 _LONGEST = 120.0  # trial [s]
+# Time stands still while the follower searches: parts of a search would depend on the computer.
+_FOLLOWING = Settings(search_seconds=Settings().plan_seconds)
 
 
 @dataclass(frozen=True)
@@ -107,7 +109,7 @@ class Followed:
     def __init__(
         self, plan: Plan, camera: Camera, timestep: float, settings: Slide, rate: float = 100.0
     ) -> None:
-        self.follower = Follower(plan)
+        self.follower = Follower(plan, _FOLLOWING)
         self._plan, self._camera, self._settings = plan, camera, settings
         self._timestep = timestep
         self._every = max(1, round(1 / rate / timestep))
