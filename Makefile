@@ -11,6 +11,7 @@ test:  ## C++ and Python tests
 	@tools/install-bench
 	@.venv/bin/pip install --quiet --no-deps "airo-models>=0.0.12" "example-robot-data>=6" "rtb-data>=2"  # robots for tests: data alone
 	ctest --test-dir build/make --output-on-failure --no-tests=error
+	@tools/test-ros
 	.venv/bin/pytest
 
 lint:  ## what a commit must pass: ruff, mypy, clang-format, codespell

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from ... import frames, robot
+from ...timing.squeeze import beyond
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -144,7 +145,7 @@ def additions(
 ) -> tuple[list[tuple[str, Matrix]], float]:
     """Returns squeeze, raise and hold from q [dof] as rows by name, and the height reached [m]."""
     count = max(1, round(settings.squeeze_seconds / timestep))
-    squeeze = _squeeze(plan, settings.squeeze)
+    squeeze = beyond(plan, settings.squeeze)
     squeezed = q + np.minimum(1.5 * np.linspace(0, 1, count), 1)[:, None] * squeeze
     path, raised = straight_lift(plan, q, settings.lift_height)
     path = path + squeeze
@@ -182,20 +183,6 @@ def _along(path: Matrix, t: Matrix) -> Matrix:
     """[N, dof] a path of even waypoints at t, from 0 to 1."""
     s = np.linspace(0, 1, len(path))
     return np.stack([np.interp(t, s, column) for column in path.T], axis=1)
-
-
-def _squeeze(plan: Plan, travel: float) -> Matrix:
-    """Returns how far each joint closes beyond contact [dof].
-
-    The largest Robot.step() is `travel`.
-    """
-    problem = plan.task.problem
-    hand, arm = problem.hand, problem.robot
-    way = np.array(arm.state(hand.closed)) - np.array(arm.state(hand.open))
-    way[arm.group(hand.arm)] = 0.0
-    largest = np.abs(way * arm.step_weights).max()
-    beyond: Matrix = way / largest * travel if largest > 0 else way
-    return beyond
 
 
 def straight_lift(plan: Plan, q: Matrix, height: float) -> tuple[Matrix, float]:

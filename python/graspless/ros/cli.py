@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless ros`."""
+
+from __future__ import annotations
+
+import argparse
+
+from .._commands import FOUND, INTERRUPTED
+from . import require_ros
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `ros`."""
+    parser.description = (
+        "Run graspless in ROS 2. node: the actions plan_task and pick_object and the service "
+        "check_plan; fake-robot: a simulated robot with the controllers of ros2_control; demo: "
+        "both, and a pick from the image to the lift. See docs/howto/ros2.md."
+    )
+    parser.add_argument("what", choices=["node", "fake-robot", "demo"])
+    parser.add_argument(
+        "arguments",
+        nargs=argparse.REMAINDER,
+        metavar="--ros-args ...",
+        help="arguments of ROS, such as --ros-args --params-file FILE",
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    require_ros()
+    if options.what == "demo":
+        from .demo import demo
+
+        return demo(options.arguments)
+    from .spinning import run_fake_robot, run_node
+
+    run = run_node if options.what == "node" else run_fake_robot
+    return FOUND if run(options.arguments) else INTERRUPTED

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Jobs for the goals of the actions, from their fields and from what the node knows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..picking import STRATEGIES
+from .jobs import PickJob, TaskJob
+from .messages import RefusedError, seconds_of
+from .robot import robot_fields
+from .work import DESCRIPTION
+
+if TYPE_CHECKING:
+    from .goals import Goal
+    from .node import GrasplessNode
+
+
+class Requests:
+    """Makes jobs of goals. Whatever a goal lacks is a RefusedError.
+
+    Parameters
+    ----------
+    node : GrasplessNode
+    """
+
+    def __init__(self, node: GrasplessNode) -> None:
+        self._node = node
+
+    def task_job(self, goal: Goal) -> TaskJob:
+        """Returns the job of a goal of PlanTask."""
+        asked, s = goal.request, self._node.settings
+        if not np.isfinite(asked.seconds) or asked.seconds < 0:
+            raise RefusedError(f"seconds: {asked.seconds}: should be at least 0")
+        robot = None
+        if DESCRIPTION in asked.task:
+            robot = robot_fields(self._node.description, self._node.transforms, s)
+        return TaskJob(
+            asked.task,
+            seed=asked.seed or None,
+            seconds=asked.seconds or None,
+            certify=asked.certify,
+            robot=robot,
+            home=self._home(asked.execute),
+            limits=s.limits,
+            squeeze=s.squeeze,
+            directory=s.task_directory or None,
+        )
+
+    def _home(self, is_needed: bool) -> dict[str, float] | None:
+        """Returns the measured joints of all controllers; None if they are not needed."""
+        if not is_needed:
+            return None
+        names = [name for each in self._node.settings.controllers for name in each.joints]
+        if not names:
+            raise RefusedError("execute: the node knows no controllers (parameter controllers)")
+        s = self._node.settings
+        q = self._node.joints.positions(names, s.joint_state_seconds, patience=s.tf_seconds)
+        return dict(zip(names, q.tolist(), strict=True))
+
+    def pick_job(self, goal: Goal) -> PickJob:
+        """Returns the job of a goal of PickObject, with an image that is newer than the goal."""
+        asked, s = goal.request, self._node.settings
+        for name in ("lift", "seconds"):
+            if not np.isfinite(getattr(asked, name)) or getattr(asked, name) < 0:
+                raise RefusedError(f"{name}: {getattr(asked, name)}: should be at least 0")
+        robot = self._robot(asked.robot or s.robot)
+        home = self._home(asked.execute)
+        if home is not None:
+            robot = robot | {"home": home}
+        at = None if asked.name else self._point(asked.at)
+        goal.tell("seeing")
+        seen = self._node.camera.look(
+            asked.source or "image", goal.began, s.image_seconds, s.tf_seconds, goal.cancel
+        )
+        return PickJob(
+            asked.name,
+            robot,
+            seen.X_WC,
+            seen.depth,
+            seen.K,
+            seen.points,
+            at,
+            strategies=tuple(asked.strategies) or STRATEGIES,
+            respect=asked.respect or "objects",
+            lift=asked.lift or 0.1,
+            seed=asked.seed or 1,
+            seconds=asked.seconds or 10.0,
+            limits=s.limits,
+            squeeze=s.squeeze,
+        )
+
+    def _robot(self, name: str) -> dict[str, Any]:
+        if name and name != DESCRIPTION:
+            return {"urdf": name}
+        robot = robot_fields(self._node.description, self._node.transforms, self._node.settings)
+        if robot is None:
+            raise RefusedError("robot: none was named, and no robot_description was received")
+        return robot
+
+    def _point(self, message: Any) -> Any:
+        """Returns a point in the world [3]; None if the goal has none."""
+        frame = message.header.frame_id
+        if not frame:
+            return None
+        p_F = np.array([message.point.x, message.point.y, message.point.z, 1.0])
+        if not np.isfinite(p_F).all():
+            raise RefusedError("at: has values that are not finite")
+        stamp = seconds_of(message.header.stamp) or None
+        s = self._node.settings
+        X_WF = self._node.transforms.lookup(s.world_frame, frame, stamp, s.tf_seconds)
+        return (X_WF @ p_F)[:3]

@@ -1,0 +1,241 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a worker process does: read, plan, check and time one goal. It knows no ROS.
+
+A worker can be killed at any time. Neither a goal that is cancelled nor a planner that dies takes
+the node with it.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _api, perception, report, timing
+from .._core.planning import OutOfTime
+from ..errors import TaskError, explain
+from ..perception.clouds import view_of_cloud, view_of_organized
+from ..picking import pick
+from ..plan_files import read_plan
+from ..tasks import task_from_dict
+from ..tasks.source import parse_yaml
+from ..timing.squeeze import squeezed
+from .jobs import CheckJob, Found, PickJob, TaskJob
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from multiprocessing.connection import Connection
+
+    from .._plan import Plan
+    from ..frames import Matrix
+    from ..timing import Trajectory
+
+_SEEDS = 3  # of a pick whose plan does not hold
+DESCRIPTION = "robot_description"  # robot of a task that is the robot of the node
+_MARGINS = (
+    "cost",
+    "friction",
+    "least_stability",
+    "lower_bound",
+    "margin",
+    "min_linking",
+    "opening",
+    "overhang",
+    "width",
+    "withstands",
+)  # names in the summaries of plans
+
+
+def main(connection: Connection, job: TaskJob | PickJob | CheckJob) -> None:
+    """Does one job: sends the phases as texts, and then what was Found."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the node decides when this ends
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    connection.send("reading")
+    connection.send(done(job, connection.send))
+
+
+def done(job: TaskJob | PickJob | CheckJob, tell: Callable[[str], object]) -> Found:
+    """Does a job; whatever goes wrong is a status with a reason. `tell` is given the phases."""
+    try:
+        if isinstance(job, CheckJob):
+            return _checked(job)
+        return _planned(job, tell) if isinstance(job, TaskJob) else _picked(job, tell)
+    except TaskError as error:
+        return Found(reason=str(error))
+    except (Exception, OutOfTime) as error:
+        return Found(reason=explain(error))
+
+
+def _checked(job: CheckJob) -> Found:
+    faults = _api.check(read_plan(job.plan, "plan"), certify=job.certify)
+    return Found("solved" if not faults else "faulty", faults=faults)
+
+
+def _planned(job: TaskJob, tell: Callable[[str], object]) -> Found:
+    document = parse_yaml(job.text, "task").data
+    if isinstance(document, dict) and isinstance(document.get("robot"), dict):
+        document = document | {"robot": _robot(document["robot"], job)}
+    if job.directory is not None:
+        os.chdir(job.directory)
+    began = time.monotonic()
+    task = task_from_dict(document, "task", resolve=True)
+    task = task.with_changes(seconds=job.seconds, seed=job.seed)
+    tell("planning")
+    search = _api.plan_certified if job.certify else _api.plan_since
+    return _finished(search(task, began), Found(), job, tell)
+
+
+def _robot(given: dict[str, Any], job: TaskJob) -> dict[str, Any]:
+    """Returns the robot of a task, with what the node knows."""
+    if given.get("urdf") == DESCRIPTION:
+        if job.robot is None:
+            raise TaskError(f"task: robot.urdf: {DESCRIPTION}: none was received yet")
+        given = {**job.robot, **{key: value for key, value in given.items() if key != "urdf"}}
+    if "home" not in given and job.home is not None:
+        given = given | {"home": job.home}
+    return given
+
+
+def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
+    tell("seeing")
+    scene = perception.perceive_views([_view(job)])
+    if not scene:
+        return Found("nothing_seen", reason=f"nothing was found in the image: {scene.reason}")
+    found = Found(objects=[(thing.name, np.array(thing.X_WO)) for thing in scene.objects])
+    found.warnings = list(scene.warnings)
+    try:
+        found.name = job.name or _name_at(scene, job.at)
+        tell("planning")
+        plan = _held(scene, found, job)
+    except TaskError as error:
+        found.reason = str(error)
+        return found
+    return found if plan is None else _finished(plan, found, job, tell)
+
+
+def _held(scene: perception.Scene, found: Found, job: PickJob) -> Plan | None:
+    """Returns a plan of a pick that holds; notes what became of each strategy.
+
+    A plan that does not pass its check is a warning, and the search goes on with the next seed.
+    """
+    end = time.monotonic() + job.seconds
+    plan: Plan | None = None
+    for k in range(_SEEDS):
+        result = pick(
+            scene,
+            found.name,
+            job.robot,
+            strategies=job.strategies,
+            lift=job.lift,
+            respect=job.respect,  # type: ignore[arg-type]  # it is validated there
+            seconds=max(0.1, end - time.monotonic()),
+            seed=job.seed + k,
+        )
+        found.attempts = [(a.strategy, a.status, a.reason, a.seconds) for a in result.attempts]
+        if result.plan is None:
+            if plan is None:
+                found.status, found.reason = "not_found", result.reason
+            return plan
+        plan, found.strategy = result.plan, result.strategy or ""
+        faults = _api.check(plan)
+        if not faults:
+            return plan
+        found.warnings.append(f"seed {job.seed + k}: {found.strategy}: does not hold: {faults[0]}")
+    return plan
+
+
+def _view(job: PickJob) -> perception.View:
+    if job.points is None:
+        assert job.depth is not None
+        assert job.K is not None
+        return perception.View(job.depth, job.K, job.X_WC)
+    if job.points.shape[0] > 1:
+        return view_of_organized(job.points, job.X_WC)
+    points = job.points.reshape(-1, 3)
+    points = points[np.isfinite(points).all(axis=1)]
+    return view_of_cloud(points @ job.X_WC[:3, :3].T + job.X_WC[:3, 3], job.X_WC[:3, 3])
+
+
+def _name_at(scene: perception.Scene, at: Matrix | None) -> str:
+    """Returns the name of the object at a point, or of the only one."""
+    things = list(scene.objects)
+    if not things:
+        raise TaskError(f"no object was seen: {scene.reason}")
+    if at is None:
+        if len(things) > 1:
+            names = ", ".join(thing.name for thing in things)
+            raise TaskError(f"name: should be one of {names}, or a point of it should be given")
+        return str(things[0].name)
+    near = min(things, key=lambda thing: _distance(thing, at))
+    away = _distance(near, at)
+    if away > 0.05:
+        raise TaskError(f"at: the nearest object, {near.name}, is {100 * away:.0f} cm away")
+    return str(near.name)
+
+
+def _distance(thing: perception.Object, p_W: Matrix) -> float:
+    """Returns the distance of a point from the points of an object that were seen [m]."""
+    X_WO = np.asarray(thing.X_WO)
+    p_O = (p_W - X_WO[:3, 3]) @ X_WO[:3, :3]
+    low, high = np.min(thing.points, axis=0), np.max(thing.points, axis=0)
+    return float(np.linalg.norm(np.maximum(np.maximum(low - p_O, p_O - high), 0.0)))
+
+
+def _finished(
+    plan: Plan, found: Found, job: TaskJob | PickJob, tell: Callable[[str], object]
+) -> Found:
+    """Checks and times a plan."""
+    found.status, found.reason, found.kind = str(plan.status), plan.reason, plan.kind
+    found.plan = plan.to_json()
+    found.margins = margins_of(plan)
+    found.warnings += [str(text) for text in getattr(plan, "warnings", [])]
+    if not plan:
+        return found
+    tell("checking")
+    certify = isinstance(job, TaskJob) and job.certify
+    found.faults = _api.check(plan, certify=certify)
+    if found.faults:
+        return replace(found, status="faulty", reason=found.faults[0])
+    tell("timing")
+    found.status, found.reason = "solved", ""
+    if not getattr(plan, "joint_names", None) and not hasattr(plan, "stages"):
+        found.warnings.append("the plan moves no joints: its fingertips have no arm")
+        return found
+    _take(squeezed(timing.time(plan, **job.limits), job.squeeze), found)
+    return found
+
+
+def _take(trajectory: Trajectory, found: Found) -> None:
+    found.joint_names = list(trajectory.joint_names)
+    found.times, found.positions = trajectory.times, trajectory.positions
+    found.velocities, found.accelerations = trajectory.velocities, trajectory.accelerations
+    found.object_poses = trajectory.object_poses
+    begins = np.flatnonzero(np.diff(trajectory.segment_index, prepend=-1))
+    found.phases = [(float(trajectory.times[k]), trajectory.names[k]) for k in begins]
+
+
+def margins_of(plan: Plan) -> list[tuple[str, float]]:
+    """Returns the figures of quality in the summary of a plan, by their place in it."""
+    found: list[tuple[str, float]] = []
+
+    def visit(place: str, value: Any) -> None:
+        if isinstance(value, dict):
+            for key, inner in value.items():
+                visit(f"{place}.{key}" if place else key, inner)
+        elif isinstance(value, list):
+            for k, inner in enumerate(value):
+                visit(f"{place}[{k}]", inner)
+        elif place.rpartition(".")[2] in _MARGINS and isinstance(value, (int, float)):
+            found.append((place, float(value)))
+
+    summary = report.as_dict(plan)
+    visit("", {key: value for key, value in summary.items() if key not in ("stats", "proof")})
+    return found
+
+
+__all__ = ["done", "main"]

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The squeeze: plans end where the fingers touch, and a controller has to close beyond that."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from .trajectory import Trajectory
+
+SECONDS = 0.5  # in which the hand closes on
+_RATE = 100.0  # samples per second
+
+
+def beyond(plan: Any, travel: float) -> Matrix:
+    """Returns how far each joint closes beyond contact [dof].
+
+    Parameters
+    ----------
+    plan : slide.Plan or pinch.Plan
+    travel : float
+        Largest of the motions of the joints, each weighted by its `Robot.step_weights` [rad; of
+        sliding joints 1/10 m].
+    """
+    problem = plan.task.problem
+    hand, arm = problem.hand, problem.robot
+    way = np.array(arm.state(hand.closed)) - np.array(arm.state(hand.open))
+    way[arm.group(hand.arm)] = 0.0
+    largest = np.abs(way * arm.step_weights).max()
+    closing: Matrix = way / largest * travel if largest > 0 else way
+    return closing
+
+
+def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
+    """Returns a trajectory whose hand closes beyond contact, and holds on from there.
+
+    Only slides and pinches, alone or as the first stage of a chain, end with a hand that touches;
+    other trajectories are returned as they are. No joint passes its limit.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    travel : float
+        As of `beyond`; 0 changes nothing.
+    """
+    plan: Any = getattr(trajectory.plan, "stages", [trajectory.plan])[0]
+    closes = np.flatnonzero(np.array(trajectory.names) == "close")
+    if travel <= 0 or plan.kind not in ("slide", "pinch") or not len(closes):
+        return trajectory
+    k = int(closes[-1])
+    q, robot = trajectory.positions[k], plan.task.problem.robot
+    close = np.clip(q + beyond(plan, travel), robot.lower, robot.upper) - q
+    t = np.linspace(0.0, 1.0, max(2, round(SECONDS * _RATE)) + 1)[1:]
+    share = t**2 * (3 - 2 * t)
+    rates = 6 * t * (1 - t) / SECONDS, (6 - 12 * t) / SECONDS**2
+
+    def spliced(values: Matrix, added: Matrix) -> Matrix:
+        return np.concatenate([values[: k + 1], added, values[k + 1 :]])
+
+    def repeated(values: Any) -> Any:
+        return spliced(values, np.repeat(values[k : k + 1], len(t), axis=0))
+
+    positions = repeated(trajectory.positions)
+    positions[k + 1 : k + 1 + len(t)] += share[:, None] * close
+    positions[k + 1 + len(t) :] += close
+    times = spliced(trajectory.times, trajectory.times[k] + SECONDS * t)
+    times[k + 1 + len(t) :] += SECONDS
+    return dataclasses.replace(
+        trajectory,
+        times=times,
+        segment_index=repeated(trajectory.segment_index),
+        rows=repeated(trajectory.rows),
+        positions=positions,
+        velocities=spliced(trajectory.velocities, rates[0][:, None] * close),
+        accelerations=spliced(trajectory.accelerations, rates[1][:, None] * close),
+        object_poses=repeated(trajectory.object_poses),
+    )
+
+
+__all__ = ["SECONDS", "beyond", "squeezed"]

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`graspless ros` without ROS, and the packages that colcon builds. tests/ros has the rest."""
+
+import importlib.util
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+
+import pytest
+import yaml
+
+ROS = pathlib.Path(__file__).parents[2] / "ros"
+
+
+def run(*arguments):
+    command = [sys.executable, "-m", "graspless", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.skipif(importlib.util.find_spec("rclpy") is not None, reason="has ROS")
+@pytest.mark.parametrize("what", ["node", "fake-robot", "demo"])
+def test_says_how_to_get_ros(what):
+    done = run("ros", what)
+    assert done.returncode == 2
+    assert "rclpy" in done.stderr
+    assert "tools/install-ros" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_is_listed():
+    assert re.search(r"^ +ros +run graspless in ROS 2", run("--help").stdout, re.MULTILINE)
+    assert run("ros", "juggle").returncode == 2
+
+
+@pytest.mark.parametrize("package", ["graspless_msgs", "wheels/control_msgs", "wheels/tf2_msgs"])
+def test_interfaces_are_listed_and_their_packages_declared(package):
+    folder = ROS / package
+    listed = (folder / "CMakeLists.txt").read_text()
+    files = [*folder.glob("*/*.action"), *folder.glob("*/*.msg"), *folder.glob("*/*.srv")]
+    assert files
+    for file in files:
+        assert str(file.relative_to(folder)) in listed
+    declared = {each.text for each in ET.parse(folder / "package.xml").iterfind("depend")}
+    text = "\n".join(file.read_text() for file in files)
+    used = set(re.findall(r"^(\w+)/\w+", text, re.MULTILINE)) - {folder.name}
+    assert used <= declared
+    for name in used:
+        assert f"find_package({name} REQUIRED)" in listed
+
+
+def test_controllers_of_a_ur5e_have_their_own_joints():
+    config = ROS / "graspless_ros" / "config"
+    given = yaml.safe_load((config / "ur5e_robotiq.yaml").read_text())["/**"]["ros__parameters"]
+    joints = [joint for name in given["controllers"] for joint in given[name]["joints"]]
+    assert len(joints) == len(set(joints)) == 7
+    gripper = yaml.safe_load((config / "gripper_controller.yaml").read_text())
+    own = gripper["gripper_trajectory_controller"]["ros__parameters"]
+    assert own["joints"] == given["gripper"]["joints"]
+    assert given["gripper"]["action"].startswith("/gripper_trajectory_controller/")
+
+
+def test_launch_file_passes_files_that_are_there():
+    package = ROS / "graspless_ros"
+    tree = ET.parse(package / "launch" / "graspless.launch.xml")
+    default = tree.find("arg[@name='parameters']").get("default")
+    assert (package / default.rpartition(")/")[2]).is_file()
+    command = tree.find("executable").get("cmd")
+    names = {arg.get("name") for arg in tree.iterfind("arg")}
+    assert set(re.findall(r"\$\(var (\w+)\)", command)) == names
