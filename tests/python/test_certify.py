@@ -9,6 +9,7 @@ import pytest
 import graspless
 from graspless import _api, _data, collision, frames, geometry, slide
 from graspless.cli import main
+from graspless.plan_files import read_plan
 from graspless.scene import EdgeCertificate, Verdict
 
 EXAMPLES = _data.directory("examples")
@@ -120,6 +121,15 @@ def test_command_line_says_what_is_not_proven(plan, tmp_path, capsys):
     edges = sum(len(segment) - 1 for segment in plan.segments)
     assert f"is not certified, {edges} of {edges} edges are certified:" in out
     assert "lift row 0" in out
+
+
+def test_rounding_between_segments_is_no_motion(plan):
+    document = json.loads(plan.to_json())
+    lift = next(s for s in document["segments"] if s["name"] == "lift")
+    lift["positions"][0][0] += 1e-12
+    rounded = read_plan(json.dumps(document), "rounded")
+    assert rounded.segments[2].positions[-1][0] != rounded.segments[3].positions[0][0]
+    assert graspless.check(rounded, certify=True) == []
 
 
 def test_faults_come_before_certificates(plan):

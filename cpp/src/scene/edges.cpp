@@ -24,6 +24,7 @@ namespace graspless::scene {
 namespace {
 
 constexpr double kFar = 1e3;  // a motion that is not bounded, without the trouble of infinity [m]
+constexpr double kRounded = 1e-9;  // steps between segments that are one configuration [rad or m]
 constexpr double kNarrowest = 1.0 / (1 << 24);  // part of an edge; for such motions
 
 std::string figure(double value) {
@@ -260,9 +261,9 @@ std::string EdgeProver::pair_name(int pair) const {
 
 void EdgeCertificateMaker::add(const std::string& segment, const std::vector<Eigen::VectorXd>& rows,
                                std::vector<Doubt> doubts) {
-  if (before_.size() > 0 && rows.front() != before_) {
-    doubts.push_back({segment, 0, 0, Verdict::undecided, "a motion to the first row",
-                      (rows.front() - before_).lpNorm<Eigen::Infinity>()});
+  const double gap = before_.size() > 0 ? (rows.front() - before_).lpNorm<Eigen::Infinity>() : 0;
+  if (gap > kRounded) {
+    doubts.push_back({segment, 0, 0, Verdict::undecided, "a motion to the first row", gap});
   }
   std::stable_sort(doubts.begin(), doubts.end(),
                    [](const Doubt& a, const Doubt& b) { return a.row < b.row; });
