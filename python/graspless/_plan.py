@@ -180,7 +180,7 @@ class AnyPlan:
             raise task.source.error(("options", name), what) from None
         plan = cls._of(found, task)
         note = getattr(task._fields, "proposed", None)
-        if note is not None:
+        if note is not None and hasattr(plan, "warnings"):  # a pinch has none
             warned: Any = plan
             warned.warnings = [note, *warned.warnings]
         return plan

@@ -45,7 +45,7 @@ class Rig(rclpy.node.Node):
     def __init__(self, given):
         super().__init__("rig")
         self.given = given
-        self.t, self.pace, self.lock = 1000.0, 0.05, threading.RLock()
+        self.t, self.pace, self.lock = 1000.0, 0.1, threading.RLock()
         self.q = {name: 0.0 for group in GROUPS for name in given[group]["joints"]}
         self.home = dict(self.q)
         self.behaviour = dict.fromkeys(GROUPS, "follow")
@@ -174,8 +174,8 @@ class Bench:
 
     @staticmethod
     def _flat(given):
-        extra = {"joint_state_seconds": 5.0, "controller_seconds": 1.0, "image_seconds": 1.0}
-        extra["queue"] = 64
+        extra = {"joint_state_seconds": 10.0, "controller_seconds": 1.0, "image_seconds": 1.0}
+        extra |= {"queue": 64, "contact_speed": 0.5, "start_seconds": 5.0}
         for name, value in (given | extra).items():
             if isinstance(value, dict):
                 yield from ((f"{name}.{key}", inner) for key, inner in value.items())

@@ -184,7 +184,8 @@ class Desk:
                 return
             self._start(goal, found, moves)
         except Exception as error:
-            self._end(goal, _ending(error, goal))
+            was_cancelled = goal.cancel.has_rung  # whatever it was doing
+            self._end(goal, Ending(*goal.withdrawn) if was_cancelled else _ending(error, goal))
 
     def _start(self, goal: Goal, found: Found, mover: Mover) -> None:
         with self._lock:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import signal
 import time
+import warnings
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -61,6 +62,15 @@ def main(connection: Connection, job: TaskJob | PickJob | CheckJob) -> None:
 
 def done(job: TaskJob | PickJob | CheckJob, tell: Callable[[str], object]) -> Found:
     """Does a job; whatever goes wrong is a status with a reason. `tell` is given the phases."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", UserWarning)
+        found = _done(job, tell)
+    texts = [str(each.message) for each in caught if issubclass(each.category, UserWarning)]
+    found.warnings = list(dict.fromkeys([*texts, *found.warnings]))
+    return found
+
+
+def _done(job: TaskJob | PickJob | CheckJob, tell: Callable[[str], object]) -> Found:
     try:
         if isinstance(job, CheckJob):
             return _checked(job)
@@ -193,7 +203,8 @@ def _finished(
     found.status, found.reason, found.kind = str(plan.status), plan.reason, plan.kind
     found.plan = plan.to_json()
     found.margins = margins_of(plan)
-    found.warnings += [str(text) for text in getattr(plan, "warnings", [])]
+    for stage in getattr(plan, "stages", [plan]):
+        found.warnings += [str(text) for text in getattr(stage, "warnings", [])]
     if not plan:
         return found
     tell("checking")

@@ -1,0 +1,253 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Execution: both controllers at the same time, and everything that can go wrong there."""
+
+import time
+
+import numpy as np
+import pytest
+import yaml
+from action_msgs.msg import GoalStatus
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from graspless_msgs.action import PlanTask
+from rig import EXAMPLES, TASK
+
+import graspless
+from graspless.ros.messages import pose_of, seconds_of, time_of
+
+DONE, CANCELED, ABORTED = (
+    GoalStatus.STATUS_SUCCEEDED,
+    GoalStatus.STATUS_CANCELED,
+    GoalStatus.STATUS_ABORTED,
+)
+
+
+def goal(**given):
+    return PlanTask.Goal(task=TASK, seed=1, execute=True, **given)
+
+
+def moved(bus):
+    """Largest distance of a joint from home."""
+    return max(abs(bus.rig.q[name] - bus.rig.home[name]) for name in bus.rig.q)
+
+
+def test_both_controllers_follow_at_the_same_time(bus):
+    phases = []
+    status, result = bus.do(goal(), lambda message: phases.append(message.feedback.phase))
+    motion = result.motion
+    assert (status, motion.status, motion.reason) == (DONE, "executed", "")
+    assert sorted(group for group, _ in bus.rig.heard) == ["arm", "hand"]
+    stamps = {seconds_of(trajectory.header.stamp) for _, trajectory in bus.rig.heard}
+    assert len(stamps) == 1
+    for group, trajectory in bus.rig.heard:
+        assert list(trajectory.joint_names) == bus.given[group]["joints"]
+        last = dict(zip(trajectory.joint_names, trajectory.points[-1].positions, strict=True))
+        for name, value in last.items():
+            assert bus.rig.q[name] == pytest.approx(value, abs=1e-6)
+    assert phases[:4] == ["reading", "planning", "checking", "timing"]
+    assert phases[4:6] == ["approach", "press"]
+    assert phases[-1] == "close"
+
+
+def test_plans_from_the_measured_joints(bus):
+    name = bus.given["arm"]["joints"][0]
+    with bus.rig.lock:
+        bus.rig.q[name] += 0.2
+    bus.settle()
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "executed", motion.reason
+    arm = next(trajectory for group, trajectory in bus.rig.heard if group == "arm")
+    start = dict(zip(arm.joint_names, arm.points[0].positions, strict=True))
+    assert start[name] == pytest.approx(bus.rig.home[name] + 0.2, abs=1e-6)
+
+
+def test_refuses_a_robot_that_is_elsewhere(bus):
+    task = yaml.safe_load(TASK)
+    task["robot"]["home"] = "home"  # so it is not planned from where the robot is
+    with bus.rig.lock:
+        bus.rig.q[bus.given["arm"]["joints"][1]] += 0.5
+    bus.settle()
+    status, result = bus.do(PlanTask.Goal(task=yaml.safe_dump(task), seed=1, execute=True))
+    assert (status, result.motion.status) == (ABORTED, "refused")
+    assert "not at the start" in result.motion.reason
+    assert not bus.rig.heard
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_refuses_joint_states_that_are_no_numbers(bus, value):
+    bus.rig.corrupt = {bus.given["arm"]["joints"][2]: value}
+    bus.settle()
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "refused"
+    assert bus.given["arm"]["joints"][2] in motion.reason
+    assert not bus.rig.heard
+
+
+def test_refuses_joint_states_that_are_old(bus):
+    bus.rig.is_silent = True
+    bus.settle(0.7)  # 14 s of the robot's clock
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "refused"
+    assert "s old" in motion.reason
+    assert not bus.rig.heard
+
+
+def test_a_rejected_trajectory_cancels_the_other(bus):
+    bus.rig.behaviour["hand"] = "reject"
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "controller_failed"
+    assert "hand rejected" in motion.reason
+    bus.until(lambda: not bus.rig.orders, "the arm goes on")
+    assert moved(bus) == 0  # it was cancelled before its start
+
+
+def test_a_controller_that_aborts_half_way_stops_the_other(bus):
+    bus.rig.behaviour["arm"] = "abort"
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "controller_failed"
+    assert "arm did not finish: hit something" in motion.reason
+    assert not bus.rig.orders
+    place = dict(bus.rig.q)
+    bus.settle()
+    assert bus.rig.q == place
+
+
+def test_cancelling_stops_both(bus):
+    handle = bus.send(goal())
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    began = time.monotonic()
+    bus.wait(handle.cancel_goal_async())
+    status, result = bus.result(handle)
+    assert (status, result.motion.status) == (CANCELED, "canceled")
+    assert "confirm" not in result.motion.reason
+    assert not bus.rig.orders
+    assert time.monotonic() - began < 0.5
+    place = dict(bus.rig.q)
+    bus.settle()
+    assert bus.rig.q == place
+
+
+def test_says_if_a_controller_does_not_stop(bus):
+    bus.rig.behaviour["hand"] = "deaf"
+    handle = bus.send(goal())
+    bus.until(lambda: len(bus.rig.heard) == 2)
+    bus.settle()
+    bus.wait(handle.cancel_goal_async())
+    motion = bus.result(handle)[1].motion
+    assert motion.status == "canceled"
+    assert "hand did not confirm that it stopped" in motion.reason
+
+
+def test_a_trajectory_that_never_ends_is_stopped(bus):
+    bus.rig.behaviour["hand"] = "stuck"
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "stopped"
+    assert "not done" in motion.reason
+    assert not bus.rig.orders
+
+
+def test_stops_when_the_joint_states_are_lost(bus):
+    handle = bus.send(goal())
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    bus.rig.corrupt = {bus.given["arm"]["joints"][0]: float("nan")}
+    motion = bus.result(handle)[1].motion
+    assert motion.status == "stopped"
+    assert bus.given["arm"]["joints"][0] in motion.reason
+    assert not bus.rig.orders
+
+
+def test_stops_when_time_jumps_back(bus):
+    handle = bus.send(goal())
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    with bus.rig.lock:
+        bus.rig.t -= 100.0
+    motion = bus.result(handle)[1].motion
+    assert motion.status == "stopped"
+    assert "time has jumped back" in motion.reason
+    assert not bus.rig.orders
+    bus.settle()
+    bus.rest()
+    assert bus.do(goal())[1].motion.status == "executed"
+
+
+def test_one_goal_at_a_time_moves_the_robot(bus):
+    first = bus.send(goal())
+    bus.until(lambda: bus.rig.orders, "nothing moved")
+    second = bus.do(goal())[1].motion
+    if bus.rig.orders:
+        assert second.status == "refused"
+        assert "another goal" in second.reason or "start" in second.reason
+    assert bus.result(first)[1].motion.status == "executed"
+
+
+def test_a_goal_can_preempt_the_motion(bus):
+    first = bus.send(goal())
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    assert bus.do(PlanTask.Goal(task=TASK, seed=1, preempt=True))[1].motion.status == "solved"
+    assert bus.result(first)[1].motion.status == "preempted"
+    assert not bus.rig.orders
+
+
+def test_deactivating_stops_the_robot(bus):
+    handle = bus.send(goal())
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    bus.node.trigger_deactivate()
+    try:
+        motion = bus.result(handle)[1].motion
+        assert motion.status == "stopped"
+        assert "deactivated" in motion.reason
+        assert not bus.rig.orders
+    finally:
+        bus.node.trigger_activate()
+
+
+def test_follows_a_slide_in_closed_loop(bus):
+    """Nobody measures the object: the plan is followed blindly."""
+    motion = bus.do(goal(closed_loop=True))[1].motion
+    assert motion.status == "executed", motion.reason
+    assert {group for group, _ in bus.rig.streamed} == {"arm", "hand"}
+    assert not bus.rig.heard
+    arm = [trajectory for group, trajectory in bus.rig.streamed if group == "arm"]
+    rows = np.array([trajectory.points[0].positions for trajectory in arm])
+    assert np.abs(np.diff(rows, axis=0)).max() < 0.2
+    assert not any(arm[-1].points[0].velocities)
+
+
+def test_closed_loop_stops_when_the_object_is_not_seen_any_more(bus):
+    phases = []
+    handle = bus.send(goal(closed_loop=True), lambda message: phases.append(message.feedback.phase))
+    X_WO = graspless.load_task(EXAMPLES / "01_slide_card.yaml").problem.X_WO_start
+    message = PoseWithCovarianceStamped()
+    message.header.frame_id, message.pose.pose = "world", pose_of(X_WO)
+    end = time.monotonic() + 20
+    while "slide" not in phases and time.monotonic() < end:
+        message.header.stamp = time_of(bus.rig.t)
+        bus.poses.publish(message)
+        time.sleep(0.005)
+    motion = bus.result(handle)[1].motion
+    assert motion.status == "stopped"
+    assert "pose" in motion.reason
+    arm = [trajectory for group, trajectory in bus.rig.streamed if group == "arm"]
+    assert not any(arm[-1].points[0].velocities)
+
+
+def test_closed_loop_can_be_cancelled(bus):
+    handle = bus.send(goal(closed_loop=True))
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    bus.wait(handle.cancel_goal_async())
+    status, result = bus.result(handle)
+    assert (status, result.motion.status) == (CANCELED, "canceled")
+    place = dict(bus.rig.q)
+    bus.settle()
+    assert bus.rig.q == place
+
+
+def test_only_slides_are_followed(bus):
+    task = (TASK.replace("01_slide_card", "")).replace("kind: slide", "kind: pinch")
+    task = task.replace("[0.12, 0.08]", "[0.12, 0.03]").replace(
+        "thickness: 0.003", "thickness: 0.05"
+    )
+    motion = bus.do(PlanTask.Goal(task=task, execute=True, closed_loop=True))[1].motion
+    assert motion.status == "refused"
+    assert "only slide plans can be followed" in motion.reason
+    assert not bus.rig.streamed
