@@ -22,7 +22,10 @@ ARM = 7  # joints of the arm
 TURN, LIFT, ROLL = 0, 1, 6  # joints of the arm that move the hand aside, up and about its axis
 JUDGED = "the joints move as before"
 STRAIGHT = "joints move straight between the rows that are left, as between all rows"
-WEAK = "the slide is as planned; plans do not claim that the hand can lift the object"
+WEAK = (
+    "where the weaker press still drags the object, the slide is as planned; plans do not claim "
+    "that the hand can lift the object"
+)
 
 
 def _bent(joint: int, angle: float) -> Callable[[Row], None]:
