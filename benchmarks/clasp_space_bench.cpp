@@ -125,7 +125,7 @@ void BM_Stability(benchmark::State& state) {
     ++options.seed;
     state.ResumeTiming();
     const Stability found =
-        StabilityTester(problem).test(closed, problem.object.loops().loops.front().points, options);
+        StabilityTester(problem).test(closed, problem.object.loops().found.front().points, options);
     state.counters["secure"] = found.secure ? 1 : 0;
     state.counters["checks"] = static_cast<double>(found.checks);
   }

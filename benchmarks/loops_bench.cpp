@@ -32,10 +32,10 @@ void measure(benchmark::State& state, int count, const LoopOptions& options) {
   Loops found;
   for (auto _ : state) found = shortest_loops(points, options);
   state.SetLabel(object_name(state));
-  state.counters["loops"] = static_cast<double>(found.loops.size());
+  state.counters["loops"] = static_cast<double>(found.found.size());
   state.counters["meridians"] = static_cast<double>(found.meridians.size());
   state.counters["d"] = found.complex.max_edge_length;
-  for (const Loop& loop : found.loops) state.counters["length"] += loop.length;
+  for (const Loop& loop : found.found) state.counters["length"] += loop.length;
 }
 
 void loops_of_2000(benchmark::State& state) { measure(state, 2000, {}); }

@@ -160,7 +160,7 @@ ValueError
                              "Median distance of neighbouring points of the surface [m].")
       .def("__repr__", [](const Object& self) {
         return "<Object '" + self.name() + "' of " + std::to_string(self.points().cols()) +
-               " points and " + std::to_string(self.loops().loops.size()) + " loops>";
+               " points and " + std::to_string(self.loops().found.size()) + " loops>";
       });
   m.def("sample_object_names", &sample_object_names,
         "Names of the sample objects with holes: purse, bag, travel_bag, lawn_mower, chair.");
@@ -217,7 +217,7 @@ q_start : (dof,) array
     Start configuration of all joints [rad or m].
 obstacles : list of Obstacle, optional
 loops : list of int, optional
-    Indices in object.loops.loops of the loops that may be clasped; empty: all.
+    Indices in object.loops.found of the loops that may be clasped; empty: all.
 marks : (N, 3) array, optional
     Points in O [m]. The hand clasps at the loop points nearest to them; none: anywhere.
 pull_W : (3,) array, optional
@@ -319,7 +319,7 @@ problem : Problem
 q : (dof,) array
     Configuration of all joints [rad or m].
 loop : int
-    Index in problem.object.loops.loops.
+    Index in problem.object.loops.found.
 options : CertificateOptions, optional
 
 Returns
@@ -458,7 +458,7 @@ void bind_plan(py::module_& m) {
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(Field{"loop", &Plan::loop,
-              "Index of the clasped loop in object.loops.loops; -1 without a plan."});
+              "Index of the clasped loop in object.loops.found; -1 without a plan."});
   field(Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."});
   field(Field{"min_linking", &Plan::min_linking,
               "Threshold of virtual linking that the plan fulfils."});
@@ -506,7 +506,7 @@ problem : Problem
 q : (dof,) array
     Configuration of all joints [rad or m].
 loop : int
-    Index in problem.object.loops.loops.
+    Index in problem.object.loops.found.
 options : StabilityOptions, optional
 
 Returns

@@ -425,6 +425,19 @@ void bind_loops(py::module_& m) {
       .def_readonly("gap", &Loop::gap,
                     "Longest step of the loop through open space [m]; 0 if it runs along the "
                     "surface throughout. The object may come free there.")
+      .def_readonly("max_edge_length", &Loop::max_edge_length,
+                    "d of the complex in which it is shortest [m]: the loop's own scale.")
+      .def_readonly(
+          "openness", &Loop::openness,
+          "Share of the directions in which a ray from the middle of the hole leaves the object, "
+          "on\n"
+          "the side where fewer do. The inside of a solid is closed on at least one side.")
+      .def_readonly(
+          "jump", &Loop::jump,
+          "Length of the longest step around the hole, relative to the next one. Evenly spread\n"
+          "points have about 1. Large values mean that the object is open there, or was not seen.")
+      .def_readonly("reason", &Loop::reason,
+                    "Why it is uncertain or discarded; empty for a hole that was found.")
       .def("__repr__", [](const Loop& self) {
         return "<Loop of " + std::to_string(self.points.cols()) + " corners, " + text(self.length) +
                " m>";
@@ -434,15 +447,10 @@ void bind_loops(py::module_& m) {
   bind_fields(
       options, "Any field by keyword; the others keep their defaults.",
       Field{"max_edge_length", &LoopOptions::max_edge_length,
-            "d of K_d [m], in [0, 10000]. 0: chosen from the widest plateau of the Betti curve."},
-      Field{"lowest_plateau", &LoopOptions::lowest_plateau,
-            "Use the lowest plateau with a ratio of at least lowest_ratio instead of the "
-            "widest.\nFinds smaller holes, but mistakes gaps that the camera left for "
-            "holes."},
-      Field{"lowest_ratio", &LoopOptions::lowest_ratio,
-            "Smallest ratio upper / lower for lowest_plateau, above 1."},
+            "d of K_d [m], in [0, 10000]. 0: each hole has its own."},
       Field{"min_ratio", &LoopOptions::min_ratio,
-            "Smallest ratio upper / lower of a plateau with a reliable hole, above 1."},
+            "Least width of a hole that counts as found, relative to the gaps between the points\n"
+            "near it: its death over the median birth of the gaps; above 1."},
       Field{"max_points", &LoopOptions::max_points,
             "Largest number of points without downsampling, in [100, 10^6]. A larger cloud is\n"
             "downsampled to about half of this."},
@@ -454,24 +462,33 @@ void bind_loops(py::module_& m) {
   py::native_enum<LoopStatus>(m, "LoopStatus", "enum.Enum", "Outcome of shortest_loops().")
       .value("found", LoopStatus::found, "At least one loop was found.")
       .value("no_reliable_hole", LoopStatus::no_reliable_hole,
-             "No plateau of the Betti curve is wide enough, or K_d has no loop.")
+             "No class of H_1 is a hole for certain.")
       .finalize();
 
   py::class_<Loops>(m, "Loops", "Result of shortest_loops().")
       .def_readonly("status", &Loops::status, "Outcome of the search.")
       .def_readonly("reason", &Loops::reason, "Explanation of the status in one sentence.")
       .def_property_readonly(
-          "loops", [](const Loops& self) { return self.loops; }, "Loops, shortest first.")
+          "found", [](const Loops& self) { return self.found; },
+          "Loops of the holes, shortest first.")
+      .def_property_readonly(
+          "uncertain", [](const Loops& self) { return self.uncertain; },
+          "Loops that may be holes, each with a reason; shortest first.")
       .def_property_readonly(
           "meridians", [](const Loops& self) { return self.meridians; },
           "Discarded loops: they run around a thick handle, not along it.")
-      .def_readonly("complex", &Loops::complex, "K_d of the cloud, after downsampling.")
+      .def_readonly("noise", &Loops::noise,
+                    "Number of classes that do not live long enough to be listed.")
+      .def_readonly("complex", &Loops::complex,
+                    "K_d of the cloud, after downsampling, for most of the holes.")
       .def_readonly("surface", &Loops::surface,
                     "Part of K_d at the cloud's own resolution: edges no longer than twice the "
                     "local spacing, and their triangles.")
       .def_readonly("betti", &Loops::betti, "Betti curve of the same points.")
-      .def_readonly("plateau", &Loops::plateau,
-                    "Selected plateau; zero if max_edge_length was given.")
+      .def_readonly(
+          "plateau", &Loops::plateau,
+          "Values of d at which the holes of `complex` exist; zero if max_edge_length was\n"
+          "given.")
       .def_property_readonly(
           "warnings", [](const Loops& self) { return self.warnings; },
           "Warnings about the cloud and the result.")
@@ -494,29 +511,26 @@ void bind_shortest_loops(py::module_& m) {
   const LoopOptions defaults;
   m.def(
       "shortest_loops",
-      [](const Array& points, std::optional<double> max_edge_length, bool lowest_plateau,
-         double lowest_ratio, double min_ratio, int max_points, bool polish, bool drop_meridians) {
+      [](const Array& points, std::optional<double> max_edge_length, double min_ratio,
+         int max_points, bool polish, bool drop_meridians) {
         return shortest_loops_released(
-            points, {max_edge_length.value_or(0), lowest_plateau, lowest_ratio, min_ratio,
-                     max_points, polish, drop_meridians});
+            points, {max_edge_length.value_or(0), min_ratio, max_points, polish, drop_meridians});
       },
       py::arg("points"), py::arg("max_edge_length") = py::none(), py::kw_only(),
-      py::arg("lowest_plateau") = defaults.lowest_plateau,
-      py::arg("lowest_ratio") = defaults.lowest_ratio, py::arg("min_ratio") = defaults.min_ratio,
-      py::arg("max_points") = defaults.max_points, py::arg("polish") = defaults.polish,
-      py::arg("drop_meridians") = defaults.drop_meridians,
+      py::arg("min_ratio") = defaults.min_ratio, py::arg("max_points") = defaults.max_points,
+      py::arg("polish") = defaults.polish, py::arg("drop_meridians") = defaults.drop_meridians,
       R"(Finds the shortest loops through the holes of the object that a cloud was taken from.
 
-They are a shortest basis of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
-Section IV-A).
+They are shortest bases of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
+Section IV-A), where every hole has a d of its own.
 
 Parameters
 ----------
 points : (N, 3) array
     Points on the object's surface [m], in any frame.
 max_edge_length : float, optional
-    d of K_d [m]. None: chosen from the widest plateau of the Betti curve.
-lowest_plateau, lowest_ratio, min_ratio, max_points, polish, drop_meridians : optional
+    d of K_d [m]. None: each hole has its own.
+min_ratio, max_points, polish, drop_meridians : optional
     See LoopOptions.
 
 Returns
@@ -532,7 +546,7 @@ ValueError
 
 Examples
 --------
->>> for loop in shortest_loops(points).loops: print(loop.length, loop.points)
+>>> for loop in shortest_loops(points).found: print(loop.length, loop.points)
 )");
   m.def("shortest_loops", &shortest_loops_released, py::arg("points"), py::arg("options"),
         "Same, with all options in a LoopOptions.");

@@ -10,9 +10,9 @@ cloud = geometry.sample_surface(clasp.sample_object("chair"), 2000)
 seen = cloud[geometry.visible_points(cloud, [2.0, -1.5, 1.5])]
 for name, points in (("whole chair", cloud), ("one view", seen)):
     found = geometry.shortest_loops(points)
-    print(f"{name}: {len(points)} points, {len(found.loops)} loops at d = ", end="")
+    print(f"{name}: {len(points)} points, {len(found.found)} loops at d = ", end="")
     print(f"{found.complex.max_edge_length:.3f} m")
-    for loop in found.loops:
+    for loop in found.found:
         where = loop.points.mean(axis=0).round(2)
         print(f"  {loop.length:.3f} m around {where}, {100 * loop.thickness:.1f} cm thick")
 

@@ -209,7 +209,7 @@ class GraspRrt {
     hand_.update(q);
     for (int i = 0; i < hand_.num_curves(); ++i) {
       int most = 0;
-      for (const geometry::Loop& loop : problem_.object.loops().loops) {
+      for (const geometry::Loop& loop : problem_.object.loops().found) {
         most = std::max(most, std::abs(geometry::linking_number(problem_.X_WO * loop.points,
                                                                 hand_.curve_points(i))));
       }

@@ -23,7 +23,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `loops`."""
     parser.description = (
         "Find the holes of an object from a point cloud or mesh of its surface, and the shortest "
-        "loop around each. The exit code is 1 if no hole is reliable."
+        "loop around each. What may be a hole is listed as uncertain, with the reason. The exit "
+        "code is 1 if no hole is reliable."
     )
     parser.add_argument(
         "file", metavar="CLOUD", help="point cloud (.ply, .pcd, .xyz) or mesh (.stl, .obj, .off)"
@@ -52,12 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--edge",
         type=float,
         metavar="D",
-        help="longest edge of the simplicial complex [m] (default: derived from the cloud)",
-    )
-    parser.add_argument(
-        "--lowest",
-        action="store_true",
-        help="use the lowest plateau of the Betti curve, not the widest",
+        help="longest edge of the simplicial complex [m] (default: each hole has its own)",
     )
     parser.add_argument(
         "--polish", action="store_true", help="shorten the loops of a large cloud on all its points"
@@ -79,7 +75,7 @@ def _run(options: argparse.Namespace) -> int:
     cloud = read_points(options.file, options.unit, options.points, options.seed)
     asked = geometry.LoopOptions()
     asked.max_edge_length = asked.max_edge_length if options.edge is None else options.edge
-    asked.lowest_plateau, asked.polish = options.lowest, options.polish
+    asked.polish = options.polish
     try:
         found = geometry.shortest_loops(cloud, asked)
     except ValueError as error:
@@ -92,7 +88,7 @@ def _run(options: argparse.Namespace) -> int:
         print(report.as_text(found))
         if options.png is not None:
             print(f"written: {options.png}")
-    return FOUND if found.loops else NOT_FOUND
+    return FOUND if found.found else NOT_FOUND
 
 
 def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:

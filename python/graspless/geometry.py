@@ -5,7 +5,7 @@
 Lengths are in metres. Points are rows: (N, 3), or (N, 2) in a plane.
 
 >>> from graspless.geometry import shortest_loops  # points: (N, 3)
->>> for loop in shortest_loops(points).loops:  # doctest: +SKIP
+>>> for loop in shortest_loops(points).found:  # doctest: +SKIP
 ...     print(loop.length, loop.points)
 """
 

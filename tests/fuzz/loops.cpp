@@ -32,9 +32,7 @@ Eigen::Matrix3Xd cloud(Bytes& bytes) {
 LoopOptions loop_options(Bytes& bytes) {
   LoopOptions options;
   if (bytes.chance(2)) options.max_edge_length = bytes.number(0, 2);
-  options.lowest_plateau = bytes.chance(4);
-  options.lowest_ratio = bytes.number(1.1, 2);
-  options.min_ratio = bytes.number(1.01, 1.5);
+  options.min_ratio = bytes.number(1.01, 3);
   if (bytes.chance(4)) options.max_points = bytes.whole(90, 110);
   options.polish = bytes.chance(4);
   options.drop_meridians = !bytes.chance(4);
@@ -64,10 +62,15 @@ void find_loops(Bytes bytes) {
     const double cell = bytes.number(0.01, 1);
     const Eigen::Matrix3Xd points = cloud(bytes);
     const Loops found = shortest_loops(points, options);
-    require((found.status == LoopStatus::found) != found.loops.empty(),
+    require((found.status == LoopStatus::found) != found.found.empty(),
             "the status is that of loops");
-    for (const Loop& loop : found.loops) require_loop(loop, points);
+    for (const Loop& loop : found.found) require_loop(loop, points);
     for (const Loop& loop : found.meridians) require_loop(loop, points);
+    for (const Loop& loop : found.uncertain) {
+      require_loop(loop, points);
+      require(!loop.reason.empty(), "an uncertain loop has a reason");
+    }
+    require(found.noise >= 0, "classes are counted once");
     require(!downsample(points, cell).empty(), "a downsampled cloud has a point");
     visible_points(points, bytes.vector(-3, 3));
   });

@@ -17,6 +17,8 @@ from graspless.geometry import (
     LoopStatus,
     PlacedShape,
     PreparedLoop,
+    Sphere,
+    sample_surface,
     shortest_loops,
 )
 
@@ -38,7 +40,7 @@ RING = ring()
 
 
 def test_loops_of_a_cloud_in_one_line():
-    (loop,) = shortest_loops(RING).loops
+    (loop,) = shortest_loops(RING).found
     assert loop.points.shape == (len(loop.vertices), 3)
     np.testing.assert_array_equal(RING[loop.vertices], loop.points)
     closed = np.vstack([loop.points, loop.points[:1]])
@@ -56,10 +58,14 @@ def test_loops_tell_what_they_were_taken_from():
     assert found.reason in repr(found)
     assert found.plateau.lower < found.complex.max_edge_length < found.plateau.upper
     assert found.plateau.ratio == pytest.approx(found.plateau.upper / found.plateau.lower)
-    assert found.meridians == []
+    assert found.uncertain == []
+    assert all("thick handle" in loop.reason for loop in found.meridians)
+    assert found.noise > 0
+    assert found.found[0].openness > 0.3
+    assert found.found[0].jump < 1.5
     assert found.warnings == []
     assert len(found.betti.loops) == len(found.betti.max_edge_length)
-    json.dumps([found.betti.loops, found.betti.max_edge_length, found.loops[0].vertices])
+    json.dumps([found.betti.loops, found.betti.max_edge_length, found.found[0].vertices])
     edges = found.complex.points[found.complex.edges]
     assert np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1).max() < found.complex.max_edge_length
     assert found.complex.triangles.shape[1] == 3
@@ -70,22 +76,19 @@ def test_options_are_keywords_or_an_object():
     assert given.complex.max_edge_length == 0.05
     assert given.plateau.loops == 0
     same = shortest_loops(RING, options=LoopOptions(max_edge_length=0.05))
-    np.testing.assert_array_equal(same.loops[0].points, given.loops[0].points)
+    np.testing.assert_array_equal(same.found[0].points, given.found[0].points)
     positional = shortest_loops(RING, LoopOptions(max_edge_length=0.05))
-    assert positional.loops[0].vertices == given.loops[0].vertices
+    assert positional.found[0].vertices == given.found[0].vertices
     options = LoopOptions()
-    for name in ("lowest_plateau", "lowest_ratio", "min_ratio", "max_points", "polish"):
+    for name in ("min_ratio", "max_points", "polish"):
         assert f"{name}: " in shortest_loops.__doc__
         assert f"{name}={getattr(options, name)!r}" in repr(options)
 
 
 def test_no_hole_is_a_status():
-    rng = np.random.default_rng(3)
-    ball = rng.normal(size=(400, 3))
-    ball /= np.linalg.norm(ball, axis=1)[:, None]
-    found = shortest_loops(0.1 * ball)
+    found = shortest_loops(sample_surface([PlacedShape(Sphere(0.1))], 400))
     assert found.status is LoopStatus.no_reliable_hole
-    assert found.loops == []
+    assert found.found == []
     assert "no reliable hole" in found.reason
     assert len(found.betti.loops) > 0
     closed = shortest_loops(RING, 0.5)
@@ -133,7 +136,7 @@ def test_filtration_is_every_complex_at_once():
         alive = int(((births < d) & (d <= deaths)).sum())
         step = np.searchsorted(curve.max_edge_length, d) - 1
         assert curve.loops[step] == alive
-    loop = shortest_loops(RING).loops[0]
+    loop = shortest_loops(RING).found[0]
     assert filtration.span(loop.vertices, 0.05) == (loop.birth, loop.death)
     small = filtration.complex(0.012)
     assert len(small.edges) < len(filtration.complex(0.03).edges)
@@ -141,7 +144,7 @@ def test_filtration_is_every_complex_at_once():
 
 
 def test_clasp_targets_lie_on_the_loop():
-    loop = shortest_loops(RING).loops[0]
+    loop = shortest_loops(RING).found[0]
     targets = geometry.clasp_targets(loop, 12)
     assert len(targets) == 12
     np.testing.assert_allclose(targets[0].point, loop.points[0])

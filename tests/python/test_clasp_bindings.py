@@ -50,8 +50,8 @@ def test_hand_of_a_file_and_of_text_are_the_same():
 def test_object_knows_its_loops():
     thing = purse()
     assert thing.points.shape == (2000, 3)
-    assert len(thing.loops.loops) == 1
-    assert thing.loops.loops[0].points.shape[1] == 3
+    assert len(thing.loops.found) == 1
+    assert thing.loops.found[0].points.shape[1] == 3
     assert thing.surface.triangles.shape[1] == 3
     assert 0 < thing.spacing < 0.05
     assert isinstance(thing.loop_options, geometry.LoopOptions)

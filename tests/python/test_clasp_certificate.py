@@ -42,7 +42,7 @@ def test_plan_carries_its_certificate(plan):
     assert found.caged
     assert found.lower <= found.upper < 0
     assert found.upper == pytest.approx((found.gap - found.thickness) / 2, abs=1e-9)
-    assert 0.005 < found.thickness < plan.task.problem.object.loops.loops[0].thickness
+    assert 0.005 < found.thickness < plan.task.problem.object.loops.found[0].thickness
     assert set(found.between) <= set(plan.task.problem.robot.frame_names)
     q = plan.segments[-1].positions[-1]
     again = clasp.certificate(plan.task.problem, q, plan.loop, plan.task.options.certificate)

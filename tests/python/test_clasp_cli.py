@@ -75,17 +75,17 @@ def test_loops_of_a_cloud(cloud, capsys):
     assert (code, err) == (0, "")
     lines = out.splitlines()
     assert lines[0].startswith("1 loop found, longest edge of the complex ")
-    assert lines[1].startswith(f"  0: {purse().loops.loops[0].length:.3g} m long, ")
+    assert lines[1].startswith(f"  0: {purse().loops.found[0].length:.3g} m long, ")
 
 
 def test_loops_as_json(cloud, capsys):
     code, out, _ = run(capsys, "loops", cloud, "--json")
     assert code == 0
     printed = json.loads(out)
-    loop = purse().loops.loops[0]
+    loop = purse().loops.found[0]
     assert printed["status"] == "found"
-    assert printed["loops"][0]["length"] == pytest.approx(loop.length, abs=1e-9)
-    assert len(printed["loops"][0]["points"]) == len(loop.points)
+    assert printed["found"][0]["length"] == pytest.approx(loop.length, abs=1e-9)
+    assert len(printed["found"][0]["points"]) == len(loop.points)
     assert len(printed["betti"]["max_edge_length"]) == len(printed["betti"]["loops"])
 
 

@@ -41,7 +41,7 @@ def test_reads_a_task(write):
     problem = task.problem
     assert problem.object.name == "purse"
     assert problem.object.points.shape == (2000, 3)
-    assert len(problem.object.loops.loops) == 1
+    assert len(problem.object.loops.found) == 1
     np.testing.assert_allclose(
         problem.X_WO, frames.translation([0.62, 0.05, 0]) @ frames.from_rpy([0, 0, 0.3])
     )
@@ -230,7 +230,7 @@ def test_mesh_is_sampled(write, tmp_path):
     thing = graspless.load_task(write(text)).problem.object
     assert thing.points.shape == (800, 3)
     assert np.hypot(*thing.points[:, :2].T).max() == pytest.approx(0.23, abs=2e-3)
-    assert len(thing.loops.loops) == 1
+    assert len(thing.loops.found) == 1
 
 
 def test_views_keep_what_is_seen(write):
@@ -268,7 +268,7 @@ def test_plan_file_holds_the_task_whole(write, tmp_path):
     assert again.to_dict() == document
     assert document["options"]["resolution"] == clasp.Options().resolution
     assert document["options"]["stability"]["moves"] == clasp.StabilityOptions().moves
-    assert document["object"]["loops"]["min_ratio"] == 1.2
+    assert document["object"]["loops"]["min_ratio"] == 2.25
     assert document["hand"]["closed"] == "closed"
 
 

@@ -68,7 +68,7 @@ def test_curves_run_from_finger_to_thumb(plan):
         for corner, node in ((curve[0], finger.nodes[-1]), (curve[-1], hand.thumb.nodes[-1])):
             X_WL = shown.link_poses[-1, names.index(node.link)]
             np.testing.assert_allclose(corner, X_WL[:3, :3] @ node.p_L + X_WL[:3, 3])
-    loop = plan.task.problem.object.loops.loops[plan.loop].points
+    loop = plan.task.problem.object.loops.found[plan.loop].points
     X_WO = np.asarray(plan.task.problem.X_WO)
     ring = loop @ X_WO[:3, :3].T + X_WO[:3, 3]
     drawn = [abs(geometry.virtual_linking(ring, curve)) for curve in curves]

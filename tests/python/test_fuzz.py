@@ -143,7 +143,7 @@ ARGUMENTS = [
     "01_slide_card.yaml", "06_push_block.yaml", "13_clasp_purse.yaml", "05_point_cloud.ply",
     "09_l_shape.obj", "solved.json", "missing.yaml", "missing.json", ".", "", "\0", "-", "--json",
     "--time", "--seed", "--iterations", "--search", "--png", "--html", "--to", "--fingers", "--group",
-    "--points", "--edge", "--unit", "--lowest", "--list", "--rate", "-1", "0", "1", "3", "0.2", "1e400",
+    "--points", "--edge", "--unit", "--list", "--rate", "-1", "0", "1", "3", "0.2", "1e400",
     "nan", "9" * 5000, "1" * 30, "paper", "fast", "dijkstra", "ros", "csv", "json", "mujoco", "out.png",
     "out.csv", "nowhere/out.json", "slide", "\ud800",
 ]  # fmt: skip

@@ -26,7 +26,8 @@ HAND = {"frame": "palm", "forward": [0, 0, 1], "sideways": [1, 0, 0], **FINGERS}
 def ring(thickness, radius=0.1):
     """Points on an upright torus in the plane y = 0."""
     around = np.linspace(0, 2 * np.pi, 120, endpoint=False)
-    across = np.linspace(0, 2 * np.pi, 12, endpoint=False)
+    count = max(12, round(640 * thickness))  # spread evenly
+    across = np.linspace(0, 2 * np.pi, count, endpoint=False)
     a, b = (angles.ravel() for angles in np.meshgrid(around, across))
     r = radius + thickness / 2 * np.cos(b)
     return np.column_stack([r * np.cos(a), thickness / 2 * np.sin(b), r * np.sin(a)]).round(5)

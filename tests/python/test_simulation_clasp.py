@@ -331,7 +331,7 @@ def test_tasks_of_the_bench_are_its_own():
 def _execution(plan):
     problem, settings = plan.task.problem, Clasp()
     world = make_world(plan.task, Variation(), settings)
-    judge = Judge(problem.hand, world, problem.object.loops.loops[plan.loop].points)
+    judge = Judge(problem.hand, world, problem.object.loops.found[plan.loop].points)
     return Execution(world, judge, problem.hand, problem.robot, None)
 
 

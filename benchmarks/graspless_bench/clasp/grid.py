@@ -118,7 +118,7 @@ def placed(place: tuple[float, float, float, float]) -> np.ndarray[Any, np.dtype
 
 def front_loop(chair: clasp.Object) -> int:
     """Returns the chair's loop down to the rungs that is farthest in front (+x of O)."""
-    loops = chair.loops.loops
+    loops = chair.loops.found
     low = [i for i, loop in enumerate(loops) if min(p[2] for p in loop.points) < 0.25]
     return max(low, key=lambda i: float(np.mean(loops[i].points, axis=0)[0]))
 

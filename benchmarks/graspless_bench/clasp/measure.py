@@ -83,7 +83,7 @@ def gauss_linking(problem: clasp.Problem, plan: core.Plan) -> list[float]:
     robot, hand = problem.robot, problem.hand
     poses = robot.forward(plan.segments[-1].positions[-1])
     X_WO = problem.X_WO
-    loop = problem.object.loops.loops[plan.loop].points @ X_WO[:3, :3].T + X_WO[:3, 3]
+    loop = problem.object.loops.found[plan.loop].points @ X_WO[:3, :3].T + X_WO[:3, 3]
 
     def corners(finger: clasp.Finger) -> list[Any]:
         found = []

@@ -7,7 +7,7 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING
 
-from . import loops, measure, peers
+from . import holes, loops, measure, peers
 from .grid import GRIDS
 
 if TYPE_CHECKING:
@@ -28,6 +28,8 @@ class Run:
     def totals(self) -> Row:
         if self.grid == "loops":
             return loops.totals(self.rows)
+        if self.grid == "holes":
+            return holes.totals(self.rows)
         if self.grid == "grasp_rrt":
             return peers.totals(self.rows)
         return measure.totals(self.rows)
@@ -41,6 +43,8 @@ def count(grid: str, seeds: int) -> int:
     """Returns the number of rows, or of steps for a progress bar."""
     if grid == "loops":
         return len(loops.HOLES) * len(loops.CLOUDS)
+    if grid == "holes":
+        return holes.count(seeds)
     make = peers.trials if grid == "grasp_rrt" else GRIDS[grid]
     return sum(1 for _ in make(seeds))
 
@@ -57,7 +61,7 @@ def run(
     Parameters
     ----------
     grid : str
-        paper, chair, tolerance, grasp_rrt or loops.
+        paper, chair, tolerance, grasp_rrt, loops or holes.
     seeds : int
         Number of runs of each task.
     seed : int
@@ -82,6 +86,8 @@ def _measured(
 ) -> Iterator[Row]:
     if grid == "loops":
         yield from loops.rows(tell)
+    elif grid == "holes":
+        yield from holes.rows(seeds, seed, tell)
     elif grid == "grasp_rrt":
         yield from peers.rows(seeds, seed, seconds, tell)
     else:

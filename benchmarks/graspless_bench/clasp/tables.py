@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..tables import markdown, milliseconds
+from . import holes
 
 if TYPE_CHECKING:
     from ..machine import Row
@@ -27,6 +28,8 @@ def of(result: Row) -> tuple[list[Row], list[Column]]:
     """Returns the named rows of a result, and the columns to show."""
     if result["grid"] == "loops":
         return [_name(row, "object", "cloud") for row in result["rows"]], LOOPS
+    if result["grid"] == "holes":
+        return holes.by_object(result["rows"]), HOLES
     if result["grid"] == "grasp_rrt":
         return [_name(row, "planner", "hand", "pose", "seed") for row in result["rows"]], GRASPS
     rows = [_name(row, "hand", "object", "pose", "seed") for row in result["rows"]]
@@ -39,6 +42,9 @@ def fields(result: Row) -> dict[str, str]:
     if result["grid"] == "loops":
         named = [{"name": kind, **row} for kind, row in totals.items()]
         return {"totals": markdown(named, KINDS, "cloud"), "table": markdown(*of(result))}
+    if result["grid"] == "holes":
+        named = [{"name": kind, **row} for kind, row in totals.items()]
+        return {"totals": markdown(named, HOLES[1:], ""), "table": markdown(*of(result))}
     if result["grid"] == "grasp_rrt":
         named = [{"name": planner, **row} for planner, row in totals.items()]
         return {"totals": markdown(named, PLANNERS, "planner")}
@@ -147,6 +153,16 @@ LOOPS: list[Column] = [
     ("lengths [m]", lambda r: ", ".join(f"{length:.3f}" for length in r["lengths"])),
     ("ms", lambda r: milliseconds(1000 * r["seconds"])),
     ("load", lambda r: f"{r['load']:g}"),
+]
+HOLES: list[Column] = [
+    ("holes", lambda r: str(r["holes"])),
+    ("clouds", lambda r: str(r["clouds"])),
+    ("right", lambda r: str(r["right"])),
+    ("uncertain", lambda r: str(r["uncertain"])),
+    ("wrong", lambda r: str(r["wrong"])),
+    ("GUDHI right", lambda r: str(r.get("gudhi_right", "–"))),
+    ("ms", lambda r: milliseconds(1000 * r["seconds"])),
+    ("GUDHI [ms]", lambda r: milliseconds(1000 * s) if (s := r.get("gudhi_seconds")) else "–"),
 ]
 KINDS: list[Column] = [
     ("objects right", lambda r: f"{r['right']}/{r['objects']}"),

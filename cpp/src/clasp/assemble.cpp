@@ -144,7 +144,7 @@ void test(Query& query, int loop, Clasp& clasp) {
   const Eigen::VectorXd& q = clasp.close.back();
   if (!query.tester) query.tester.emplace(query.problem);
   const Eigen::Matrix3Xd& loop_O =
-      query.problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
+      query.problem.object.loops().found[static_cast<std::size_t>(loop)].points;
   StabilityOptions first = query.options.stability;
   if (query.options.must_be_secure) {
     first.sequences = 1;
@@ -202,7 +202,7 @@ void warn_of_thick_handles(const Problem& problem,
                            const std::vector<std::unique_ptr<LoopSearch>>& searches, Plan& plan) {
   for (const auto& search : searches) {
     const int loop = search->task().loop;
-    const double thickness = problem.object.loops().loops[static_cast<std::size_t>(loop)].thickness;
+    const double thickness = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
     if (!is_too_thick(problem.robot, problem.hand, thickness)) continue;
     std::ostringstream out;
     out << "loop " << loop << ": its handle of " << std::lround(100 * thickness)

@@ -151,7 +151,7 @@ bool is_too_thick(const robot::Robot& robot, const Hand& hand, double thickness)
 }
 
 const Eigen::Matrix3Xd& loop_points(const Problem& problem, int loop) {
-  const auto& loops = problem.object.loops().loops;
+  const auto& loops = problem.object.loops().found;
   if (loop < 0 || loop >= static_cast<int>(loops.size())) {
     throw std::invalid_argument("loop must be the index of one of the " +
                                 std::to_string(loops.size()) + " loops of object '" +
@@ -162,7 +162,7 @@ const Eigen::Matrix3Xd& loop_points(const Problem& problem, int loop) {
 
 Options derived(const Options& options, const Problem& problem, int loop) {
   Options o = options;
-  const geometry::Loop& of = problem.object.loops().loops[static_cast<std::size_t>(loop)];
+  const geometry::Loop& of = problem.object.loops().found[static_cast<std::size_t>(loop)];
   if (o.min_linking == 0) {
     const double open = open_linking(problem.robot, problem.hand);
     const double reach = reachable_linking(problem.robot, problem.hand, of.thickness);

@@ -105,7 +105,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
   validate(problem);
   validate(options);
   require_efforts(problem, options.stability);
-  if (problem.object.loops().loops.empty()) return without_hole(problem, clock);
+  if (problem.object.loops().found.empty()) return without_hole(problem, clock);
   Query query(problem, options, clock, seed);
   Plan plan;
   warn_of_missing_limits(problem, options, plan);

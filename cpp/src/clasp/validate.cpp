@@ -12,7 +12,7 @@ namespace graspless::clasp {
 namespace {
 
 void check_loops(const Problem& problem) {
-  const auto count = static_cast<int>(problem.object.loops().loops.size());
+  const auto count = static_cast<int>(problem.object.loops().found.size());
   std::set<int> given;
   for (std::size_t i = 0; i < problem.loops.size(); ++i) {
     if (problem.loops[i] >= 0 && problem.loops[i] < count) {

@@ -227,7 +227,7 @@ class Problem:
             Start configuration of all joints [rad or m].
         obstacles : list of Obstacle, optional
         loops : list of int, optional
-            Indices in object.loops.loops of the loops that may be clasped; empty: all.
+            Indices in object.loops.found of the loops that may be clasped; empty: all.
         marks : (N, 3) array, optional
             Points in O [m]. The hand clasps at the loop points nearest to them; none: anywhere.
         pull_W : (3,) array, optional
@@ -937,7 +937,7 @@ class Plan:
     @property
     def loop(self) -> int:
         """
-        Index of the clasped loop in object.loops.loops; -1 without a plan.
+        Index of the clasped loop in object.loops.found; -1 without a plan.
         """
     @loop.setter
     def loop(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -1036,7 +1036,7 @@ def certificate(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, nu
     q : (dof,) array
         Configuration of all joints [rad or m].
     loop : int
-        Index in problem.object.loops.loops.
+        Index in problem.object.loops.found.
     options : CertificateOptions, optional
     
     Returns
@@ -1158,7 +1158,7 @@ def test_stability(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike,
     q : (dof,) array
         Configuration of all joints [rad or m].
     loop : int
-        Index in problem.object.loops.loops.
+        Index in problem.object.loops.found.
     options : StabilityOptions, optional
     
     Returns

@@ -411,14 +411,36 @@ class Loop:
         Longest step of the loop through open space [m]; 0 if it runs along the surface throughout. The object may come free there.
         """
     @property
+    def jump(self) -> float:
+        """
+        Length of the longest step around the hole, relative to the next one. Evenly spread
+        points have about 1. Large values mean that the object is open there, or was not seen.
+        """
+    @property
     def length(self) -> float:
         """
         Length of the closed polyline [m].
         """
     @property
+    def max_edge_length(self) -> float:
+        """
+        d of the complex in which it is shortest [m]: the loop's own scale.
+        """
+    @property
+    def openness(self) -> float:
+        """
+        Share of the directions in which a ray from the middle of the hole leaves the object, on
+        the side where fewer do. The inside of a solid is closed on at least one side.
+        """
+    @property
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
         (K, 3) corners in order [m]; the last connects to the first.
+        """
+    @property
+    def reason(self) -> str:
+        """
+        Why it is uncertain or discarded; empty for a hole that was found.
         """
     @property
     def thickness(self) -> float:
@@ -441,7 +463,7 @@ class LoopOptions:
     """
     Options of shortest_loops().
     """
-    def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, lowest_plateau: bool = False, lowest_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.4, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.2, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> None:
+    def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -456,26 +478,9 @@ class LoopOptions:
     def drop_meridians(self, arg0: bool) -> None:
         ...
     @property
-    def lowest_plateau(self) -> bool:
-        """
-        Use the lowest plateau with a ratio of at least lowest_ratio instead of the widest.
-        Finds smaller holes, but mistakes gaps that the camera left for holes.
-        """
-    @lowest_plateau.setter
-    def lowest_plateau(self, arg0: bool) -> None:
-        ...
-    @property
-    def lowest_ratio(self) -> float:
-        """
-        Smallest ratio upper / lower for lowest_plateau, above 1.
-        """
-    @lowest_ratio.setter
-    def lowest_ratio(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-    @property
     def max_edge_length(self) -> float:
         """
-        d of K_d [m], in [0, 10000]. 0: chosen from the widest plateau of the Betti curve.
+        d of K_d [m], in [0, 10000]. 0: each hole has its own.
         """
     @max_edge_length.setter
     def max_edge_length(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -492,7 +497,8 @@ class LoopOptions:
     @property
     def min_ratio(self) -> float:
         """
-        Smallest ratio upper / lower of a plateau with a reliable hole, above 1.
+        Least width of a hole that counts as found, relative to the gaps between the points
+        near it: its death over the median birth of the gaps; above 1.
         """
     @min_ratio.setter
     def min_ratio(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -525,12 +531,12 @@ class Loops:
     @property
     def complex(self) -> Complex:
         """
-        K_d of the cloud, after downsampling.
+        K_d of the cloud, after downsampling, for most of the holes.
         """
     @property
-    def loops(self) -> list[Loop]:
+    def found(self) -> list[Loop]:
         """
-        Loops, shortest first.
+        Loops of the holes, shortest first.
         """
     @property
     def meridians(self) -> list[Loop]:
@@ -538,9 +544,15 @@ class Loops:
         Discarded loops: they run around a thick handle, not along it.
         """
     @property
+    def noise(self) -> int:
+        """
+        Number of classes that do not live long enough to be listed.
+        """
+    @property
     def plateau(self) -> Plateau:
         """
-        Selected plateau; zero if max_edge_length was given.
+        Values of d at which the holes of `complex` exist; zero if max_edge_length was
+        given.
         """
     @property
     def reason(self) -> str:
@@ -556,6 +568,11 @@ class Loops:
     def surface(self) -> Complex:
         """
         Part of K_d at the cloud's own resolution: edges no longer than twice the local spacing, and their triangles.
+        """
+    @property
+    def uncertain(self) -> list[Loop]:
+        """
+        Loops that may be holes, each with a reason; shortest first.
         """
     @property
     def warnings(self) -> list[str]:
@@ -802,20 +819,20 @@ def sample_surface(shapes: collections.abc.Sequence[PlacedShape], count: typing.
         If `count` is out of range, a shape is invalid, or there is almost no outer surface.
     """
 @typing.overload
-def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, lowest_plateau: bool = False, lowest_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.4, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 1.2, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> Loops:
+def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> Loops:
     """
     Finds the shortest loops through the holes of the object that a cloud was taken from.
     
-    They are a shortest basis of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
-    Section IV-A).
+    They are shortest bases of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
+    Section IV-A), where every hole has a d of its own.
     
     Parameters
     ----------
     points : (N, 3) array
         Points on the object's surface [m], in any frame.
     max_edge_length : float, optional
-        d of K_d [m]. None: chosen from the widest plateau of the Betti curve.
-    lowest_plateau, lowest_ratio, min_ratio, max_points, polish, drop_meridians : optional
+        d of K_d [m]. None: each hole has its own.
+    min_ratio, max_points, polish, drop_meridians : optional
         See LoopOptions.
     
     Returns
@@ -831,7 +848,7 @@ def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
     
     Examples
     --------
-    >>> for loop in shortest_loops(points).loops: print(loop.length, loop.points)
+    >>> for loop in shortest_loops(points).found: print(loop.length, loop.points)
     """
 @typing.overload
 def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: LoopOptions) -> Loops:

@@ -21,7 +21,7 @@ def details(plan: Plan) -> dict[str, Any]:
     ends = _ends(plan)
     return {
         "loop": plan.loop,
-        "loops": len(plan.task.problem.object.loops.loops),
+        "loops": len(plan.task.problem.object.loops.found),
         "target": _target(plan),
         "min_linking": plan.min_linking,
         "virtual_linking": ends,
@@ -37,7 +37,7 @@ def details(plan: Plan) -> dict[str, Any]:
 def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, and the clasp's loop, virtual linking and security."""
     assert plan.stability is not None
-    loops = plan.task.problem.object.loops.loops
+    loops = plan.task.problem.object.loops.found
     found = [f"warning: {warning}" for warning in plan.warnings]
     found += [segment_line(plan, segment) for segment in plan.segments]
     found.append(f"clasps {loop_line(loops, plan.loop or 0)}")

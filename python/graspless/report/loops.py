@@ -50,7 +50,11 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
             "length": loop.length,
             "thickness": loop.thickness,
             "width": loop.width,
+            "max_edge_length": loop.max_edge_length,
+            "openness": loop.openness,
+            "jump": loop.jump,
             "gap": loop.gap,
+            "reason": loop.reason,
             "birth": loop.birth,
             "death": loop.death if math.isfinite(loop.death) else None,
             "points": loop.points.tolist(),
@@ -66,8 +70,10 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
             "upper": loops.plateau.upper if math.isfinite(loops.plateau.upper) else None,
             "loops": loops.plateau.loops,
         },
-        "loops": [loop_fields(loop) for loop in loops.loops],
+        "found": [loop_fields(loop) for loop in loops.found],
+        "uncertain": [loop_fields(loop) for loop in loops.uncertain],
         "meridians": [loop_fields(loop) for loop in loops.meridians],
+        "noise": loops.noise,
         "betti": {
             "max_edge_length": list(loops.betti.max_edge_length),
             "loops": list(loops.betti.loops),
@@ -79,15 +85,19 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
 def as_text(loops: geometry.Loops) -> str:
     """Returns a cloud's loops as a few lines of text, the shortest loop first."""
     found = [f"warning: {warning}" for warning in loops.warnings]
-    if not loops.loops:
+    unclear = [
+        f"  uncertain: {loop.length:.3g} m long, as {loop.reason}" for loop in loops.uncertain
+    ]
+    if not loops.found:
         reason = loops.reason.removeprefix("no reliable hole: ")
-        return "\n".join([f"no reliable hole: {reason}", *betti_line(loops), *found])
+        return "\n".join([f"no reliable hole: {reason}", *unclear, *betti_line(loops), *found])
     longest = f"longest edge of the complex {loops.complex.max_edge_length:.4g} m"
-    lines = [f"{count(len(loops.loops), 'loops')} found, {longest}"]
-    for k, loop in enumerate(loops.loops):
+    lines = [f"{count(len(loops.found), 'loops')} found, {longest}"]
+    for k, loop in enumerate(loops.found):
         sure = f", persists up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
         thick = f"along a part {100 * loop.thickness:.2g} cm thick"
         lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}")
+    lines += unclear
     if loops.meridians:
         around = count(len(loops.meridians), "loops")
         lines.append(f"  left out: {around} that run around a thick handle instead of along it")

@@ -42,10 +42,10 @@ def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
     grid = figure.add_gridspec(
         1, 3, width_ratios=[1.2, 0.34, 1], left=0.01, right=0.985, bottom=0.09, top=0.9, wspace=0
     )
-    rings = [np.asarray(loop.points) for loop in loops.loops]
+    rings = [np.asarray(loop.points) for loop in loops.found]
     axes = figure.add_subplot(grid[0])
     draw_cloud(axes, cloud, rings, None, _camera(cloud, rings), PANEL)
-    for k, loop in enumerate(loops.loops):
+    for k, loop in enumerate(loops.found):
         color = _hue(k, len(rings))
         label = f"{k}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm"
         axes.plot([], [], lw=3, color=color, label=label)

@@ -60,7 +60,7 @@ TEST(Parameters, OnlyZerosAreDerived) {
   const Options all = derived({}, problem, 0);
   EXPECT_GT(all.min_linking, open_linking(problem.robot, problem.hand));
   EXPECT_LT(all.min_linking, 1);
-  const double length = problem.object.loops().loops[0].length;
+  const double length = problem.object.loops().found[0].length;
   EXPECT_NEAR(all.targets, length / half_width(problem.robot, problem.hand), 1);
 }
 

@@ -67,7 +67,7 @@ TEST(ClaspPlan, RowsAreFreeAndNearEachOther) {
 TEST(ClaspPlan, VirtualLinkingIsThatOfTheRows) {
   const Problem problem = ring_problem();
   const Plan& plan = ring_plan();
-  const Eigen::Matrix3Xd loop_W = problem.X_WO * problem.object.loops().loops[0].points;
+  const Eigen::Matrix3Xd loop_W = problem.X_WO * problem.object.loops().found[0].points;
   HandKinematics hand(problem.robot, problem.hand);
   for (const Segment& segment : plan.segments) {
     ASSERT_EQ(segment.virtual_linking.rows(), hand.num_curves());

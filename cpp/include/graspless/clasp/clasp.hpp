@@ -117,7 +117,7 @@ struct Plan {
   std::string reason;  ///< explanation of the status in one sentence
   std::vector<std::string> joint_names;
   std::vector<Segment> segments;
-  int loop = -1;                 ///< index of the clasped loop in object.loops().loops
+  int loop = -1;                 ///< index of the clasped loop in object.loops().found
   geometry::ClaspTarget target;  ///< target that the hand holds, in O
   double min_linking = 0;        ///< threshold on |VLk| of the closed hand
   Stability stability;           ///< of the last row

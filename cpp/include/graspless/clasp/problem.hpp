@@ -26,7 +26,7 @@ struct Problem {
   Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();
   std::vector<Obstacle> obstacles;
   Eigen::VectorXd q_start;  ///< start configuration of all joints [rad or m]
-  /// Loops that may be clasped, as indices of object.loops().loops; empty: all.
+  /// Loops that may be clasped, as indices of object.loops().found; empty: all.
   std::vector<int> loops;
   /// Points in O [m]. The hand clasps at the loop points nearest to them; empty: anywhere.
   std::vector<Eigen::Vector3d> marks;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +41,15 @@ struct Plateau {
 /// A class of H_1(K_d), present for d in (birth, death] [m].
 struct PersistencePair {
   double birth = 0, death = 0;
+  std::array<int, 2> closing{-1, -1};  ///< points of the edge that closes the class's first loop
+  std::array<int, 3> filling{-1, -1, -1};  ///< points of the triangle that fills its last loop
+};
+
+/// Bits for each edge of a complex. Those of a cycle's edges add up, over Z_2, to the classes that
+/// the cycle contains.
+struct ClassLabels {
+  int num_classes = 0, words = 1;
+  std::vector<std::uint64_t> bits;  ///< `words` words for each edge
 };
 
 /// Smallest ratio death / birth of a lasting loop. Loops below it count as noise.
@@ -66,6 +77,14 @@ class GRASPLESS_API Filtration {
   /// Plateaus with at least one lasting loop, largest ratio upper / lower first. A loop is lasting
   /// if its ratio death / birth is at least `lasting_ratio`; 1 counts every loop, as betti() does.
   std::vector<Plateau> plateaus(double lasting_ratio = kLastingRatio) const;
+  /// Labels of the edges of complex(max_edge_length) for some of the classes that are alive in it:
+  /// bit i is for persistence()[classes[i]]. A cycle contains a class if the sum of its edges'
+  /// labels has the bit. Other classes have no label. Throws std::invalid_argument if a class is
+  /// not alive at max_edge_length.
+  ClassLabels labels(double max_edge_length, const std::vector<int>& classes) const;
+  /// Ratio of the edge that closes the loop of a pair to the longest other step on the way round,
+  /// in the tree of shortest edges. About 1 where points are spread evenly; larger across a gap.
+  double jump(const PersistencePair& pair) const;
   /// Birth and death of the homology class of a closed walk in K_d. The class is born when the
   /// first walk in it appears, and dies when it is filled. The two are equal if the walk is filled
   /// in K_d itself. `cycle` lists columns of points() without repeating the first. Throws

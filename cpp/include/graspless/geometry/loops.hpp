@@ -31,19 +31,24 @@ struct Loop {
   /// Longest step between neighbouring corners that are too far apart to be on one surface [m]; 0
   /// if the loop runs along the surface throughout. The object may come free there.
   double gap = 0;
+  /// d of the complex in which it is shortest [m]: the loop's own scale.
+  double max_edge_length = 0;
+  /// Share of the directions in which a ray from the middle of the hole leaves the object, on the
+  /// side where fewer do. The inside of a solid is closed on at least one side.
+  double openness = 0;
+  /// Length of the longest step around the hole, relative to the next one. Evenly spread points
+  /// have about 1. Large values mean that the object is open there, or was not seen.
+  double jump = 0;
+  std::string reason;  ///< why it is uncertain or discarded; empty for a hole that was found
 };
 
 /// Options of shortest_loops().
 struct LoopOptions {
-  /// d of K_d [m], in [0, 10000]. 0: chosen from the Betti curve. Of the plateaus with the loops of
-  /// the widest one, the lowest is taken, because K_d is finer there.
+  /// d of K_d [m], in [0, 10000]. 0: each hole has its own.
   double max_edge_length = 0;
-  /// Use the lowest plateau with a ratio of at least `lowest_ratio` instead of the widest. Finds
-  /// smaller holes, but mistakes gaps that the camera left for holes.
-  bool lowest_plateau = false;
-  double lowest_ratio = 1.4;  ///< smallest ratio upper / lower for lowest_plateau, above 1
-  /// Smallest ratio upper / lower of a plateau with a reliable hole, above 1.
-  double min_ratio = 1.2;
+  /// Least width of a hole that counts as found, relative to the gaps between the points near it:
+  /// its death over the median birth of the gaps; above 1.
+  double min_ratio = 2.25;
   /// Largest number of points without downsampling, in [100, 10^6]. A larger cloud is downsampled
   /// to about max_points / 2.
   int max_points = 5000;
@@ -58,21 +63,23 @@ GRASPLESS_API void validate(const LoopOptions& options);
 
 enum class LoopStatus {
   found,             ///< at least one loop was found
-  no_reliable_hole,  ///< no plateau of the Betti curve is wide enough, or K_d has no loop
+  no_reliable_hole,  ///< no class of H_1 is a hole for certain
 };
 
 /// Result of shortest_loops(): the loops of a cloud and the complex they were found in.
 struct Loops {
   LoopStatus status = LoopStatus::no_reliable_hole;
   std::string reason;           ///< explanation of the status in one sentence
-  std::vector<Loop> loops;      ///< shortest first
+  std::vector<Loop> found;      ///< loops of the holes, shortest first
+  std::vector<Loop> uncertain;  ///< loops that may be holes, each with a reason; shortest first
   std::vector<Loop> meridians;  ///< discarded loops: they run around a handle, not along it
-  Complex complex;              ///< K_d of the cloud, after downsampling
+  int noise = 0;                ///< number of classes that do not live long enough to be listed
+  Complex complex;              ///< K_d of the cloud, after downsampling, for most of the holes
   /// The part of K_d at the cloud's own resolution: edges no longer than twice the local spacing,
   /// and their triangles. d follows the holes; where it is large, K_d fills open space.
   Complex surface;
   BettiCurve betti;  ///< Betti curve of the same points
-  Plateau plateau;   ///< selected plateau; zero if max_edge_length was given
+  Plateau plateau;   ///< values of d at which the holes of `complex` exist
   std::vector<std::string> warnings;
 };
 

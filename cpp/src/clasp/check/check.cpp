@@ -49,7 +49,7 @@ Faults PlanChecker::run() {
 }
 
 const Eigen::Matrix3Xd& PlanChecker::loop_points() const {
-  return problem_.object.loops().loops[static_cast<std::size_t>(plan_.loop)].points;
+  return problem_.object.loops().found[static_cast<std::size_t>(plan_.loop)].points;
 }
 
 bool PlanChecker::is_complete() {
@@ -63,7 +63,7 @@ bool PlanChecker::is_complete() {
     fault("plan", "segments are not reach, close");
     return false;
   }
-  const auto& loops = problem_.object.loops().loops;
+  const auto& loops = problem_.object.loops().found;
   if (plan_.loop < 0 || plan_.loop >= static_cast<int>(loops.size()))
     fault("plan", "loop ", plan_.loop, " is not one of the object's ", loops.size());
   return has_sound_rows(reach()) && has_sound_rows(close()) && faults_.empty();

@@ -76,7 +76,7 @@ HandBall hand_ball(const Problem& problem, const Eigen::VectorXd& q) {
 
 bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q) {
   const Eigen::Matrix3Xd& p_OL =
-      problem.object.loops().loops[static_cast<std::size_t>(loop)].points;
+      problem.object.loops().found[static_cast<std::size_t>(loop)].points;
   const HandBall hand = hand_ball(problem, q);
   // The curves lie in this ball, so a loop outside it is out of the hand.
   const auto is_out = [&](const Eigen::Isometry3d& X_WO) {

@@ -82,7 +82,7 @@ void PlanChecker::check_target() {
 
 /// The target of a mark is the nearest point of the nearest allowed loop.
 bool PlanChecker::is_marked() const {
-  const auto& loops = problem_.object.loops().loops;
+  const auto& loops = problem_.object.loops().found;
   const auto is_nearest_loop = [&](const Eigen::Vector3d& mark) {
     const double own = distance(loop_points(), mark);
     for (std::size_t i = 0; i < loops.size(); ++i) {

@@ -129,7 +129,7 @@ std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
                                                     const std::vector<Options>& options) {
   std::vector<std::vector<ClaspTarget>> targets(loops.size());
   const auto points = [&](std::size_t i) -> const Eigen::Matrix3Xd& {
-    return problem.object.loops().loops[static_cast<std::size_t>(loops[i])].points;
+    return problem.object.loops().found[static_cast<std::size_t>(loops[i])].points;
   };
   for (std::size_t i = 0; problem.marks.empty() && i < loops.size(); ++i) {
     targets[i] = geometry::clasp_targets(points(i), options[i].targets);
@@ -154,7 +154,7 @@ std::vector<int> without_thick(Query& query, std::vector<int> loops, Plan& plan)
   if (problem.hand.fingers.size() > 1) return loops;
   const double open = opening(problem.robot, problem.hand);
   const auto width = [&](int loop) {
-    return problem.object.loops().loops[static_cast<std::size_t>(loop)].width;
+    return problem.object.loops().found[static_cast<std::size_t>(loop)].width;
   };
   const auto thinnest = std::min_element(loops.begin(), loops.end(),
                                          [&](int a, int b) { return width(a) < width(b); });
@@ -217,7 +217,7 @@ void explain_no_target(const Query& query, const TargetRater& rater, Plan& plan)
 
 std::vector<int> allowed_loops(const Problem& problem) {
   if (!problem.loops.empty()) return problem.loops;
-  std::vector<int> all(problem.object.loops().loops.size());
+  std::vector<int> all(problem.object.loops().found.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
@@ -235,7 +235,7 @@ std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Pla
   TargetRater rater(problem, q);
   std::vector<std::pair<RatedTarget, LoopTask>> choice;  // each with its best target
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const auto& loop = problem.object.loops().loops[static_cast<std::size_t>(loops[i])];
+    const auto& loop = problem.object.loops().found[static_cast<std::size_t>(loops[i])];
     LoopTask task{loops[i], options[i], problem.X_WO * loop.points, {}};
     const auto rated =
         rate(query, rater, task.points_W, loop.thickness, in_world(problem.X_WO, targets_O[i]));

@@ -10,7 +10,7 @@ namespace graspless::clasp {
 
 /// A loop with its clasp targets: gamma and G_gamma of Stork 2013, Section IV-A.
 struct LoopTask {
-  int loop;                                      ///< index in object.loops().loops
+  int loop;                                      ///< index in object.loops().found
   Options options;                               ///< derived for this loop
   Eigen::Matrix3Xd points_W;                     ///< corners of the loop, 3 x n [m]
   std::vector<geometry::ClaspTarget> targets_W;  ///< best first

@@ -4,6 +4,7 @@
 // Filtration: computes the simplices at construction, and persistence on first use.
 #include "graspless/geometry/complex.hpp"
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -53,12 +54,20 @@ Simplices triangulated(const Eigen::Matrix3Xd& points, const std::string& what) 
 }  // namespace
 
 struct Filtration::Data {
+  /// A vertex's parent in the tree of shortest edges.
+  struct Parent {
+    int vertex = -1, depth = 0;
+    double length = 0;  // of the edge to it [m]
+  };
+
   Eigen::Matrix3Xd points;
   Simplices simplices;
-  mutable std::once_flag ranked, reduced;
+  mutable std::once_flag ranked, reduced, completed, spanned;
   mutable std::optional<Ranking> ranking;
   mutable std::optional<BettiCurve> betti;
   mutable std::optional<Reduction> reduction;
+  mutable std::vector<PersistencePair> pairs;
+  mutable std::vector<Parent> tree;
 
   const BettiCurve& curve() const {
     std::call_once(ranked, [this] {
@@ -71,6 +80,62 @@ struct Filtration::Data {
     curve();
     std::call_once(reduced, [this] { reduction.emplace(*ranking); });
     return *reduction;
+  }
+  const std::vector<PersistencePair>& all_pairs() const {
+    std::call_once(completed, [this] {
+      pairs = reduce().pairs();
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Reduction::Ends ends = reduction->ends(static_cast<int>(i));
+        const int edge = ranking->edge[static_cast<std::size_t>(ends.edge)];
+        pairs[i].closing = simplices.edges[static_cast<std::size_t>(edge)];
+        pairs[i].filling = simplices.triangles[static_cast<std::size_t>(ends.triangle)].vertices;
+      }
+    });
+    return pairs;
+  }
+  /// Longest edge on the way between two vertices in the tree of shortest edges [m].
+  double longest_step(int a, int b) const {
+    curve();
+    std::call_once(spanned, [this] { span_tree(); });
+    double longest = 0;
+    while (a != b) {
+      int& deeper = tree[index(a)].depth >= tree[index(b)].depth ? a : b;
+      longest = std::max(longest, tree[index(deeper)].length);
+      deeper = tree[index(deeper)].vertex;
+    }
+    return longest;
+  }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  void span_tree() const {
+    const auto n = index(static_cast<int>(points.cols()));
+    std::vector<std::vector<std::pair<int, double>>> near(n);
+    for (std::size_t r = 0; r < ranking->lengths.size(); ++r) {
+      if (ranking->makes_loop[r]) continue;
+      const auto [a, b] = simplices.edges[index(ranking->edge[r])];
+      near[index(a)].emplace_back(b, ranking->lengths[r]);
+      near[index(b)].emplace_back(a, ranking->lengths[r]);
+    }
+    tree.resize(n);
+    std::vector<char> is_known(n);
+    std::vector<int> open;
+    for (std::size_t root = 0; root < n; ++root) {
+      poll();
+      if (is_known[root]) continue;
+      is_known[root] = 1;
+      open.push_back(static_cast<int>(root));
+      while (!open.empty()) {
+        const int from = open.back();
+        open.pop_back();
+        for (const auto& [to, length] : near[index(from)]) {
+          if (is_known[index(to)]) continue;
+          is_known[index(to)] = 1;
+          tree[index(to)] = {from, tree[index(from)].depth + 1, length};
+          open.push_back(to);
+        }
+      }
+    }
   }
 };
 
@@ -108,8 +173,37 @@ Complex Filtration::complex(double max_edge_length) const {
   return result;
 }
 
-const std::vector<PersistencePair>& Filtration::persistence() const {
-  return data_->reduce().pairs();
+const std::vector<PersistencePair>& Filtration::persistence() const { return data_->all_pairs(); }
+
+ClassLabels Filtration::labels(double max_edge_length, const std::vector<int>& classes) const {
+  for (const int i : classes) {
+    const auto& pairs = persistence();
+    const bool exists = i >= 0 && i < static_cast<int>(pairs.size());
+    const auto at = static_cast<std::size_t>(i);
+    if (exists && pairs[at].birth < max_edge_length && max_edge_length <= pairs[at].death) continue;
+    throw std::invalid_argument("class " + std::to_string(i) + " is not alive at " +
+                                std::to_string(max_edge_length) + " m");
+  }
+  ClassLabels result;
+  result.num_classes = static_cast<int>(classes.size());
+  result.words = std::max(1, (result.num_classes + 63) / 64);
+  const auto words = static_cast<std::size_t>(result.words);
+  const std::vector<std::uint64_t> by_rank =
+      data_->reduce().labels(max_edge_length, classes, result.words);
+  const Simplices& all = data_->simplices;
+  for (std::size_t e = 0; e < all.edges.size(); ++e) {
+    if (!(all.lengths[e] < max_edge_length)) continue;
+    const auto first =
+        by_rank.begin() +
+        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(data_->ranking->rank[e]) * words);
+    result.bits.insert(result.bits.end(), first, first + result.words);
+  }
+  return result;
+}
+
+double Filtration::jump(const PersistencePair& pair) const {
+  const double longest = data_->longest_step(pair.closing[0], pair.closing[1]);
+  return longest > 0 ? pair.birth / longest : 1;
 }
 
 const BettiCurve& Filtration::betti() const { return data_->curve(); }

@@ -77,6 +77,7 @@ Ranking ranking(const Simplices& simplices) {
   result.rank.resize(order.size());
   result.lengths.reserve(order.size());
   result.makes_loop.reserve(order.size());
+  result.edge = order;
   DisjointSets pieces(static_cast<int>(simplices.first_edge.size()));
   for (const int edge : order) {
     poll();
@@ -96,7 +97,7 @@ Ranking ranking(const Simplices& simplices) {
     }
     const auto longest = std::max_element(r.begin(), r.end());
     std::iter_swap(longest, r.end() - 1);
-    triangles.push_back({r[2], {r[0], r[1]}, false});
+    triangles.push_back({r[2], {r[0], r[1]}, false, static_cast<int>(triangles.size())});
   }
   const std::vector<int> entering = by_longest(triangles, order.size());
   result.triangles.reserve(triangles.size());

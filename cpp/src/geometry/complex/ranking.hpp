@@ -18,8 +18,10 @@ struct Ranking {
     int longest;                ///< its longest edge
     std::array<int, 2> others;  ///< its other edges
     bool fills_loop;            ///< true if it fills a loop, false if it encloses a void
+    int simplex;                ///< index in Simplices::triangles
   };
   std::vector<int> rank;         ///< rank of each edge of Simplices
+  std::vector<int> edge;         ///< edge of Simplices by rank
   std::vector<double> lengths;   ///< of the edges by rank, ascending [m]
   std::vector<char> makes_loop;  ///< by rank: true if the edge's ends were connected before
   std::vector<Triangle> triangles;

@@ -3,6 +3,7 @@
 #include "geometry/complex/reduction.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "graspless/watch.hpp"
@@ -81,11 +82,54 @@ void Reduction::collect_pairs() {
     const auto& filling = ranking_.triangles[static_cast<std::size_t>(columns_[pivot].triangle)];
     const double birth = ranking_.lengths[pivot];
     const double death = ranking_.lengths[static_cast<std::size_t>(filling.longest)];
-    if (birth < death) pairs_.push_back({birth, death});
+    if (!(birth < death)) continue;
+    pairs_.push_back({birth, death});
+    pivots_.push_back(static_cast<int>(pivot));
   }
-  std::stable_sort(pairs_.begin(), pairs_.end(), [](const auto& a, const auto& b) {
+  std::vector<std::size_t> order(pairs_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) {
+    const PersistencePair &a = pairs_[i], &b = pairs_[k];
     return a.death * b.birth > b.death * a.birth;
   });
+  const std::vector<PersistencePair> pairs = std::move(pairs_);
+  const std::vector<int> pivots = std::move(pivots_);
+  pairs_.clear();
+  pivots_.clear();
+  for (const std::size_t i : order) {
+    pairs_.push_back(pairs[i]);
+    pivots_.push_back(pivots[i]);
+  }
+}
+
+Reduction::Ends Reduction::ends(int pair) const {
+  const int pivot = pivots_[static_cast<std::size_t>(pair)];
+  const int column = columns_[static_cast<std::size_t>(pivot)].triangle;
+  return {pivot, ranking_.triangles[static_cast<std::size_t>(column)].simplex};
+}
+
+/// An edge that connects two pieces has no label. Any other edge closes the cycle of its reduced
+/// column. That cycle is a boundary if its triangle is in K_d, and else the class of its pair.
+std::vector<std::uint64_t> Reduction::labels(double max_edge_length,
+                                             const std::vector<int>& classes, int words) const {
+  const auto end =
+      std::lower_bound(ranking_.lengths.begin(), ranking_.lengths.end(), max_edge_length);
+  const auto num_edges = static_cast<std::size_t>(end - ranking_.lengths.begin());
+  const auto width = static_cast<std::size_t>(words);
+  std::vector<std::uint64_t> labels(num_edges * width);
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const auto pivot = static_cast<std::size_t>(pivots_[static_cast<std::size_t>(classes[i])]);
+    labels[pivot * width + i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+  for (std::size_t e = 0; e < num_edges; ++e) {
+    poll();
+    const Column& column = columns_[e];
+    for (int i = column.begin; i < column.end; ++i) {
+      const auto other = static_cast<std::size_t>(entries_[static_cast<std::size_t>(i)]);
+      for (std::size_t w = 0; w < width; ++w) labels[e * width + w] ^= labels[other * width + w];
+    }
+  }
+  return labels;
 }
 
 PersistencePair Reduction::span(const std::vector<int>& cycle, double max_edge_length) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/complex/ranking.hpp"
@@ -17,6 +18,15 @@ class Reduction {
   const Ranking& ranking() const { return ranking_; }
   /// Persistence pairs, largest ratio death / birth first. Omits pairs that die at birth.
   const std::vector<PersistencePair>& pairs() const { return pairs_; }
+  /// Labels by rank of the edges shorter than `max_edge_length`; classes are indices of pairs().
+  std::vector<std::uint64_t> labels(double max_edge_length, const std::vector<int>& classes,
+                                    int words) const;
+  /// Edge, by rank, that closes the loop of a pair, and index in Simplices of the triangle that
+  /// fills it.
+  struct Ends {
+    int edge, triangle;
+  };
+  Ends ends(int pair) const;
   /// Birth and death of the class of a cycle in K_d, given by the ranks of its edges.
   PersistencePair span(const std::vector<int>& cycle, double max_edge_length) const;
 
@@ -37,6 +47,7 @@ class Reduction {
   std::vector<Column> columns_;  // by pivot: the longest edge of the column
   std::vector<int> entries_;     // other edges of the columns
   std::vector<PersistencePair> pairs_;
+  std::vector<int> pivots_;  // of the pairs
 };
 
 }  // namespace graspless::geometry

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geometry/loops/edge_graph.hpp"
@@ -15,7 +16,11 @@ class Annotation {
  public:
   using Word = std::uint64_t;
 
+  /// Of all classes of a complex.
   Annotation(const Complex& complex, const EdgeGraph& graph);
+  /// Of the classes that have labels. All others count as zero.
+  explicit Annotation(ClassLabels labels)
+      : num_classes_(labels.num_classes), words_(labels.words), bits_(std::move(labels.bits)) {}
 
   int num_classes() const { return num_classes_; }  ///< dimension of H_1
   int words() const { return words_; }

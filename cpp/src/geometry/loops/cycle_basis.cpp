@@ -72,9 +72,10 @@ void CycleBasis::make_rows(std::size_t first) {
   }
 }
 
-std::vector<Cycle> CycleBasis::cycles() const {
-  std::vector<Cycle> cycles;
-  for (const Member& member : members_) cycles.push_back(member.cycle);
+std::vector<ClassCycle> CycleBasis::cycles() const {
+  std::vector<ClassCycle> cycles;
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    cycles.push_back({members_[i].cycle, rows_[i].lead});
   return cycles;
 }
 

@@ -29,7 +29,7 @@ class CycleBasis {
   void offer(const Annotation::Word* cls, double length, Cycle cycle);
 
   int size() const { return static_cast<int>(members_.size()); }
-  std::vector<Cycle> cycles() const;  ///< shortest first
+  std::vector<ClassCycle> cycles() const;  ///< shortest first
 
  private:
   using Word = Annotation::Word;

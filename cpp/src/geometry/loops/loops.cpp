@@ -6,13 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 
 #include "graspless/geometry/shape.hpp"
 
 #include "geometry/complex/plateaus.hpp"
+#include "geometry/loops/classes.hpp"
 #include "geometry/loops/report.hpp"
 #include "geometry/loops/resolution.hpp"
 #include "geometry/loops/shortest_basis.hpp"
@@ -25,6 +28,14 @@ namespace {
 constexpr Eigen::Index kMaxPoints = 10000000;
 constexpr Eigen::Index kMaxPolished = 1000000;  // its triangulation takes about 2 KB a point
 constexpr int kMinVertices = 20;
+
+/// Number of classes alive at the given d, or at any.
+int num_classes(const Filtration& filtration, double d) {
+  const auto& pairs = filtration.persistence();
+  return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
+    return d == 0 || (pair.birth < d && d <= pair.death);
+  }));
+}
 
 void check_count(const Eigen::Matrix3Xd& points, const LoopOptions& options) {
   const bool polishes = options.polish && points.cols() > options.max_points;
@@ -48,43 +59,67 @@ Filtration filtration_of(const Eigen::Matrix3Xd& points) {
                               " distinct points, not " + std::to_string(filtration.num_vertices()));
 }
 
-/// Number of lasting loops that live on both plateaus and between them.
-int shared_loops(const std::vector<PersistencePair>& pairs, const Plateau& lower,
-                 const Plateau& upper) {
-  return static_cast<int>(
-      std::count_if(pairs.begin(), pairs.end(), [&](const PersistencePair& pair) {
-        return pair.death >= kLastingRatio * pair.birth && pair.birth <= lower.lower &&
-               pair.death >= upper.upper;
-      }));
+/// Least ratio of a plateau that is clear of other classes, and largest d relative to the death of
+/// its holes.
+constexpr double kClearRatio = 1.2, kCoarsest = 0.75;
+
+using Judged = std::vector<JudgedClass>;
+
+bool is_alive(const JudgedClass& judged, double d) {
+  return judged.span.birth < d && d <= judged.span.death;
 }
 
-/// The lowest plateau with exactly the loops of `chosen`: K_d is finer there, loops are shorter.
-Plateau lowest_with_same_loops(const Filtration& filtration, const std::vector<Plateau>& all,
-                               const Plateau& chosen, double min_ratio) {
-  Plateau result = chosen;
-  for (const Plateau& plateau : all) {
-    if (plateau.lower < result.lower && plateau.loops == chosen.loops &&
-        plateau.ratio() >= min_ratio &&
-        shared_loops(filtration.persistence(), plateau, chosen) == chosen.loops) {
-      result = plateau;
-    }
-  }
-  return result;
+/// True if the loop of a class is at its own scale in K_d.
+bool accepts(const JudgedClass& judged, double d) {
+  return judged.span.birth < d && d <= judged.coarsest();
 }
 
-/// The plateau that the options select, if one is wide enough.
-std::optional<Plateau> choose_plateau(const Filtration& filtration, const LoopOptions& options) {
-  const std::vector<Plateau> all = filtration.plateaus();  // widest first
-  if (options.lowest_plateau) {
-    std::optional<Plateau> lowest;
-    for (const Plateau& plateau : all) {
-      if (plateau.ratio() < std::max(options.lowest_ratio, options.min_ratio)) break;
-      if (!lowest || plateau.lower < lowest->lower) lowest = plateau;
-    }
-    return lowest;
+/// The values of d that most classes accept; the lowest of them, where K_d is finest.
+Plateau common_scale(const Judged& classes) {
+  std::vector<PersistencePair> scales;
+  for (const JudgedClass& judged : classes)
+    scales.push_back({judged.span.birth, judged.coarsest()});
+  Plateau best;
+  for (const Plateau& plateau : plateaus(scales, 1)) {
+    if (plateau.loops > best.loops || (plateau.loops == best.loops && plateau.lower < best.lower))
+      best = plateau;
   }
-  if (all.empty() || all[0].ratio() < options.min_ratio) return std::nullopt;
-  return lowest_with_same_loops(filtration, all, all[0], options.min_ratio);
+  return best;
+}
+
+/// The lowest d at which exactly the holes live, and gaps and insides of handles do not: K_d is the
+/// object without its hollows. 0 if there is none that is clear of other classes.
+double clear_edge_length(const Filtration& filtration, const Judged& holes) {
+  Plateau lowest;
+  for (const Plateau& plateau : filtration.plateaus()) {
+    const bool holds_all = std::all_of(holes.begin(), holes.end(), [&](const JudgedClass& hole) {
+      return hole.span.birth <= plateau.lower && plateau.upper <= hole.span.death &&
+             plateau.lower < kCoarsest * hole.span.death;
+    });
+    const bool is_lower = lowest.loops == 0 || plateau.lower < lowest.lower;
+    if (plateau.ratio() >= kClearRatio && holds_all && is_lower &&
+        plateau.loops == static_cast<int>(holes.size()))
+      lowest = plateau;
+  }
+  return lowest.loops > 0 ? edge_length_on(lowest, filtration.betti()) : 0;
+}
+
+/// d at which most of the holes are at their own scale. If there is none, of the other classes.
+double common_edge_length(const Filtration& filtration, const Judged& holes,
+                          const Judged& classes) {
+  Plateau scale = common_scale(holes.empty() ? classes : holes);
+  const double middle = std::sqrt(scale.lower * scale.upper);
+  scale.loops = static_cast<int>(
+      std::count_if(classes.begin(), classes.end(),
+                    [&](const JudgedClass& judged) { return is_alive(judged, middle); }));
+  return edge_length_on(scale, filtration.betti());
+}
+
+Judged holes_of(const Judged& classes) {
+  Judged holes;
+  std::copy_if(classes.begin(), classes.end(), std::back_inserter(holes),
+               [](const JudgedClass& judged) { return judged.kind == JudgedClass::Kind::found; });
+  return holes;
 }
 
 /// `columns[i]` is the index of point i in the cloud that the caller gave.
@@ -97,60 +132,113 @@ Loop make_loop(const Eigen::Matrix3Xd& points, const Cycle& cycle,
   return loop;
 }
 
-/// True for a short-lived loop where the basis holds more loops than the chosen plateau.
-bool is_noise(const PersistencePair& span, const Plateau& plateau, std::size_t found) {
-  return plateau.loops > 0 && static_cast<int>(found) > plateau.loops &&
-         span.death < kLastingRatio * span.birth;
+/// Finds the loops of the classes that are at their own scale in K_d, or of all that are alive.
+/// Removes these classes from `classes`.
+void find_loops(const Filtration& filtration, const Complex& complex,
+                const std::vector<int>& columns, bool takes_all, Judged& classes, Loops& result) {
+  const double d = complex.max_edge_length;
+  const auto own =
+      std::stable_partition(classes.begin(), classes.end(), [&](const JudgedClass& judged) {
+        return takes_all ? !is_alive(judged, d) : !accepts(judged, d);
+      });
+  std::sort(own, classes.end(), [](const JudgedClass& a, const JudgedClass& b) {
+    return a.span.death < b.span.death;  // a cycle of several classes stands for the last to die
+  });
+  std::vector<int> pairs;
+  for (auto judged = own; judged != classes.end(); ++judged) pairs.push_back(judged->pair);
+  const std::vector<ClassCycle> basis = shortest_basis(complex, filtration.labels(d, pairs));
+  std::vector<Cycle> cycles;
+  for (const ClassCycle& member : basis) cycles.push_back(member.cycle);
+  const Resolution resolution(complex);
+  cycles = around_gaps(complex, resolution, std::move(cycles));
+  const Complex surface = surface_of(complex, resolution);
+  for (std::size_t i = 0; i < basis.size(); ++i) {
+    const JudgedClass& judged = own[basis[i].cls];
+    Loop loop = make_loop(complex.points, cycles[i], columns);
+    loop.birth = judged.span.birth;
+    loop.death = judged.span.death;
+    const Thickness measured = thickness(surface, cycles[i]);
+    loop.thickness = measured.widest;
+    loop.width = measured.narrowest;
+    loop.max_edge_length = d;
+    loop.openness = judged.openness;
+    loop.gap = resolution.widest_gap(cycles[i]);
+    loop.jump = judged.jump;
+    loop.reason = judged.reason;
+    auto& list = judged.kind == JudgedClass::Kind::found       ? result.found
+                 : judged.kind == JudgedClass::Kind::uncertain ? result.uncertain
+                                                               : result.meridians;
+    list.push_back(std::move(loop));
+  }
+  classes.erase(own, classes.end());
 }
 
-bool is_shorter(const Loop& a, const Loop& b) { return a.length < b.length; }
+void sort_by_length(std::vector<Loop>& loops) {
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const Loop& a, const Loop& b) { return a.length < b.length; });
+}
 
-/// Sets the surface, and the loops along it.
-void find_loops(const Filtration& filtration, const std::vector<int>& columns, bool drop_meridians,
-                Loops& result) {
-  const Complex& complex = result.complex;
-  const Resolution resolution(complex);
-  result.surface = surface_of(complex, resolution);
-  const std::vector<Cycle> basis = shortest_basis(complex);
-  const std::vector<bool> is_meridian =
-      drop_meridians ? find_meridians(complex, basis) : std::vector<bool>(basis.size());
-  const std::vector<Cycle> cycles = around_gaps(complex, resolution, basis);
-  for (std::size_t i = 0; i < basis.size(); ++i) {
-    const PersistencePair span = filtration.span(basis[i], complex.max_edge_length);
-    if (is_noise(span, result.plateau, basis.size())) continue;
-    Loop loop = make_loop(complex.points, cycles[i], columns);
-    loop.birth = span.birth;
-    loop.death = span.death;
-    const Thickness found = thickness(result.surface, cycles[i]);
-    loop.thickness = found.widest;
-    loop.width = found.narrowest;
-    loop.gap = resolution.widest_gap(cycles[i]);
-    (is_meridian[i] ? result.meridians : result.loops).push_back(std::move(loop));
+/// Values of d at which all holes of the chosen complex exist.
+Plateau plateau_of(const Loops& result) {
+  Plateau plateau{0, std::numeric_limits<double>::infinity(), 0};
+  for (const Loop& loop : result.found) {
+    if (loop.max_edge_length != result.complex.max_edge_length) continue;
+    plateau.lower = std::max(plateau.lower, loop.birth);
+    plateau.upper = std::min(plateau.upper, loop.death);
+    ++plateau.loops;
   }
-  std::stable_sort(result.loops.begin(), result.loops.end(), is_shorter);
-  std::stable_sort(result.meridians.begin(), result.meridians.end(), is_shorter);
+  return plateau.loops > 0 ? plateau : Plateau{};
+}
+
+/// Loops of all classes, each in a complex at its own scale (III-B, IV-A: S).
+void find_all(const Filtration& filtration, const std::vector<int>& columns, Judged classes,
+              const LoopOptions& options, Loops& result) {
+  const bool d_is_given = options.max_edge_length > 0;
+  const Judged all_holes = holes_of(classes);
+  double d = options.max_edge_length;
+  if (!d_is_given && !all_holes.empty()) d = clear_edge_length(filtration, all_holes);
+  if (d > 0) {
+    result.complex = filtration.complex(d);
+    find_loops(filtration, result.complex, columns, true, classes, result);
+  }
+  while (!d_is_given && !classes.empty()) {
+    const Judged holes = holes_of(classes);
+    const Complex complex = filtration.complex(common_edge_length(filtration, holes, classes));
+    find_loops(filtration, complex, columns, false, classes, result);
+    if (d == 0 && !holes.empty()) {
+      result.complex = complex;
+      d = complex.max_edge_length;
+    }
+  }
+  for (auto* list : {&result.found, &result.uncertain, &result.meridians}) sort_by_length(*list);
+  if (result.complex.edges.cols() > 0)
+    result.surface = surface_of(result.complex, Resolution(result.complex));
+  if (!d_is_given) result.plateau = plateau_of(result);
 }
 
 /// Replaces loops by shorter ones of the same class on the full cloud.
-void polish(const Eigen::Matrix3Xd& points, Loops& result) {
-  std::vector<Eigen::Matrix3Xd> curves;
-  for (const Loop& loop : result.loops) curves.push_back(loop.points);
-  const Complex whole = Filtration(points, "points").complex(result.complex.max_edge_length);
-  const Resolution resolution(whole);
-  const std::vector<Cycle> cycles = around_gaps(whole, resolution, polished(whole, curves));
+void polish(const Eigen::Matrix3Xd& points, std::vector<Loop>& loops) {
+  const Filtration filtration(points, "points");
   const std::vector<int> columns = all_columns(points);
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    if (cycles[i].empty()) continue;
-    Loop loop = make_loop(points, cycles[i], columns);
-    if (loop.length >= result.loops[i].length) continue;
-    loop.birth = result.loops[i].birth;
-    loop.death = result.loops[i].death;
-    loop.thickness = result.loops[i].thickness;
-    loop.width = result.loops[i].width;
-    loop.gap = resolution.widest_gap(cycles[i]);
-    result.loops[i] = std::move(loop);
+  std::map<double, std::vector<Loop*>> by_scale;
+  for (Loop& loop : loops) by_scale[loop.max_edge_length].push_back(&loop);
+  for (const auto& [d, group] : by_scale) {
+    std::vector<Eigen::Matrix3Xd> curves;
+    for (const Loop* loop : group) curves.push_back(loop->points);
+    const Complex whole = filtration.complex(d);
+    const Resolution resolution(whole);
+    const std::vector<Cycle> cycles = around_gaps(whole, resolution, polished(whole, curves));
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+      if (cycles[i].empty()) continue;
+      Loop loop = make_loop(points, cycles[i], columns);
+      if (loop.length >= group[i]->length) continue;
+      group[i]->points = std::move(loop.points);
+      group[i]->vertices = std::move(loop.vertices);
+      group[i]->length = loop.length;
+      group[i]->gap = resolution.widest_gap(cycles[i]);
+    }
   }
-  std::stable_sort(result.loops.begin(), result.loops.end(), is_shorter);
+  sort_by_length(loops);
 }
 
 }  // namespace
@@ -163,9 +251,7 @@ void validate(const LoopOptions& options) {
   };
   require(options.max_edge_length >= 0 && options.max_edge_length <= kMaxLength, "max_edge_length",
           options.max_edge_length,
-          "in [0, " + short_number(kMaxLength) + "] m (0: chosen from the Betti curve)");
-  require(options.lowest_ratio > 1 && std::isfinite(options.lowest_ratio), "lowest_ratio",
-          options.lowest_ratio, "greater than 1 and finite");
+          "in [0, " + short_number(kMaxLength) + "] m (0: each hole has its own)");
   require(options.min_ratio > 1 && std::isfinite(options.min_ratio), "min_ratio", options.min_ratio,
           "greater than 1 and finite");
   require(options.max_points >= 100 && options.max_points <= 1000000, "max_points",
@@ -184,20 +270,12 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options)
   Loops result;
   result.warnings = cloud_warnings(filtration);
   result.betti = filtration.betti();
-  double d = options.max_edge_length;
-  if (d == 0) {  // left open by the paper: the widest plateau of the Betti curve
-    const std::optional<Plateau> plateau = choose_plateau(filtration, options);
-    if (!plateau) {
-      result.reason = no_plateau_reason(filtration, options);
-      return result;
-    }
-    result.plateau = *plateau;
-    d = edge_length_on(*plateau, result.betti);
-  }
-  result.complex = filtration.complex(d);                           // IV-A: K_d
-  find_loops(filtration, columns, options.drop_meridians, result);  // III-B, IV-A: S
-  if (downsamples && options.polish) polish(points, result);
-  report(filtration, result);
+  Judged classes = judged_classes(filtration, options);
+  result.noise =
+      num_classes(filtration, options.max_edge_length) - static_cast<int>(classes.size());
+  find_all(filtration, columns, std::move(classes), options, result);
+  if (downsamples && options.polish) polish(points, result.found);
+  report(filtration, options, result);
   return result;
 }
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/loops/report.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "graspless/geometry/sampling.hpp"
+
+#include "geometry/loops/classes.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -21,21 +24,28 @@ std::string describe(const Plateau& plateau) {
          " m (ratio " + short_number(plateau.ratio()) + ")";
 }
 
-/// Advice for max_edge_length: the widest plateau.
+/// Advice for max_edge_length: the holes of any d.
 std::string advice(const Filtration& filtration) {
-  const std::vector<Plateau> all = filtration.plateaus();
-  if (all.empty()) return "; no other value gives a lasting loop";
-  const auto loops = static_cast<std::size_t>(all[0].loops);
-  return "; " + count(loops, "loop") + (loops == 1 ? " exists " : " exist ") + describe(all[0]);
+  LoopOptions any;
+  const std::vector<JudgedClass> classes = judged_classes(filtration, any);
+  const auto hole = std::find_if(classes.begin(), classes.end(), [](const JudgedClass& judged) {
+    return judged.kind == JudgedClass::Kind::found;
+  });
+  if (hole == classes.end()) return "; no other value gives a reliable hole";
+  return "; a hole exists " + describe({hole->span.birth, hole->span.death, 1});
 }
 
 /// Explanation of why K_d has no loop at a given d.
-std::string why_no_loop(const Filtration& filtration, double d) {
+std::string why_no_loop(const Filtration& filtration, double d, int num_alive) {
   std::string reason = "max_edge_length " + short_number(d) + " m ";
   const std::vector<Plateau> all = filtration.plateaus();
   if (filtration.complex(d).edges.cols() == 0) {
     reason += "is too small: no two points are closer; the spacing is about " +
               short_number(spacing(filtration.points())) + " m";
+  } else if (num_alive > 0) {
+    return "each of the " + count(static_cast<std::size_t>(num_alive), "loop") +
+           " at max_edge_length " + short_number(d) + " m is a gap between points" +
+           advice(filtration);
   } else if (!all.empty() && d <= all[0].lower) {
     reason += "is too small: the points do not form a loop";
   } else if (!all.empty() && d > all[0].upper) {
@@ -46,24 +56,21 @@ std::string why_no_loop(const Filtration& filtration, double d) {
   return reason + advice(filtration);
 }
 
-/// Warns if most loops die before the widest plateau begins.
+/// Warns if most classes at a given d are gaps between points.
 void warn_of_gaps(const Filtration& filtration, Loops& result) {
-  const std::vector<Plateau> all = filtration.plateaus();
-  if (all.empty()) return;
-  std::size_t gaps = 0;
-  for (const auto* loops : {&result.loops, &result.meridians}) {
-    for (const Loop& loop : *loops) gaps += loop.death <= all[0].lower;
-  }
-  const std::size_t found = result.loops.size() + result.meridians.size();
-  if (2 * gaps <= found) return;
+  const std::size_t listed =
+      result.found.size() + result.uncertain.size() + result.meridians.size();
+  const auto noise = static_cast<std::size_t>(result.noise);
+  if (noise <= listed) return;
   result.warnings.push_back("max_edge_length " + short_number(result.complex.max_edge_length) +
-                            " m may be too small: " + std::to_string(gaps) + " of " +
-                            count(found, "loop") + " are gaps between points" + advice(filtration));
+                            " m may be too small: " + std::to_string(noise) + " of " +
+                            count(noise + listed, "loop") + " are gaps between points" +
+                            advice(filtration));
 }
 
 void warn_of_open_loops(Loops& result) {
-  for (std::size_t i = 0; i < result.loops.size(); ++i) {
-    const Loop& loop = result.loops[i];
+  for (std::size_t i = 0; i < result.found.size(); ++i) {
+    const Loop& loop = result.found[i];
     if (loop.gap == 0) continue;
     result.warnings.push_back("loop " + std::to_string(i) + " crosses a gap of " +
                               short_number(loop.gap) +
@@ -97,33 +104,29 @@ std::vector<std::string> cloud_warnings(const Filtration& filtration) {
   return warnings;
 }
 
-std::string no_plateau_reason(const Filtration& filtration, const LoopOptions& options) {
-  const std::vector<Plateau> all = filtration.plateaus();
-  if (all.empty()) return "no reliable hole: no max_edge_length gives a lasting loop";
-  const std::string widest =
-      "no reliable hole: the widest plateau of the Betti curve is " + describe(all[0]);
-  if (all[0].ratio() < options.min_ratio) {
-    return widest + ", below min_ratio " + short_number(options.min_ratio);
+void report(const Filtration& filtration, const LoopOptions& options, Loops& result) {
+  const bool d_is_given = options.max_edge_length > 0;
+  if (d_is_given) warn_of_gaps(filtration, result);
+  const std::string unclear =
+      result.uncertain.empty() ? "" : count(result.uncertain.size(), "uncertain loop");
+  if (!result.found.empty()) {
+    result.status = LoopStatus::found;
+    warn_of_open_loops(result);
+    result.reason = count(result.found.size(), "loop") + " at max_edge_length " +
+                    short_number(result.complex.max_edge_length) + " m";
+    if (!d_is_given) result.reason += ", on the plateau " + describe(result.plateau);
+    if (!unclear.empty()) result.reason += "; beside " + unclear;
+  } else if (!unclear.empty()) {
+    result.reason =
+        "no reliable hole: " + unclear + "; the shortest: " + result.uncertain[0].reason;
+  } else if (!result.meridians.empty()) {
+    result.reason = "every loop runs around a thick handle instead of along it";
+  } else if (d_is_given) {
+    result.reason = why_no_loop(filtration, options.max_edge_length, result.noise);
+  } else {
+    result.reason = "no reliable hole: every loop is a gap between points";
   }
-  return widest + ", below lowest_ratio " + short_number(options.lowest_ratio);
-}
-
-void report(const Filtration& filtration, Loops& result) {
-  const double d = result.complex.max_edge_length;
-  const bool chosen = result.plateau.loops > 0;
-  if (!chosen) warn_of_gaps(filtration, result);
-  if (result.loops.empty()) {
-    result.reason = result.meridians.empty()
-                        ? why_no_loop(filtration, d)
-                        : "every loop runs around a thick handle instead of along it";
-    return;
-  }
-  result.status = LoopStatus::found;
-  warn_of_open_loops(result);
-  result.reason =
-      count(result.loops.size(), "loop") + " at max_edge_length " + short_number(d) + " m";
-  if (chosen) result.reason += ", on the plateau " + describe(result.plateau);
-  if (!result.meridians.empty()) {
+  if (result.status == LoopStatus::found && !result.meridians.empty()) {
     result.reason +=
         "; discarded: " + count(result.meridians.size(), "loop") + " around a thick handle";
   }

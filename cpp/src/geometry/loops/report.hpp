@@ -17,10 +17,7 @@ std::string short_number(double value);
 /// Warnings about a cloud: coordinates that look like millimetres, equal points.
 std::vector<std::string> cloud_warnings(const Filtration& filtration);
 
-/// Explanation of why no plateau meets the options.
-std::string no_plateau_reason(const Filtration& filtration, const LoopOptions& options);
-
 /// Sets status, reason and warnings from the loops found.
-void report(const Filtration& filtration, Loops& result);
+void report(const Filtration& filtration, const LoopOptions& options, Loops& result);
 
 }  // namespace graspless::geometry

@@ -3,6 +3,7 @@
 #include "geometry/loops/shortest_basis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 
@@ -79,7 +80,7 @@ class Search {
     }
     cycles_.remove(root);  // all cycles through it have been offered
   }
-  std::vector<Cycle> cycles() const { return basis_.cycles(); }
+  std::vector<ClassCycle> cycles() const { return basis_.cycles(); }
 
  private:
   double& limit(int root) { return limits_[static_cast<std::size_t>(root)]; }
@@ -100,6 +101,7 @@ class Search {
     for (auto other = rest.first; other != rest.last; ++other) {
       poll();
       const double detour = 2 * cycles_.distance(*other) * kSlack;
+      if (std::isinf(detour)) continue;  // it sees other cycles
       const double before = std::min(limit(*other), basis_.bound());
       if (before + detour > longest) continue;  // it may find cycles that this root did not
       double longest_bound = 0;
@@ -129,14 +131,29 @@ double cycle_length(const Eigen::Matrix3Xd& points, const Cycle& cycle) {
   return length;
 }
 
-std::vector<Cycle> shortest_basis(const Complex& complex) {
-  const EdgeGraph graph(complex);
-  const Annotation annotation(complex, graph);
+namespace {
+
+std::vector<ClassCycle> basis_of(const Complex& complex, const EdgeGraph& graph,
+                                 const Annotation& annotation) {
   Search search(complex, graph, annotation);
   const std::vector<int> all = roots(graph, annotation);
   for (auto root = all.begin(); root != all.end(); ++root)
     search.from(*root, {root + 1, all.end()});
   return search.cycles();
+}
+
+}  // namespace
+
+std::vector<Cycle> shortest_basis(const Complex& complex) {
+  const EdgeGraph graph(complex);
+  std::vector<Cycle> cycles;
+  for (ClassCycle& member : basis_of(complex, graph, Annotation(complex, graph)))
+    cycles.push_back(std::move(member.cycle));
+  return cycles;
+}
+
+std::vector<ClassCycle> shortest_basis(const Complex& complex, ClassLabels labels) {
+  return basis_of(complex, EdgeGraph(complex), Annotation(std::move(labels)));
 }
 
 }  // namespace graspless::geometry

@@ -17,6 +17,15 @@ double cycle_length(const Eigen::Matrix3Xd& points, const Cycle& cycle);
 /// Computes a basis of H_1(K; Z_2) of least total length, shortest cycle first.
 std::vector<Cycle> shortest_basis(const Complex& complex);
 
+/// A cycle, and the last of the classes it contains that no shorter cycle of its basis stands for.
+struct ClassCycle {
+  Cycle cycle;
+  int cls;
+};
+
+/// Same for the classes that have labels, modulo those that have none. Every class occurs once.
+std::vector<ClassCycle> shortest_basis(const Complex& complex, ClassLabels labels);
+
 /// Shortens loops of a downsampled cloud on the complex `whole` of the full cloud. Each result has
 /// the class of its loop. It uses a few roots per loop instead of all, so it is fast but not always
 /// shortest. Empty if a loop cannot be traced on `whole`.
@@ -30,9 +39,5 @@ struct Thickness {
 
 /// Thickness of the handle that a cycle runs along.
 Thickness thickness(const Complex& complex, const Cycle& cycle);
-
-/// Returns true for each cycle of a basis that runs around a thick handle instead of along it. A
-/// cloud shows only the surface of a handle. The hollow inside adds a second class to H_1.
-std::vector<bool> find_meridians(const Complex& complex, const std::vector<Cycle>& basis);
 
 }  // namespace graspless::geometry

@@ -82,7 +82,7 @@ def run(
     assert loop is not None
     problem = task.problem
     world = make_world(task, variation, settings, solids)
-    judge = Judge(problem.hand, world, problem.object.loops.loops[loop].points)
+    judge = Judge(problem.hand, world, problem.object.loops.found[loop].points)
     recorder = Recorder() if record else None
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
     failures: list[str] = []
@@ -132,7 +132,7 @@ def held_locked(
     )
     set_positions(world.model, world.data, problem.robot, q)
     world.data.ctrl[:] = q
-    judge = Judge(problem.hand, world, problem.object.loops.loops[loop].points)
+    judge = Judge(problem.hand, world, problem.object.loops.found[loop].points)
     execution = Execution(world, judge, problem.hand, problem.robot, None)
     world.let_go()
     start = execution.save()

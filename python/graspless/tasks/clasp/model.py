@@ -41,11 +41,11 @@ class LoopOptions(Fields):
     """Options of the search for holes: graspless.geometry.LoopOptions."""
 
     max_edge_length: NotNegative | None = Field(
-        default=None, description="d [m]; 0: chosen from the widest plateau of the Betti curve"
+        default=None, description="d [m]; 0: each hole has its own"
     )
-    lowest_plateau: bool | None = None
-    lowest_ratio: Annotated[float, Field(ge=1)] | None = None
-    min_ratio: Annotated[float, Field(ge=1)] | None = None
+    min_ratio: Annotated[float, Field(ge=1)] | None = Field(
+        default=None, description="least width of a hole, relative to gaps between points near it"
+    )
     max_points: Count | None = Field(default=None, description="larger clouds are downsampled")
     polish: bool | None = Field(
         default=None, description="shorten the loops of a downsampled cloud on all its points"

@@ -38,7 +38,7 @@ def object_body(task: Task) -> Body:
 
 def loop_bodies(plan: Plan) -> list[Body]:
     """Returns a tube along each loop, in O; the clasped loop has its own colour."""
-    loops = plan.task.problem.object.loops.loops
+    loops = plan.task.problem.object.loops.found
     radius = 0.0045 * size(plan.task)
     return [
         Body(

@@ -71,7 +71,7 @@ def headline(plan: Plan) -> str:
     if not plan:
         return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
     assert plan.stability is not None
-    loops = len(problem.object.loops.loops)
+    loops = len(problem.object.loops.found)
     which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (from 0)"
     held = "secure" if plan.stability.secure else "not secure"
     margin = f"{held}, margin {plan.stability.margin:.2f}"
@@ -115,7 +115,7 @@ def _draw_loops(axes: Any, plan: Plan, shown: Film) -> None:
     middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
     eye = middle + 4 * bodies.size(plan.task) * stage.direction(plan, shown)
     view = raster.Camera(eye, middle).fitted(cloud, *PANEL)
-    rings = [_moved(loop.points, X_WO) for loop in problem.object.loops.loops]
+    rings = [_moved(loop.points, X_WO) for loop in problem.object.loops.found]
     draw_cloud(axes, cloud, rings, -1 if plan.loop is None else plan.loop, view, PANEL)
     if plan.target is not None:
         spot = view.project(_moved([plan.target.point], X_WO), *PANEL)[0]
@@ -171,7 +171,7 @@ def _draw_key(figure: Any, plan: Plan) -> None:
     ]
     if not plan:
         lines = lines[1:4]
-    elif len(plan.task.problem.object.loops.loops) < 2:
+    elif len(plan.task.problem.object.loops.found) < 2:
         lines.pop(1)
     handles = [
         Line2D([], [], color=color, ls=ls, lw=2.5, label=label) for color, ls, label in lines

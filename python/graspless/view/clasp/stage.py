@@ -128,7 +128,7 @@ def _hidden(points: Matrix, toward: Matrix, radius: float) -> float:
 
 def _loop_axis(plan: Plan, X_WO: Matrix) -> Matrix:
     """Returns the normal of the clasped loop, or else the shortest, [3] in the world."""
-    loops = plan.task.problem.object.loops.loops
+    loops = plan.task.problem.object.loops.found
     if not loops:
         return np.array([0.0, 1.0, 0.0])
     points = np.asarray(loops[plan.loop or 0].points)

@@ -124,7 +124,7 @@ TEST(WayOut, FindsNoWayAboveTheBound) {
     const StillHand hand(problem, problem.q_start);
     const Core& core = problem.object.core();
     const CoreLoop loop =
-        core.loop(hand.ring(problem.object.loops().loops[0].points, 0, core).points_O);
+        core.loop(hand.ring(problem.object.loops().found[0].points, 0, core).points_O);
     const HandRing ring = hand.ring(loop.points, loop.radius, core);
     collision::Clearance clearance = problem.object.outer_clearance();
     WayOut search(hand, ring, loop.points, clearance, 3);

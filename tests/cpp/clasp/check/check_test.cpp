@@ -96,10 +96,10 @@ TEST_F(ClaspCheck, ATargetBesideItsLoop) {
 }
 
 TEST_F(ClaspCheck, ATargetThatWasNotMarked) {
-  problem_.marks = {problem_.object.loops().loops[0].points.col(0)};
+  problem_.marks = {problem_.object.loops().found[0].points.col(0)};
   const Eigen::Vector3d& target = plan_.target.point;
   if ((target - problem_.marks[0]).norm() < 1e-3) {
-    problem_.marks[0] = problem_.object.loops().loops[0].points.col(10);
+    problem_.marks[0] = problem_.object.loops().found[0].points.col(10);
   }
   expect_fault("none of the marked places");
 }
@@ -110,7 +110,7 @@ TEST_F(ClaspCheck, ATangentAcrossTheLoop) {
 }
 
 TEST_F(ClaspCheck, AHandThatIsNotAtItsTarget) {
-  const Eigen::Matrix3Xd& loop = problem_.object.loops().loops[0].points;
+  const Eigen::Matrix3Xd& loop = problem_.object.loops().found[0].points;
   Eigen::Index farthest = 0;
   (loop.colwise() - plan_.target.point).colwise().norm().maxCoeff(&farthest);
   plan_.target = geometry::clasp_targets(loop, static_cast<int>(loop.cols()))[0];
@@ -119,7 +119,7 @@ TEST_F(ClaspCheck, AHandThatIsNotAtItsTarget) {
 }
 
 TEST_F(ClaspCheck, APullThatThePlaceIsNotGoodFor) {
-  const Eigen::Vector3d middle = problem_.object.loops().loops[0].points.rowwise().mean();
+  const Eigen::Vector3d middle = problem_.object.loops().found[0].points.rowwise().mean();
   problem_.pull_W = problem_.X_WO.linear() * (middle - plan_.target.point);
   expect_fault("not good for the pull");
 }
@@ -204,7 +204,7 @@ TEST(ClaspCheckPlans, HoldForEveryHand) {
 
 TEST(ClaspCheckPlans, HoldWithMarksPullAndObstacles) {
   Problem problem = ring_problem();
-  const Eigen::Matrix3Xd& loop = problem.object.loops().loops[0].points;
+  const Eigen::Matrix3Xd& loop = problem.object.loops().found[0].points;
   const planning::Budget budget{60, 100, 1, {}};
   problem.pull_W = -Eigen::Vector3d::UnitY();
   Plan found = clasp::plan(problem, {}, budget);

@@ -21,7 +21,7 @@ TEST(Object, SurfaceIsWhatTheLoopsWereTakenFrom) {
   const Object ring = Object::from_cloud("ring", cloud);
   EXPECT_EQ(ring.name(), "ring");
   EXPECT_EQ(ring.points(), cloud);
-  EXPECT_EQ(ring.loops().loops.size(), 1u);
+  EXPECT_EQ(ring.loops().found.size(), 1u);
   const geometry::Complex& complex = ring.loops().complex;
   EXPECT_EQ(ring.surface().triangles.leftCols(complex.triangles.cols()), complex.triangles);
   EXPECT_GT(ring.spacing(), 0.001);
@@ -62,8 +62,8 @@ TEST(Object, IsOpenWhereItHasNoPoints) {
   geometry::LoopOptions options;
   options.max_edge_length = 0.09;
   const Object ring = Object::from_cloud("open ring", open, options);
-  ASSERT_EQ(ring.loops().loops.size(), 1u);
-  EXPECT_GT(ring.loops().loops[0].gap, 0.06);
+  ASSERT_EQ(ring.loops().uncertain.size(), 1u);
+  EXPECT_GT(ring.loops().uncertain[0].gap, 0.06);
   const Eigen::Vector3d middle =
       (open.leftCols(8).rowwise().mean() + open.rightCols(8).rowwise().mean()) / 2;
   EXPECT_LT(collision::Clearance(surface_of(ring.loops().complex)).distance(middle), 0.005);

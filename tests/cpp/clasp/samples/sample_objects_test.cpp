@@ -50,9 +50,9 @@ TEST(SampleObjects, HaveTheirHoles) {
   for (const auto& [name, holes] : kHoles) {
     const geometry::Loops loops = geometry::shortest_loops(cloud(name));
     EXPECT_EQ(loops.status, geometry::LoopStatus::found) << name;
-    EXPECT_EQ(loops.loops.size(), holes) << name;
+    EXPECT_EQ(loops.found.size(), holes) << name;
     EXPECT_TRUE(loops.meridians.empty()) << name;
-    for (const geometry::Loop& loop : loops.loops) EXPECT_GT(loop.length, 0.36) << name;
+    for (const geometry::Loop& loop : loops.found) EXPECT_GT(loop.length, 0.36) << name;
   }
 }
 
@@ -60,7 +60,7 @@ TEST(SampleObjects, HaveTheirHolesInNoise) {
   for (const auto& [name, holes] : kHoles) {
     const Eigen::Matrix3Xd points = cloud(name);
     const double half = geometry::spacing(points) / 2;
-    EXPECT_EQ(geometry::shortest_loops(noisy(points, half)).loops.size(), holes) << name;
+    EXPECT_EQ(geometry::shortest_loops(noisy(points, half)).found.size(), holes) << name;
   }
 }
 
@@ -68,7 +68,7 @@ TEST(SampleObjects, HaveTheirHolesInNoise) {
 TEST(SampleObjects, ShowTheirHolesFromOneSide) {
   for (const auto& [name, holes] : kHoles) {
     const Eigen::Matrix3Xd points = seen_from(cloud(name), {1.5, 1, 1.2});
-    const std::size_t found = geometry::shortest_loops(points).loops.size();
+    const std::size_t found = geometry::shortest_loops(points).found.size();
     EXPECT_LE(found, holes) << name;
     EXPECT_GE(found, name == "chair" ? 4 : holes) << name;
   }

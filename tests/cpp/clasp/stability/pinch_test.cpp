@@ -27,7 +27,8 @@ using Eigen::VectorXd;
 /// A ring of 24 cm above the gripper, its lowest point between the fingers; `side` is the
 /// displacement across them [m].
 Problem ring_in_gripper(double thickness, double side = 0, double above = 0) {
-  const Object ring = Object::from_cloud("ring", ring_cloud(0.12, thickness, 160, 16));
+  const Object ring = Object::from_cloud(
+      "ring", ring_cloud(0.12, thickness, 160, std::max(16, static_cast<int>(800 * thickness))));
   const robot::Robot robot = parallel_gripper();
   Problem problem{robot, with_palm_corners(hand_without_palm(), robot),
                   ring,  Eigen::Isometry3d::Identity(),

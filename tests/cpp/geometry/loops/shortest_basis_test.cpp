@@ -88,6 +88,36 @@ TEST(ShortestBasis, ASurfaceOfATorusHasTwo) {
   EXPECT_LT(cycle_length(complex.points, basis[1]), 1.2 * 2 * M_PI * 0.75);  // zigzag
 }
 
+TEST(ShortestBasis, OfLabelledClassesIsThatOfAll) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Filtration filtration(random_cloud(150, seed));
+    const double d = 0.28;
+    const auto& pairs = filtration.persistence();
+    std::vector<int> alive;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (pairs[i].birth < d && d <= pairs[i].death) alive.push_back(static_cast<int>(i));
+    }
+    const Complex complex = filtration.complex(d);
+    const std::vector<Cycle> all = shortest_basis(complex);
+    ASSERT_EQ(alive.size(), all.size());
+    ASSERT_FALSE(alive.empty());
+    std::vector<Cycle> labelled;
+    std::set<int> classes;
+    for (const ClassCycle& member : shortest_basis(complex, filtration.labels(d, alive))) {
+      labelled.push_back(member.cycle);
+      classes.insert(member.cls);
+    }
+    expect_basis(complex, labelled);
+    EXPECT_EQ(classes.size(), alive.size());
+    EXPECT_NEAR(total_length(complex, labelled), total_length(complex, all), 1e-9);
+    // Of one class alone: a cycle that dies when the class does, if others may be added.
+    const ClassCycle one = shortest_basis(complex, filtration.labels(d, {alive[0]})).at(0);
+    EXPECT_GE(filtration.span(one.cycle, d).death, pairs[static_cast<std::size_t>(alive[0])].death);
+  }
+  expect_refused([] { Filtration(random_cloud(50, 1)).labels(0.5, {-1}); },
+                 "class -1 is not alive at 0.5");
+}
+
 TEST(ShortestBasis, IsEmptyWithoutHoles) {
   EXPECT_TRUE(shortest_basis(net(4, 4, 1)).empty());
   EXPECT_TRUE(shortest_basis(complex_of(Eigen::Matrix3Xd::Zero(3, 3), {})).empty());

@@ -37,15 +37,22 @@ struct Found {
   }
 };
 
+/// Holes and meridians in K_d, shortest first.
 Found look(const Eigen::Matrix3Xd& cloud, double d) {
-  const Complex complex = Filtration(cloud).complex(d);
-  const std::vector<Cycle> basis = shortest_basis(complex);
+  LoopOptions options;
+  options.max_edge_length = d;
+  const Loops loops = shortest_loops(cloud, options);
+  std::vector<std::pair<Loop, bool>> all;
+  for (const Loop& loop : loops.found) all.emplace_back(loop, false);
+  for (const Loop& loop : loops.meridians) all.emplace_back(loop, true);
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return a.first.length < b.first.length; });
   Found found;
-  for (const Cycle& cycle : basis) {
-    found.thickness.push_back(thickness(complex, cycle).widest);
-    found.lengths.push_back(cycle_length(complex.points, cycle));
+  for (const auto& [loop, is_meridian] : all) {
+    found.thickness.push_back(loop.thickness);
+    found.lengths.push_back(loop.length);
+    found.is_meridian.push_back(is_meridian);
   }
-  found.is_meridian = find_meridians(complex, basis);
   return found;
 }
 
