@@ -116,12 +116,14 @@ void bind_object(py::module_& m) {
                      "model.")
       .def_static(
           "from_cloud",
-          [](const std::string& name, const Array& p_OP, const LoopOptions& options) {
+          [](const std::string& name, const Array& p_OP, const LoopOptions& options,
+             const std::vector<geometry::RayImage>& rays) {
             const Eigen::Matrix3Xd points = to_points3(p_OP, "p_OP");
             const py::gil_scoped_release release;
-            return Object::from_cloud(name, points, options);
+            return Object::from_cloud(name, points, options, rays);
           },
           py::arg("name"), py::arg("p_OP"), py::arg_v("options", LoopOptions{}, "LoopOptions()"),
+          py::arg("rays") = std::vector<geometry::RayImage>{},
           R"(Finds the loops of a cloud and builds its collision model.
 
 Parameters
@@ -131,6 +133,8 @@ name : str
 p_OP : (N, 3) array
     Points on the surface, in O [m].
 options : geometry.LoopOptions, optional
+rays : list of geometry.RayImage, optional
+    Rays of the cameras that saw the points, in O. See geometry.shortest_loops.
 
 Returns
 -------
@@ -151,6 +155,9 @@ ValueError
       .def_property_readonly(
           "loop_options", [](const Object& self) { return self.loop_options(); },
           "geometry.LoopOptions used to find the loops; a copy.")
+      .def_property_readonly(
+          "rays", [](const Object& self) { return self.rays(); },
+          "geometry.RayImages that decided which loops are holes, in O; a copy.")
       .def_property_readonly(
           "surface", [](const Object& self) { return self.surface(); },
           "Collision surface, in O [m]: the triangles of loops.surface, and narrow ones for edges "

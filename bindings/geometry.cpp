@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <random>
 #include <stdexcept>
 
@@ -399,6 +400,70 @@ ValueError
       });
 }
 
+using FloatImage = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using Ends = decltype(RayImage::ends);
+using BoolImage = py::array_t<bool, py::array::c_style | py::array::forcecast>;
+
+RayImage to_ray_image(const FloatImage& ends, const Array& K, const Array& X_OC) {
+  if (ends.ndim() != 2) {
+    throw std::invalid_argument("ends has " + std::to_string(ends.ndim()) +
+                                " dimensions; it must have shape (H, W)");
+  }
+  RayImage rays;
+  rays.ends = Eigen::Map<const Ends>(ends.data(), ends.shape(0), ends.shape(1));
+  rays.K = to_matrix3(K, "K");
+  rays.X_OC = to_pose(X_OC, "X_OC");
+  validate(rays, "rays");
+  return rays;
+}
+
+/// A depth image is 0 or not finite where it has no measurement.
+RayImage rays_of_depth(const FloatImage& depth, const BoolImage& is_object, const Array& K,
+                       const Array& X_OC) {
+  if (is_object.ndim() != 2 || depth.ndim() != 2 || is_object.shape(0) != depth.shape(0) ||
+      is_object.shape(1) != depth.shape(1)) {
+    throw std::invalid_argument("is_object must have the shape (H, W) of depth");
+  }
+  FloatImage ends(std::vector<py::ssize_t>{depth.shape(0), depth.shape(1)});
+  for (py::ssize_t i = 0; i < depth.size(); ++i) {
+    const float z = depth.data()[i];
+    const bool is_seen = z > 0 && std::isfinite(z);
+    ends.mutable_data()[i] = !is_seen ? 0 : is_object.data()[i] ? -z : z;
+  }
+  return to_ray_image(ends, K, X_OC);
+}
+
+void bind_ray_image(py::module_& m) {
+  py::class_<RayImage>(m, "RayImage",
+                       "Rays of a camera around an object. They show where the object is, and "
+                       "where it is open.")
+      .def(py::init(&to_ray_image), py::arg("ends"), py::arg("K"), py::arg("X_OC"),
+           "ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. "
+           "Negative: the ray ends on the object, at minus this depth. Infinite: it passes the "
+           "object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose "
+           "of the optical frame in the frame of the object's points, z forward.")
+      .def_static("from_depth", &rays_of_depth, py::arg("depth"), py::arg("is_object"),
+                  py::arg("K"), py::arg("X_OC"),
+                  "Makes rays from a depth image.\n\ndepth: (H, W) [m]; 0 or not finite: unknown. "
+                  "is_object: (H, W), true for the pixels of the object. K: (3, 3) camera matrix "
+                  "[pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's "
+                  "points, z forward.")
+      .def_property_readonly(
+          "ends", [](const RayImage& self) -> Ends { return self.ends; },
+          "(H, W) depths of the ends [m], float32. Negative: on the object; infinite: passes; 0: "
+          "unknown.")
+      .def_property_readonly(
+          "K", [](const RayImage& self) -> Eigen::Matrix3d { return self.K; },
+          "(3, 3) camera matrix [pixels].")
+      .def_property_readonly(
+          "X_OC", [](const RayImage& self) { return from_pose(self.X_OC); },
+          "(4, 4) pose of the optical frame in the frame of the object's points.")
+      .def("__repr__", [](const RayImage& self) {
+        return "<RayImage of " + std::to_string(self.ends.cols()) + " x " +
+               std::to_string(self.ends.rows()) + " pixels>";
+      });
+}
+
 void bind_loops(py::module_& m) {
   py::class_<Loop>(m, "Loop",
                    "A closed polyline on a cloud: an element of a shortest basis of H_1(K_d).")
@@ -436,6 +501,12 @@ void bind_loops(py::module_& m) {
           "jump", &Loop::jump,
           "Length of the longest step around the hole, relative to the next one. Evenly spread\n"
           "points have about 1. Large values mean that the object is open there, or was not seen.")
+      .def_readonly("seen_through", &Loop::seen_through,
+                    "Area across the rays that passed through it [m^2], for the camera that saw "
+                    "most of it. Rays\nthat end on the object prove nothing. 0 without rays.")
+      .def_readonly("unseen", &Loop::unseen,
+                    "Share of its length that lies where no ray reached the object, in [0, 1]. 0 "
+                    "without rays.")
       .def_readonly("reason", &Loop::reason,
                     "Why it is uncertain or discarded; empty for a hole that was found.")
       .def("__repr__", [](const Loop& self) {
@@ -443,6 +514,7 @@ void bind_loops(py::module_& m) {
                " m>";
       });
 
+  bind_ray_image(m);
   py::class_<LoopOptions> options(m, "LoopOptions", "Options of shortest_loops().");
   bind_fields(
       options, "Any field by keyword; the others keep their defaults.",
@@ -477,6 +549,8 @@ void bind_loops(py::module_& m) {
       .def_property_readonly(
           "meridians", [](const Loops& self) { return self.meridians; },
           "Discarded loops: they run around a thick handle, not along it.")
+      .def_readonly("has_rays", &Loops::has_rays,
+                    "True if rays of cameras decided which loops are holes.")
       .def_readonly("noise", &Loops::noise,
                     "Number of classes that do not live long enough to be listed.")
       .def_readonly("complex", &Loops::complex,
@@ -501,10 +575,11 @@ void bind_loops(py::module_& m) {
               Field{"tangent", &ClaspTarget::tangent, "(3,) unit vector along the loop."});
 }
 
-Loops shortest_loops_released(const Array& points, const LoopOptions& options) {
+Loops shortest_loops_released(const Array& points, const LoopOptions& options,
+                              const std::vector<RayImage>& rays) {
   const Eigen::Matrix3Xd columns = to_points3(points, "points");
   const py::gil_scoped_release release;
-  return shortest_loops(columns, options);
+  return shortest_loops(columns, options, rays);
 }
 
 void bind_shortest_loops(py::module_& m) {
@@ -512,13 +587,15 @@ void bind_shortest_loops(py::module_& m) {
   m.def(
       "shortest_loops",
       [](const Array& points, std::optional<double> max_edge_length, double min_ratio,
-         int max_points, bool polish, bool drop_meridians) {
+         int max_points, bool polish, bool drop_meridians, const std::vector<RayImage>& rays) {
         return shortest_loops_released(
-            points, {max_edge_length.value_or(0), min_ratio, max_points, polish, drop_meridians});
+            points, {max_edge_length.value_or(0), min_ratio, max_points, polish, drop_meridians},
+            rays);
       },
       py::arg("points"), py::arg("max_edge_length") = py::none(), py::kw_only(),
       py::arg("min_ratio") = defaults.min_ratio, py::arg("max_points") = defaults.max_points,
       py::arg("polish") = defaults.polish, py::arg("drop_meridians") = defaults.drop_meridians,
+      py::arg("rays") = std::vector<RayImage>{},
       R"(Finds the shortest loops through the holes of the object that a cloud was taken from.
 
 They are shortest bases of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
@@ -532,6 +609,10 @@ max_edge_length : float, optional
     d of K_d [m]. None: each hole has its own.
 min_ratio, max_points, polish, drop_meridians : optional
     See LoopOptions.
+rays : list of RayImage, optional
+    Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.
+    Without them the distances between the points decide, which is right for points from all
+    sides only.
 
 Returns
 -------
@@ -549,7 +630,7 @@ Examples
 >>> for loop in shortest_loops(points).found: print(loop.length, loop.points)
 )");
   m.def("shortest_loops", &shortest_loops_released, py::arg("points"), py::arg("options"),
-        "Same, with all options in a LoopOptions.");
+        py::arg("rays") = std::vector<RayImage>{}, "Same, with all options in a LoopOptions.");
   m.def(
       "clasp_targets",
       [](const LoopOrRows& loop, int count) { return clasp_targets(to_loop(loop, "loop"), count); },

@@ -199,7 +199,10 @@ void bind_seen_object(py::module_& m) {
       .def(py::init([](const std::string& name, const std::string& support, const Array& outline,
                        const Array& X_WO, double thickness, double thickness_error, bool is_flat,
                        double position_error, double yaw_error, const Array& points,
-                       bool touches_border, std::vector<std::string> warnings) {
+                       std::vector<geometry::RayImage> rays, bool touches_border,
+                       std::vector<std::string> warnings) {
+             for (std::size_t i = 0; i < rays.size(); ++i)
+               validate(rays[i], "rays[" + std::to_string(i) + "]");
              return Object{name,
                            support,
                            to_ring(outline, "outline"),
@@ -210,14 +213,15 @@ void bind_seen_object(py::module_& m) {
                            position_error,
                            yaw_error,
                            to_points3(points, "points"),
+                           std::move(rays),
                            touches_border,
                            std::move(warnings)};
            }),
            py::kw_only(), py::arg("name"), py::arg("support"), py::arg("outline"), py::arg("X_WO"),
            py::arg("thickness"), py::arg("thickness_error"), py::arg("is_flat"),
            py::arg("position_error"), py::arg("yaw_error"), py::arg("points"),
-           py::arg("touches_border") = false, py::arg("warnings") = std::vector<std::string>{},
-           "Any field by keyword.")
+           py::arg("rays") = std::vector<geometry::RayImage>{}, py::arg("touches_border") = false,
+           py::arg("warnings") = std::vector<std::string>{}, "Any field by keyword.")
       .def_readonly("name", &Object::name, "Name: object_0 is nearest to the first camera.")
       .def_readonly("support", &Object::support, "Name of the support.")
       .def_property_readonly(
@@ -237,6 +241,14 @@ void bind_seen_object(py::module_& m) {
       .def_property_readonly(
           "points", [](const Object& self) -> Rows3 { return self.points.transpose(); },
           "(N, 3) points of all pixels of the object, in O [m].")
+      .def_property_readonly(
+          "rays",
+          [](const Object& self) {
+            using Tuple = py::typing::Tuple<geometry::RayImage, py::ellipsis>;
+            return Tuple(py::tuple(py::cast(self.rays)));
+          },
+          "Rays of each camera that saw it, around it, in O. They tell holes from rims and from\n"
+          "edges of what was seen.")
       .def_readonly("touches_border", &Object::touches_border,
                     "True if the image cuts the object off.")
       .def_property_readonly(

@@ -14,9 +14,11 @@ from .errors import TaskError
 if TYPE_CHECKING:
     import argparse
 
+    from . import geometry
     from .frames import Matrix
 
 MESHES = (".stl", ".obj", ".off")
+SCENES = (".yaml", ".yml")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,11 +26,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         "Find the holes of an object from a point cloud or mesh of its surface, and the shortest "
         "loop around each. What may be a hole is listed as uncertain, with the reason. The exit "
-        "code is 1 if no hole is reliable."
+        "code is 1 if no hole is reliable. For an object that cameras saw, name the scene file of "
+        "`graspless see`: then rays that passed through a loop decide whether it is a hole. "
+        "Without rays, the distances between the points decide."
     )
     parser.add_argument(
-        "file", metavar="CLOUD", help="point cloud (.ply, .pcd, .xyz) or mesh (.stl, .obj, .off)"
+        "file",
+        metavar="CLOUD",
+        help="point cloud (.ply, .pcd, .xyz), mesh (.stl, .obj, .off) or scene file (.yaml)",
     )
+    parser.add_argument("--object", metavar="NAME", help="object of the scene file")
     parser.add_argument(
         "--unit",
         choices=["m", "mm"],
@@ -72,12 +79,12 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
-    cloud = read_points(options.file, options.unit, options.points, options.seed)
+    cloud, rays = _read(options)
     asked = geometry.LoopOptions()
     asked.max_edge_length = asked.max_edge_length if options.edge is None else options.edge
     asked.polish = options.polish
     try:
-        found = geometry.shortest_loops(cloud, asked)
+        found = geometry.shortest_loops(cloud, asked, rays)
     except ValueError as error:
         raise TaskError(f"{options.file}: {error}") from None
     if options.png is not None:
@@ -89,6 +96,26 @@ def _run(options: argparse.Namespace) -> int:
         if options.png is not None:
             print(f"written: {options.png}")
     return FOUND if found.found else NOT_FOUND
+
+
+def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]:
+    """Returns the points, and the rays of the cameras that saw them: none but for scenes."""
+    is_scene = Path(options.file).suffix.lower() in SCENES
+    if is_scene != (options.object is not None):
+        raise TaskError(
+            f"{options.file}: --object NAME must be given"
+            if is_scene
+            else f"--object: {options.object}: only for objects of a scene file (.yaml)"
+        )
+    if not is_scene:
+        return read_points(options.file, options.unit, options.points, options.seed), []
+    from .perception import load_scene
+    from .tasks.scenes import named
+    from .tasks.source import Source
+
+    scene = load_scene(options.file)
+    thing = named(scene.objects, options.object, Source("--object", {}), ())
+    return thing.points, list(thing.rays)
 
 
 def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
@@ -114,7 +141,8 @@ def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
     scale = 0.001 if unit == "mm" else 1.0
     suffix = Path(path).suffix.lower()
     if suffix not in (*SUFFIXES, *MESHES):
-        raise TaskError(f"{path}: unknown kind of file (one of: {', '.join((*SUFFIXES, *MESHES))})")
+        kinds = ", ".join((*SUFFIXES, *MESHES, *SCENES))
+        raise TaskError(f"{path}: unknown kind of file (one of: {kinds})")
     try:
         if suffix in SUFFIXES:
             return scale * read_cloud(path)

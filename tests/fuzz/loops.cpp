@@ -3,6 +3,8 @@
 #include "graspless/geometry/loops.hpp"
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "graspless/geometry/sampling.hpp"
 
@@ -39,6 +41,21 @@ LoopOptions loop_options(Bytes& bytes) {
   return options;
 }
 
+/// Rays of cameras near the points, most of them valid.
+std::vector<RayImage> ray_images(Bytes& bytes) {
+  std::vector<RayImage> images(static_cast<std::size_t>(bytes.whole(0, 2)));
+  for (RayImage& rays : images) {
+    rays.ends.resize(bytes.whole(1, 12), bytes.whole(1, 12));
+    for (float& end : rays.ends.reshaped()) {
+      const double depth = bytes.number(-4, 6);
+      end = static_cast<float>(depth > 4 ? std::numeric_limits<double>::infinity() : depth);
+    }
+    rays.K << bytes.number(1, 20), 0, bytes.number(0, 12), 0, bytes.number(1, 20), 6, 0, 0, 1;
+    rays.X_OC.translation() = 3 * bytes.vector(-1, 1);
+  }
+  return images;
+}
+
 void require_loop(const Loop& loop, const Eigen::Matrix3Xd& points) {
   require(loop.vertices.size() >= 3, "a loop has three corners or more");
   require(std::isfinite(loop.length) && loop.length > 0, "the length of a loop is positive");
@@ -61,7 +78,7 @@ void find_loops(Bytes bytes) {
     const LoopOptions options = loop_options(bytes);
     const double cell = bytes.number(0.01, 1);
     const Eigen::Matrix3Xd points = cloud(bytes);
-    const Loops found = shortest_loops(points, options);
+    const Loops found = shortest_loops(points, options, ray_images(bytes));
     require((found.status == LoopStatus::found) != found.found.empty(),
             "the status is that of loops");
     for (const Loop& loop : found.found) require_loop(loop, points);

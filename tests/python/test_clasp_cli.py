@@ -121,7 +121,10 @@ def test_cloud_without_a_hole_exits_1(tmp_path, monkeypatch, capsys):
     [
         (["none.xyz"], "none.xyz: no such file"),
         (["none.stl"], "none.stl: "),
-        (["a.txt"], "a.txt: unknown kind of file (one of: .ply, .pcd, .xyz, .stl, .obj, .off)"),
+        (
+            ["a.txt"],
+            "a.txt: unknown kind of file (one of: .ply, .pcd, .xyz, .stl, .obj, .off, .yaml, .yml)",
+        ),
         (["few.xyz"], "few.xyz: "),
         (["nan.xyz"], "nan.xyz: 1 of 30 points are not finite"),
         (["purse.xyz", "--edge", "-1"], "purse.xyz: "),

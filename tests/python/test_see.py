@@ -90,14 +90,14 @@ def test_obstacles_of_a_scene_are_chosen(folder):
 
 def test_a_clasp_from_a_scene_has_cloud_pose_and_table(folder):
     text = "kind: clasp\nrobot: {urdf: wam_t42}\nobject: {scene: scene.yaml, name: object_1}\n"
-    with pytest.warns(UserWarning, match="object.name: .*a camera does not see all sides"):
-        task = load(folder, text)
+    task = load(folder, text)
     scene = perception.load_scene(folder / "scene.yaml")
     assert np.allclose(task.problem.X_WO, scene.objects[1].X_WO)
     assert np.allclose(task.problem.object.points, scene.objects[1].points, atol=1e-9)
     names = [body.name for body in task.problem.obstacles]
     assert f"scene {scene.objects[1].support}" in names
     assert "scene object_0" in names
+    assert len(task.problem.object.rays) == 1
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "perception/footprint.hpp"
+#include "perception/rays_around.hpp"
 
 namespace graspless::perception {
 namespace {
@@ -213,6 +214,8 @@ std::optional<Object> measure(const Cluster& cluster, const Region& region, cons
                 0.5 * cluster.footprint,
                 cluster.footprint / length,
                 Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(cluster.pixels.size())),
+                rays_around(cluster, sets, region.X_WS, region.X_WS * X_SO, sightings, noise,
+                            options, support.height_error),
                 is_cut_off(cluster, sightings),
                 {}};
   const Eigen::Isometry3d X_OS = X_SO.inverse();

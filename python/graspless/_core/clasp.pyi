@@ -156,7 +156,7 @@ class Object:
     Section IV-A), and its surface at the cloud's own resolution as collision model.
     """
     @staticmethod
-    def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: graspless._core.geometry.LoopOptions = ...) -> Object:
+    def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: graspless._core.geometry.LoopOptions = ..., rays: collections.abc.Sequence[graspless._core.geometry.RayImage] = []) -> Object:
         """
         Finds the loops of a cloud and builds its collision model.
         
@@ -167,6 +167,8 @@ class Object:
         p_OP : (N, 3) array
             Points on the surface, in O [m].
         options : geometry.LoopOptions, optional
+        rays : list of geometry.RayImage, optional
+            Rays of the cameras that saw the points, in O. See geometry.shortest_loops.
         
         Returns
         -------
@@ -199,6 +201,11 @@ class Object:
     def points(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 3]"]:
         """
         (N, 3) input cloud, in O [m].
+        """
+    @property
+    def rays(self) -> list[graspless._core.geometry.RayImage]:
+        """
+        geometry.RayImages that decided which loops are holes, in O; a copy.
         """
     @property
     def spacing(self) -> float:

@@ -7,7 +7,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'Sphere', 'VirtualLinking', 'clasp_targets', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
+__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
 class Box:
     """
     A box centred at its frame's origin, sides along the axes.
@@ -443,10 +443,21 @@ class Loop:
         Why it is uncertain or discarded; empty for a hole that was found.
         """
     @property
+    def seen_through(self) -> float:
+        """
+        Area across the rays that passed through it [m^2], for the camera that saw most of it. Rays
+        that end on the object prove nothing. 0 without rays.
+        """
+    @property
     def thickness(self) -> float:
         """
         Thickness of the handle that the loop runs along, at its thinnest cross-section [m];
         0 if unknown.
+        """
+    @property
+    def unseen(self) -> float:
+        """
+        Share of its length that lies where no ray reached the object, in [0, 1]. 0 without rays.
         """
     @property
     def vertices(self) -> list[int]:
@@ -458,6 +469,38 @@ class Loop:
         """
         Width of the same handle in its narrowest direction [m]; 0 if unknown. Two jaws must
         open farther.
+        """
+class RayImage:
+    """
+    Rays of a camera around an object. They show where the object is, and where it is open.
+    """
+    @staticmethod
+    def from_depth(depth: typing.Annotated[numpy.typing.ArrayLike, numpy.float32], is_object: typing.Annotated[numpy.typing.ArrayLike, numpy.bool], K: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> RayImage:
+        """
+        Makes rays from a depth image.
+        
+        depth: (H, W) [m]; 0 or not finite: unknown. is_object: (H, W), true for the pixels of the object. K: (3, 3) camera matrix [pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's points, z forward.
+        """
+    def __init__(self, ends: typing.Annotated[numpy.typing.ArrayLike, numpy.float32], K: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. Negative: the ray ends on the object, at minus this depth. Infinite: it passes the object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's points, z forward.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def K(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 3]"]:
+        """
+        (3, 3) camera matrix [pixels].
+        """
+    @property
+    def X_OC(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose of the optical frame in the frame of the object's points.
+        """
+    @property
+    def ends(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float32], "[m, n]"]:
+        """
+        (H, W) depths of the ends [m], float32. Negative: on the object; infinite: passes; 0: unknown.
         """
 class LoopOptions:
     """
@@ -537,6 +580,11 @@ class Loops:
     def found(self) -> list[Loop]:
         """
         Loops of the holes, shortest first.
+        """
+    @property
+    def has_rays(self) -> bool:
+        """
+        True if rays of cameras decided which loops are holes.
         """
     @property
     def meridians(self) -> list[Loop]:
@@ -819,7 +867,7 @@ def sample_surface(shapes: collections.abc.Sequence[PlacedShape], count: typing.
         If `count` is out of range, a shape is invalid, or there is almost no outer surface.
     """
 @typing.overload
-def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> Loops:
+def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, rays: collections.abc.Sequence[RayImage] = []) -> Loops:
     """
     Finds the shortest loops through the holes of the object that a cloud was taken from.
     
@@ -834,6 +882,10 @@ def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
         d of K_d [m]. None: each hole has its own.
     min_ratio, max_points, polish, drop_meridians : optional
         See LoopOptions.
+    rays : list of RayImage, optional
+        Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.
+        Without them the distances between the points decide, which is right for points from all
+        sides only.
     
     Returns
     -------
@@ -851,7 +903,7 @@ def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
     >>> for loop in shortest_loops(points).found: print(loop.length, loop.points)
     """
 @typing.overload
-def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: LoopOptions) -> Loops:
+def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: LoopOptions, rays: collections.abc.Sequence[RayImage] = []) -> Loops:
     """
     Same, with all options in a LoopOptions.
     """

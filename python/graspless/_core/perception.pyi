@@ -299,7 +299,7 @@ class Object:
     
     Its frame O has its origin in the support's plane, below the centroid of the outline, z out of the plane, and x along its longest extent.
     """
-    def __init__(self, *, name: str, support: str, outline: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex, thickness_error: typing.SupportsFloat | typing.SupportsIndex, is_flat: bool, position_error: typing.SupportsFloat | typing.SupportsIndex, yaw_error: typing.SupportsFloat | typing.SupportsIndex, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], touches_border: bool = False, warnings: collections.abc.Sequence[str] = []) -> None:
+    def __init__(self, *, name: str, support: str, outline: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex, thickness_error: typing.SupportsFloat | typing.SupportsIndex, is_flat: bool, position_error: typing.SupportsFloat | typing.SupportsIndex, yaw_error: typing.SupportsFloat | typing.SupportsIndex, points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], rays: collections.abc.Sequence[graspless._core.geometry.RayImage] = [], touches_border: bool = False, warnings: collections.abc.Sequence[str] = []) -> None:
         """
         Any field by keyword.
         """
@@ -334,6 +334,12 @@ class Object:
     def position_error(self) -> float:
         """
         Standard error of the outline's position along the support [m].
+        """
+    @property
+    def rays(self) -> tuple[graspless._core.geometry.RayImage, ...]:
+        """
+        Rays of each camera that saw it, around it, in O. They tell holes from rims and from
+        edges of what was seen.
         """
     @property
     def support(self) -> str:

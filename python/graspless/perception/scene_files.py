@@ -14,7 +14,16 @@ from pydantic import Field, model_validator
 from .. import files, frames
 from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
 from ..errors import TaskError, explain
-from ..tasks.shapes import Fields, NotNegative, Point3, Points2, Pose, Positive, pose_matrix
+from ..tasks.rays import RayCamera, camera_fields
+from ..tasks.shapes import (
+    Fields,
+    NotNegative,
+    Point3,
+    Points2,
+    Pose,
+    Positive,
+    pose_matrix,
+)
 from ..tasks.source import Source, read_yaml
 from .arrays import read_arrays
 
@@ -61,6 +70,11 @@ class ObjectFields(Fields):
     position_error: NotNegative = Field(description="standard error along the support [m]")
     yaw_error: NotNegative = Field(description="standard error of the direction of x [rad]")
     touches_border: bool = Field(description="true if the image cuts the object off")
+    rays: list[RayCamera] = Field(
+        default=[],
+        description="rays of each camera; the array 'object_0 rays 0' of the .npz file has the "
+        "depths of their ends",
+    )
     warnings: list[str] = []
 
 
@@ -134,6 +148,11 @@ def save_scene(scene: Scene, path: str | Path) -> None:
         clouds: dict[str, Any] = {
             thing.name: thing.points.astype(np.float32) for thing in scene.objects
         }
+        clouds |= {
+            _name_of(thing.name, i): image.ends
+            for thing in scene.objects
+            for i, image in enumerate(thing.rays)
+        }
         np.savez_compressed(packed, **clouds)
         files.write(path.with_suffix(".npz"), packed.getvalue())
         document["points"] = path.with_suffix(".npz").name
@@ -159,7 +178,7 @@ def load_scene(path: str | Path) -> Scene:
             status=Status.__members__[fields.status],
             reason=fields.reason,
             supports=[_built_support(support) for support in fields.supports],
-            objects=[_built_object(thing, clouds[thing.name]) for thing in fields.objects],
+            objects=[_built_object(thing, clouds) for thing in fields.objects],
             unseen=[
                 Unseen(behind=space.behind, vertices=np.array(space.vertices))
                 for space in fields.unseen
@@ -190,8 +209,14 @@ def _object(thing: Object) -> dict[str, Any]:
         "is_flat": thing.is_flat,
         **_figures(thing, "position_error", "yaw_error"),
         "touches_border": thing.touches_border,
+        "rays": [camera_fields(image) for image in thing.rays],
         "warnings": list(thing.warnings),
     }
+
+
+def _name_of(thing: str, index: int) -> str:
+    """Returns the name of the array of a camera's rays."""
+    return f"{thing} rays {index}"
 
 
 def _figures(owner: Support | Object, *names: str) -> dict[str, float]:
@@ -218,15 +243,21 @@ def _built_support(fields: SupportFields) -> Support:
     )
 
 
-def _built_object(fields: ObjectFields, points: Matrix) -> Object:
-    values = fields.model_dump(exclude={"pose", "outline"})
+def _built_object(fields: ObjectFields, arrays: dict[str, Matrix]) -> Object:
+    values = fields.model_dump(exclude={"pose", "outline", "rays"})
     return Object(
-        outline=np.array(fields.outline), X_WO=pose_matrix(fields.pose), points=points, **values
+        outline=np.array(fields.outline),
+        X_WO=pose_matrix(fields.pose),
+        points=arrays[fields.name],
+        rays=[
+            camera.image(arrays[_name_of(fields.name, i)]) for i, camera in enumerate(fields.rays)
+        ],
+        **values,
     )
 
 
 def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, Matrix]:
-    """Reads the points of all objects."""
+    """Reads the points and rays of all objects."""
     if fields.points is None:
         return {}
     path = directory / fields.points
@@ -237,8 +268,9 @@ def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, M
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
         raise source.error(("points",), f"cannot be read: {explain(error)}") from None
     for thing in fields.objects:
-        if thing.name not in clouds:
-            raise source.error(("points",), f"has no array '{thing.name}'")
+        for name in (thing.name, *(_name_of(thing.name, i) for i in range(len(thing.rays)))):
+            if name not in clouds:
+                raise source.error(("points",), f"has no array '{name}'")
     return clouds
 
 

@@ -13,7 +13,6 @@ from .._arguments import require_integer
 from ..errors import OutOfTimeError, TaskError
 from ..report import least_seconds
 from ..tasks import task_from_dict
-from ..tasks.scenes import PARTLY_SEEN
 from .result import NOT_TRIED, REFUSED, Attempt, Pick
 from .strategies import STRATEGIES, chain_of, explained, refusal, require_strategies
 from .wish import wish_of
@@ -134,8 +133,6 @@ def _attempt(
         attempt.opening = float(first.opening)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
-    if plan and attempt.strategy == "clasp":
-        attempt.reason = PARTLY_SEEN
     return plan if plan else None
 
 

@@ -18,6 +18,7 @@ from ..errors import TaskError
 from ..perception import Scene
 from ..tasks import scenes
 from ..tasks.documents import rows_of
+from ..tasks.rays import rays_fields
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot, build_robot
 from ..tasks.shapes import Fields
@@ -142,6 +143,7 @@ def cloud_fields(wish: Wish) -> dict[str, Any]:
         "name": wish.name,
         "points": rows_of(wish.thing.points),
         "pose": _plain(pose_fields(wish.thing.X_WO)),
+        "rays": [rays_fields(image) for image in wish.thing.rays],
         **({} if wish.mass is None else {"mass": wish.mass}),
     }
 

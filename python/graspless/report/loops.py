@@ -54,6 +54,8 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
             "openness": loop.openness,
             "jump": loop.jump,
             "gap": loop.gap,
+            "seen_through": loop.seen_through,
+            "unseen": loop.unseen,
             "reason": loop.reason,
             "birth": loop.birth,
             "death": loop.death if math.isfinite(loop.death) else None,
@@ -73,6 +75,7 @@ def as_dict(loops: geometry.Loops) -> dict[str, Any]:
         "found": [loop_fields(loop) for loop in loops.found],
         "uncertain": [loop_fields(loop) for loop in loops.uncertain],
         "meridians": [loop_fields(loop) for loop in loops.meridians],
+        "has_rays": loops.has_rays,
         "noise": loops.noise,
         "betti": {
             "max_edge_length": list(loops.betti.max_edge_length),
@@ -96,7 +99,8 @@ def as_text(loops: geometry.Loops) -> str:
     for k, loop in enumerate(loops.found):
         sure = f", persists up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
         thick = f"along a part {100 * loop.thickness:.2g} cm thick"
-        lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}")
+        through = f", seen through on {1e4 * loop.seen_through:.2g} cm^2" if loops.has_rays else ""
+        lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}{through}")
     lines += unclear
     if loops.meridians:
         around = count(len(loops.meridians), "loops")

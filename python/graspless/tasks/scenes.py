@@ -26,10 +26,6 @@ RESPECT = (
     "obstacles of the scene: nothing; objects: the other objects and higher supports; unseen: also "
     "the space that no ray reached, except behind the object itself"
 )
-PARTLY_SEEN = (
-    "a camera does not see all sides: the loop may be the rim of a vessel, or the border of what "
-    "was seen; look at the picture first"
-)
 SLAB = 0.02  # thickness of supports as obstacles [m]
 SUNK = 0.001  # depth of the top of the object's own support as an obstacle [m]
 

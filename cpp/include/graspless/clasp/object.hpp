@@ -23,15 +23,18 @@ class Core;
 /// are, and free where it is open. Immutable; copies share their data.
 class GRASPLESS_API Object {
  public:
-  /// `p_OP`: points on the surface, 3 x n in O [m]. An object without a reliable hole is valid;
-  /// plan() reports it as a status. Throws like geometry::shortest_loops().
+  /// `p_OP`: points on the surface, 3 x n in O [m]. `rays`: of the cameras that saw them, in O. An
+  /// object without a reliable hole is valid; plan() reports it as a status. Throws like
+  /// geometry::shortest_loops().
   static Object from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
-                           const geometry::LoopOptions& options = {});
+                           const geometry::LoopOptions& options = {},
+                           const std::vector<geometry::RayImage>& rays = {});
 
   const std::string& name() const;
   const Eigen::Matrix3Xd& points() const;  ///< input cloud, 3 x n in O [m]
   const geometry::Loops& loops() const;    ///< in O
   const geometry::LoopOptions& loop_options() const;
+  const std::vector<geometry::RayImage>& rays() const;
   /// Collision surface, in O [m]: the triangles of loops().surface, and narrow triangles for edges
   /// without a triangle (1 mm wide, at most a tenth of the edge) and points without an edge (1 mm).
   /// A surface has no inside, so a body wholly inside the object does not touch it.

@@ -9,6 +9,7 @@
 
 #include "graspless/export.hpp"
 #include "graspless/geometry/complex.hpp"
+#include "graspless/geometry/ray_image.hpp"
 
 namespace graspless::geometry {
 
@@ -39,6 +40,11 @@ struct Loop {
   /// Length of the longest step around the hole, relative to the next one. Evenly spread points
   /// have about 1. Large values mean that the object is open there, or was not seen.
   double jump = 0;
+  /// Area across the rays that passed through it [m^2], for the camera that saw most of it. Rays
+  /// that end on the object prove nothing. 0 without rays.
+  double seen_through = 0;
+  /// Share of its length that lies where no ray reached the object, in [0, 1]. 0 without rays.
+  double unseen = 0;
   std::string reason;  ///< why it is uncertain or discarded; empty for a hole that was found
 };
 
@@ -73,6 +79,7 @@ struct Loops {
   std::vector<Loop> found;      ///< loops of the holes, shortest first
   std::vector<Loop> uncertain;  ///< loops that may be holes, each with a reason; shortest first
   std::vector<Loop> meridians;  ///< discarded loops: they run around a handle, not along it
+  bool has_rays = false;        ///< true if rays of cameras decided which loops are holes
   int noise = 0;                ///< number of classes that do not live long enough to be listed
   Complex complex;              ///< K_d of the cloud, after downsampling, for most of the holes
   /// The part of K_d at the cloud's own resolution: edges no longer than twice the local spacing,
@@ -87,8 +94,13 @@ struct Loops {
 /// H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork 2013, Section IV-A). Exact for clouds of up to
 /// `max_points`. `points`: 3 x n [m]. Throws std::invalid_argument on fewer than 20 distinct
 /// points, values that are not finite, points in a plane, more than 10^7 points (10^6 with
-/// `polish`), or invalid options.
-GRASPLESS_API Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options = {});
+/// `polish`), or invalid options or rays.
+///
+/// `rays`: of the cameras that saw the points. A loop is then a hole if rays passed through it: if
+/// they are linked with it and do not end on the object. Without them the distances between the
+/// points decide, which is right for points from all sides only.
+GRASPLESS_API Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options = {},
+                                   const std::vector<RayImage>& rays = {});
 
 /// A point of a loop where a hand may clasp, with its tangent: (p, p') of Stork 2013, Section IV-A.
 struct ClaspTarget {

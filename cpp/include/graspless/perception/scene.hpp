@@ -12,6 +12,7 @@
 
 #include "graspless/export.hpp"
 #include "graspless/geometry/polygon.hpp"
+#include "graspless/geometry/ray_image.hpp"
 #include "graspless/geometry/shape.hpp"
 #include "graspless/perception/camera.hpp"
 #include "graspless/perception/options.hpp"
@@ -83,7 +84,10 @@ struct Object {
   double position_error;    ///< standard error of the outline's position along the support [m]
   double yaw_error;         ///< standard error of the direction of x [rad]
   Eigen::Matrix3Xd points;  ///< p_OP of all pixels of the object [m]
-  bool touches_border;      ///< true if the image cuts the object off
+  /// Rays of each camera that saw it, around it. They tell holes from rims and from edges of what
+  /// was seen.
+  std::vector<geometry::RayImage> rays;
+  bool touches_border;  ///< true if the image cuts the object off
   std::vector<std::string> warnings;
 };
 

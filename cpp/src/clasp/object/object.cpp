@@ -18,6 +18,7 @@ struct Object::Data {
   std::string name;
   Eigen::Matrix3Xd points;
   geometry::LoopOptions options;
+  std::vector<geometry::RayImage> rays;
   geometry::Loops loops;
   geometry::Mesh surface;
   double spacing = 0;
@@ -29,9 +30,11 @@ struct Object::Data {
 };
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
-                          const geometry::LoopOptions& options) {
+                          const geometry::LoopOptions& options,
+                          const std::vector<geometry::RayImage>& rays) {
   auto data = std::make_shared<Data>();
-  data->loops = geometry::shortest_loops(p_OP, options);
+  data->loops = geometry::shortest_loops(p_OP, options, rays);
+  data->rays = rays;
   data->name = name;
   data->points = p_OP;
   data->options = options;
@@ -44,6 +47,7 @@ const std::string& Object::name() const { return data_->name; }
 const Eigen::Matrix3Xd& Object::points() const { return data_->points; }
 const geometry::Loops& Object::loops() const { return data_->loops; }
 const geometry::LoopOptions& Object::loop_options() const { return data_->options; }
+const std::vector<geometry::RayImage>& Object::rays() const { return data_->rays; }
 const geometry::Mesh& Object::surface() const { return data_->surface; }
 double Object::spacing() const { return data_->spacing; }
 

@@ -41,7 +41,7 @@ double hole_width(const Object& object, int loop, double enough) {
     const double size = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
     parts.push({{a, b, c}, here + size});  // the distance is 1-Lipschitz
   };
-  const Eigen::Matrix3Xd& p = object.loops().loops[static_cast<std::size_t>(loop)].points;
+  const Eigen::Matrix3Xd& p = object.loops().found[static_cast<std::size_t>(loop)].points;
   const Vector3d apex = p.rowwise().mean();
   for (Eigen::Index i = 0; i < p.cols(); ++i) add(apex, p.col(i), p.col((i + 1) % p.cols()));
   while (parts.top().most > widest + kPrecision && 2 * widest < enough) {
@@ -73,7 +73,7 @@ std::string describe_sizes(const Problem& problem, int loop) {
   constexpr double kWide = 0.1;  // holes wider than this do not stop a finger [m]
   const double needed = needed_width(problem.robot, problem.hand);
   const double width = hole_width(problem.object, loop, kWide);
-  const double handle = problem.object.loops().loops[static_cast<std::size_t>(loop)].thickness;
+  const double handle = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
   std::string text = "loop " + std::to_string(loop) + ": its hole is ";
   text += width < kWide ? millimetres(width) + " mm wide" : "at least 100 mm wide";
   if (handle > 0) text += ", its handle " + millimetres(handle) + " mm thick";

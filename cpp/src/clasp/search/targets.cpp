@@ -183,7 +183,7 @@ std::vector<int> without_narrow(Query& query, std::vector<int> loops, Plan& plan
   double most = 0;
   const auto is_narrow = [&](int loop) {
     // A ball as wide as the edges that fill the hole passes it.
-    if (problem.object.loops().loops[static_cast<std::size_t>(loop)].death >= needed) return false;
+    if (problem.object.loops().found[static_cast<std::size_t>(loop)].death >= needed) return false;
     const double width = hole_width(problem.object, loop, needed);
     if (width >= needed) return false;
     query.refuse("target: hole too narrow");

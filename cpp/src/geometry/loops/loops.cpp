@@ -12,10 +12,12 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "graspless/geometry/sampling.hpp"
 #include "graspless/geometry/shape.hpp"
 
 #include "geometry/complex/plateaus.hpp"
 #include "geometry/loops/classes.hpp"
+#include "geometry/loops/evidence.hpp"
 #include "geometry/loops/report.hpp"
 #include "geometry/loops/resolution.hpp"
 #include "geometry/loops/shortest_basis.hpp"
@@ -190,13 +192,15 @@ Plateau plateau_of(const Loops& result) {
   return plateau.loops > 0 ? plateau : Plateau{};
 }
 
-/// Loops of all classes, each in a complex at its own scale (III-B, IV-A: S).
+/// Loops of all classes, each in a complex at its own scale (III-B, IV-A: S). With `seeks_clear`,
+/// those of holes are found in one complex if it holds nothing else.
 void find_all(const Filtration& filtration, const std::vector<int>& columns, Judged classes,
-              const LoopOptions& options, Loops& result) {
+              bool seeks_clear, const LoopOptions& options, Loops& result) {
   const bool d_is_given = options.max_edge_length > 0;
   const Judged all_holes = holes_of(classes);
   double d = options.max_edge_length;
-  if (!d_is_given && !all_holes.empty()) d = clear_edge_length(filtration, all_holes);
+  if (!d_is_given && seeks_clear && !all_holes.empty())
+    d = clear_edge_length(filtration, all_holes);
   if (d > 0) {
     result.complex = filtration.complex(d);
     find_loops(filtration, result.complex, columns, true, classes, result);
@@ -211,9 +215,17 @@ void find_all(const Filtration& filtration, const std::vector<int>& columns, Jud
     }
   }
   for (auto* list : {&result.found, &result.uncertain, &result.meridians}) sort_by_length(*list);
-  if (result.complex.edges.cols() > 0)
-    result.surface = surface_of(result.complex, Resolution(result.complex));
-  if (!d_is_given) result.plateau = plateau_of(result);
+}
+
+/// Complex of most of the holes that rays passed through.
+void choose_complex(const Filtration& filtration, Loops& result) {
+  std::map<double, int> counts;
+  for (const Loop& loop : result.found) ++counts[loop.max_edge_length];
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == counts.end() || most->first == result.complex.max_edge_length) return;
+  result.complex = filtration.complex(most->first);
 }
 
 /// Replaces loops by shorter ones of the same class on the full cloud.
@@ -258,8 +270,11 @@ void validate(const LoopOptions& options) {
           options.max_points, "in [100, 1000000]");
 }
 
-Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options) {
+Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
+                     const std::vector<RayImage>& rays) {
   validate(options);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    validate(rays[i], "rays[" + std::to_string(i) + "]");
   check_count(points, options);
   require_points(points, "points");
   const bool downsamples = points.cols() > options.max_points;
@@ -273,7 +288,14 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options)
   Judged classes = judged_classes(filtration, options);
   result.noise =
       num_classes(filtration, options.max_edge_length) - static_cast<int>(classes.size());
-  find_all(filtration, columns, std::move(classes), options, result);
+  find_all(filtration, columns, std::move(classes), rays.empty(), options, result);
+  if (!rays.empty()) {
+    weigh(Evidence(rays, filtration.points()), spacing(filtration.points()), result);
+    choose_complex(filtration, result);
+  }
+  if (result.complex.edges.cols() > 0)
+    result.surface = surface_of(result.complex, Resolution(result.complex));
+  if (options.max_edge_length == 0) result.plateau = plateau_of(result);
   if (downsamples && options.polish) polish(points, result.found);
   report(filtration, options, result);
   return result;

@@ -14,6 +14,7 @@ from ..effective_values import plain
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
+from ..rays import Rays, rays_fields
 from ..robot_files import resolve_robot
 from ..robots import require_text, robot_meshes
 from ..shapes import Pose
@@ -60,12 +61,13 @@ def _with_scene(fields: ClaspTask, source: Source, directory: Path) -> ClaspTask
         return fields
     scene = scenes.load(fields.object.scene, source, ("object", "scene"), directory)
     thing = scenes.named(scene.objects, fields.object.name, source, ("object", "name"))
-    for warning in [*thing.warnings, scenes.PARTLY_SEEN]:
+    for warning in thing.warnings:
         warnings.warn(source.message(("object", "name"), warning), stacklevel=4)
     update = {
         "scene": None,
         "points": rows_of(thing.points),
         "pose": Pose(**pose_fields(thing.X_WO)),
+        "rays": [Rays.model_validate(rays_fields(image)) for image in thing.rays],
     }
     seen = scenes.obstacles(scene, thing, fields.object.respect, has_support=True)
     return fields.model_copy(
@@ -119,6 +121,7 @@ def state(problem: clasp.Problem, arm: None) -> dict[str, Any]:
         "object": {
             **struct_fields(thing, ["name", "points"]),
             "pose": pose_fields(problem.X_WO),
+            "rays": [rays_fields(image) for image in thing.rays],
             "loops": struct_fields(thing.loop_options, list(LoopOptions.model_fields)),
         },
         "clasp": {

@@ -11,6 +11,7 @@ import numpy as np
 
 from ... import clasp, geometry
 from ..obstacles import placed_obstacles
+from ..rays import build_rays
 from ..robots import build_home, build_robot, require_srdf
 from ..shapes import pose_matrix
 from ..source import at
@@ -60,8 +61,9 @@ def build_object(thing: model.Object, source: Source) -> clasp.Object:
     field = next((n for n in ("cloud", "mesh", "sample", "points") if n in given), "points")
     points = np.array(thing.points, dtype=float).reshape(-1, 3)
     options = geometry.LoopOptions(**thing.loops.model_dump(exclude_none=True))
+    rays = [build_rays(item, source, ("object", "rays", i)) for i, item in enumerate(thing.rays)]
     try:
-        return clasp.Object.from_cloud(thing.name, points, options)
+        return clasp.Object.from_cloud(thing.name, points, options, rays)
     except ValueError as error:
         named = re.match(r"(?:options\.)?(\w+):? (.*)", str(error), re.DOTALL)
         if named is not None and named[1] in type(thing.loops).model_fields:

@@ -16,6 +16,7 @@ from ... import clasp
 from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
+from ..rays import Rays
 from ..robots import Robot
 from ..scenes import RESPECT, Respect
 from ..shapes import Fields, MeshFile, NotNegative, Point3, Pose, Positive
@@ -86,6 +87,11 @@ class Object(Fields):
     seed: Seed = Field(default=1, description="seed of samples and noise")
     pose: Pose = Field(default=Pose.model_construct(), description="pose of O in the world")
     mass: Positive | None = Field(default=None, description="mass in simulations [kg]")
+    rays: list[Rays] = Field(
+        default=[],
+        description="rays of the cameras that saw the points, in O: a hole is then believed if "
+        "some passed through it. A scene has its own",
+    )
     loops: LoopOptions = LoopOptions()
 
     @model_validator(mode="after")
@@ -94,6 +100,8 @@ class Object(Fields):
             self.one_of("cloud", "mesh", "sample", "points", "scene")
         else:
             self.one_of("cloud", "mesh", "sample", "scene")
+        if self.rays and (not isinstance(self.points, list) or self.scale != 1.0):
+            raise ValueError("rays are for points in O without a scale")
         if self.scene is not None:
             self._check_scene()
         elif "respect" in self.model_fields_set:
