@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import frames, geometry, perception
+from graspless import check, frames, geometry, perception, picking
 from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.picking.strategies import chain_of, top_share, unseen_share
@@ -130,6 +130,19 @@ def test_the_best_of_some_is_the_shortest(scene, names):
     single = graspless.pick(scene, names["card"], "wam_t42", strategies=["slide"])
     best = graspless.pick(scene, names["card"], "wam_t42", strategies=["slide"], best_of=4)
     assert duration(best.plan) <= duration(single.plan)
+
+
+def test_a_plan_that_fails_its_check_is_not_given(scene, names, monkeypatch):
+    fault = "contact 0: the face leans"
+    monkeypatch.setattr(
+        picking, "check", lambda plan: [fault] if plan.names[0] == "pinch" else check(plan)
+    )
+    found = graspless.pick(scene, names["card"], "wam_t42")
+    assert found.strategy != "pinch"
+    found = graspless.pick(scene, names["bar"], "wam_t42", strategies=["pinch"])
+    assert not found
+    assert (found.attempts[0].status, found.attempts[0].reason) == ("faulty", fault)
+    assert found.reason == f"pinch: {fault}"
 
 
 def test_other_objects_are_obstacles(scene, names):

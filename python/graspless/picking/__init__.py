@@ -8,12 +8,12 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from .. import planning
-from .._api import plan_since
+from .._api import check, plan_since
 from .._arguments import require_integer
 from ..errors import OutOfTimeError, TaskError
 from ..report import least_seconds
 from ..tasks import task_from_dict
-from .result import NOT_TRIED, REFUSED, Attempt, Pick
+from .result import FAULTY, NOT_TRIED, REFUSED, Attempt, Pick
 from .strategies import STRATEGIES, chain_of, explained, refusal, require_strategies
 from .wish import wish_of
 
@@ -44,8 +44,9 @@ def pick(
 
     The strategies are tried in the order of the time that they usually take: pinch the object where
     it stands; slide it to a real edge of its support and grasp it there; clasp a hole or handle.
-    Each plan ends with a lift. A strategy that cannot work is refused by lengths alone, with the
-    length that is missing. Not finding a plan is a result, never an exception.
+    Each plan ends with a lift, and holds in `check`. A strategy that cannot work is refused by
+    lengths alone, with the length that is missing. Not finding a plan is a result, never an
+    exception.
 
     Parameters
     ----------
@@ -119,6 +120,7 @@ def _attempt(
         document = chain_of(attempt.strategy, wish, seed, seconds)
         task = task_from_dict(document, attempt.strategy, resolve=True)
         plan: Plan = plan_since(task, began)
+        faults = check(plan) if plan else []
     except OutOfTimeError as error:
         attempt.status, attempt.reason = "out_of_time", str(error)
         return None
@@ -133,6 +135,9 @@ def _attempt(
         attempt.opening = float(first.opening)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
+    if faults:
+        attempt.status, attempt.reason = FAULTY, faults[0]
+        return None
     return plan if plan else None
 
 

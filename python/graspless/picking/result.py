@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from ..chain import Plan
 
-NOT_TRIED, REFUSED = "not_tried", "refused"
+NOT_TRIED, REFUSED, FAULTY = "not_tried", "refused", "faulty"
 
 
 @dataclass
@@ -23,7 +23,8 @@ class Attempt:
         pinch, slide or clasp.
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
-        strategy was found before; otherwise the status of its plan.
+        strategy was found before; faulty: its plan does not pass `check`; otherwise the status of
+        its plan.
     reason : str
         One sentence; empty if it was solved or not tried. A clasp that was solved has a warning.
     seconds : float
