@@ -105,6 +105,16 @@ def test_joints_ignore_states_that_are_out_of_order():
         joints.positions(["j", "k"], 1.0)
 
 
+def test_a_late_state_from_before_a_jump_hides_no_newer_ones():
+    joints = Joints(lambda: 10.0)
+    for t, q in ((110.0, 1.0), (9.95, 2.0)):
+        state = JointState(name=["j"], position=[q])
+        state.header.stamp = time_of(t)
+        joints.hear(state)
+    assert joints.positions(["j"], 1.0).tolist() == [2.0]
+    assert joints.out_of_order == 0
+
+
 def picture(encoding="32FC1", stamp=0.0, frame="camera"):
     """The demo's scene as messages."""
     bodies = [perception.Body([_shape(block)], frames.translation(block.center)) for block in SCENE]

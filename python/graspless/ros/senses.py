@@ -50,12 +50,16 @@ class Joints:
         self.out_of_order = 0
 
     def hear(self, message: Any) -> None:
-        """Takes a JointState. One that is older than the last is counted, and ignored."""
+        """Takes a JointState. One that is older than the last is counted, and ignored.
+
+        A state from the future hides none: it came late, from before a jump of time.
+        """
         now = self._now()
         stamp = seconds_of(message.header.stamp) or now
         with self._lock:
             for name, position in zip(message.name, message.position, strict=False):
-                if name in self._known and stamp < self._known[name][0]:
+                last = self._known.get(name, (stamp, 0.0))[0]
+                if stamp < last <= now + _FUTURE:
                     self.out_of_order += 1
                     continue
                 self._known[name] = (stamp, float(position))
