@@ -172,7 +172,7 @@ def test_bad_point_files_are_refused(scene, tmp_path):
     with pytest.raises(TaskError, match="cannot be read"):
         perception.load_scene(path)
     np.savez(path.with_suffix(".npz"), object_0=np.zeros((3, 3)))
-    with pytest.raises(TaskError, match="has no array 'object_1'"):
+    with pytest.raises(TaskError, match="has no array 'object_0 rays 0'"):
         perception.load_scene(path)
     np.savez(path.with_suffix(".npz"), object_0=np.array([{}]), object_1=np.zeros((3, 3)))
     with pytest.raises(TaskError, match="cannot be read"):

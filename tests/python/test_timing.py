@@ -166,7 +166,7 @@ def test_greater_limits_are_never_slower(name):
         {"max_acceleration": 2.5, "contact_speed": 0.02},
         {"max_velocity": half, "max_acceleration": 2.5, "contact_speed": 0.04},
     ):
-        assert timed_with(name, **faster).duration <= slow.duration
+        assert timed_with(name, **faster).duration <= 1.01 * slow.duration  # bounds are sampled
     # Twice the speeds, four times the accelerations and eight times the jerks: half the time.
     fast = {"max_acceleration": 10.0, "max_jerk": 400.0, "contact_speed": 0.04}
     slow = {"max_acceleration": 2.5, "max_jerk": 50.0, "contact_speed": 0.02}
@@ -211,7 +211,10 @@ def test_a_closing_hand_is_slow():
     forward = [arm.forward(q)[:, :3, 3] for q in trajectory.positions[close]]
     speeds = np.linalg.norm(np.diff(forward, axis=0), axis=2).max(axis=1)
     speeds /= np.diff(trajectory.times[close])
-    assert speeds.max() <= settings.CONTACT_SPEED * (1 + 1e-6)
+    segment = next(segment for segment in planned("clasp").segments if segment.name == "close")
+    near = near_contact(planned("clasp"), segment, trajectory.positions[close])
+    assert speeds[near[1:] & near[:-1]].max() <= settings.CONTACT_SPEED * (1 + 1e-6)
+    assert np.diff(near.astype(int)).min() >= 0  # near to the end
 
 
 def object_motion(plan, trajectory, mine):
