@@ -8,6 +8,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/masks.hpp"
+
 namespace graspless::perception {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double kBottom = 0.4;         // least height of a bottom, relative to
 constexpr double kGround = 0.01;        // around an object [m]
 constexpr double kQuantum = 1e-4;       // of depths [m]
 
-using Pixels = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using geometry::Mask;
 
 /// The part of a view around an object: every stride-th pixel from (u, v).
 struct Window {
@@ -56,19 +58,14 @@ class Patches {
 
   /// Pixels of patches that are as high as the support. Patches are at least two pixels wide
   /// everywhere, so that the bottom of a dish is not one with the table around it.
-  Pixels reliable(const NoiseModel& noise, double highest, double height_error) const {
-    Pixels inner = Pixels::Constant(low_.rows(), low_.cols(), false);
-    for (Eigen::Index y = 0; y + 1 < low_.rows(); ++y) {
-      for (Eigen::Index x = 0; x + 1 < low_.cols(); ++x) {
-        if (low_.block<2, 2>(y, x).all()) inner.block<2, 2>(y, x).setConstant(true);
-      }
-    }
-    Pixels result = Pixels::Constant(low_.rows(), low_.cols(), false);
+  Mask reliable(const NoiseModel& noise, double highest, double height_error) const {
+    Mask inner = geometry::opened(low_);
+    Mask result = Mask::Constant(low_.rows(), low_.cols(), false);
     std::vector<Eigen::Index> patch;
     for (Eigen::Index seed = 0; seed < inner.size(); ++seed) {
       if (!inner.data()[seed]) continue;
       poll();
-      take(inner, seed, patch);
+      geometry::take_connected(inner, seed, patch);
       if (!(height_of(patch, noise, height_error) <= highest)) continue;
       for (const Eigen::Index at : patch) result.data()[at] = true;
     }
@@ -76,25 +73,6 @@ class Patches {
   }
 
  private:
-  /// Moves the connected pixels around a seed out of a mask.
-  static void take(Pixels& mask, Eigen::Index seed, std::vector<Eigen::Index>& patch) {
-    const Eigen::Index width = mask.cols();
-    patch.assign(1, seed);
-    mask.data()[seed] = false;
-    for (std::size_t k = 0; k < patch.size(); ++k) {
-      const Eigen::Index at = patch[k], x = at % width;
-      const auto visit = [&](bool exists, Eigen::Index next) {
-        if (!exists || !mask.data()[next]) return;
-        mask.data()[next] = false;
-        patch.push_back(next);
-      };
-      visit(x > 0, at - 1);
-      visit(x + 1 < width, at + 1);
-      visit(at >= width, at - width);
-      visit(at + width < mask.size(), at + width);
-    }
-  }
-
   /// Upper bound of the mean height of a patch, by two standard errors [m].
   double height_of(const std::vector<Eigen::Index>& patch, const NoiseModel& noise,
                    double height_error) const {
@@ -112,7 +90,7 @@ class Patches {
 
   const Window& window_;
   const Sighting& from_;
-  Pixels low_;
+  Mask low_;
 };
 
 float end_of(float depth) {
@@ -129,7 +107,7 @@ Eigen::AlignedBox2d ground_of(const Cluster& cluster) {
 
 /// `ground`: rays that end above it are unknown, unless they end on the object.
 geometry::RayImage rays_in(const Window& window, const Sighting& from, const PixelSet& set,
-                           const Pixels& passes, const Rays& lines,
+                           const Mask& passes, const Rays& lines,
                            const Eigen::AlignedBox2d& ground) {
   geometry::RayImage rays;
   rays.K = from.sight->K;
@@ -171,8 +149,8 @@ std::vector<geometry::RayImage> rays_around(
     if (boxes[i].isEmpty()) continue;
     const Sight& sight = *sightings[i].sight;
     const Window window = window_of(boxes[i], sight);
-    const Pixels passes = Patches(window, sightings[i], sets[i])
-                              .reliable(noise, kBottom * options.min_thickness, height_error);
+    const Mask passes = Patches(window, sightings[i], sets[i])
+                            .reliable(noise, kBottom * options.min_thickness, height_error);
     result.push_back(
         rays_in(window, sightings[i], sets[i], passes, Rays(sightings[i], X_WS), ground));
     result.back().X_OC = X_WO.inverse() * sight.X_WC;

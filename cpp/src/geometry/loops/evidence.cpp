@@ -36,7 +36,7 @@ void crossings_of(const Eigen::Matrix2Xd& polygon, double row, std::vector<doubl
   std::sort(columns.begin(), columns.end());
 }
 
-/// What the cameras saw at a point.
+/// Sight of the cameras at a point.
 enum class Seen { object, nothing, open };
 
 Seen seen_from(const RayImage& rays, const Eigen::Vector3d& p_C, double tolerance) {

@@ -8,7 +8,7 @@
 
 namespace graspless::geometry {
 
-/// What rays say of a loop.
+/// Findings of rays about a loop.
 struct Passage {
   std::vector<char> is_passed;   ///< per open region: true if all its rays are linked with the loop
   std::vector<char> is_touched;  ///< same, if some are

@@ -11,14 +11,13 @@
 #include "graspless/watch.hpp"
 
 #include "geometry/convex_hull.hpp"
+#include "geometry/masks.hpp"
 
 namespace graspless::geometry {
 namespace {
 
 constexpr int kFewest = 9;  // pixels of a region
 constexpr Eigen::Index kMostPixels = 25'000'000;
-
-using Mask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Length of a ray p + t r up to where it leaves the hull for good; 0 if it misses it.
 double exit_of(const Planes& hull, const Eigen::Vector3d& p, const Eigen::Vector3d& r) {
@@ -54,18 +53,6 @@ Mask passing(const RayImage& rays, const Planes& hull) {
   return passes;
 }
 
-/// Pixels in a square of 2 x 2 pixels of a mask.
-Mask opened(const Mask& mask) {
-  Mask result = Mask::Constant(mask.rows(), mask.cols(), false);
-  for (Eigen::Index v = 0; v + 1 < mask.rows(); ++v) {
-    for (Eigen::Index u = 0; u + 1 < mask.cols(); ++u) {
-      if (mask(v, u) && mask(v, u + 1) && mask(v + 1, u) && mask(v + 1, u + 1))
-        result.block<2, 2>(v, u).setConstant(true);
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 void validate(const RayImage& rays, const std::string& field) {
@@ -98,34 +85,17 @@ Planes hull_of(const Eigen::Matrix3Xd& points) {
 
 Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> open_regions(
     const RayImage& rays, const Planes& hull, std::vector<int>& sizes) {
-  const Mask open = opened(passing(rays, hull));
+  Mask open = opened(passing(rays, hull));
   Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> labels =
       Eigen::ArrayXXi::Constant(open.rows(), open.cols(), -1);
-  const Eigen::Index width = open.cols();
   std::vector<Eigen::Index> members;
   for (Eigen::Index seed = 0; seed < open.size(); ++seed) {
-    if (!open.data()[seed] || labels.data()[seed] != -1) continue;
+    if (!open.data()[seed]) continue;
     poll();
-    const int label = static_cast<int>(sizes.size());
-    members.assign(1, seed);
-    labels.data()[seed] = label;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const Eigen::Index at = members[k], u = at % width;
-      const auto visit = [&](bool exists, Eigen::Index next) {
-        if (!exists || !open.data()[next] || labels.data()[next] != -1) return;
-        labels.data()[next] = label;
-        members.push_back(next);
-      };
-      visit(u > 0, at - 1);
-      visit(u + 1 < width, at + 1);
-      visit(at >= width, at - width);
-      visit(at + width < open.size(), at + width);
-    }
-    if (static_cast<int>(members.size()) >= kFewest) {
-      sizes.push_back(static_cast<int>(members.size()));
-    } else {
-      for (const Eigen::Index at : members) labels.data()[at] = -2;
-    }
+    take_connected(open, seed, members);
+    if (static_cast<int>(members.size()) < kFewest) continue;
+    for (const Eigen::Index at : members) labels.data()[at] = static_cast<int>(sizes.size());
+    sizes.push_back(static_cast<int>(members.size()));
   }
   return labels;
 }
