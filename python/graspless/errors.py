@@ -19,12 +19,13 @@ EXTRAS = {  # that bring a package, the smallest first
     "distributed": ("cluster",),
     "joblib": ("batch", "cluster"),
     "matplotlib": ("view",),
-    "mujoco": ("sim",),
+    "mujoco": ("sim", "rerun"),
+    "rerun": ("rerun",),
     "rich": ("batch", "cluster"),
     "robot_descriptions": ("robots",),
     "rosbags": ("ros",),
-    "scipy": ("timing", "view", "sim", "ros"),
-    "toppra": ("timing", "sim", "ros"),
+    "scipy": ("timing", "view", "sim", "ros", "rerun"),
+    "toppra": ("timing", "sim", "ros", "rerun"),
     "viser": ("view",),
 }
 

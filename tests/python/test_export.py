@@ -19,7 +19,7 @@ from rosbags.typesys import Stores, get_typestore
 
 import graspless
 from graspless import TaskError, cli, formats, frames
-from graspless.formats import ENDINGS, FORMATS
+from graspless.formats import ENDINGS, FORMATS, NOT_TEXT
 from graspless.formats.fingers import contacts
 from graspless.formats.json_model import TrajectoryFile
 from graspless.tasks import read_task
@@ -28,6 +28,7 @@ from timing_common import planned
 
 ROOT = pathlib.Path(__file__).parents[2]
 RATE = 20.0
+HERE = [to for to in FORMATS if to != "rrd" or importlib.util.find_spec("rerun")]
 
 
 def exported(name, path, to, **settings):
@@ -190,7 +191,7 @@ def test_what_cannot_be_exported_is_told(tmp_path, name, to, words):
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("to", FORMATS)
+@pytest.mark.parametrize("to", HERE)
 def test_an_ending_of_another_format_is_refused(tmp_path, to):
     for other in set(FORMATS) - {to}:
         for ending in ENDINGS[other]:
@@ -202,7 +203,7 @@ def test_an_ending_of_another_format_is_refused(tmp_path, to):
         formats._check_ending(f"plan{ending}", to)
 
 
-@pytest.mark.parametrize("to", FORMATS)
+@pytest.mark.parametrize("to", HERE)
 def test_a_plan_without_solution_is_refused(tmp_path, to):
     unsolved = graspless.plan(planned("slide").task, iterations=0)
     with pytest.raises(TaskError, match="not solved"):
@@ -211,12 +212,13 @@ def test_a_plan_without_solution_is_refused(tmp_path, to):
 
 
 def test_files_are_written_whole_or_not_at_all(tmp_path, monkeypatch):
-    for to in FORMATS:
+    for to in HERE:
         with pytest.raises(TaskError, match="there is no folder"):
             exported("slide", tmp_path / "missing" / "plan.mcap", to)
     (tmp_path / "bag").mkdir()
-    with pytest.raises(TaskError, match="bag: cannot be written"):
-        exported("slide", tmp_path / "bag", "mcap")
+    for to in ("mcap", "drake"):
+        with pytest.raises(TaskError, match="bag: cannot be written"):
+            exported("slide", tmp_path / "bag", to)
     assert [p.name for p in tmp_path.iterdir()] == ["bag"]
 
 
@@ -302,7 +304,7 @@ def test_limits_of_single_joints(tmp_path, capsys):
     assert "--velocity: invalid limit value: 'wam_joint_1=fast'" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("to", sorted(set(FORMATS) - {"mcap"}))
+@pytest.mark.parametrize("to", sorted(set(FORMATS) - set(NOT_TEXT)))
 def test_text_goes_to_stdout(tmp_path, monkeypatch, capsys, to):
     monkeypatch.chdir(tmp_path)
     planned("clasp").save("plan.json")
@@ -318,8 +320,10 @@ def test_text_goes_to_stdout(tmp_path, monkeypatch, capsys, to):
 def test_what_is_binary_needs_a_file(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     planned("clasp").save("plan.json")
-    assert cli.main(["export", "plan.json", "--to", "mcap", "-o", "-"]) == 2
-    assert "to: mcap: is not text: should have a file" in capsys.readouterr().err
+    for to in NOT_TEXT:
+        what = "folder" if to == "drake" else "file"
+        assert cli.main(["export", "plan.json", "--to", to, "-o", "-"]) == 2
+        assert f"to: {to}: is not text: should have a {what}" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["plan.json"]
 
 

@@ -24,6 +24,8 @@ FORMATS = {
     "csv": "a table, one row a moment",
     "mujoco": "MJCF of the task with keyframes",
     "json": "the trajectory, by trajectory.schema.json",
+    "drake": "a folder: model directives and PiecewisePolynomials",
+    "rrd": "a recording for rerun",
 }
 ENDINGS = {  # of files; any that is no other format's will do, too
     "ros": (".yaml", ".yml"),
@@ -31,7 +33,12 @@ ENDINGS = {  # of files; any that is no other format's will do, too
     "csv": (".csv",),
     "mujoco": (".xml", ".mjcf"),
     "json": (".json",),
+    "drake": (),  # a folder
+    "rrd": (".rrd",),
 }
+EXTRAS = {"mcap": "ros", "mujoco": "sim", "drake": "sim", "rrd": "rerun"}  # the others: timing
+SCENES = ("mujoco", "drake", "rrd")  # hold the whole robot, object and surroundings
+NOT_TEXT = ("mcap", "drake", "rrd")
 
 
 class Format(Protocol):
@@ -59,16 +66,16 @@ def export(
         A solved plan, or the path of its file. It is not checked: `check` does that.
     path : str or Path
         The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
-        An ending of another format is refused.
+        `drake`: a new folder. An ending of another format is refused.
     to : str
-        ros, mcap, csv, mujoco or json: see docs/export.md.
+        ros, mcap, csv, mujoco, json, drake or rrd: see docs/export.md.
     rate : float, optional
         Samples per second. Default 100.
     robot : Robot, optional
         As in `time`.
     group : str, optional
         Group of the SRDF, such as arm or hand: only its joints are written, for a controller of
-        their own. Default: all joints. Not of `mujoco`.
+        their own. Default: all joints. Not of `mujoco`, `drake` and `rrd`.
     **limits
         As in `time`: max_velocity, max_acceleration, max_jerk, contact_speed, pause, fingers.
 
@@ -101,8 +108,10 @@ def text(
     **limits: Any,
 ) -> tuple[Trajectory, str]:
     """Returns the trajectory and the content of the file that `export` writes in a text format."""
-    if to == "mcap":
-        raise TaskError(f"to: {to}: is not text: should have a file")
+    if to in NOT_TEXT:
+        raise TaskError(
+            f"to: {to}: is not text: should have a {'folder' if to == 'drake' else 'file'}"
+        )
     writer: Any = _writer(to)
     trajectory = _timed(plan, to, group, robot=robot, rate=rate, **limits)
     return trajectory, writer.text(trajectory)
@@ -110,8 +119,8 @@ def text(
 
 def _timed(plan: Plan | str | Path, to: str, group: str | None, **settings: Any) -> Trajectory:
     """Returns the timed plan, for all joints or those of a group."""
-    if group is not None and to == "mujoco":
-        raise TaskError(f"group: {group}: mujoco holds the whole robot")
+    if group is not None and to in SCENES:
+        raise TaskError(f"group: {group}: {to} holds the whole robot")
     trajectory = time(plan, **settings)
     return trajectory if group is None else trajectory.of_group(group)
 
@@ -122,7 +131,8 @@ def _check_ending(path: str | Path, to: str) -> None:
     if suffix in ENDINGS[to] or not any(suffix in others for others in ENDINGS.values()):
         return
     other = next(name for name, endings in ENDINGS.items() if suffix in endings)
-    own = " or ".join(ENDINGS[to]) + (", or a folder's name" if to == "mcap" else "")
+    folder = ["a folder's name"] if to in ("mcap", "drake") else []
+    own = " or ".join([*ENDINGS[to], *folder])
     raise TaskError(f"{path}: {suffix} is the ending of {other}: should be {own} (to: {to})")
 
 
@@ -130,12 +140,11 @@ def _writer(to: str) -> Format:
     if to not in FORMATS:
         raise TaskError(f"to: {to}: no such format (one of: {', '.join(FORMATS)})")
     try:
-        if to == "mujoco":
+        if to in SCENES:
             require_mujoco()
         writer: Format = importlib.import_module(f".{to}", __name__)
     except ImportError as error:
-        extra = {"mcap": "ros", "mujoco": "sim"}.get(to, "timing")
-        raise missing(error, extra) from None
+        raise missing(error, EXTRAS.get(to, "timing")) from None
     return writer
 
 

@@ -30,16 +30,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         "Time a plan within the limits of the robot and write it for another program. ros: "
         "trajectory_msgs/JointTrajectory as YAML; mcap: ROS 2 messages; csv: a table; mujoco: MJCF "
-        "with keyframes; json: by trajectory.schema.json. See docs/export.md."
+        "with keyframes; json: by trajectory.schema.json; drake: model directives and polynomials; "
+        "rrd: a recording for rerun. See docs/export.md."
     )
     parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
-    parser.add_argument("--to", required=True, choices=["ros", "mcap", "csv", "mujoco", "json"])
+    parser.add_argument(
+        "--to", required=True, choices=["ros", "mcap", "csv", "mujoco", "json", "drake", "rrd"]
+    )
     parser.add_argument(
         "-o",
         "--output",
         metavar="FILE",
         required=True,
-        help="file to write; mcap: FILE.mcap or a new folder; the others: - for stdout",
+        help="file; mcap: FILE.mcap or a new folder; drake: a new folder; text: - for stdout",
     )
     parser.add_argument(
         "--group", metavar="NAME", help="only the joints of a group of the SRDF: arm, hand"

@@ -16,7 +16,8 @@ import numpy as np
 
 from .. import files, frames
 from ..simulation.robots import set_positions
-from .mujoco_scene import FINGER, OBJECT, build, stages_of
+from .fingers import centers
+from .mujoco_scene import FINGER, OBJECT, build
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -43,7 +44,7 @@ def text(trajectory: Trajectory) -> str:
         if robot is not None:
             key.ctrl = trajectory.positions[k]
         else:
-            key.mpos = _centers(trajectory, int(k)).ravel()
+            key.mpos = centers(trajectory, int(k)).ravel()
     spec.compile()
     document: str = spec.to_xml()
     return document
@@ -58,25 +59,6 @@ def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
     data.qpos[place : place + 7] = frames.to_row(X_WO)
     qpos: Matrix = data.qpos
     return qpos
-
-
-def _centers(trajectory: Trajectory, k: int) -> Matrix:
-    """[n, 3] of bare fingertips in the world [m]: one that is off waits at its next place."""
-    X_WO, now = trajectory.object_poses[k], int(trajectory.segment_index[k])
-    fingers = stages_of(trajectory.plan)[0].task.problem.fingers
-    radius, count = fingers.radius, fingers.count
-    centers = np.tile([0.0, 0.0, 1.0], (count, 1))
-    row = 0 if k == 0 else -1
-    for i in range(count):
-        places = [(now, row), *((later, 0) for later in range(now + 1, len(trajectory.segments)))]
-        places += [(earlier, -1) for earlier in range(now - 1, -1, -1)]
-        for segment, at in places:
-            p_O = trajectory.segments[segment].fingers[at, i]
-            if np.isfinite(p_O).all():
-                center_O = p_O - radius * trajectory.segments[segment].normals[at, i]
-                centers[i] = X_WO[:3, :3] @ center_O + X_WO[:3, 3]
-                break
-    return centers
 
 
 __all__ = ["FINGER", "OBJECT", "text", "write"]

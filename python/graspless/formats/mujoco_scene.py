@@ -18,13 +18,13 @@ from ..simulation.shapes import add_skin, give_inertia
 from ..simulation.slide.shapes import plate_inertia
 from ..tasks.slide.build import build_object as build_slide_object
 from ..tasks.source import Source
+from ..timing.trajectory import robot_of, stages_of
 from .mujoco_shapes import add_shape
 from .mujoco_surroundings import add_surroundings
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from .._plan import Plan
     from ..frames import Matrix
     from ..robot import Robot
     from ..tasks import Task
@@ -39,7 +39,8 @@ def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
     task = stages[0].task
     robot: Robot | None = None
     if trajectory.joint_names:
-        robot = task.problem.robot if task.arm is None else task.arm.robot
+        robot = robot_of(trajectory.plan)
+        assert robot is not None
         spec = robot_spec(robot, task.fields.robot)
         _inline_meshes(spec)
     else:
@@ -52,12 +53,6 @@ def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
     _OBJECTS[task.kind](spec, body, task)
     add_surroundings(spec, stages)
     return spec, robot
-
-
-def stages_of(plan: Plan) -> list[Plan]:
-    """Returns the stages of a chain, or the plan itself. The first one's task has the object."""
-    stages: list[Plan] = getattr(plan, "stages", [plan])
-    return stages
 
 
 def _slide(spec: Any, body: Any, task: Task) -> None:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import mujoco
 import numpy as np
@@ -131,14 +131,32 @@ def _add_servo(spec: Any, name: str, effort: float, weight: float, servo: Servo)
     `weight` is that of steps of the joint, 10 rad/m for a prismatic one: it deflects by a tenth of
     the sag in metres. Its mass is that of a servo with the whole sag, so its bandwidth is larger.
     """
+    given = gains(effort, weight, servo)
+    spec.joint(name).armature = given.rotor
+    actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+    actuator.set_to_position(kp=given.stiffness, kv=given.damping)
+    actuator.forcelimited, actuator.forcerange = True, [-given.effort, given.effort]
+
+
+class Gains(NamedTuple):
+    """Position servo of a joint: its stiffness, damping, inertia of the rotor and largest effort.
+
+    In N, m, s and rad.
+    """
+
+    stiffness: float
+    damping: float
+    rotor: float
+    effort: float
+
+
+def gains(effort: float, weight: float, servo: Servo) -> Gains:
+    """Returns the gains of a servo. `effort` may be 0 or infinite: that of the URDF."""
     effort = effort if np.isfinite(effort) and effort > 0 else servo.effort
     stiffness = effort * weight / servo.sag
-    bandwidth = servo.bandwidth * np.sqrt(weight)
-    joint = spec.joint(name)
-    joint.armature = stiffness / bandwidth**2
-    actuator = spec.add_actuator(name=name, target=name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-    actuator.set_to_position(kp=stiffness, kv=2 * servo.damping_ratio * stiffness / bandwidth)
-    actuator.forcelimited, actuator.forcerange = True, [-effort, effort]
+    bandwidth = servo.bandwidth * float(np.sqrt(weight))
+    damping = 2 * servo.damping_ratio * stiffness / bandwidth
+    return Gains(stiffness, damping, stiffness / bandwidth**2, effort)
 
 
 def _require_whole_inertial(link: ET.Element) -> None:

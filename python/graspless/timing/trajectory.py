@@ -27,9 +27,15 @@ if TYPE_CHECKING:
     from .clip import Clip
 
 
+def stages_of(plan: Any) -> list[Any]:
+    """Returns the stages of a chain, or the plan itself. The first one's task has the object."""
+    stages: list[Any] = getattr(plan, "stages", [plan])
+    return stages
+
+
 def robot_of(plan: Any) -> Robot | None:
     """Returns the robot of a plan, or of the first stage of a chain."""
-    task = getattr(plan, "stages", (plan,))[0].task
+    task = stages_of(plan)[0].task
     robot: Robot | None = task.arm.robot if task.arm else getattr(task.problem, "robot", None)
     return robot
 
