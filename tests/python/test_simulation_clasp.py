@@ -21,6 +21,7 @@ from graspless.simulation.clasp.closing import left_open
 from graspless.simulation.clasp.execution import LOOK, Execution
 from graspless.simulation.clasp.judge import Judge
 from graspless.simulation.clasp.model import make_world
+from graspless.simulation.results import drained
 from graspless.simulation.robots import set_positions
 from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation, variations
@@ -363,9 +364,9 @@ def test_drag_takes_the_momentum_that_a_free_object_gathers(plan):
 
 def test_the_open_hand_loses_a_dragged_object_and_the_closed_one_does_not(plan):
     execution = _execution(plan)
-    execution.settle(Clasp().lead)
-    execution.follow(graspless.time(plan))
-    execution.grip()
+    drained(execution.settle(Clasp().lead))
+    drained(execution.follow(graspless.time(plan)))
+    drained(execution.grip())
     execution.world.let_go()
     closed = execution.save()
     with execution.dragged():

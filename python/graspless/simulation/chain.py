@@ -18,7 +18,7 @@ from .. import timing
 from ..errors import TaskError
 from .results import Trial
 from .settings import Slide
-from .slide import FAILURES, SPREAD, Body, Execution, execute
+from .slide import FAILURES, SPREAD, Body, Execution, execute, running
 from .slide import MEASURES as SLIDE_MEASURES
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .._plan import Plan as AnyPlan
     from ..chain import Plan
     from ..frames import Matrix
-    from .results import Recording
+    from .results import Recording, Running
     from .variation import Variation
 
 MEASURES = {
@@ -67,6 +67,15 @@ def run(
         time.perf_counter() - start,
         _with_plan(execution.recording(), plan) if record else None,
     )
+
+
+def start(plan: Plan, variation: Variation) -> Running:
+    """Returns the execution of a solved plan, to be run step by step."""
+    require_simulated(plan.task)
+    if len(plan.stages) == 1:
+        first: Any = plan.stages[0]
+        return running(Execution(first, variation, Slide()))
+    return running(_Carried(plan, variation, Slide()))
 
 
 def require_simulated(task: Any) -> None:
@@ -184,4 +193,13 @@ def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) 
     )
 
 
-__all__ = ["FAILURES", "MEASURES", "SPREAD", "Body", "obstacles_of", "require_simulated", "run"]
+__all__ = [
+    "FAILURES",
+    "MEASURES",
+    "SPREAD",
+    "Body",
+    "obstacles_of",
+    "require_simulated",
+    "run",
+    "start",
+]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from .settings import SLIDE_SPREAD, Slide
 from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
-from .slide import execute
+from .slide import execute, start
 
 if TYPE_CHECKING:
     from ..pinch import Plan
@@ -40,4 +40,4 @@ def run(
     return trial
 
 
-__all__ = ["FAILURES", "MEASURES", "SPREAD", "run"]
+__all__ = ["FAILURES", "MEASURES", "SPREAD", "run", "start"]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Generator, Sequence
 
     from .._plan import Plan
     from ..frames import Matrix
@@ -93,6 +93,36 @@ class Trial:
             "variation": self.variation.as_dict(),
             "seconds": self.seconds,
         }
+
+
+@dataclass(frozen=True)
+class Running:
+    """A trial to be run step by step by somebody else, who may change the commands.
+
+    Attributes
+    ----------
+    model, data : mujoco.MjModel, mujoco.MjData
+    object_pose : callable
+        Returns the present pose X_WO of the object [4, 4].
+    steps : generator
+        Before each physics step it sets `data.ctrl` to the commands of the plan, and yields the
+        name of the phase; it returns the Trial.
+    """
+
+    model: Any
+    data: Any
+    object_pose: Callable[[], Matrix]
+    steps: Generator[str, None, Trial]
+
+
+def drained(steps: Generator[str, None, Trial]) -> Trial:
+    """Runs all steps with the commands of the plan; returns the trial."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            trial: Trial = end.value
+            return trial
 
 
 @dataclass(frozen=True)

@@ -12,13 +12,14 @@ from __future__ import annotations
 
 import hashlib
 import json
+from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...timing import time as timed
-from ..results import Trial
+from ..results import Running, Trial, drained
 from ..robots import set_positions
 from ..settings import Clasp
 from ..variation import Variation
@@ -28,7 +29,7 @@ from .judge import Judge
 from .model import make_world
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Generator, Sequence
 
     from ... import clasp, geometry
     from ...clasp import Plan
@@ -77,28 +78,50 @@ def run(
     skin.
     """
     started = perf_counter()
+    recorder = Recorder() if record else None
+    trial = drained(_prepare(plan, variation, settings, solids, recorder).steps)
+    recording = None if recorder is None else recorder.recording()
+    return replace(trial, seconds=perf_counter() - started, recording=recording)
+
+
+def start(plan: Plan, variation: Variation) -> Running:
+    """Returns the execution of a solved plan, to be run step by step until the hand has gripped.
+
+    The last step also pulls at the object.
+    """
+    return _prepare(plan, variation, None, None, None)
+
+
+def _prepare(
+    plan: Plan,
+    variation: Variation,
+    settings: Clasp | None,
+    solids: Sequence[geometry.PlacedShape] | None,
+    recorder: Recorder | None,
+) -> Running:
     task, loop = plan.task, plan.loop
-    settings = settings or _settings(task.problem.hand, task.options.stability)
+    chosen = settings or _settings(task.problem.hand, task.options.stability)
     assert loop is not None
     problem = task.problem
-    world = make_world(task, variation, settings, solids)
+    world = make_world(task, variation, chosen, solids)
     judge = Judge(problem.hand, world, problem.object.loops.found[loop].points)
-    recorder = Recorder() if record else None
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
-    failures: list[str] = []
-    measures = _close(execution, timed(plan))
-    if execution.touched or not measures["moved_before"] <= settings.hit:
-        failures.append("hit")
-    if measures["linking"] == 0 or left_open(plan, settings, solids) > settings.left:
-        failures.append("not_closed")
-    if judge.linked():  # otherwise the loop was never in the hand
-        seeds = _seeds(plan, variation, settings.sequences)
-        pulled, found = _pulled(execution, seeds, _pull_direction(problem.pull_W, judge))
-        measures |= found
-        failures += pulled
-    recording = None if recorder is None else recorder.recording()
-    seconds = perf_counter() - started
-    return Trial(variation, tuple(failures), measures, seconds, recording)
+
+    def steps() -> Generator[str, None, Trial]:
+        failures: list[str] = []
+        measures = yield from _close(execution, timed(plan))
+        if execution.touched or not measures["moved_before"] <= chosen.hit:
+            failures.append("hit")
+        if measures["linking"] == 0 or left_open(plan, chosen, solids) > chosen.left:
+            failures.append("not_closed")
+        if judge.linked():  # otherwise the loop was never in the hand
+            seeds = _seeds(plan, variation, chosen.sequences)
+            pulled, found = _pulled(execution, seeds, _pull_direction(problem.pull_W, judge))
+            measures |= found
+            failures += pulled
+        return Trial(variation, tuple(failures), measures, 0.0)
+
+    return Running(world.model, world.data, lambda: world.object_pose, steps())
 
 
 def held_locked(
@@ -182,12 +205,12 @@ def _pulled(
     return failures, measures
 
 
-def _close(execution: Execution, trajectory: Trajectory) -> dict[str, float]:
+def _close(execution: Execution, trajectory: Trajectory) -> Generator[str, None, dict[str, float]]:
     """Reaches, closes and grips."""
     resting = execution.surface()
-    execution.settle(execution.world.settings.lead)
-    moved = execution.follow(trajectory)
-    torque = execution.grip()
+    yield from execution.settle(execution.world.settings.lead)
+    moved = yield from execution.follow(trajectory)
+    torque = yield from execution.grip()
     return {
         "moved_before": moved.get("reach", 0.0),
         "moved_by_closing": moved.get("close", 0.0),

@@ -16,7 +16,7 @@ from ..results import Recording
 from ..robots import lags
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Generator, Iterator
 
     from ... import clasp
     from ...frames import Matrix
@@ -63,27 +63,37 @@ class Execution:
         self._closed = robot.clamp(robot.state(hand.closed))
         self._open = robot.clamp(robot.state(hand.open))
 
-    def run(self, name: str, commands: Matrix | None = None) -> None:
-        """Runs to the next observation, with commands [steps, dof] or unchanged ones."""
+    def run(self, name: str) -> None:
+        """Runs to the next observation, with unchanged commands."""
         limits.poll()
         world = self.world
-        if commands is None:
-            mujoco.mj_step(world.model, world.data, nstep=self._steps)
-        else:
-            for command in commands:
-                world.data.ctrl[:] = command
-                mujoco.mj_step(world.model, world.data)
+        mujoco.mj_step(world.model, world.data, nstep=self._steps)
+        self._observe(name)
+
+    def steps(self, name: str, commands: Matrix) -> Iterator[str]:
+        """Runs to the next observation with commands [steps, dof]; yields before each step."""
+        limits.poll()
+        world = self.world
+        for command in commands:
+            world.data.ctrl[:] = command
+            yield name
+            mujoco.mj_step(world.model, world.data)
+        self._observe(name)
+
+    def _observe(self, name: str) -> None:
+        world = self.world
         mujoco.mj_kinematics(world.model, world.data)
         self.touched = self.touched or world.touches_obstacle
         if self.recorder is not None:
             self.recorder.add(world, name)
 
-    def settle(self, seconds: float) -> None:
+    def settle(self, seconds: float) -> Iterator[str]:
         """Lets the object settle while the robot holds still."""
+        command = self.world.data.ctrl.copy()
         for _ in range(_looks(seconds)):
-            self.run("settle")
+            yield from self.steps("settle", np.repeat(command[None], self._steps, axis=0))
 
-    def follow(self, trajectory: Trajectory) -> dict[str, float]:
+    def follow(self, trajectory: Trajectory) -> Generator[str, None, dict[str, float]]:
         """Moves arm and hand as planned; returns the largest displacement of the object by segment
         [m].
         """
@@ -94,7 +104,7 @@ class Execution:
         moved: dict[str, float] = {}
         resting = self.surface()
         for i in range(0, len(moments), self._steps):
-            self.run(names[i], commands[i : i + self._steps])
+            yield from self.steps(names[i], commands[i : i + self._steps])
             moved[names[i]] = max(self.moved(resting), moved.get(names[i], 0.0))
         return moved
 
@@ -108,7 +118,7 @@ class Execution:
         """Returns the largest distance of a point of the object from its earlier position [m]."""
         return float(np.linalg.norm(self.surface() - resting, axis=1).max())
 
-    def grip(self) -> Matrix:
+    def grip(self) -> Generator[str, None, Matrix]:
         """Closes every joint of the hand until its motor reaches the torque of the grip. Returns
         the final torque of each joint, as a fraction of its limit.
         """
@@ -125,7 +135,7 @@ class Execution:
             commands = np.repeat(command[None], self._steps, axis=0)
             commands[:, self._fingers] += np.arange(1, self._steps + 1)[:, None] * goes
             command = commands[-1]
-            self.run("grip", commands)
+            yield from self.steps("grip", commands)
             still = 0 if goes.any() else still + 1
             if still > settings.grip_still:
                 break

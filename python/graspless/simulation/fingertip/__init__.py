@@ -15,17 +15,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
+from ...errors import TaskError
 from ...timing import time as timed
-from ..results import Recording, Trial
+from ..results import Recording, Running, Trial
 from ..settings import FINGERTIP_SPREAD, Fingertip
-from .arm import carry_out_by_arm
+from .arm import ArmServo, carry_out_by_arm, prepare
 from .breaking import disturb
-from .execute import Log, execute
+from .execute import Log, execute, steps
 from .program import program
 from .servo import Servo
 from .world import build_world
 
 if TYPE_CHECKING:
+    from collections.abc import Generator
+
     from ...fingertip import Plan
     from ...frames import Matrix
     from ..variation import Variation
@@ -67,6 +70,22 @@ def run(plan: Plan, variation: Variation, *, record: bool = False) -> Trial:
         time.perf_counter() - start,
         recording(script, log) if record else None,
     )
+
+
+def start(plan: Plan, variation: Variation) -> Running:
+    """Returns the execution of a solved plan by its arm, to be run step by step."""
+    if not plan.joint_segments:
+        raise TaskError("the plan has no arm: only plans with joint paths run step by step")
+    world, script = prepare(plan, variation)
+    log = Log()
+
+    def advance() -> Generator[str, None, Trial]:
+        yield from steps(world, script, ArmServo(world, script), log)
+        measures = measure(world, script, log)
+        failures = judge(measures, world.settings, varied=not variation.is_nominal)
+        return Trial(variation, failures, measures, 0.0)
+
+    return Running(world.model, world.data, lambda: world.X_WO, advance())
 
 
 def carry_out(
@@ -156,4 +175,13 @@ def recording(script: Script, log: Log) -> Recording:
     )
 
 
-__all__ = ["FAILURES", "MEASURES", "SPREAD", "carry_out", "carry_out_by_arm", "disturb", "run"]
+__all__ = [
+    "FAILURES",
+    "MEASURES",
+    "SPREAD",
+    "carry_out",
+    "carry_out_by_arm",
+    "disturb",
+    "run",
+    "start",
+]

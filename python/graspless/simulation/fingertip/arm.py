@@ -109,6 +109,12 @@ def _name_finger_geoms(spec: Any, plan: Plan) -> list[list[str]]:
 
 def carry_out_by_arm(plan: Plan, variation: Variation) -> tuple[World, Script, Log]:
     """Executes a plan as `carry_out` does; `x`, `y` and `yaw` of the variation move the object."""
+    world, script = prepare(plan, variation)
+    return world, script, execute(world, script, ArmServo(world, script))
+
+
+def prepare(plan: Plan, variation: Variation) -> tuple[ArmWorld, Script]:
+    """Returns the world at the start, and the commands of each step."""
     world = build_arm_world(plan, variation)
     script = arm_program(plan, world.settings)
     script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
@@ -116,7 +122,7 @@ def carry_out_by_arm(plan: Plan, variation: Variation) -> tuple[World, Script, L
     X_WO[:2, 3] += variation.x, variation.y
     X_WO[:3, :3] = frames.from_rpy([0, 0, variation.yaw])[:3, :3] @ X_WO[:3, :3]
     world.stand(np.array(frames.to_row(X_WO)), script.joints[0])
-    return world, script, execute(world, script, ArmServo(world, script))
+    return world, script
 
 
 def arm_program(plan: Plan, settings: Fingertip) -> Script:

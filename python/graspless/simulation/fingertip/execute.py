@@ -14,6 +14,8 @@ from ... import frames, limits
 from .world import FINGER, OBJECT, OBSTACLE, PLANE
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from ...frames import Matrix
     from .script import Script
     from .world import World
@@ -75,6 +77,15 @@ def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -
         Steps between looks.
     """
     log = Log()
+    for _ in steps(world, script, servo, log, every=every):
+        pass
+    return log
+
+
+def steps(
+    world: World, script: Script, servo: Commands, log: Log, *, every: int = 10
+) -> Iterator[str]:
+    """Does what `execute` does, and logs it; yields the stage before each physics step."""
     slides = None
     size = float(np.ptp(world.hull, axis=0).max())
     for i in range(len(script)):
@@ -82,13 +93,13 @@ def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -
             slides = script.slides[i]
             world.soften(slides=bool(slides))
         servo.command(i)
+        yield script.names[script.stage[i]]
         limits.poll()
         mujoco.mj_step(world.model, world.data)
         if i % every == 0:
             look(world, script, i, log)
             if not log.errors[-1] < size:
                 break
-    return log
 
 
 def look(world: World, script: Script, i: int, log: Log) -> None:

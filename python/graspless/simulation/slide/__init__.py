@@ -13,7 +13,7 @@ import numpy as np
 
 from ... import frames, limits, timing
 from ...errors import TaskError
-from ..results import Recording, Trial
+from ..results import Recording, Running, Trial
 from ..robots import joint_addresses, lags, set_positions
 from ..settings import SLIDE_SPREAD, Slide
 from .conditions import CONDITIONS, draw
@@ -24,7 +24,7 @@ from .program import HOLD, RAISE, SQUEEZE, make_program
 from .scene import FINGER_GRASPS, Body, Scene, build_scene
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Generator, Iterator, Sequence
 
     from ...frames import Matrix
     from ...slide import Plan
@@ -76,6 +76,21 @@ def execute(
     """Executes a solved plan of a slide or of a pinch, and lifts the object."""
     start = time.perf_counter()
     return _trial(Execution(plan, variation, settings or Slide()), record, start)
+
+
+def start(plan: Any, variation: Variation) -> Running:
+    """Returns the execution of a solved plan, to be run step by step."""
+    return running(Execution(plan, variation, Slide()))
+
+
+def running(execution: Execution) -> Running:
+    """Returns an execution to be run step by step."""
+
+    def steps() -> Generator[str, None, Trial]:
+        yield from execution.steps()
+        return Trial(execution.variation, tuple(execution.judge.failures), execution.measures, 0.0)
+
+    return Running(execution.scene.model, execution.data, execution.object_pose, steps())
 
 
 def follow(plan: Plan, variation: Variation, seed: Sequence[int], *, record: bool = False) -> Trial:
@@ -165,6 +180,11 @@ class Execution:
 
     def run(self, until: str = HOLD) -> None:
         """Runs to the end of a phase, or until the object has fallen."""
+        for _ in self.steps(until):
+            pass
+
+    def steps(self, until: str = HOLD) -> Iterator[str]:
+        """Does the same; yields the phase before each step, when the commands are in data.ctrl."""
         skip = max(1, round(1 / (_RECORD * self.timestep)))
         phase = ""
         for step in itertools.count():
@@ -177,7 +197,10 @@ class Execution:
             if command is None:
                 return
             phase = following
-            self._step(command)
+            self._command(command)
+            yield phase
+            limits.poll()
+            mujoco.mj_step(self.scene.model, self.data)
             if step % self.every == 0:
                 self.judge.look(self.data, phase)
                 if self.judge.is_over:
@@ -187,11 +210,9 @@ class Execution:
             if self._rows is not None and step % skip == 0:
                 self._rows.append((self.data.time, self.positions(), self.object_pose(), phase))
 
-    def _step(self, command: Command) -> None:
+    def _command(self, command: Command) -> None:
         self.data.ctrl[:] = command.position + self._lags * command.velocity
         self._press(command.phase)
-        limits.poll()
-        mujoco.mj_step(self.scene.model, self.data)
 
     def _press(self, phase: str) -> None:
         """Presses a finger that holds a force onto the object."""
@@ -294,4 +315,6 @@ __all__ = [
     "execute",
     "follow",
     "run",
+    "running",
+    "start",
 ]
