@@ -21,6 +21,7 @@ EXTRAS = {  # that bring a package, the smallest first
     "joblib": ("batch", "cluster"),
     "matplotlib": ("view",),
     "mujoco": ("sim", "rerun", "gym"),
+    "pyarrow": ("gym",),
     "rerun": ("rerun",),
     "rich": ("batch", "cluster"),
     "robot_descriptions": ("robots",),

@@ -13,6 +13,7 @@ from ..errors import missing
 try:
     import gymnasium
 
+    from .demonstrations import demonstrate
     from .env import PlanEnv
 except ImportError as error:
     raise missing(error, "gym") from None
@@ -26,4 +27,4 @@ for _name in DRAWS:
         kwargs={"name": _name},
     )
 
-__all__ = ["DRAWS", "PlanEnv"]
+__all__ = ["DRAWS", "PlanEnv", "demonstrate"]

@@ -119,3 +119,9 @@ PHASES: dict[str, tuple[str, ...]] = {  # of the simulation
     "Clasp": ("settle", "reach", "close", "grip"),
     "Pick": _SLIDE,  # a pinch has no others
 }
+SENTENCES = {
+    "SlideToEdge": "slide the card to the edge of the table, grasp it there and lift it",
+    "Tumble": "tip the block over with two fingertips",
+    "Clasp": "put the hand through the handle and close it",
+    "Pick": "pick up the object",
+}

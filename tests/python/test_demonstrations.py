@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Demonstrations are read back by lerobot and by pyarrow, and replay to the same reward."""
+
+import json
+
+import numpy as np
+import pytest
+
+from graspless import TaskError
+
+pytest.importorskip("gymnasium", reason="gymnasium is not installed (extra gym)")
+pytest.importorskip("pyarrow", reason="pyarrow is not installed (extra gym)")
+
+import pyarrow.parquet as pq
+
+from graspless.environments import PlanEnv, demonstrate, demonstrations
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Two episodes of Pick."""
+    path = tmp_path_factory.mktemp("demonstrations") / "pick"
+    told = []
+    tried = demonstrate("Pick", path, 2, seed=2, progress=lambda *n: told.append(n))
+    assert told[-1] == (2, tried)
+    return path
+
+
+def columns(folder):
+    table = pq.read_table(folder / "data/chunk-000/file-000.parquet")
+    return {name: np.array(table[name].to_pylist()) for name in table.column_names}
+
+
+def test_actions_replay_to_the_same_states_and_reward(folder):
+    found, env = columns(folder), PlanEnv("Pick")
+    own = found["episode_index"] == 0
+    observation, _ = env.reset(seed=2)
+    for state, action, reward in zip(
+        found["observation.state"][own],
+        found["action"][own],
+        found["next.reward"][own],
+        strict=True,
+    ):
+        np.testing.assert_array_equal(observation, state.astype(np.float32))
+        observation, rewarded, ended, _, _ = env.step(action)
+        assert rewarded == reward
+    assert ended
+    assert rewarded == 1
+
+
+def test_frames_are_numbered_as_the_episodes_say(folder):
+    found = columns(folder)
+    info = json.loads((folder / "meta/info.json").read_text())
+    rows = pq.read_table(folder / "meta/episodes/chunk-000/file-000.parquet").to_pylist()
+    assert info["total_episodes"] == len(rows) == 2
+    assert info["total_frames"] == len(found["index"]) == sum(row["length"] for row in rows)
+    for row in rows:
+        part = slice(row["dataset_from_index"], row["dataset_to_index"])
+        assert set(found["episode_index"][part]) == {row["episode_index"]}
+        np.testing.assert_array_equal(found["frame_index"][part], np.arange(row["length"]))
+        np.testing.assert_allclose(found["timestamp"][part], np.arange(row["length"]) / 50)
+        lowest = found["action"][part].min(axis=0)
+        np.testing.assert_allclose(row["stats/action/min"], lowest, rtol=1e-6)
+    for name, feature in info["features"].items():
+        assert list(found[name].shape[1:]) == (feature["shape"] if feature["names"] else [])
+
+
+def test_lerobot_reads_them(folder):
+    pytest.importorskip("lerobot", reason="lerobot is not installed")
+    from lerobot.datasets.lerobot_dataset import LeRobotDataset
+
+    dataset, found = LeRobotDataset("graspless/pick", root=folder), columns(folder)
+    assert (dataset.num_episodes, dataset.num_frames) == (2, len(found["index"]))
+    for i in (0, 1, len(dataset) - 1):
+        frame = dataset[i]
+        assert frame["task"] == "pick up the object"
+        for name in ("observation.state", "action"):
+            np.testing.assert_array_equal(frame[name].numpy(), found[name][i].astype(np.float32))
+
+
+def test_only_what_held_is_kept(tmp_path, monkeypatch):
+    episodes, true = [], demonstrations._episode
+
+    def every_other(env, seed):
+        episodes.append(seed)
+        return true(env, seed) if seed % 2 else None
+
+    monkeypatch.setattr(demonstrations, "_episode", every_other)
+    assert demonstrate("Pick", tmp_path / "a", 1, seed=2) == 2
+    assert episodes == [2, 3]
+    monkeypatch.setattr(demonstrations, "_episode", lambda *_: None)
+    with pytest.raises(TaskError, match="Pick: 20 episodes in a row did not hold"):
+        demonstrate("Pick", tmp_path / "b", 1)
+    assert [path.name for path in tmp_path.iterdir()] == ["a"]
+
+
+def test_bad_input_is_told(tmp_path):
+    with pytest.raises(TaskError, match="name: Throw: should be one of"):
+        demonstrate("Throw", tmp_path / "a", 1)
+    with pytest.raises((TaskError, ValueError), match="episodes"):
+        demonstrate("Pick", tmp_path / "a", 0)
+    with pytest.raises(TaskError, match="cannot be written"):
+        demonstrate("Pick", tmp_path, 1)
+    assert not list(tmp_path.iterdir())
